@@ -42,6 +42,17 @@ impl Move {
     }
 }
 
+/// Seconds in which a drive without current coasts to rest from `speed` rad/s: `J ω / T`, with all that turns; infinite where nothing slows it.
+/// Source: sizing facts 2.2, the fall without a torque of the motor.
+pub fn coasting(inertia: f64, speed: f64, torque: f64) -> f64 {
+    if torque > 0.0 { inertia * speed / torque } else { f64::INFINITY }
+}
+
+/// Power in W of a torque in Nm at a speed in rad/s: `T ω`.
+pub fn power(torque: f64, speed: f64) -> f64 {
+    torque * speed
+}
+
 /// Steady torque in Nm at the shaft of a motor that drives `torque` Nm behind a gear: `T / (i η)`. A load that drives the motor gives
 /// `T η / i`. Source: sizing facts 2.2, checked as B7, C6 and D1.
 pub fn through_gear(torque: f64, ratio: f64, efficiency: f64) -> f64 {

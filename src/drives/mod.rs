@@ -1,8 +1,10 @@
-//! Engineering shared by machines: inertia, load and servo of an axis, parts to order, cams, analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
+//! Engineering shared by machines: inertia, load, duty and servo of an axis, parts to order, cams, analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
 
 pub mod inertia;
 
 pub mod load;
+
+pub mod duty;
 
 pub mod servo;
 

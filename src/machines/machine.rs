@@ -7,6 +7,7 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
+use super::driven::{DrivenAxis, Gauge, InverterDrive};
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
@@ -206,6 +207,22 @@ pub trait Prepared: Send + Sync {
     fn contact(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<&'static str> {
         None
     }
+    /// The servo motors, to be sized.
+    fn driven_axes(&self) -> Vec<DrivenAxis> {
+        Vec::new()
+    }
+    /// The drive behind the inverter, to be sized; none where there is none, or what it is asked is not known.
+    fn inverter_drive(&self) -> Option<InverterDrive> {
+        None
+    }
+    /// Seconds in which the spindle coasts to rest from the rated speed of its stage when the supply fails; none where that is not known.
+    fn coasting(&self) -> Option<f64> {
+        None
+    }
+    /// What is watched while the machine is operated: the worst values in a part of a run, looked at `points` times.
+    fn gauges(&self, _run: &dyn Samples, _span: (f64, f64), _points: usize) -> Vec<Gauge> {
+        Vec::new()
+    }
     /// Charts from `from` to `to` seconds with `points` points each.
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
@@ -226,6 +243,10 @@ pub trait Machine: Prepared + Sized + 'static {
     const LEFT_OUT: &'static [LeftOut] = &[];
     /// Machine seconds per second at which the motion is visible: one of the speeds of the page.
     const SPEED: f64;
+    /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
+    const GROWTH: &'static [&'static str] = &[];
+    /// Id of the result that tells its speed; empty where none does.
+    const SPEED_RESULT: &'static str = "";
     /// Whether it has an [explorer](Prepared::explorer).
     const EXPLORES: bool = false;
     /// Named examples; a new project is the first, and the defaults of the form where there is none.
@@ -254,6 +275,10 @@ pub trait AnyMachine: Sync {
     fn left_out(&self) -> &'static [LeftOut];
     /// Machine seconds per second at which the motion is visible.
     fn speed(&self) -> f64;
+    /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
+    fn growth(&self) -> &'static [&'static str];
+    /// Id of the result that tells its speed.
+    fn speed_result(&self) -> &'static str;
     /// Whether it has an explorer.
     fn explores(&self) -> bool;
     /// Named examples; a new project is the first, and the defaults of the form where there is none.
@@ -422,6 +447,14 @@ impl<M: Machine> AnyMachine for Erased<M> {
 
     fn speed(&self) -> f64 {
         M::SPEED
+    }
+
+    fn growth(&self) -> &'static [&'static str] {
+        M::GROWTH
+    }
+
+    fn speed_result(&self) -> &'static str {
+        M::SPEED_RESULT
     }
 
     fn explores(&self) -> bool {

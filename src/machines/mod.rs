@@ -6,6 +6,8 @@ pub mod examples;
 
 pub mod machine;
 
+pub mod driven;
+
 pub mod verdict;
 
 pub mod chart_rows;

@@ -42,6 +42,7 @@ pub mod milestones;
 mod path;
 mod records;
 mod spindle;
+pub mod stretches;
 mod time_series;
 pub mod timeline;
 
@@ -83,4 +84,5 @@ pub use plc::{BenchPlc, GearShift, Io, Plc, ProgramState, Stops, Strobes, WordPa
 pub use program::RunningProgram;
 pub use setup::{Budget, Progress, Retention, RunEnd, Setup};
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
+pub use stretches::{Mover, Stretch};
 pub use timeline::{Timeline, Visit};

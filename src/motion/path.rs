@@ -178,6 +178,18 @@ impl Path {
         state
     }
 
+    /// Commanded speed of one axis in mm/s or °/s behind an acceleration over `tau` seconds: the mean speed of that time.
+    pub(super) fn mean_speed(&self, k: usize, t: f64, tau: f64) -> f64 {
+        let segments = self.segments.until(t);
+        if tau <= 0.0 {
+            return self.speed(segments, k, t);
+        }
+        let flat = Weight { level: 1.0 / tau, slope: 0.0, decay: 0.0, gain: 0.0, shift: 0.0 };
+        let mut mean = 0.0;
+        self.window(segments, k, t, 0.0, tau, |run, age, young, old| mean += flat.integral(run, age, young, old));
+        mean
+    }
+
     /// Commanded position of one axis behind acceleration at `t`, which may lie ahead: as in [`axis`](Path::axis).
     pub(super) fn commanded(&self, k: usize, plant: &AxisPlant, t: f64) -> f64 {
         let segments = self.segments.until(t);

@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 use super::checked_plant::CheckedPlant;
 use super::events::EventSource;
 use super::gate::{Gate, Gatekeeper};
-use super::panel::{Event, Panel};
+use super::panel::{Action, Event, Panel};
 use super::path::Segment;
 use super::program::RunningProgram;
 use super::records::{RecordLengths, Records};
@@ -173,6 +173,17 @@ impl<P: RunningProgram> Planner<P> {
             self.due = last.t;
             self.records.timeline.end = last.t.min(t);
         }
+    }
+
+    /// Takes the supply away at `t`: emergency stop, but the spindle coasts, in `coasting` seconds from the rated speed of its stage.
+    pub fn lose_power(&mut self, t: f64, coasting: f64) {
+        self.event(Event { t, action: Action::EmergencyStop });
+        // All before runs on its ramps.
+        let before = t.next_down();
+        while self.ended.is_none() && self.records.timeline.end < before.min(self.plant.limits.seconds) {
+            self.advance(before, usize::MAX);
+        }
+        self.plant.spindle.ramp = coasting;
     }
 
     /// Ends the plan at `still`, where axes and spindle have settled after the end of the run.

@@ -63,9 +63,9 @@ impl Timed for Ramp {
 /// Motor speed behind an inverter: `gain · n`, reduced by `lost` toward standstill. With negative `lost` (a motor driven by its load) the
 /// speed is at most doubled, so that it starts from 0 without a step.
 #[derive(Clone, Copy)]
-struct Slip {
-    gain: f64,
-    lost: f64,
+pub(super) struct Slip {
+    pub(super) gain: f64,
+    pub(super) lost: f64,
 }
 
 impl Slip {
@@ -122,7 +122,7 @@ impl Ramp {
         if left > 0.0 && self.rate > 0.0 { self.t + left / self.rate } else { self.t }
     }
 
-    fn slip(&self, plant: &SpindlePlant) -> Slip {
+    pub(super) fn slip(&self, plant: &SpindlePlant) -> Slip {
         match self.control {
             SpindleMode::Speed => Slip { gain: plant.gain, lost: plant.slip * plant.stage(self.command.stage).rated },
             _ => Slip { gain: 1.0, lost: 0.0 },

@@ -46,6 +46,8 @@ pub mod list;
 
 pub mod sensitivity;
 
+pub mod size;
+
 pub mod origins;
 
 pub mod remedy;

@@ -618,6 +618,40 @@ fn design_json_lists_facts_to_measure_first() {
 }
 
 #[test]
+fn size_json_has_motors_envelope_limits_and_bill() {
+    let path = project(&folder("size"), json!({ "pitch-count": 60 }));
+    let out = macroline(&["size", &path, "--json"]);
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let sizing: Json = serde_json::from_slice(&out.stdout).unwrap();
+    let rows = |key: &str| sizing[key].as_array().unwrap_or_else(|| panic!("no {key}")).clone();
+    assert_eq!(rows("axes").iter().map(|row| row["axis"].clone()).collect::<Vec<_>>(), ["x", "y", "unwinder"]);
+    for (list, keys) in [
+        (
+            sizing["axes"][0]["candidates"].as_array().unwrap().clone(),
+            "maker model passes reason effective_load peak_load regenerative_load inertia_ratio grade",
+        ),
+        (rows("envelope"), "event id value unit limit verdict"),
+        (rows("limits"), "quantity limit margin"),
+        (rows("sensitivities"), "input result flips"),
+        (rows("bom"), "item part quantity grade"),
+    ] {
+        assert!(!list.is_empty(), "{keys}");
+        for row in list {
+            for key in keys.split(' ') {
+                assert!(row.get(key).is_some(), "{key}: {row}");
+            }
+        }
+    }
+    for key in ["line_speed", "binding"] {
+        assert!(!sizing["inverse"][key].is_null(), "{key}: {}", sizing["inverse"]);
+    }
+    let told = String::from_utf8(macroline(&["size", &path]).stdout).unwrap();
+    for part in ["Bill of materials", "What limits the machine", "Operating envelope", "Motor of the pull roller"] {
+        assert!(told.contains(part), "{part}: {told}");
+    }
+}
+
+#[test]
 fn example_is_printed_with_the_reasons_of_its_faults() {
     let printed = macroline(&["new", "ribbon-line", "--control", "gsk-980tdc", "--example", "paper"]);
     assert!(printed.status.success());

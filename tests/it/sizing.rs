@@ -2,6 +2,8 @@
 //! formulas and inputs of `docs/reference/sizing.md`.
 
 mod by_hand;
+mod choice;
+mod envelope;
 mod timeline;
 
 use std::collections::BTreeMap;

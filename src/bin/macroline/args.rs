@@ -53,6 +53,14 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Motors, operating envelope, limits and bill of materials, from runs of the program
+    Size {
+        /// Project file
+        project: PathBuf,
+        /// For programs
+        #[arg(long)]
+        json: bool,
+    },
     /// Writes the files the control takes, parameter sheet and report; nothing when there is an error
     Export {
         /// Project file

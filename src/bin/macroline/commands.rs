@@ -12,7 +12,7 @@ use macroline::project::examples::NameKind;
 use macroline::project::render::summary;
 use macroline::project::run::AtStop;
 use macroline::project::suppress::silence;
-use macroline::project::{Project, drawing, list, origins, parts};
+use macroline::project::{Project, drawing, list, origins, parts, size};
 use macroline::text::Diagnostic;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
@@ -34,6 +34,7 @@ pub(crate) fn main() -> ExitCode {
         }
         Command::New { machine, control, example } => new(&machine, control.as_deref(), example.as_deref()),
         Command::Design { project, json } => design(&project, json),
+        Command::Size { project, json } => size(&project, json),
         Command::Export { project, out, date } => export(&project, &out, &date),
         Command::Draw { project, at, dark, out } => draw(&project, at, dark, &out),
         Command::Check { files, control, switch, silence, json } => {
@@ -100,6 +101,23 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
     } else {
         let values = origins::text(&project);
         print(&(origins::faults_text(&project) + &list::readouts_text(&design.readouts) + &values))?;
+        tell(&all)?;
+    }
+    verdict(&all)
+}
+
+fn size(path: &Path, json: bool) -> Result<(), Failure> {
+    let (project, file) = input::project(path)?;
+    let Some(project) = project else { return Err(refuse(&[file], json)) };
+    let written = project.written();
+    let sizing = size::size(&project, &written);
+    let all = [file, Findings { sources: Sources::written(written.files), list: written.diagnostics }];
+    if json {
+        let mut told = sizing.json();
+        told["diagnostics"] = list_json(&all);
+        print_json(&told)?;
+    } else {
+        print(&sizing.text())?;
         tell(&all)?;
     }
     verdict(&all)

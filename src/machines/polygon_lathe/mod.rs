@@ -6,6 +6,8 @@ mod examples;
 
 mod derive;
 
+mod driven;
+
 mod geometry;
 
 mod path;
@@ -65,6 +67,7 @@ mod explore;
 pub(crate) use resolved::PolygonLathe;
 
 use crate::machines::chart_rows;
+use crate::machines::driven::{DrivenAxis, Gauge, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -82,6 +85,8 @@ impl Machine for PolygonLathe {
     const CONTROLS: &'static [&'static str] = &["knd-k2000t"];
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
+    const GROWTH: &'static [&'static str] = &["speed", "feed", "depth"];
+    const SPEED_RESULT: &'static str = "work-speed";
     const EXPLORES: bool = true;
     const EXAMPLES: &'static [Example] = examples::EXAMPLES;
 
@@ -154,6 +159,14 @@ impl Prepared for PolygonLathe {
 
     fn contact(&self, run: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
         progress::progress(self, run, now).now().map(|_| "polygon.first-contact")
+    }
+
+    fn driven_axes(&self) -> Vec<DrivenAxis> {
+        driven::axes(self)
+    }
+
+    fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
+        read(driven::GAUGES, self, |t| run.at(t), span, points)
     }
 
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {

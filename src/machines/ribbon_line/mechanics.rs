@@ -24,6 +24,8 @@ pub(super) struct ServoAxis {
     pub turning: f64,
     /// Seconds of a ramp.
     pub ramp: f64,
+    /// Torque at standstill, Nm.
+    pub hold: f64,
     /// Torque of the ramp besides the steady one, Nm.
     pub rise: f64,
     pub duty: Duty,
@@ -64,14 +66,15 @@ impl ServoAxis {
         let ramp = side.time_constant.max(1.0 / side.position_gain);
         let speed = side.rpm * RPM;
         let rise = load.accelerating(motor.rotor, speed, ramp);
-        let of = motion(p, d, (speed, ramp), side.hold / ratio);
+        let hold = side.hold / ratio;
+        let of = motion(p, d, (speed, ramp), hold);
         let effective = match of {
             Some(of) => effective(&load.phases(motor.rotor, of)),
             None => load.torque,
         };
         let duty = Duty { peak: load.torque + rise, effective, speed: side.rpm };
         let limits = Acceptance::mitsubishi(inertia_limit);
-        ServoAxis { load, motor, limits, turning: side.turning, ramp, rise, duty }
+        ServoAxis { load, motor, limits, turning: side.turning, ramp, hold, rise, duty }
     }
 
     /// The shares of what the motor has.

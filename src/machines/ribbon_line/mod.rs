@@ -10,6 +10,8 @@ mod mechanics;
 
 mod resolved;
 
+mod driven;
+
 mod calculated_once;
 
 mod rules_of_slack;
@@ -55,6 +57,7 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
+use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -91,6 +94,8 @@ impl Machine for RibbonLine {
         finding: || msg!("ribbon.equation-4"),
     }];
     const SPEED: f64 = 0.05;
+    const GROWTH: &'static [&'static str] = &["spindle-speed", "head-mass", "pitch"];
+    const SPEED_RESULT: &'static str = "line-speed";
     const EXAMPLES: &'static [Example] = examples::EXAMPLES;
 
     fn fields() -> &'static [Field<Params>] {
@@ -172,6 +177,22 @@ impl Prepared for RibbonLine {
 
     fn contact(&self, _: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
         pose::has_printed(self, now).then_some("ribbon.first-dot")
+    }
+
+    fn driven_axes(&self) -> Vec<DrivenAxis> {
+        driven::axes(self)
+    }
+
+    fn inverter_drive(&self) -> Option<InverterDrive> {
+        Some(driven::inverter(self))
+    }
+
+    fn coasting(&self) -> Option<f64> {
+        Some(driven::coasts(self))
+    }
+
+    fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
+        read(driven::GAUGES, self, |t| run.at(t), span, points)
     }
 
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {

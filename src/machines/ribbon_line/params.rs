@@ -308,6 +308,7 @@ pub(crate) struct PrintParams {
 /// The drive of the unwinder.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct UnwindingParams {
+    pub inertia: f64,
     pub brake: f64,
     pub friction: f64,
     pub efficiency: f64,
@@ -424,6 +425,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("Nm").range(0.0..=10000.0).default(1.0).decimals(3).step(0.1).fact(),
     number("unwinder-efficiency", member!(Params.unwinding.efficiency)).group("ribbon.group.unwinder").label("ribbon.unwinder-efficiency").help("ribbon.unwinder-efficiency.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(70.0).decimals(1).step(1.0).fact(),
+    number("unwinder-inertia", member!(Params.unwinding.inertia)).group("ribbon.group.unwinder").label("ribbon.unwinder-inertia").help("ribbon.unwinder-inertia.help").symbol("J")
+        .unit("kg cm²").range(0.01..=1000000.0).default(40.0).decimals(2).step(1.0).fact(),
     text("unwinder-motor", member!(&Params.unwinding.motor)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor").help("ribbon.unwinder-motor.help").characters(40),
     number("unwinder-torque-rated", member!(Params.unwinding.torque)).group("ribbon.group.unwinder").label("ribbon.unwinder-torque-rated").help("ribbon.unwinder-torque-rated.help")
         .unit("Nm").range(0.001..=100000.0).default(5.0).decimals(3).step(0.1).fact(),

@@ -6,6 +6,8 @@ mod examples;
 
 mod derive;
 
+mod driven;
+
 mod resolved;
 
 mod readouts;
@@ -40,6 +42,7 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
+use crate::machines::driven::{Gauge, InverterDrive, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -60,6 +63,8 @@ impl Machine for TurningSpindle {
     const CONTROLS: &'static [&'static str] =
         &["gsk-980tdc", "sinumerik-802d", "sinumerik-808d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"];
     const SPEED: f64 = 1.0;
+    const GROWTH: &'static [&'static str] = &["cutting-speed", "feed", "depth"];
+    const SPEED_RESULT: &'static str = "speed-largest";
     const EXAMPLES: &'static [Example] = examples::EXAMPLES;
 
     fn fields() -> &'static [Field<Params>] {
@@ -136,6 +141,14 @@ impl Prepared for TurningSpindle {
     fn contact(&self, run: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
         let progress = progress::progress(self, run, now);
         (progress.done > 0 || progress::cuts(self, progress, now)).then_some("turning.first-contact")
+    }
+
+    fn inverter_drive(&self) -> Option<InverterDrive> {
+        driven::inverter(self)
+    }
+
+    fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
+        read(driven::GAUGES, self, |t| run.at(t), span, points)
     }
 
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {

@@ -1,59 +1,164 @@
-//! Torque summed over the run of the program itself against the closed forms of the results.
+//! Torque and energy over the stretches of the program's own run against the closed forms.
 
-use macroline::drives::load::{self, Load};
-use macroline::math::PI;
-use macroline::motion::{Budget, Retention};
+use macroline::drives::duty::{Motion, Turn};
+use macroline::drives::load::{Load, Move, effective};
+use macroline::machines::driven::DrivenAxis;
+use macroline::machines::form::Value;
+use macroline::motion::{Budget, Mover, Retention, Stretch};
 use macroline::project::Project;
-use macroline::project::run::{self, RunOptions};
+use macroline::project::run::{self, Run, RunOptions};
+use proptest::prelude::*;
 
-/// Seconds between two looks at the run.
-const STEP: f64 = 0.0005;
-
-/// What may lie between sum and closed form.
+/// What may lie between a run and its closed form.
 const WITHIN: f64 = 1e-3;
 
-/// Highest and effective torque of motor X over one product of `seconds`, from what the drive is commanded; at rest it holds the web.
-fn torque_of_x(project: &Project, load: &Load, rotor: f64, per_mm: f64, hold: f64, seconds: f64) -> (f64, f64) {
-    let written = project.written();
+fn with(mut project: Project, values: &[(&str, f64)]) -> Project {
+    for (field, value) in values {
+        project.values.insert((*field).to_owned(), Value::Number(*value));
+    }
+    project
+}
+
+fn run_of(project: &Project) -> Run {
     let limits = Budget { blocks: 1_000_000, seconds: 600.0 };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
-    let mut run = run::of_project(project, &written, &begin);
+    let mut run = run::of_project(project, &project.written(), &begin);
     while run.advance(f64::INFINITY, 100_000).ended.is_none() {}
-    let (mut peak, mut square, mut moving) = (0.0_f64, 0.0, 0.0);
-    let steps = (run.timeline().end() / STEP).ceil() as u32;
-    for step in 0..steps {
-        let now = run.timeline().at((f64::from(step) + 0.5) * STEP).axes[0];
-        // Rounding leaves a little of a speed.
-        if now.feed < 1e-6 {
-            continue;
-        }
-        let acceleration = now.acceleration * per_mm;
-        let inertia = if acceleration < 0.0 { load.inertia * load.efficiency } else { load.inertia / load.efficiency };
-        let torque = load.torque + (inertia + rotor) * acceleration;
-        peak = peak.max(torque);
-        square += torque * torque * STEP;
-        moving += STEP;
-    }
-    (peak, ((square + hold * hold * (seconds - moving)) / seconds).sqrt())
+    run
+}
+
+fn axis(project: &Project, id: &str) -> DrivenAxis {
+    project.prepared().driven_axes().into_iter().find(|axis| axis.id == id).unwrap()
+}
+
+fn travelled(stretches: &[Stretch]) -> f64 {
+    stretches.iter().map(|part| 0.5 * (part.from + part.to) * part.seconds).sum()
 }
 
 #[test]
 fn torque_over_the_run_is_that_of_the_results() {
     for control in ["mitsubishi-e60", "sinumerik-802d", "fanuc-0i-mf"] {
-        let mut project = Project::named("ribbon-line", Some(control), None).unwrap();
         // Ramps that weigh, and a product that is soon over.
-        for (field, value) in [("motor-rotor-x", 60.0), ("pitch-count", 40.0)] {
-            project.values.insert(field.to_owned(), macroline::machines::form::Value::Number(value));
-        }
+        let project = Project::named("ribbon-line", Some(control), None).unwrap();
+        let project = with(project, &[("motor-rotor-x", 60.0), ("pitch-count", 40.0)]);
         let design = project.design();
         let result = |id: &str| design.readouts.iter().find(|row| row.id == id).unwrap().value;
-        let (gear, roller) = (50.0, 0.1);
-        let load = Load { inertia: result("x-load-inertia") * 1e-4, torque: result("x-load-torque"), efficiency: 0.95 };
-        let hold = load::through_gear(15.0 * roller / 2.0, gear, 1.0);
-        // Radians of the motor per millimetre of ribbon.
-        let per_mm = 2.0 * PI * gear / (PI * roller * 1e3);
-        let (peak, effective) = torque_of_x(&project, &load, 60e-4, per_mm, hold, result("product-time"));
-        super::same(&format!("{control}, highest"), peak, result("x-peak-torque"), WITHIN);
-        super::same(&format!("{control}, effective"), effective, result("x-effective-torque"), WITHIN);
+        let (run, axis) = (run_of(&project), axis(&project, "x"));
+        let work =
+            axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end())).work(axis.fitted.rotor);
+        // Before and behind the product it holds the web.
+        let (product, hold) = (result("product-time"), axis.hold);
+        let square = work.effective * work.effective * work.seconds - hold * hold * (work.seconds - product);
+        super::same(&format!("{control}, highest"), work.peak.0, result("x-peak-torque"), WITHIN);
+        super::same(&format!("{control}, effective"), (square / product).sqrt(), result("x-effective-torque"), WITHIN);
+    }
+}
+
+#[test]
+fn stretches_of_a_run_add_up_to_its_travel() {
+    for (machine, control) in
+        [("ribbon-line", "mitsubishi-e60"), ("ribbon-line", "gsk-980tdc"), ("polygon-lathe", "knd-k2000t")]
+    {
+        let project = with(Project::named(machine, Some(control), None).unwrap(), &[("pitch-count", 60.0)]);
+        let run = run_of(&project);
+        let end = run.timeline().end();
+        let place = |mover: Mover| {
+            let now = run.timeline().at(end);
+            match mover {
+                Mover::Axis(at) => now.axes[at].position,
+                Mover::Turned(at) => now.pmc[at].position,
+                Mover::Spindle => now.spindle.turns,
+            }
+        };
+        let axes = project.prepared().driven_axes();
+        assert!(!axes.is_empty());
+        for axis in axes {
+            let stretches = run.timeline().stretches(axis.mover, 0.0, end);
+            for pair in stretches.windows(2) {
+                assert!(
+                    (pair[1].t - pair[0].t - pair[0].seconds).abs() < 1e-9,
+                    "{machine} {}: a gap at {}",
+                    axis.id,
+                    pair[1].t
+                );
+            }
+            let (sum, travel) = (travelled(&stretches), place(axis.mover));
+            assert!(travel.abs() > 100.0);
+            super::same(&format!("{machine} on {control}, {}", axis.id), sum, travel, 1e-6);
+        }
+        // Turns of the spindle: r/min over seconds.
+        let turns = travelled(&run.timeline().stretches(Mover::Spindle, 0.0, end)) / 60.0;
+        assert!((turns - place(Mover::Spindle)).abs() < 1e-6 * turns.abs().max(1.0), "{machine}: {turns} turns");
+    }
+}
+
+#[test]
+fn energy_of_a_run_goes_into_friction_alone() {
+    // Without losses in the gear all that is given and does not come back is friction over the way.
+    let project = Project::named("ribbon-line", None, None).unwrap();
+    let project = with(project, &[("efficiency-x", 100.0), ("efficiency-y", 100.0), ("pitch-count", 100.0)]);
+    let run = run_of(&project);
+    let end = run.timeline().end();
+    for id in ["x", "y"] {
+        let axis = axis(&project, id);
+        let stretches = run.timeline().stretches(axis.mover, 0.0, end);
+        let work = axis.motion(&stretches).work(axis.fitted.rotor);
+        let friction = axis.load.torque * axis.turn * travelled(&stretches);
+        assert!(work.given > 1.0, "{id}: {work:?}");
+        super::same(&format!("energy of {id}"), work.given - work.returned, friction, WITHIN);
+    }
+}
+
+/// A move from rest to rest as turns, forward or backward.
+fn turns(of: &Move, side: f64) -> Vec<Turn> {
+    let top = side * of.speed;
+    let parts = [(of.ramp, 0.0, top), (of.run, top, top), (of.ramp, top, 0.0), (of.pause, 0.0, 0.0)];
+    let mut t = 0.0;
+    parts
+        .into_iter()
+        .map(|(seconds, from, to)| {
+            t += seconds;
+            Turn { t: t - seconds, seconds, from, to }
+        })
+        .collect()
+}
+
+proptest! {
+    #[test]
+    fn motion_of_one_move_is_its_closed_form(
+        (inertia, torque, efficiency) in (1e-6..1.0_f64, 0.0..50.0_f64, 0.3..1.0_f64),
+        (speed, ramp, run, pause) in (1.0..600.0_f64, 0.01..3.0_f64, 0.01..5.0_f64, 0.01..5.0_f64),
+        (rotor, hold, backward) in (1e-6..0.1_f64, 0.0..5.0_f64, any::<bool>()),
+    ) {
+        let load = Load { inertia, torque, efficiency };
+        let of = Move { speed, ramp, run, pause, hold };
+        let motion = Motion::new(turns(&of, if backward { -1.0 } else { 1.0 }), load, hold);
+        let work = motion.work(rotor);
+        let phases = load.phases(rotor, of);
+        let peak = phases.iter().map(|phase| phase.torque.abs()).fold(0.0, f64::max);
+        prop_assert!((work.peak.0 - peak).abs() <= 1e-9 * peak);
+        let expected = effective(&phases);
+        prop_assert!((work.effective - expected).abs() <= 1e-9 * expected);
+        // What the ramps take and give, with the losses of the gear both ways.
+        let way = speed * (ramp + run);
+        let losses = 0.5 * inertia * speed * speed * (1.0 / efficiency - efficiency);
+        let spent = torque * way + losses;
+        prop_assert!((work.given - work.returned - spent).abs() <= 1e-9 * (work.given + work.returned));
+    }
+
+    #[test]
+    fn reversal_inside_a_turn_changes_nothing_but_the_sign(
+        (from, to, seconds) in (-300.0..300.0_f64, -300.0..300.0_f64, 0.01..2.0_f64),
+    ) {
+        // Without steady torque and losses the torque is the same before and behind standstill.
+        let load = Load { inertia: 0.01, torque: 0.0, efficiency: 1.0 };
+        let motion = Motion::new([Turn { t: 0.0, seconds, from, to }], load, 0.0);
+        let torque = 0.01 * (to - from) / seconds;
+        for turn in motion.turns() {
+            prop_assert!((motion.torque(turn, 0.0) - torque).abs() <= 1e-9 * torque.abs().max(1e-9));
+            prop_assert!(turn.from * turn.to >= 0.0);
+        }
+        let (work, kinetic) = (motion.work(0.0), 0.5 * 0.01 * (to * to - from * from));
+        prop_assert!((work.given - work.returned - kinetic).abs() <= 1e-9 * (work.given + work.returned).max(1e-9));
     }
 }

@@ -1,0 +1,152 @@
+//! What a machine is sized by: the motors behind its axes, the drive behind its inverter, and what is watched while it is operated.
+
+use crate::drives::duty::{Motion, Turn};
+use crate::drives::load::Load;
+use crate::drives::servo::{Acceptance, Servo};
+use crate::motion::{Mover, Snapshot, Stretch};
+use crate::view::Limit;
+
+/// A servo motor of a machine, and where its motion stands in a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrivenAxis {
+    /// Id, for instance `x`.
+    pub id: &'static str,
+    /// Catalog id of its name.
+    pub name: &'static str,
+    /// Where its motion stands in a run.
+    pub mover: Mover,
+    /// Radians of the motor per unit of the run: per millimetre or degree.
+    pub turn: f64,
+    /// What it drives.
+    pub load: Load,
+    /// Torque at standstill, Nm.
+    pub hold: f64,
+    /// The motor that the form has.
+    pub fitted: Fitted,
+    /// Fields of the form that take another motor; none where the form has the power of the drive alone.
+    pub fields: Option<&'static MotorFields>,
+}
+
+/// The motor that a form has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fitted {
+    /// Moment of inertia of the rotor, kg m²; 0 where the load includes it.
+    pub rotor: f64,
+    /// Greatest torque that its rules allow, Nm.
+    pub peak: f64,
+    /// Greatest effective torque that its rules allow, Nm.
+    pub effective: f64,
+}
+
+/// Ids of the fields of a servo motor in a form. Torques in Nm, rotor in kg cm², speeds in r/min.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MotorFields {
+    /// Maker and model, as text.
+    pub name: &'static str,
+    /// Torque at standstill.
+    pub stall: &'static str,
+    /// Torque for a short time.
+    pub peak: &'static str,
+    /// Inertia of the rotor.
+    pub rotor: &'static str,
+    /// Rated speed.
+    pub rated_speed: &'static str,
+    /// Highest speed.
+    pub top_speed: &'static str,
+    /// Greatest load inertia over rotor inertia.
+    pub inertia_limit: &'static str,
+}
+
+impl Fitted {
+    /// A servo motor by its limits.
+    pub fn servo(motor: &Servo, limits: &Acceptance) -> Fitted {
+        Fitted { rotor: motor.rotor, peak: limits.peak * motor.peak, effective: limits.effective * motor.stall }
+    }
+}
+
+impl DrivenAxis {
+    /// The motion of the motor's shaft in a part of a run.
+    pub fn motion(&self, stretches: &[Stretch]) -> Motion {
+        let turn = |stretch: &Stretch| Turn {
+            t: stretch.t,
+            seconds: stretch.seconds,
+            from: stretch.from * self.turn,
+            to: stretch.to * self.turn,
+        };
+        Motion::new(stretches.iter().map(turn), self.load, self.hold)
+    }
+}
+
+/// What a machine asks of the motor behind its inverter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InverterDrive {
+    /// Id, for instance `unwinder`.
+    pub id: &'static str,
+    /// Catalog id of its name.
+    pub name: &'static str,
+    /// Torque for long at the motor's shaft, Nm.
+    pub torque: f64,
+    /// Speed of the motor with it, r/min.
+    pub speed: f64,
+    /// Fields of the form for maker with model and for the rated torque.
+    pub fields: Option<(&'static str, &'static str)>,
+}
+
+/// A quantity of a machine `M` that is watched while it is operated.
+pub struct GaugeRow<M: 'static> {
+    /// Id, for instance `loop`.
+    pub id: &'static str,
+    /// Catalog id of its name.
+    pub label: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Decimals shown.
+    pub decimals: u8,
+    /// Its limit.
+    pub limit: fn(&M) -> Option<Limit>,
+    /// Its value at a moment of the run.
+    pub value: fn(&M, &Snapshot) -> f64,
+}
+
+/// The worst value of a watched quantity in a part of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gauge {
+    /// Id, for instance `loop`.
+    pub id: &'static str,
+    /// Catalog id of its name.
+    pub label: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Decimals shown.
+    pub decimals: u8,
+    /// Its limit, in `unit`.
+    pub limit: Option<Limit>,
+    /// The worst value: the least under a least limit, else the greatest, of either sign where the limit is for both.
+    pub value: f64,
+}
+
+/// Reads the gauges from `from` to `to` seconds at `points` moments, 2 at least; `at` is the machine at a moment.
+pub fn read<M>(
+    rows: &[GaugeRow<M>],
+    machine: &M,
+    at: impl Fn(f64) -> Snapshot,
+    (from, to): (f64, f64),
+    points: usize,
+) -> Vec<Gauge> {
+    let points = points.max(2);
+    let step = (to - from) / (points - 1) as f64;
+    let moments: Vec<Snapshot> = (0..points).map(|point| at(from + step * point as f64)).collect();
+    let gauge = |row: &GaugeRow<M>| {
+        let limit = (row.limit)(machine);
+        let values = moments.iter().map(|now| (row.value)(machine, now));
+        let worse = |worst: f64, next: f64| match limit {
+            Some(Limit::AtLeast(_)) => worst.min(next),
+            Some(Limit::Within(_)) if next.abs() <= worst.abs() => worst,
+            Some(Limit::Within(_)) => next,
+            _ => worst.max(next),
+        };
+        let value = values.reduce(worse).unwrap_or(0.0);
+        Gauge { id: row.id, label: row.label, unit: row.unit, decimals: row.decimals, limit, value }
+    };
+    rows.iter().map(gauge).collect()
+}

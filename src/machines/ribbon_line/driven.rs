@@ -1,0 +1,102 @@
+//! What the ribbon line is sized by: the motors of pull and print roller, the unwinder behind its inverter, and loop and tension of the web.
+
+use super::mechanics::{CM2, ServoAxis};
+use super::pose::State;
+use super::resolved::RibbonLine;
+use crate::drives::load::coasting;
+use crate::drives::web;
+use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow, InverterDrive, MotorFields};
+use crate::math::PI;
+use crate::motion::{Mover, Snapshot};
+use crate::view::Limit;
+
+/// Fields of the motor of the pull roller.
+const PULL: MotorFields = MotorFields {
+    name: "motor-x",
+    stall: "motor-stall-x",
+    peak: "motor-peak-x",
+    rotor: "motor-rotor-x",
+    rated_speed: "motor-rated-x",
+    top_speed: "motor-max-x",
+    inertia_limit: "inertia-limit-x",
+};
+
+/// Fields of the motor of the print roller.
+const PRINT: MotorFields = MotorFields {
+    name: "motor-y",
+    stall: "motor-stall-y",
+    peak: "motor-peak-y",
+    rotor: "motor-rotor-y",
+    rated_speed: "motor-rated-y",
+    top_speed: "motor-max-y",
+    inertia_limit: "inertia-limit-y",
+};
+
+/// Longest time in s that a drive coasts here: one that nothing slows does not end a run.
+const LONGEST_COAST: f64 = 3600.0;
+
+/// The servo motors.
+pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
+    let p = &line.p;
+    let per_turn = |diameter: f64| PI * diameter;
+    let print_turn = if line.degrees() { 360.0 } else { per_turn(p.print_roller_diameter) };
+    let axis = |id, name, at, (gear, turn): (f64, f64), of: &ServoAxis, fields| DrivenAxis {
+        id,
+        name,
+        mover: Mover::Axis(at),
+        turn: 2.0 * PI * gear / turn,
+        load: of.load,
+        hold: of.hold,
+        fitted: Fitted::servo(&of.motor, &of.limits),
+        fields: Some(fields),
+    };
+    let m = &line.mechanics;
+    vec![
+        axis("x", "ribbon.drive.pull", line.pull(), (p.gear_x, per_turn(p.x_roller_diameter)), &m.pull, &PULL),
+        axis("y", "ribbon.drive.print", line.print(), (p.gear_y, print_turn), &m.print, &PRINT),
+    ]
+}
+
+/// The unwinder: its steady torque at the fastest position of the knob.
+pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
+    InverterDrive {
+        id: "unwinder",
+        name: "ribbon.drive.unwinder",
+        torque: line.mechanics.unwinder,
+        speed: line.fast.actual_speed,
+        fields: Some(("unwinder-motor", "unwinder-torque-rated")),
+    }
+}
+
+/// Seconds in which the unwinder without current coasts to rest from its speed at 10 V.
+pub(super) fn coasts(line: &RibbonLine) -> f64 {
+    let speed = line.p.speed_at_10v * PI / 30.0;
+    coasting(line.p.unwinding.inertia * CM2, speed, line.mechanics.unwinder).min(LONGEST_COAST)
+}
+
+/// What is watched: ribbon in the loop, and the tension where the loop is empty.
+pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
+    GaugeRow {
+        id: "loop",
+        label: "ribbon.gauge.loop",
+        unit: "mm",
+        decimals: 1,
+        limit: |line| Some(Limit::AtMost(line.p.loop_capacity)),
+        value: |line, now| State::new(line, now).slack,
+    },
+    GaugeRow {
+        id: "tension",
+        label: "ribbon.gauge.tension",
+        unit: "N",
+        decimals: 2,
+        limit: |line| Some(Limit::AtMost(line.d.tension_limit)),
+        value: tension,
+    },
+];
+
+/// Tension of the web in N: that of the brake, and with an empty loop that of the length that is missing.
+fn tension(line: &RibbonLine, now: &Snapshot) -> f64 {
+    let (p, slack) = (&line.p, State::new(line, now).slack);
+    let missing = (-slack).max(0.0) / p.web.span;
+    p.web.tension_before + web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, missing)
+}

@@ -1,0 +1,69 @@
+//! The bill of materials of the drives: for each axis the motor that the form names or the smallest that passes, best with a known amplifier, and the control.
+
+use super::choice::{SizedAxis, name};
+use crate::drives::parts::{Part, PartGrade};
+use crate::machines::PreparedMachine;
+use crate::machines::form::Value;
+use crate::project::Project;
+
+/// A row of the bill.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BillRow {
+    /// Catalog id of what it is: a motor, an amplifier.
+    pub item: &'static str,
+    /// Catalog id of the axis that it is for; none of the control.
+    pub axis: Option<&'static str>,
+    /// Maker and model.
+    pub part: String,
+    /// How many.
+    pub quantity: u32,
+    /// How well it is known; none of the control, which the project names.
+    pub grade: PartGrade,
+}
+
+/// The rows. An axis without a motor that passes has none; the list of its motors says why.
+pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<BillRow> {
+    let control = BillRow {
+        item: "size.item.control",
+        axis: None,
+        part: project.control.name.to_owned(),
+        quantity: 1,
+        grade: PartGrade::Entered,
+    };
+    let drives = axes.iter().flat_map(|axis| of_axis(project, prepared, axis));
+    core::iter::once(control).chain(drives).collect()
+}
+
+fn of_axis(project: &Project, prepared: &PreparedMachine, axis: &SizedAxis) -> Vec<BillRow> {
+    let row = |item, part: String, grade| BillRow { item, axis: Some(axis.name), part, quantity: 1, grade };
+    let of = |item, part: &Part| row(item, format!("{} {}", part.maker, part.model), part.evidence.grade);
+    let is_servo = axis.work.is_some();
+    let amplifier = if is_servo { "size.item.amplifier" } else { "size.item.inverter" };
+    let typed = named(project, prepared, axis.id);
+    let known = axis.candidates.iter().find(|candidate| Some(name(&candidate.part)) == typed);
+    let passing = || axis.candidates.iter().filter(|candidate| candidate.refusal.is_none());
+    // One whose amplifier is known can be ordered.
+    let passing = passing().find(|candidate| candidate.amplifier.is_some()).or_else(|| passing().next());
+    match (known, typed) {
+        // The motor of the form is not in the catalogue.
+        (None, Some(typed)) => vec![row("size.item.motor", typed, PartGrade::Entered)],
+        (chosen, _) => {
+            let Some(chosen) = chosen.or(passing) else { return Vec::new() };
+            let motor = of("size.item.motor", &chosen.part);
+            [motor].into_iter().chain(chosen.amplifier.as_ref().map(|part| of(amplifier, part))).collect()
+        }
+    }
+}
+
+/// The motor that the form names for an axis.
+fn named(project: &Project, prepared: &PreparedMachine, axis: &str) -> Option<String> {
+    let servo = prepared.driven_axes().into_iter().find(|row| row.id == axis);
+    let field = match servo {
+        Some(axis) => axis.fields?.name,
+        None => prepared.inverter_drive().filter(|drive| drive.id == axis)?.fields?.0,
+    };
+    match project.values.get(field)? {
+        Value::Text(name) => Some(name.trim().to_owned()).filter(|name| !name.is_empty()),
+        _ => None,
+    }
+}

@@ -1,0 +1,297 @@
+//! The choice of motors: every motor of the catalogue that goes with the control, against what the run asks.
+
+use super::runs::{WholeRun, fast};
+use crate::controls::Control;
+use crate::drives::duty::{Motion, Work};
+use crate::drives::load::{Regeneration, power};
+use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
+use crate::drives::servo::{Duty, Reason, Shares};
+use crate::machines::PreparedMachine;
+use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields};
+use crate::math::PI;
+use crate::motion::Timeline;
+use crate::msg;
+use crate::project::Project;
+use crate::project::parts::goes_with;
+use crate::text::Message;
+use crate::text::catalog::number_text;
+
+/// Radians per second of one revolution per minute.
+const RPM: f64 = PI / 30.0;
+
+/// Square metres in a square centimetre: forms have inertia in kg cm².
+const CM2: f64 = 1e-4;
+
+/// Characters of a motor's name in a form.
+const NAME: usize = 40;
+
+/// An axis or drive with what its motor is asked, and the motors that are to be had.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SizedAxis {
+    /// Id, for instance `x`.
+    pub id: &'static str,
+    /// Catalog id of its name.
+    pub name: &'static str,
+    /// What the run asks of the motor that the form has; none of a drive behind an inverter.
+    pub work: Option<Work>,
+    /// The motors: first those that pass, the lightest rating first, then the others by their reason.
+    pub candidates: Vec<Candidate>,
+}
+
+/// A motor for an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Candidate {
+    /// The motor.
+    pub part: Part,
+    /// The smallest amplifier or inverter that the catalogue pairs with it.
+    pub amplifier: Option<Part>,
+    /// Its limits, with their source.
+    pub limits: &'static SeriesLimits,
+    /// What is asked of it as shares of what it has; none where its ratings are not all known, and of an induction motor.
+    pub shares: Option<Shares>,
+    /// Mean power that comes back, as a share of what the brake resistor of its amplifier takes; none where that is not known.
+    pub regenerative: Option<f64>,
+    /// The first reason why it does not go; none where it passes.
+    pub refusal: Option<Refusal>,
+    /// What it sets in the form: ids of fields and what is typed there; empty where the form has no fields for it.
+    pub entries: Vec<(&'static str, String)>,
+}
+
+/// Why a motor does not go.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refusal {
+    rank: Rank,
+    /// The reason with its numbers.
+    pub message: Message,
+}
+
+/// Reasons in the order in which motors are listed: those that lack least come first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Rank {
+    Inertia,
+    Regeneration,
+    Effective,
+    Peak,
+    Speed,
+    Unknown,
+}
+
+/// What one or several runs ask of a shaft.
+struct Asked {
+    motions: Vec<Motion>,
+}
+
+impl Asked {
+    fn of(axis: &DrivenAxis, runs: &[&Timeline], contact: f64) -> Asked {
+        let motion = |timeline: &&Timeline| {
+            let end = timeline.end().max(contact);
+            axis.motion(&timeline.stretches(axis.mover, 0.0, end))
+        };
+        Asked { motions: runs.iter().map(motion).collect() }
+    }
+
+    /// The greatest of every figure.
+    fn work(&self, rotor: f64) -> Work {
+        let works = self.motions.iter().map(|motion| motion.work(rotor));
+        works.fold(Work::default(), |worst, next| Work {
+            peak: if next.peak.0 > worst.peak.0 { next.peak } else { worst.peak },
+            effective: worst.effective.max(next.effective),
+            speed: worst.speed.max(next.speed),
+            given: worst.given.max(next.given),
+            returned: worst.returned.max(next.returned),
+            seconds: worst.seconds.max(next.seconds),
+        })
+    }
+
+    /// Mean power (W) that comes back beyond what the capacitors take, the greatest.
+    fn to_resistor(&self, rotor: f64, back: &Regeneration) -> f64 {
+        self.motions.iter().map(|motion| motion.to_resistor(rotor, back)).fold(0.0, f64::max)
+    }
+}
+
+/// The axes and the drive behind the inverter with their motors.
+pub(super) fn axes(project: &Project, prepared: &PreparedMachine, whole: &WholeRun) -> Vec<SizedAxis> {
+    let fast = fast(whole);
+    let runs: Vec<&Timeline> =
+        [Some(&whole.run), fast.as_ref()].into_iter().flatten().map(|run| run.timeline()).collect();
+    let catalogue = project.catalogue();
+    let control = project.control;
+    let servo = prepared.driven_axes().into_iter().map(|axis| {
+        let asked = Asked::of(&axis, &runs, whole.contact);
+        let motors =
+            catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
+        let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
+        SizedAxis {
+            id: axis.id,
+            name: axis.name,
+            work: Some(asked.work(axis.fitted.rotor)),
+            candidates: in_order(candidates),
+        }
+    });
+    let behind = prepared.inverter_drive().map(|drive| {
+        let motors =
+            catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
+        let candidates = motors.map(|part| induction(part, &drive, &catalogue, control)).collect();
+        SizedAxis { id: drive.id, name: drive.name, work: None, candidates: in_order(candidates) }
+    });
+    servo.chain(behind).collect()
+}
+
+/// Those that pass first, the least power first; the others by their reason.
+fn in_order(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+    candidates.sort_by(|a, b| {
+        let rank = |of: &Candidate| of.refusal.as_ref().map(|refusal| refusal.rank);
+        let size = |of: &Candidate| size(&of.part);
+        rank(a).cmp(&rank(b)).then(size(a).total_cmp(&size(b))).then_with(|| a.part.model.cmp(&b.part.model))
+    });
+    candidates
+}
+
+/// What orders motors by size: rated power in W, or standstill torque where it is unknown.
+fn size(part: &Part) -> f64 {
+    match &part.ratings {
+        Ratings::Servo(of) => of.rated_power.or(of.stall_torque.map(|torque| torque * 300.0)).unwrap_or(0.0),
+        Ratings::Induction(of) => of.rated_power.unwrap_or(0.0),
+        _ => 0.0,
+    }
+}
+
+/// The smallest part of the catalogue that goes with the control, is wanted and has a size.
+fn smallest<'a>(catalogue: &[&'a Part], control: &Control, size: impl Fn(&Part) -> Option<f64>) -> Option<&'a Part> {
+    let sized = catalogue.iter().filter(|part| goes_with(part, control)).filter_map(|part| Some((size(part)?, *part)));
+    sized.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, part)| part)
+}
+
+fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part], control: &Control) -> Candidate {
+    let amplifier = smallest(catalogue, control, |other| match &other.ratings {
+        Ratings::Amplifier(of) if other.fits.contains(&part.model) => Some(of.rated_power.unwrap_or(f64::MAX)),
+        _ => None,
+    });
+    let mut out = Candidate {
+        part: part.clone(),
+        amplifier: amplifier.cloned(),
+        limits: part.limits(),
+        shares: None,
+        regenerative: None,
+        refusal: None,
+        entries: Vec::new(),
+    };
+    let Some(motor) = part.servo() else {
+        out.refusal = Some(Refusal { rank: Rank::Unknown, message: msg!("size.refused-unknown") });
+        return out;
+    };
+    let work = asked.work(motor.rotor);
+    let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
+    let (shares, limits) = (motor.shares(&axis.load, &duty), part.acceptance());
+    let refusal = shares.fails(&limits).map(|reason| match reason {
+        Reason::Speed => (Rank::Speed, msg!("size.refused-speed", (duty.speed, 0), (motor.top_speed, 0))),
+        Reason::Peak => (
+            Rank::Peak,
+            msg!("size.refused-peak", (duty.peak, 3), (limits.peak * motor.peak, 3), (100.0 * limits.peak, 0)),
+        ),
+        Reason::Effective => {
+            let most = limits.effective * motor.stall;
+            (
+                Rank::Effective,
+                msg!("size.refused-effective", (duty.effective, 3), (most, 3), (100.0 * limits.effective, 0)),
+            )
+        }
+        Reason::Inertia => {
+            (Rank::Inertia, msg!("size.refused-inertia", (shares.inertia_ratio, 1), (limits.inertia_ratio, 1)))
+        }
+    });
+    if let Some((back, most)) = amplifier.and_then(braking) {
+        out.regenerative = Some(asked.to_resistor(motor.rotor, &back) / most);
+    }
+    let regenerates = out.regenerative.filter(|share| *share > 1.0);
+    let regenerates =
+        regenerates.map(|share| (Rank::Regeneration, msg!("size.refused-regeneration", (100.0 * share, 0))));
+    out.refusal = refusal.or(regenerates).map(|(rank, message)| Refusal { rank, message });
+    out.shares = Some(shares);
+    out.entries = axis.fields.map(|fields| entries(fields, part, &motor, limits.inertia_ratio)).unwrap_or_default();
+    out
+}
+
+/// How an amplifier takes energy back, and the continuous power (W) of its brake resistor, where both are known.
+fn braking(amplifier: &Part) -> Option<(Regeneration, f64)> {
+    let Ratings::Amplifier(AmplifierRatings { regeneration_efficiency, capacitor_energy, brake_power, .. }) =
+        &amplifier.ratings
+    else {
+        return None;
+    };
+    let back =
+        Regeneration { efficiency: regeneration_efficiency.unwrap_or(1.0), capacitor: capacitor_energy.unwrap_or(0.0) };
+    brake_power.filter(|most| *most > 0.0).map(|most| (back, most))
+}
+
+/// What a servo motor sets in the form.
+fn entries(
+    fields: &MotorFields,
+    part: &Part,
+    motor: &crate::drives::servo::Servo,
+    inertia_ratio: f64,
+) -> Vec<(&'static str, String)> {
+    vec![
+        (fields.name, name(part)),
+        (fields.stall, number_text(motor.stall, 3)),
+        (fields.peak, number_text(motor.peak, 3)),
+        (fields.rotor, number_text(motor.rotor / CM2, 4)),
+        (fields.rated_speed, number_text(motor.rated_speed, 1)),
+        (fields.top_speed, number_text(motor.top_speed, 1)),
+        (fields.inertia_limit, number_text(inertia_ratio, 1)),
+    ]
+}
+
+/// Maker and model, as a form takes them.
+pub(super) fn name(part: &Part) -> String {
+    format!("{} {}", part.maker, part.model).chars().take(NAME).collect()
+}
+
+/// A motor behind the inverter: torque up to its rated speed, power above.
+fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &Control) -> Candidate {
+    let Ratings::Induction(of) = part.ratings else { return unknown(part) };
+    let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
+    let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
+    let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
+    let needed = power(asked, speed * RPM);
+    let inverter = smallest(catalogue, control, |other| match &other.ratings {
+        Ratings::Inverter(inverter) => inverter.rated_power.filter(|power| {
+            let carries = inverter.rated_current.zip(of.rated_current).is_none_or(|(gives, takes)| gives >= takes);
+            *power >= rated_power && carries
+        }),
+        _ => None,
+    });
+    let refusal = if asked > torque {
+        Some((Rank::Effective, msg!("size.refused-torque", (asked, 3), (torque, 3))))
+    } else if needed > rated_power {
+        Some((Rank::Peak, msg!("size.refused-power", (needed, 0), (rated_power, 0))))
+    } else {
+        None
+    };
+    let entries = drive.fields.map(|(model, rated)| vec![(model, name(part)), (rated, number_text(torque, 3))]);
+    Candidate {
+        amplifier: inverter.cloned(),
+        shares: Some(Shares {
+            inertia_ratio: 0.0,
+            peak: asked / torque,
+            effective: asked / torque,
+            speed: speed / rated_speed,
+        }),
+        refusal: refusal.map(|(rank, message)| Refusal { rank, message }),
+        entries: entries.unwrap_or_default(),
+        ..unknown(part)
+    }
+}
+
+/// A part whose ratings do not do for a choice.
+fn unknown(part: &Part) -> Candidate {
+    Candidate {
+        part: part.clone(),
+        amplifier: None,
+        limits: part.limits(),
+        shares: None,
+        regenerative: None,
+        refusal: Some(Refusal { rank: Rank::Unknown, message: msg!("size.refused-unknown") }),
+        entries: Vec::new(),
+    }
+}

@@ -1,0 +1,285 @@
+//! The operating envelope: what happens to the machine at start, in the run, at the ends of the knob, at a change of speed, at every stop.
+//!
+//! Each event is a run of the program with an operator's hand at the middle of its work; formulas check these runs, see `tests/it/sizing`.
+
+use super::runs::{WholeRun, finish};
+use crate::machines::PreparedMachine;
+use crate::machines::driven::DrivenAxis;
+use crate::motion::{Action, Event};
+use crate::project::run::Run;
+use crate::view::{Limit, Verdict};
+
+/// Seconds after a change for which the machine is looked at.
+const SPAN: f64 = 10.0;
+
+/// Seconds from standstill to the next cycle start.
+const PAUSE: f64 = 1.0;
+
+/// Moments at which gauges are read.
+const POINTS: usize = 400;
+
+/// A tenth of the knob: what an operator turns at a time, %.
+const TURN: f64 = 10.0;
+
+/// An event of operation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OperatingEvent {
+    /// From cycle start to the first contact with the work.
+    Start,
+    /// From there to the end of the program.
+    Run,
+    /// The knob goes to either end.
+    Knob,
+    /// The knob is turned by one step, and back.
+    SpeedChange,
+    /// Feed hold, and cycle start after standstill.
+    Hold,
+    /// The inverter reports a fault.
+    Alarm,
+    /// Emergency stop.
+    EmergencyStop,
+    /// The supply fails: servo axes brake, the spindle coasts.
+    PowerFailure,
+}
+
+impl OperatingEvent {
+    /// All of them with the ids that programs read, in the order of operation.
+    pub const IDS: [(OperatingEvent, &'static str); 8] = [
+        (OperatingEvent::Start, "start"),
+        (OperatingEvent::Run, "run"),
+        (OperatingEvent::Knob, "knob"),
+        (OperatingEvent::SpeedChange, "speed-change"),
+        (OperatingEvent::Hold, "hold"),
+        (OperatingEvent::Alarm, "alarm"),
+        (OperatingEvent::EmergencyStop, "estop"),
+        (OperatingEvent::PowerFailure, "power-fail"),
+    ];
+
+    /// Its id.
+    pub fn id(self) -> &'static str {
+        OperatingEvent::IDS.iter().find(|row| row.0 == self).map_or("", |row| row.1)
+    }
+
+    /// Catalog id of its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            OperatingEvent::Start => "size.event.start",
+            OperatingEvent::Run => "size.event.run",
+            OperatingEvent::Knob => "size.event.knob",
+            OperatingEvent::SpeedChange => "size.event.speed-change",
+            OperatingEvent::Hold => "size.event.hold",
+            OperatingEvent::Alarm => "size.event.alarm",
+            OperatingEvent::EmergencyStop => "size.event.emergency-stop",
+            OperatingEvent::PowerFailure => "size.event.power-failure",
+        }
+    }
+}
+
+/// A quantity at an event.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EnvelopeRow {
+    /// The event.
+    pub event: OperatingEvent,
+    /// Id of the quantity, for instance `loop` or `x-torque`.
+    pub id: String,
+    /// Catalog id of its name.
+    pub label: &'static str,
+    /// Catalog id of the axis that it is about; none for others.
+    pub axis: Option<&'static str>,
+    /// Its worst value.
+    pub value: f64,
+    /// Unit.
+    pub unit: &'static str,
+    /// Decimals shown.
+    pub decimals: u8,
+    /// Its limit, in `unit`.
+    pub limit: Option<Limit>,
+    /// Whether it holds.
+    pub verdict: Verdict,
+    /// Whether it is the worst of this quantity over all events.
+    pub is_worst: bool,
+}
+
+/// The rows of all events that the machine knows.
+pub(super) fn envelope(prepared: &PreparedMachine, whole: &WholeRun) -> Vec<EnvelopeRow> {
+    let envelope =
+        Envelope { prepared, whole, axes: prepared.driven_axes(), middle: 0.5 * (whole.contact + whole.end) };
+    let mut rows: Vec<EnvelopeRow> = OperatingEvent::IDS.iter().flat_map(|(event, _)| envelope.rows(*event)).collect();
+    mark_worst(&mut rows);
+    rows
+}
+
+/// Marks the worst row of each quantity: the one that is nearest to its limit or farthest beyond; of equal ones the first.
+fn mark_worst(rows: &mut [EnvelopeRow]) {
+    let size = |row: &EnvelopeRow| match row.limit {
+        Some(Limit::AtLeast(_)) => -row.value,
+        Some(Limit::Within(_)) => row.value.abs(),
+        _ => row.value,
+    };
+    for at in 0..rows.len() {
+        let others = rows.iter().enumerate().filter(|(_, other)| other.id == rows[at].id);
+        let worst = others.reduce(|worst, next| if size(next.1) > size(worst.1) { next } else { worst });
+        rows[at].is_worst = worst.is_some_and(|(worst, _)| worst == at);
+    }
+}
+
+struct Envelope<'a> {
+    prepared: &'a PreparedMachine,
+    whole: &'a WholeRun,
+    axes: Vec<DrivenAxis>,
+    /// Time (s) at which the operator's hand acts.
+    middle: f64,
+}
+
+impl Envelope<'_> {
+    fn rows(&self, event: OperatingEvent) -> Vec<EnvelopeRow> {
+        let (run, at) = (&self.whole.run, self.middle);
+        match event {
+            OperatingEvent::Start => {
+                let mut rows = self.read(event, run, (0.0, self.whole.contact));
+                rows.push(time(event, self.whole.contact));
+                rows
+            }
+            OperatingEvent::Run => {
+                let mut rows = self.read(event, run, (self.whole.contact, self.whole.end));
+                rows.push(time(event, self.whole.end - self.whole.contact));
+                rows
+            }
+            OperatingEvent::Knob => {
+                let Some((low, high)) = self.whole.knob else { return Vec::new() };
+                let ends = [low, high].map(|percent| self.read(event, &self.turned(&[(at, percent)]), (at, at + SPAN)));
+                worse(ends)
+            }
+            OperatingEvent::SpeedChange => {
+                let Some((low, high)) = self.whole.knob else { return Vec::new() };
+                let now = self.prepared.panel().spindle_override.unwrap_or(100.0);
+                let next = if now + TURN <= high { now + TURN } else { (now - TURN).max(low) };
+                let turned = self.turned(&[(at, next), (at + 0.5 * SPAN, now)]);
+                self.read(event, &turned, (at, at + SPAN))
+            }
+            OperatingEvent::Hold => self.held(),
+            OperatingEvent::Alarm if self.prepared.plc().watches_inverter() => {
+                self.stopped(event, Action::InverterFault(true))
+            }
+            OperatingEvent::Alarm => Vec::new(),
+            OperatingEvent::EmergencyStop => self.stopped(event, Action::EmergencyStop),
+            OperatingEvent::PowerFailure => {
+                let Some(coasting) = self.prepared.coasting() else { return Vec::new() };
+                let mut run = run.clone();
+                run.lose_power(at, coasting);
+                finish(&mut run);
+                self.to_standstill(event, &run)
+            }
+        }
+    }
+
+    /// The run with the knob turned to some percentages at some times.
+    fn turned(&self, turns: &[(f64, f64)]) -> Run {
+        let mut run = self.whole.run.clone();
+        for (t, percent) in turns {
+            run.event(Event { t: *t, action: Action::SpindleOverride(*percent) });
+        }
+        let until = self.middle + SPAN;
+        while run.timeline().end() < until && run.advance(until, 4096).ended.is_none() {}
+        run
+    }
+
+    fn stopped(&self, event: OperatingEvent, action: Action) -> Vec<EnvelopeRow> {
+        let mut run = self.whole.run.clone();
+        run.event(Event { t: self.middle, action });
+        finish(&mut run);
+        self.to_standstill(event, &run)
+    }
+
+    fn held(&self) -> Vec<EnvelopeRow> {
+        let mut run = self.whole.run.clone();
+        run.event(Event { t: self.middle, action: Action::Hold });
+        finish(&mut run);
+        let rests = run.timeline().end();
+        run.event(Event { t: rests + PAUSE, action: Action::Start });
+        let until = rests + PAUSE + SPAN;
+        while run.timeline().end() < until && run.advance(until, 4096).ended.is_none() {}
+        let mut rows = self.read(OperatingEvent::Hold, &run, (self.middle, until));
+        rows.push(time(OperatingEvent::Hold, rests - self.middle));
+        rows
+    }
+
+    fn to_standstill(&self, event: OperatingEvent, run: &Run) -> Vec<EnvelopeRow> {
+        let end = run.timeline().end();
+        let mut rows = self.read(event, run, (self.middle, end));
+        rows.push(time(event, end - self.middle));
+        rows
+    }
+
+    /// Gauges and torques in a part of a run.
+    fn read(&self, event: OperatingEvent, run: &Run, span: (f64, f64)) -> Vec<EnvelopeRow> {
+        let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| EnvelopeRow {
+            event,
+            id: gauge.id.to_owned(),
+            label: gauge.label,
+            axis: None,
+            value: gauge.value,
+            unit: gauge.unit,
+            decimals: gauge.decimals,
+            limit: gauge.limit,
+            verdict: verdict(gauge.limit, gauge.value),
+            is_worst: false,
+        });
+        let torques = self.axes.iter().map(|axis| {
+            let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
+            let value = motion.work(axis.fitted.rotor).peak.0;
+            let limit = Some(Limit::AtMost(axis.fitted.peak));
+            EnvelopeRow {
+                event,
+                id: format!("{}-torque", axis.id),
+                label: "size.torque",
+                axis: Some(axis.name),
+                value,
+                unit: "Nm",
+                decimals: 3,
+                limit,
+                verdict: verdict(limit, value),
+                is_worst: false,
+            }
+        });
+        gauges.chain(torques).collect()
+    }
+}
+
+/// How long an event lasts.
+fn time(event: OperatingEvent, seconds: f64) -> EnvelopeRow {
+    EnvelopeRow {
+        event,
+        id: "time".to_owned(),
+        label: "size.time",
+        axis: None,
+        value: seconds,
+        unit: "s",
+        decimals: 2,
+        limit: None,
+        verdict: Verdict::None,
+        is_worst: false,
+    }
+}
+
+fn verdict(limit: Option<Limit>, value: f64) -> Verdict {
+    match limit {
+        None => Verdict::None,
+        Some(limit) if limit.holds(value) => Verdict::Ok,
+        Some(_) => Verdict::Fail,
+    }
+}
+
+/// Of two readings of the same quantities the worse row each.
+fn worse([one, other]: [Vec<EnvelopeRow>; 2]) -> Vec<EnvelopeRow> {
+    let pick = |(mut a, b): (EnvelopeRow, EnvelopeRow)| {
+        let mut both = [a.clone(), b];
+        mark_worst(&mut both);
+        let [_, b] = both;
+        if b.is_worst {
+            a = b;
+        }
+        EnvelopeRow { is_worst: false, ..a }
+    };
+    one.into_iter().zip(other).map(pick).collect()
+}

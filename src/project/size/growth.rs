@@ -1,0 +1,176 @@
+//! What limits the machine: how far speed, mass or pitch grow until a verdict fails, and the fastest operation of this hardware.
+
+use crate::machines::form::{FieldInfo, KindInfo, Value};
+use crate::math;
+use crate::project::Project;
+use crate::text::catalog::number_text;
+use crate::view::{Readout, Verdict};
+
+/// Factor between two trials.
+const STEP: f64 = 1.25;
+
+/// Trials in either direction: up to 14 times as much, down to a fourteenth.
+const TRIALS: u32 = 12;
+
+/// Halvings of the last step: the edge to a ten-thousandth.
+const HALVINGS: u32 = 12;
+
+/// How far a field grows until a verdict fails.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Growth {
+    /// Id of the field.
+    pub field: &'static str,
+    /// Catalog id of its name.
+    pub label: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Its greatest entry with which no result fails that does not fail with less as well.
+    pub value: f64,
+    /// That over the present entry, less 1; below 0 where a verdict fails now.
+    pub margin: f64,
+    /// Id and catalog id of the result that fails beyond; none where the form takes no more.
+    pub binding: Option<(&'static str, &'static str)>,
+}
+
+/// The fastest operation of this hardware.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fastest {
+    /// Id and catalog id of the result that tells the speed.
+    pub result: (&'static str, &'static str),
+    /// Its value, and its unit.
+    pub value: (f64, &'static str),
+    /// Decimals shown.
+    pub decimals: u8,
+    /// Id and catalog id of the result that fails beyond.
+    pub binding: (&'static str, &'static str),
+    /// The entry of the form with that speed.
+    pub entry: (&'static str, String),
+}
+
+/// The growth of each field that the machine names, and the fastest operation by the first of them.
+pub(super) fn growth(project: &Project) -> (Vec<Growth>, Option<Fastest>) {
+    let fields = project.machine.fields();
+    let hidden = project.prepared();
+    let named = project.machine.growth().iter().filter(|id| !hidden.hidden().contains(id));
+    let grown: Vec<Growth> =
+        named.filter_map(|id| edge(project, fields.iter().find(|field| field.id == *id)?)).collect();
+    let fastest = grown.first().and_then(|first| fastest(project, first));
+    (grown, fastest)
+}
+
+/// A machine with another entry in one field.
+struct Trial<'a> {
+    project: &'a Project,
+    field: &'a FieldInfo,
+    min: f64,
+    max: f64,
+    decimals: u8,
+    now: f64,
+    /// Results that fail with less as well: they say nothing about this field.
+    ignored: Vec<&'static str>,
+}
+
+impl Trial<'_> {
+    /// The entry nearest below a factor of the present one, within the range of the field.
+    fn entry(&self, factor: f64) -> f64 {
+        let unit = math::pow(10.0, f64::from(self.decimals));
+        math::clamp((self.now * factor * unit).floor() / unit, self.min, self.max)
+    }
+
+    fn results(&self, entry: f64) -> Vec<Readout> {
+        let mut values = self.project.values.clone();
+        values.insert(self.field.id.to_owned(), Value::Number(entry));
+        self.project.machine.prepare(&values, self.project.on()).results().readouts
+    }
+
+    /// The first result that fails with an entry, but for the ignored ones.
+    fn fails(&self, entry: f64) -> Option<(&'static str, &'static str)> {
+        let readouts = self.results(entry);
+        let fails = |row: &&Readout| row.verdict == Verdict::Fail && !self.ignored.contains(&row.id);
+        readouts.iter().find(fails).map(|row| (row.id, row.label))
+    }
+
+    /// The results that fail now and with the least entry that is tried.
+    fn persistent(&self) -> Vec<&'static str> {
+        let failing = |entry: f64| {
+            let readouts = self.results(entry).into_iter();
+            readouts.filter(|row| row.verdict == Verdict::Fail).map(|row| row.id).collect::<Vec<_>>()
+        };
+        let now = failing(self.now);
+        if now.is_empty() {
+            return now;
+        }
+        let least = failing(self.entry(math::pow(STEP, -f64::from(TRIALS))));
+        now.into_iter().filter(|id| least.contains(id)).collect()
+    }
+}
+
+fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
+    let KindInfo::Number { min, max, default, decimals, unit, .. } = field.kind else { return None };
+    let now = match project.values.get(field.id) {
+        Some(value @ Value::Number(number)) if field.check(value).is_ok() => *number,
+        _ => default,
+    };
+    let mut trial = Trial { project, field, min, max, decimals, now, ignored: Vec::new() };
+    trial.ignored = trial.persistent();
+    let mut binding = trial.fails(now);
+    let upward = binding.is_none();
+    // The last factor at which nothing fails, and the first at which something does.
+    let (mut holds, mut fails) = (1.0, 1.0);
+    for _ in 0..TRIALS {
+        let (from, factor) = if upward { (fails, fails * STEP) } else { (holds, holds / STEP) };
+        let (before, entry) = (trial.entry(from), trial.entry(factor));
+        if entry == before {
+            break;
+        }
+        let found = trial.fails(entry);
+        if upward {
+            (holds, fails) = (from, factor);
+            if found.is_some() {
+                binding = found;
+                break;
+            }
+        } else {
+            (holds, fails) = (factor, from);
+            if found.is_none() {
+                break;
+            }
+            binding = found;
+        }
+    }
+    let growth = |value: f64, binding| Growth {
+        field: field.id,
+        label: field.label,
+        unit,
+        value,
+        margin: if now > 0.0 { value / now - 1.0 } else { 0.0 },
+        binding,
+    };
+    if upward && binding.is_none() {
+        return Some(growth(trial.entry(fails), None));
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (holds + fails);
+        match trial.fails(trial.entry(middle)) {
+            Some(found) => (fails, binding) = (middle, Some(found)),
+            None => holds = middle,
+        }
+    }
+    Some(growth(trial.entry(holds), binding))
+}
+
+fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
+    let binding = speed.binding?;
+    let field = project.machine.fields().into_iter().find(|field| field.id == speed.field)?;
+    let KindInfo::Number { min, max, decimals, .. } = field.kind else { return None };
+    let trial = Trial { project, field: &field, min, max, decimals, now: speed.value, ignored: Vec::new() };
+    let results = trial.results(speed.value);
+    let told = results.iter().find(|row| row.id == project.machine.speed_result())?;
+    Some(Fastest {
+        result: (told.id, told.label),
+        value: (told.value, told.unit),
+        decimals: told.decimals,
+        binding,
+        entry: (speed.field, number_text(speed.value, decimals)),
+    })
+}

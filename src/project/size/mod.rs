@@ -1,0 +1,54 @@
+//! Sizing: which motors carry the machine, what happens to it in operation, what limits it, and what there is to buy.
+//!
+//! Torque and energy are those of runs of the very program, over stretches of constant acceleration; see [`Motion`](crate::drives::duty::Motion).
+
+mod bill;
+
+mod choice;
+
+mod envelope;
+
+mod growth;
+
+mod runs;
+
+pub mod sheets;
+
+pub mod tell;
+
+pub use bill::BillRow;
+pub use choice::{Candidate, Refusal, SizedAxis};
+pub use envelope::{EnvelopeRow, OperatingEvent};
+pub use growth::{Fastest, Growth};
+
+use super::Project;
+use super::program::Written;
+use super::sensitivity::{Flip, flips};
+
+/// The sizing of a project.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sizing {
+    /// Axes and drives with their motors.
+    pub axes: Vec<SizedAxis>,
+    /// What happens at every event of operation.
+    pub envelope: Vec<EnvelopeRow>,
+    /// Limits that bind next when more is asked.
+    pub limits: Vec<Growth>,
+    /// The fastest operation of this hardware, where a limit binds within the range of the form.
+    pub fastest: Option<Fastest>,
+    /// Assumed facts that flip a verdict.
+    pub sensitivities: Vec<Flip>,
+    /// What there is to buy.
+    pub bill: Vec<BillRow>,
+}
+
+/// Sizes a project with these programs. Total: a run that stops early is sized as far as it came.
+pub fn size(project: &Project, written: &Written) -> Sizing {
+    let prepared = project.prepared();
+    let run = runs::whole(project, written, &prepared);
+    let axes = choice::axes(project, &prepared, &run);
+    let bill = bill::bill(project, &prepared, &axes);
+    let (limits, fastest) = growth::growth(project);
+    let envelope = envelope::envelope(&prepared, &run);
+    Sizing { axes, envelope, limits, fastest, sensitivities: flips(project), bill }
+}

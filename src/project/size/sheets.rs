@@ -1,0 +1,144 @@
+//! A sizing as sheets, for page, report and command line.
+
+use super::choice::Candidate;
+use super::envelope::EnvelopeRow;
+use super::tell::{grade, with_unit};
+use super::{BillRow, Growth, SizedAxis, Sizing};
+use crate::drives::parts::PartGrade;
+use crate::machines::sheets::{row, say};
+use crate::text::catalog::{Language, number_text, sentence};
+use crate::text::{Citation, Grade};
+use crate::view::{Row, Sheet, Verdict};
+
+const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
+const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
+const CATALOGUE: Citation = Citation::new("catalogue of parts, with the source of each row", Grade::Inferred);
+
+impl Sizing {
+    /// The sheets: what there is to buy, what limits, what happens in operation, and the motors of each axis.
+    pub fn sheets(&self) -> Vec<Sheet> {
+        let mut sheets = vec![self.bill_sheet(), self.limit_sheet(), self.envelope_sheet()];
+        sheets.extend(self.axes.iter().map(motors));
+        sheets.retain(|sheet| !sheet.rows.is_empty());
+        sheets
+    }
+
+    fn bill_sheet(&self) -> Sheet {
+        let cells = |of: &BillRow| {
+            let cells = [say(of.item), of.axis.map(say).unwrap_or_default(), of.part.clone(), of.quantity.to_string()];
+            row(cells, Citation { grade: known(of.grade), ..CATALOGUE })
+        };
+        Sheet {
+            id: "bill",
+            title: "sheet.bill",
+            columns: vec!["sheet.item", "sheet.axis", "sheet.part", "sheet.quantity"],
+            rows: self.bill.iter().map(cells).collect(),
+            drawing: String::new(),
+        }
+    }
+
+    fn limit_sheet(&self) -> Sheet {
+        let cells = |of: &Growth| {
+            let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
+            let margin = format!("{:+.1} %", 100.0 * of.margin);
+            row([say(of.label), with_unit(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
+        };
+        let fastest = self.fastest.as_ref().map(|fastest| {
+            let speed = with_unit(fastest.value.0, fastest.decimals, fastest.value.1);
+            let label = format!("{}: {}", say("size.fastest"), say(fastest.result.1));
+            let cells = [label, speed, String::new(), say(fastest.binding.1)];
+            Row { sets: vec![fastest.entry.clone()], ..row(cells, RUNS_OF_FORM) }
+        });
+        Sheet {
+            id: "limits",
+            title: "sheet.limits",
+            columns: vec!["sheet.grows", "sheet.until", "sheet.margin", "sheet.binds"],
+            rows: self.limits.iter().map(cells).chain(fastest).collect(),
+            drawing: String::new(),
+        }
+    }
+
+    fn envelope_sheet(&self) -> Sheet {
+        let cells = |of: &EnvelopeRow| {
+            let quantity = match of.axis {
+                Some(axis) => format!("{}, {}", say(of.label), say(axis)),
+                None => say(of.label),
+            };
+            let limit = of.limit.map_or(String::new(), |limit| {
+                let shown = number_text(limit.value(), of.decimals);
+                sentence(Language::English, &limit.message(shown))
+            });
+            let mark = if of.is_worst { say("size.worst") } else { String::new() };
+            let verdict = match of.verdict {
+                Verdict::None => String::new(),
+                Verdict::Ok => say("size.holds"),
+                Verdict::Warn | Verdict::Fail => say("size.fails"),
+            };
+            row([say(of.event.name()), quantity, with_unit(of.value, of.decimals, of.unit), limit, verdict, mark], RUNS)
+        };
+        Sheet {
+            id: "envelope",
+            title: "sheet.envelope",
+            columns: vec![
+                "sheet.event",
+                "sheet.quantity-watched",
+                "sheet.value",
+                "sheet.limit",
+                "sheet.verdict",
+                "sheet.mark",
+            ],
+            rows: self.envelope.iter().map(cells).collect(),
+            drawing: String::new(),
+        }
+    }
+}
+
+/// How well a part is known, by the grades of sheets.
+fn known(of: PartGrade) -> Grade {
+    match of {
+        PartGrade::Manual | PartGrade::DataSheet => Grade::Manual,
+        PartGrade::Secondary | PartGrade::Entered => Grade::Inferred,
+        PartGrade::Open => Grade::Open,
+    }
+}
+
+/// The motors of an axis; a click takes one into the form.
+fn motors(axis: &SizedAxis) -> Sheet {
+    let share = |share: Option<f64>| share.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share));
+    let cells = |of: &Candidate| {
+        let part = &of.part;
+        let inertia = of.shares.filter(|shares| shares.inertia_ratio > 0.0);
+        let answer = match &of.refusal {
+            None => say("size.passes"),
+            Some(refusal) => sentence(Language::English, &refusal.message),
+        };
+        let cells = [
+            format!("{} {}", part.maker, part.model),
+            answer,
+            share(of.shares.map(|shares| shares.effective)),
+            share(of.shares.map(|shares| shares.peak)),
+            share(of.regenerative),
+            inertia.map_or(String::new(), |shares| format!("{:.1}", shares.inertia_ratio)),
+            of.amplifier.as_ref().map_or(String::new(), |part| part.model.clone()),
+            grade(part.evidence.grade).to_owned(),
+        ];
+        let cite = Citation { grade: known(part.evidence.grade), ..of.limits.cite };
+        Row { sets: of.entries.clone(), ..row(cells, cite) }
+    };
+    Sheet {
+        id: "motors",
+        title: axis.name,
+        columns: vec![
+            "sheet.motor",
+            "sheet.answer",
+            "sheet.effective-load",
+            "sheet.peak-load",
+            "sheet.regenerative-load",
+            "sheet.inertia-ratio",
+            "sheet.amplifier",
+            "sheet.evidence",
+        ],
+        rows: axis.candidates.iter().map(cells).collect(),
+        drawing: String::new(),
+    }
+}

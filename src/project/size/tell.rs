@@ -1,0 +1,136 @@
+//! A sizing in words and for programs.
+
+use serde_json::{Value as Json, json};
+
+use super::choice::Candidate;
+use super::envelope::EnvelopeRow;
+use super::{BillRow, Fastest, Growth, SizedAxis, Sizing};
+use crate::drives::parts::{Part, PartGrade};
+use crate::project::list::verdict_word;
+use crate::project::sensitivity::Flip;
+use crate::text::catalog::{Language, number_text, sentence, words};
+use crate::view::Limit;
+
+fn say(id: &'static str) -> &'static str {
+    words(Language::English, id)
+}
+
+/// A grade of a part as a table of parts has it.
+pub(super) fn grade(grade: PartGrade) -> &'static str {
+    PartGrade::WORDS.iter().find(|row| row.1 == grade).map_or("", |row| row.0)
+}
+
+/// A share in percent.
+fn percent(share: f64) -> f64 {
+    100.0 * share
+}
+
+fn full_name(part: &Part) -> String {
+    format!("{} {}", part.maker, part.model)
+}
+
+impl Sizing {
+    /// The sizing as an object. Loads are in percent of what the motor has.
+    pub fn json(&self) -> Json {
+        json!({
+            "axes": self.axes.iter().map(axis).collect::<Vec<_>>(),
+            "envelope": self.envelope.iter().map(event).collect::<Vec<_>>(),
+            "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
+            "inverse": self.fastest.as_ref().map(fastest),
+            "sensitivities": self.sensitivities.iter().map(flip).collect::<Vec<_>>(),
+            "bom": self.bill.iter().map(bill).collect::<Vec<_>>(),
+        })
+    }
+}
+
+fn axis(axis: &SizedAxis) -> Json {
+    let work = axis.work.map(|work| {
+        json!({
+            "peak_torque_nm": work.peak.0, "peak_at_s": work.peak.1, "effective_torque_nm": work.effective,
+            "speed_rad_s": work.speed, "energy_given_j": work.given, "energy_returned_j": work.returned,
+        })
+    });
+    json!({
+        "axis": axis.id,
+        "name": say(axis.name),
+        "asked": work,
+        "candidates": axis.candidates.iter().map(candidate).collect::<Vec<_>>(),
+    })
+}
+
+fn candidate(candidate: &Candidate) -> Json {
+    let Candidate { part, shares, .. } = candidate;
+    let entries = candidate.entries.iter().map(|(id, text)| ((*id).to_owned(), Json::from(text.as_str())));
+    json!({
+        "maker": part.maker,
+        "model": part.model,
+        "passes": candidate.refusal.is_none(),
+        "reason": candidate.refusal.as_ref().map(|refusal| sentence(Language::English, &refusal.message)),
+        "effective_load": shares.map(|shares| percent(shares.effective)),
+        "peak_load": shares.map(|shares| percent(shares.peak)),
+        "regenerative_load": candidate.regenerative.map(percent),
+        "inertia_ratio": shares.map(|shares| shares.inertia_ratio),
+        "grade": grade(part.evidence.grade),
+        "amplifier": candidate.amplifier.as_ref().map(full_name),
+        "entries": entries.collect::<serde_json::Map<String, Json>>(),
+    })
+}
+
+fn event(row: &EnvelopeRow) -> Json {
+    json!({
+        "event": row.event.id(), "id": row.id, "value": row.value, "unit": row.unit,
+        "limit": row.limit.map(Limit::value), "bound": row.limit.map(Limit::bound),
+        "verdict": verdict_word(row.verdict), "worst": row.is_worst,
+    })
+}
+
+fn limit(row: &Growth) -> Json {
+    json!({
+        "quantity": row.field, "limit": row.binding.map(|binding| binding.0), "margin": row.margin,
+        "value": row.value, "unit": row.unit,
+    })
+}
+
+fn fastest(fastest: &Fastest) -> Json {
+    json!({
+        "line_speed": fastest.value.0, "unit": fastest.value.1, "result": fastest.result.0, "binding": fastest.binding.0,
+        "field": fastest.entry.0, "entry": fastest.entry.1,
+    })
+}
+
+fn flip(flip: &Flip) -> Json {
+    json!({
+        "input": flip.field, "result": flip.readout, "factor": flip.factor,
+        "flips": { "from": verdict_word(flip.from), "to": verdict_word(flip.to) },
+    })
+}
+
+fn bill(row: &BillRow) -> Json {
+    json!({
+        "item": say(row.item), "axis": row.axis.map(say), "part": row.part, "quantity": row.quantity, "grade": grade(row.grade),
+    })
+}
+
+/// Motors that are listed for an axis: those that pass, and the first that do not.
+const SHOWN: usize = 8;
+
+impl Sizing {
+    /// The sizing as lines.
+    pub fn text(&self) -> String {
+        let mut out = String::new();
+        for sheet in self.sheets() {
+            out += &format!("{}\n", say(sheet.title));
+            for row in sheet.rows.iter().take(if sheet.id == "motors" { SHOWN } else { usize::MAX }) {
+                let cells: Vec<&str> = row.cells.iter().map(String::as_str).filter(|cell| !cell.is_empty()).collect();
+                out += &format!("  {}\n", cells.join("  "));
+            }
+            out.push('\n');
+        }
+        out
+    }
+}
+
+/// A number with its unit.
+pub(super) fn with_unit(value: f64, decimals: u8, unit: &str) -> String {
+    [number_text(value, decimals).as_str(), unit].join(" ").trim_end().to_owned()
+}

@@ -1,0 +1,165 @@
+//! The choice of motors, what limits the machine, and the bill of materials.
+
+use macroline::drives::parts::Ratings;
+use macroline::machines::form::Value;
+use macroline::project::size::{Candidate, Sizing, size};
+use macroline::project::{Project, parts};
+use macroline::text::catalog::{Language, sentence};
+use macroline::view::Verdict;
+
+fn sized(project: &Project) -> Sizing {
+    size(project, &project.written())
+}
+
+fn line() -> Project {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    project.values.insert("pitch-count".to_owned(), Value::Number(100.0));
+    project
+}
+
+fn candidates<'a>(sizing: &'a Sizing, axis: &str) -> &'a [Candidate] {
+    &sizing.axes.iter().find(|row| row.id == axis).unwrap().candidates
+}
+
+fn reason(candidate: &Candidate) -> String {
+    candidate.refusal.as_ref().map_or(String::new(), |refusal| sentence(Language::English, &refusal.message))
+}
+
+/// A table of one servo motor of the user.
+fn motor(model: &str, stall: f64, peak: f64, top: f64, rotor: f64) -> String {
+    format!(
+        "kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
+         servo,Works,{model},{top},{top},{stall},{peak},{rotor},entered\n"
+    )
+}
+
+fn with_motor(stall: f64, peak: f64, top: f64, rotor: f64) -> Project {
+    let mut project = line();
+    let (parts, found) = parts::read(&motor("M1", stall, peak, top, rotor), "own.csv");
+    assert!(found.is_empty(), "{found:?}");
+    project.add_parts(parts);
+    project
+}
+
+#[test]
+fn motor_is_refused_by_the_first_limit_that_it_breaks() {
+    // Asked of X: 0.16 Nm at most, 0.08 Nm effective, 290 r/min, 0.7 kg cm² and more.
+    for (ratings, wanted) in [
+        ((2.0, 6.0, 3000.0, 1e-4), ""),
+        ((2.0, 6.0, 100.0, 1e-4), "Too slow"),
+        ((0.05, 0.1, 3000.0, 1e-4), "Too weak"),
+        ((0.01, 6.0, 3000.0, 1e-4), "Too warm"),
+        ((2.0, 6.0, 3000.0, 1e-7), "Rotor too light"),
+    ] {
+        let (stall, peak, top, rotor) = ratings;
+        let sizing = sized(&with_motor(stall, peak, top, rotor));
+        let own = candidates(&sizing, "x").iter().find(|candidate| candidate.part.model == "M1").unwrap();
+        assert!(reason(own).starts_with(wanted), "{ratings:?}: {}", reason(own));
+        assert_eq!(own.refusal.is_none(), wanted.is_empty(), "{ratings:?}");
+    }
+}
+
+#[test]
+fn motors_that_pass_come_first_the_smallest_of_them_first() {
+    for machine in ["ribbon-line", "polygon-lathe"] {
+        let sizing = sized(&Project::named(machine, None, None).unwrap());
+        for axis in &sizing.axes {
+            let passing = axis.candidates.iter().take_while(|candidate| candidate.refusal.is_none()).count();
+            assert!(passing > 0, "{machine} {}", axis.id);
+            assert!(
+                axis.candidates[passing..].iter().all(|candidate| candidate.refusal.is_some()),
+                "{machine} {}",
+                axis.id
+            );
+            let power = |candidate: &Candidate| match &candidate.part.ratings {
+                Ratings::Servo(of) => of.rated_power.unwrap_or(0.0),
+                Ratings::Induction(of) => of.rated_power.unwrap_or(0.0),
+                _ => panic!("no motor"),
+            };
+            let powers: Vec<f64> = axis.candidates[..passing].iter().map(power).filter(|power| *power > 0.0).collect();
+            assert!(powers.is_sorted(), "{machine} {}: {powers:?}", axis.id);
+        }
+    }
+}
+
+#[test]
+fn every_motor_goes_with_the_control() {
+    for control in ["mitsubishi-e60", "sinumerik-802d", "fanuc-0i-mf", "gsk-980tdc"] {
+        let project = Project::named("ribbon-line", Some(control), None).unwrap();
+        for axis in &sized(&project).axes {
+            assert!(!axis.candidates.is_empty(), "{control} {}", axis.id);
+            for candidate in &axis.candidates {
+                let all = core::iter::once(&candidate.part).chain(&candidate.amplifier);
+                for part in all {
+                    assert!(parts::goes_with(part, project.control), "{control}: {} {}", part.maker, part.model);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn motor_taken_into_the_form_is_judged_there_as_in_the_list() {
+    let project = line();
+    let sizing = sized(&project);
+    for axis in ["x", "y"] {
+        let known = candidates(&sizing, axis).iter().filter(|candidate| candidate.shares.is_some()).take(12);
+        for candidate in known {
+            let taken = project.with_entries(&candidate.entries).expect("the form takes every motor");
+            let readouts = taken.design().readouts;
+            let result = |id: &str| readouts.iter().find(|row| row.id == format!("{axis}-{id}")).unwrap();
+            let shares = candidate.shares.unwrap();
+            let name = format!("{} for {axis}", candidate.part.model);
+            // Four decimals of a rotor in kg cm².
+            super::same(&name, result("inertia-ratio").value, shares.inertia_ratio, 1e-2);
+            let fails = ["peak-torque", "effective-torque"].iter().any(|id| result(id).verdict == Verdict::Fail);
+            assert!(candidate.refusal.is_some() || !fails, "{name} passes and fails in the form");
+        }
+    }
+}
+
+#[test]
+fn line_at_the_limit_holds_and_beyond_it_fails() {
+    let project = line();
+    let sizing = sized(&project);
+    assert_eq!(sizing.limits.iter().map(|row| row.field).collect::<Vec<_>>(), ["spindle-speed", "head-mass", "pitch"]);
+    for row in sizing.limits.iter().filter(|row| row.binding.is_some()) {
+        let (result, _) = row.binding.unwrap();
+        let verdict = |value: f64| {
+            let set = [(row.field, format!("{value}"))];
+            let readouts = project.with_entries(&set).unwrap().design().readouts;
+            readouts.iter().find(|readout| readout.id == result).unwrap().verdict
+        };
+        assert!(verdict(row.value) < Verdict::Fail, "{} at {}", row.field, row.value);
+        let beyond = row.value + (0.002 * row.value).max(0.01);
+        let beyond = if row.field == "spindle-speed" { beyond.ceil() } else { (beyond * 1e3).ceil() / 1e3 };
+        assert_eq!(verdict(beyond), Verdict::Fail, "{} beyond {}", row.field, row.value);
+        assert!(row.margin > 0.0);
+    }
+    let fastest = sizing.fastest.unwrap();
+    assert_eq!(fastest.result.0, "line-speed");
+    let set = project.with_entries(&[fastest.entry]).unwrap().design();
+    let told = set.readouts.iter().find(|row| row.id == "line-speed").unwrap().value;
+    super::same("fastest line", fastest.value.0, told, 1e-9);
+}
+
+#[test]
+fn line_that_fails_is_told_how_much_less_it_can_do() {
+    let mut project = line();
+    project.values.insert("spindle-speed".to_owned(), Value::Number(2000.0));
+    let sizing = sized(&project);
+    let speed = &sizing.limits[0];
+    assert!(speed.margin < 0.0 && speed.value < 2000.0, "{speed:?}");
+}
+
+#[test]
+fn bill_names_each_drive_once_and_the_motor_of_the_form_first() {
+    let mut project = line();
+    let parts = |project: &Project| sized(project).bill.iter().map(|row| row.part.clone()).collect::<Vec<_>>();
+    let first = parts(&project);
+    assert_eq!(first[0], project.control.name);
+    // Control; motor and amplifier of each servo axis; motor and inverter of the unwinder.
+    assert_eq!(first.len(), 7, "{first:?}");
+    project.values.insert("motor-x".to_owned(), Value::Text("Works M99".to_owned()));
+    assert!(parts(&project).contains(&"Works M99".to_owned()));
+}

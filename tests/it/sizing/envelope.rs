@@ -1,0 +1,138 @@
+//! The operating envelope from runs of the program, checked by the formulas.
+
+use macroline::machines::form::Value;
+use macroline::motion::{Budget, Retention};
+use macroline::project::Project;
+use macroline::project::run::{self, RunOptions};
+use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, size};
+use macroline::view::Verdict;
+
+fn sized(project: &Project) -> Sizing {
+    size(project, &project.written())
+}
+
+fn result(project: &Project, id: &str) -> f64 {
+    project.design().readouts.iter().find(|row| row.id == id).unwrap().value
+}
+
+fn row<'a>(sizing: &'a Sizing, event: OperatingEvent, id: &str) -> &'a EnvelopeRow {
+    sizing
+        .envelope
+        .iter()
+        .find(|row| row.event == event && row.id == id)
+        .unwrap_or_else(|| panic!("no {id} at {}", event.id()))
+}
+
+/// A line without slip, whose loop is empty in the run.
+fn line() -> Project {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    for (field, value) in [("dancer", Value::Flag(true)), ("pitch-count", Value::Number(400.0))] {
+        project.values.insert(field.to_owned(), value);
+    }
+    project
+}
+
+/// Ribbon in the loop in the middle of the work, mm.
+fn loop_in_the_run(project: &Project) -> f64 {
+    let limits = Budget { blocks: 100_000, seconds: 600.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
+    let mut run = run::of_project(project, &project.written(), &begin);
+    while run.advance(f64::INFINITY, 100_000).ended.is_none() {}
+    let middle = 0.5 * run.ended_at().unwrap();
+    project.prepared().gauges(&run, (middle, middle), 2)[0].value
+}
+
+#[test]
+fn loop_at_every_stop_is_that_of_the_formulas() {
+    let project = line();
+    let sizing = sized(&project);
+    let start = loop_in_the_run(&project);
+    for event in [OperatingEvent::EmergencyStop, OperatingEvent::Alarm] {
+        let laid = row(&sizing, event, "loop").value - start;
+        super::same(event.id(), laid, result(&project, "slack-hold"), 0.02);
+    }
+    // The restart after standstill lays on top what a start lays until X has caught up.
+    let laid = row(&sizing, OperatingEvent::Hold, "loop").value - start;
+    let both = result(&project, "slack-hold") + row(&sizing, OperatingEvent::Start, "loop").value;
+    super::same("hold", laid, both, 0.02);
+}
+
+#[test]
+fn unwinder_that_coasts_fills_the_loop_as_long_as_it_turns() {
+    let project = line();
+    let sizing = sized(&project);
+    let values = |id: &str| match project.values[id] {
+        Value::Number(number) => number,
+        _ => unreachable!(),
+    };
+    let speed = result(&project, "line-speed") / 60.0;
+    let share = result(&project, "actual-speed") / values("speed-at-10v");
+    let coasting = project.prepared().coasting().unwrap();
+    let longer = row(&sizing, OperatingEvent::PowerFailure, "loop").value
+        - row(&sizing, OperatingEvent::EmergencyStop, "loop").value;
+    let expected = 0.5 * speed * share * (coasting - values("inverter-ramp"));
+    super::same("ribbon of a power failure", longer, expected, 0.02);
+    assert!(row(&sizing, OperatingEvent::PowerFailure, "loop").is_worst);
+    // Twice the inertia coasts twice as long.
+    let mut heavy = project.clone();
+    heavy.values.insert("unwinder-inertia".to_owned(), Value::Number(2.0 * values("unwinder-inertia")));
+    super::same("coasting", heavy.prepared().coasting().unwrap(), 2.0 * coasting, 1e-9);
+    let more = row(&sized(&heavy), OperatingEvent::PowerFailure, "loop").value
+        - row(&sizing, OperatingEvent::PowerFailure, "loop").value;
+    super::same("ribbon of twice the inertia", more, 0.5 * speed * share * coasting, 0.02);
+}
+
+#[test]
+fn verdicts_follow_the_limits_of_the_machine() {
+    let mut project = line();
+    let before = sized(&project);
+    let emergency = row(&before, OperatingEvent::EmergencyStop, "loop");
+    assert_eq!(emergency.verdict, Verdict::Ok);
+    // A loop that is a little too small for it.
+    project.values.insert("loop-capacity".to_owned(), Value::Number((emergency.value - 1.0).floor()));
+    let after = sized(&project);
+    assert_eq!(row(&after, OperatingEvent::EmergencyStop, "loop").verdict, Verdict::Fail);
+    assert_eq!(row(&after, OperatingEvent::Run, "loop").verdict, Verdict::Ok);
+}
+
+#[test]
+fn torque_at_start_is_the_peak_torque_of_the_results() {
+    let project = line();
+    let sizing = sized(&project);
+    for axis in ["x", "y"] {
+        let asked = row(&sizing, OperatingEvent::Start, &format!("{axis}-torque"));
+        super::same(axis, asked.value, result(&project, &format!("{axis}-peak-torque")), 1e-3);
+    }
+}
+
+#[test]
+fn every_machine_has_its_events_and_one_worst_each() {
+    use OperatingEvent::{Alarm, EmergencyStop, Hold, Knob, PowerFailure, Run, SpeedChange, Start};
+    for (machine, events) in [
+        ("ribbon-line", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop, PowerFailure]),
+        ("turning-spindle", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop]),
+        ("polygon-lathe", vec![Start, Run, Hold, EmergencyStop]),
+    ] {
+        let sizing = sized(&Project::named(machine, None, None).unwrap());
+        let mut found: Vec<OperatingEvent> = sizing.envelope.iter().map(|row| row.event).collect();
+        found.dedup();
+        assert_eq!(found, events, "{machine}");
+        let mut ids: Vec<&str> = sizing.envelope.iter().map(|row| row.id.as_str()).collect();
+        ids.sort_unstable();
+        ids.dedup();
+        for id in ids {
+            let worst = sizing.envelope.iter().filter(|row| row.id == id && row.is_worst).count();
+            assert_eq!(worst, 1, "{machine}: worst {id}");
+        }
+        assert!(sizing.envelope.iter().all(|row| row.value.is_finite()), "{machine}");
+    }
+}
+
+#[test]
+fn program_that_does_not_run_is_sized_as_far_as_it_comes() {
+    let mut project = line();
+    project.edited = Some(macroline::nc::Files::one("O1.NC", "%\nO1\nG01 X1000. F1000.\nGOTO 77\nM30\n%\n"));
+    let sizing = sized(&project);
+    assert!(sizing.envelope.iter().all(|row| row.value.is_finite()));
+    assert!(!sizing.axes.is_empty());
+}
