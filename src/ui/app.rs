@@ -16,7 +16,7 @@ use super::parts::divider::Divider;
 use super::parts::meaning::MeaningPopover;
 use super::parts::scene::Still;
 use super::program::ProgramTab;
-use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, VariablesTab};
+use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, SizingTab, VariablesTab};
 use super::state::notices::Notice;
 use super::state::view::Tab;
 use super::state::{Begun, Page, stepping};
@@ -107,9 +107,10 @@ fn Screen() -> impl IntoView {
 }
 
 /// The tabs with their ids and names.
-const TABS: [(Tab, &str, &str); 6] = [
+const TABS: [(Tab, &str, &str); 7] = [
     (Tab::Program, "tab-program", "page.program"),
     (Tab::Results, "tab-results", "page.results"),
+    (Tab::Sizing, "tab-sizing", "page.sizing"),
     (Tab::Explore, "tab-explore", "page.explore"),
     (Tab::Variables, "tab-variables", "page.variables"),
     (Tab::Parameters, "tab-parameters", "page.parameters"),
@@ -135,6 +136,7 @@ fn Side() -> impl IntoView {
     let body = move || match tab.get() {
         Tab::Program => view! { <ProgramTab /> }.into_any(),
         Tab::Results => view! { <ResultsTab /> }.into_any(),
+        Tab::Sizing => view! { <SizingTab /> }.into_any(),
         Tab::Explore => view! { <ExploreTab /> }.into_any(),
         Tab::Variables => view! { <VariablesTab /> }.into_any(),
         Tab::Parameters => view! { <ParametersTab /> }.into_any(),

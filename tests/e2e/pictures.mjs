@@ -39,6 +39,7 @@ const VIEWS = [
   ['machine-data', [LARGE, PHONE], openGroups],
   ['panel', [LARGE, PHONE], openPanel],
   ['results', [LARGE, PHONE], tab('results')],
+  ['sizing', [LARGE, PHONE], async (page) => (await tab('sizing')(page), await page.locator('.sizing .sheet').first().waitFor())],
   ['ways', [LARGE, PHONE], async (page) => (await machine('Polygon lathe')(page), await tab('explore')(page))],
   ['variables', [LARGE, PHONE], tab('variables')],
   ['parameters', [LARGE, PHONE], tab('parameters')],

@@ -494,9 +494,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("x-roller-diameter", member!(Params.x_roller_diameter)).group("ribbon.group.axes").label("ribbon.x-roller-diameter").help("ribbon.x-roller-diameter.help")
         .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).fact(),
     number("gear-x", member!(Params.gear_x)).group("ribbon.group.axes").label("ribbon.gear-x").help("ribbon.gear-x.help")
-        .unit(": 1").range(0.001..=10000.0).default(10.0).decimals(6).step(1.0).fact(),
+        .unit(": 1").range(0.1..=10000.0).default(10.0).decimals(6).step(1.0).fact(),
     number("gear-y", member!(Params.gear_y)).group("ribbon.group.axes").label("ribbon.gear-y").help("ribbon.gear-y.help")
-        .unit(": 1").range(0.001..=10000.0).default(5.0).decimals(6).step(1.0).fact(),
+        .unit(": 1").range(0.1..=10000.0).default(5.0).decimals(6).step(1.0).fact(),
     number("motor-rated-x", member!(Params.motor_rated_x)).group("ribbon.group.axes").label("ribbon.motor-rated-x").help("ribbon.motor-rated-x.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
     number("motor-max-x", member!(Params.motor_max_x)).group("ribbon.group.axes").label("ribbon.motor-max-x").help("ribbon.motor-max-x.help")
@@ -532,7 +532,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("motor-peak-x", member!(Params.pull.peak)).group("ribbon.group.pull-drive").label("ribbon.motor-peak-x").help("ribbon.motor-peak-x.help")
         .unit("Nm").range(0.001..=10000.0).default(3.8).decimals(3).step(0.1).fact(),
     number("motor-rotor-x", member!(Params.pull.rotor)).group("ribbon.group.pull-drive").label("ribbon.motor-rotor-x").help("ribbon.motor-rotor-x.help")
-        .unit("kg cm²").range(0.0001..=100000.0).default(0.375).decimals(4).step(0.1).fact(),
+        .unit("kg cm²").range(0.001..=100000.0).default(0.375).decimals(4).step(0.1).fact(),
     number("inertia-limit-x", member!(Params.pull.inertia_limit)).group("ribbon.group.pull-drive").label("ribbon.inertia-limit-x").help("ribbon.inertia-limit-x.help")
         .unit(": 1").range(0.1..=1000.0).default(15.0).decimals(1).step(1.0).fact(),
     number("print-roller-wall", member!(Params.print.wall)).group("ribbon.group.print-drive").label("ribbon.print-roller-wall").help("ribbon.print-roller-wall.help")
@@ -557,7 +557,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("motor-peak-y", member!(Params.print.peak)).group("ribbon.group.print-drive").label("ribbon.motor-peak-y").help("ribbon.motor-peak-y.help")
         .unit("Nm").range(0.001..=10000.0).default(8.82).decimals(3).step(0.1).fact(),
     number("motor-rotor-y", member!(Params.print.rotor)).group("ribbon.group.print-drive").label("ribbon.motor-rotor-y").help("ribbon.motor-rotor-y.help")
-        .unit("kg cm²").range(0.0001..=100000.0).default(6.6).decimals(4).step(0.1).fact(),
+        .unit("kg cm²").range(0.001..=100000.0).default(6.6).decimals(4).step(0.1).fact(),
     number("inertia-limit-y", member!(Params.print.inertia_limit)).group("ribbon.group.print-drive").label("ribbon.inertia-limit-y").help("ribbon.inertia-limit-y.help")
         .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).fact(),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")

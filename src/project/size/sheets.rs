@@ -68,25 +68,22 @@ impl Sizing {
                 let shown = number_text(limit.value(), of.decimals);
                 sentence(Language::English, &limit.message(shown))
             });
-            let mark = if of.is_worst { say("size.worst") } else { String::new() };
             let verdict = match of.verdict {
-                Verdict::None => String::new(),
-                Verdict::Ok => say("size.holds"),
-                Verdict::Warn | Verdict::Fail => say("size.fails"),
+                Verdict::None => None,
+                Verdict::Ok => Some(say("size.holds")),
+                Verdict::Warn | Verdict::Fail => Some(say("size.fails")),
             };
-            row([say(of.event.name()), quantity, with_unit(of.value, of.decimals, of.unit), limit, verdict, mark], RUNS)
+            let worst = of.is_worst.then(|| say("size.worst"));
+            let verdict: Vec<String> = verdict.into_iter().chain(worst).collect();
+            row(
+                [say(of.event.name()), quantity, with_unit(of.value, of.decimals, of.unit), limit, verdict.join(", ")],
+                RUNS,
+            )
         };
         Sheet {
             id: "envelope",
             title: "sheet.envelope",
-            columns: vec![
-                "sheet.event",
-                "sheet.quantity-watched",
-                "sheet.value",
-                "sheet.limit",
-                "sheet.verdict",
-                "sheet.mark",
-            ],
+            columns: vec!["sheet.event", "sheet.quantity-watched", "sheet.value", "sheet.limit", "sheet.verdict"],
             rows: self.envelope.iter().map(cells).collect(),
             drawing: String::new(),
         }
@@ -114,13 +111,13 @@ fn motors(axis: &SizedAxis) -> Sheet {
         };
         let cells = [
             format!("{} {}", part.maker, part.model),
-            answer,
             share(of.shares.map(|shares| shares.effective)),
             share(of.shares.map(|shares| shares.peak)),
             share(of.regenerative),
             inertia.map_or(String::new(), |shares| format!("{:.1}", shares.inertia_ratio)),
             of.amplifier.as_ref().map_or(String::new(), |part| part.model.clone()),
             grade(part.evidence.grade).to_owned(),
+            answer,
         ];
         let cite = Citation { grade: known(part.evidence.grade), ..of.limits.cite };
         Row { sets: of.entries.clone(), ..row(cells, cite) }
@@ -130,13 +127,13 @@ fn motors(axis: &SizedAxis) -> Sheet {
         title: axis.name,
         columns: vec![
             "sheet.motor",
-            "sheet.answer",
             "sheet.effective-load",
             "sheet.peak-load",
             "sheet.regenerative-load",
             "sheet.inertia-ratio",
             "sheet.amplifier",
             "sheet.evidence",
+            "sheet.answer",
         ],
         rows: axis.candidates.iter().map(cells).collect(),
         drawing: String::new(),

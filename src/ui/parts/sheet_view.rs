@@ -1,8 +1,10 @@
 //! Sheets that the worker writes, written again after every change of the project.
 
+use std::time::Duration;
+
 use leptos::prelude::*;
 
-use crate::ui::state::Page;
+use crate::ui::state::{Page, put};
 use crate::ui::words::t;
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response, Sheets};
@@ -12,6 +14,12 @@ use crate::ui::worker::messages::{Request, Response, Sheets};
 pub(crate) fn SheetView(
     /// Picks those to show.
     which: fn(Sheets) -> String,
+    /// What the worker is asked.
+    #[prop(default = || Request::Sheets)]
+    request: fn() -> Request,
+    /// How long the project rests before it is asked: for answers that take time.
+    #[prop(default = Duration::ZERO)]
+    rest: Duration,
     /// Shown below the sheets once they are there.
     #[prop(optional)]
     children: Option<Children>,
@@ -19,24 +27,38 @@ pub(crate) fn SheetView(
     let (page, worker) = (Page::here(), Client::here());
     let shown = RwSignal::new(format!("<p class=\"lead\">{}</p>", t("page.reading")));
     let answered = RwSignal::new(false);
-    Effect::new(move |_| {
-        let show = move |response: Option<Response>| {
-            let html = match response {
-                Some(Response::Sheets(sheets)) => which(sheets),
-                _ => format!("<p class=\"lead\">{}</p>", t("page.no-answer")),
-            };
-            let html = if html.is_empty() { format!("<p class=\"lead\">{}</p>", t("page.no-sheet")) } else { html };
-            // The tab may have been left.
-            let _ = shown.try_set(html);
-            if answered.try_get_untracked() == Some(false) {
-                answered.set(true);
-            }
+    // The sheets are those of the project before its last change.
+    let outdated = RwSignal::new(true);
+    let show = move |response: Option<Response>| {
+        let html = match response {
+            Some(Response::Sheets(sheets)) => which(sheets),
+            _ => format!("<p class=\"lead\">{}</p>", t("page.no-answer")),
         };
-        page.project.with(|project| worker.ask(project, Request::Sheets, show));
+        let html = if html.is_empty() { format!("<p class=\"lead\">{}</p>", t("page.no-sheet")) } else { html };
+        // The tab may have been left.
+        let _ = shown.try_set(html);
+        let _ = outdated.try_set(false);
+        if answered.try_get_untracked() == Some(false) {
+            answered.set(true);
+        }
+    };
+    let ask = move || page.project.with_untracked(|project| worker.ask(project, request(), show));
+    let timer = StoredValue::new(None::<TimeoutHandle>);
+    let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
+    Effect::new(move |_| {
+        page.project.track();
+        put(outdated, true);
+        stop();
+        if rest.is_zero() {
+            ask();
+        } else {
+            timer.set_value(set_timeout_with_handle(ask, rest).ok());
+        }
     });
+    on_cleanup(stop);
     let mut children = children;
     view! {
-        <div class="sheets" inner_html=move || shown.get()></div>
+        <div class="sheets" aria-busy=move || outdated.get().to_string() inner_html=move || shown.get()></div>
         {move || answered.get().then(|| children.take().map(|children| children()))}
     }
 }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::Element;
 
+use super::take::{listed, set, take};
 use crate::machines::PreparedMachine;
 use crate::machines::form::{FieldInfo, KindInfo, Values};
 use crate::project::Project;
@@ -26,28 +26,6 @@ fn prepared(project: &Project, draft: Option<&Values>) -> Arc<PreparedMachine> {
         Some(values) => Arc::new(project.machine.prepare(values, project.on())),
         None => project.prepared(),
     }
-}
-
-/// Sets fields from their texts.
-fn set<'t>(project: &Project, values: &mut Values, sets: impl IntoIterator<Item = (&'t str, &'t str)>) {
-    let fields = project.machine.fields();
-    for (id, text) in sets {
-        if let Some(value) = fields.iter().find(|field| field.id == id).and_then(|field| field.read(text).ok()) {
-            values.insert(id.to_owned(), value);
-        }
-    }
-}
-
-/// Takes values into the form: a step of the history, one with those of the same key that follow at once.
-fn take(page: Page, key: &str, values: Values) {
-    // Wrong entries of these fields give way.
-    let changed: Vec<FieldInfo> = page.project.with_untracked(|project| {
-        let changed = |field: &FieldInfo| values.get(field.id) != project.values.get(field.id);
-        project.machine.fields().into_iter().filter(changed).collect()
-    });
-    changed.iter().for_each(|field| page.entries.accept(field.id));
-    page.edit(key, |project| project.values = values);
-    page.notices.say(t("page.taken"));
 }
 
 /// Sliders, their consequences, and the listed ways.
@@ -129,14 +107,10 @@ pub(crate) fn ExploreTab() -> impl IntoView {
             .then(|| view! { <div class="chips" role="group" aria-label=t("page.explored")>{chips(names)}</div> })
     };
     let choose = move |event: leptos::ev::MouseEvent| {
-        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-        let row = target.and_then(|target| target.closest("[data-sets]").ok().flatten());
-        let Some(sets) = row.and_then(|row| row.get_attribute("data-sets")) else { return };
-        let mut values = page.project.with_untracked(|project| project.values.clone());
-        let sets = sets.split(';').filter_map(|set| set.split_once('='));
-        page.project.with_untracked(|project| set(project, &mut values, sets));
-        draft.set(None);
-        take(page, "", values);
+        if let Some(values) = listed(page, &event) {
+            draft.set(None);
+            take(page, "", values);
+        }
     };
     view! {
         <p class="lead">{t("page.explore-lead")}</p>

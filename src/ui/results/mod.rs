@@ -1,4 +1,4 @@
-//! Everything that follows from the project, as tabs: results, explorer, variables, parameters, PLC.
+//! Everything that follows from the project, as tabs: results, sizing, explorer, variables, parameters, PLC.
 
 mod explore;
 
@@ -6,9 +6,14 @@ mod parameters;
 
 mod readouts;
 
+mod sizing;
+
+mod take;
+
 mod variables;
 
 pub(crate) use explore::ExploreTab;
 pub(crate) use parameters::{ParametersTab, PlcTab};
 pub(crate) use readouts::ResultsTab;
+pub(crate) use sizing::SizingTab;
 pub(crate) use variables::VariablesTab;

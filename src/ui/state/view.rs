@@ -11,6 +11,8 @@ pub(crate) enum Tab {
     Program,
     /// Every result.
     Results,
+    /// Motors, operating envelope, limits and bill of materials.
+    Sizing,
     /// Sliders that look for a shape.
     Explore,
     /// The control's variables.

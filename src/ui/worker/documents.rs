@@ -3,6 +3,7 @@
 use super::messages::{Documents, Range, Remark, Sheets};
 use crate::project::Project;
 use crate::project::meaning::{self, Subject, Table};
+use crate::project::size::size;
 use crate::text::{Diagnostic, Grade, Severity};
 use crate::ui::words::{grade, t, tell, tone};
 use crate::view::Sheet;
@@ -21,6 +22,14 @@ pub(super) fn sheets(project: &Project) -> Sheets {
         html(tab, sheet, project);
     }
     out
+}
+
+/// The sheets of a sizing of the project.
+pub(super) fn sizing(project: &Project) -> Sheets {
+    let mut sizing = String::new();
+    let sized = size(project, &project.written());
+    sized.sheets().iter().for_each(|sheet| html(&mut sizing, sheet, project));
+    Sheets { sizing, ..Sheets::default() }
 }
 
 /// Rows of a list that repeats a drawing above which it is folded.
@@ -49,7 +58,8 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     let some = |at: &usize| sheet.rows.iter().any(|row| row.cells.get(*at).is_some_and(|cell| !cell.is_empty()));
     let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
     // Where there is little room, prose behind many columns goes below them: see `.stacked`.
-    let prose = matches!(sheet.columns.last(), Some(&("sheet.meaning" | "sheet.use"))) && shown.len() > 3;
+    let prose =
+        matches!(sheet.columns.last(), Some(&("sheet.meaning" | "sheet.use" | "sheet.answer"))) && shown.len() > 3;
     // Sentences in several columns stand below one another there, each with its head: see `.told`.
     let told = shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
     out.push_str("<table class=\"sheet");
@@ -72,7 +82,7 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
         {
             let sets: Vec<String> = row.sets.iter().map(|(id, text)| format!("{id}={text}")).collect();
             out.push_str("<tr data-sets=\"");
-            escape(out, &sets.join(";"));
+            escape(out, &sets.join("\n"));
             out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");
             escape(out, &format!("{} {first}", t("page.take")));
             out.push_str("\">");

@@ -27,6 +27,8 @@ pub(crate) enum Request {
     Review,
     /// Parameter sheet, interface and ladder.
     Sheets,
+    /// Motors, operating envelope, limits and bill of materials.
+    Sizing,
     /// Facts of the form that are only assumed and whose change by a tenth flips a verdict.
     Flips,
     /// Documents that leave with the programs.
@@ -51,7 +53,7 @@ pub(crate) enum Reply {
 pub(crate) enum Response {
     /// Of [`Request::Review`].
     Review(Vec<Finding>),
-    /// Of [`Request::Sheets`].
+    /// Of [`Request::Sheets`] and [`Request::Sizing`].
     Sheets(Sheets),
     /// Of [`Request::Flips`]: ids of the fields, the worst first.
     Flips(Vec<String>),
@@ -70,6 +72,8 @@ pub(crate) struct Sheets {
     pub plc: String,
     /// Sheets whose rows can be taken into the form.
     pub ways: String,
+    /// Motors, operating envelope, limits and bill of materials.
+    pub sizing: String,
 }
 
 /// The documents of an export. The programs are not among them: the page exports the very files that it runs.

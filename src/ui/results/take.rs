@@ -1,0 +1,46 @@
+//! Taking values into the form: from a slider, or from a row of a sheet that sets fields.
+
+use leptos::ev::MouseEvent;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::Element;
+
+use crate::machines::form::{FieldInfo, Values};
+use crate::project::Project;
+use crate::ui::state::Page;
+use crate::ui::words::t;
+
+/// Sets fields from their texts.
+pub(super) fn set<'t>(project: &Project, values: &mut Values, sets: impl IntoIterator<Item = (&'t str, &'t str)>) {
+    let fields = project.machine.fields();
+    for (id, text) in sets {
+        if let Some(value) = fields.iter().find(|field| field.id == id).and_then(|field| field.read(text).ok()) {
+            values.insert(id.to_owned(), value);
+        }
+    }
+}
+
+/// Takes values into the form: a step of the history, one with those of the same key that follow at once.
+pub(super) fn take(page: Page, key: &str, values: Values) {
+    // Wrong entries of these fields give way.
+    let changed: Vec<FieldInfo> = page.project.with_untracked(|project| {
+        let changed = |field: &FieldInfo| values.get(field.id) != project.values.get(field.id);
+        project.machine.fields().into_iter().filter(changed).collect()
+    });
+    changed.iter().for_each(|field| page.entries.accept(field.id));
+    page.edit(key, |project| project.values = values);
+    page.notices.say(t("page.taken"));
+}
+
+/// The values of the form with those of the row that was clicked; `None` where the click met no such row.
+pub(super) fn listed(page: Page, event: &MouseEvent) -> Option<Values> {
+    let target = event.target()?.dyn_into::<Element>().ok()?;
+    let row = target.closest("[data-sets]").ok().flatten()?;
+    let sets = row.get_attribute("data-sets")?;
+    let sets = sets.split('\n').filter_map(|set| set.split_once('='));
+    page.project.with_untracked(|project| {
+        let mut values = project.values.clone();
+        set(project, &mut values, sets);
+        Some(values)
+    })
+}
