@@ -78,6 +78,22 @@ pub enum Reason {
 }
 
 impl Servo {
+    /// Torque in Nm for long at a speed in r/min: from the stall torque evenly to the rated one at rated speed, at rated power above.
+    ///
+    /// Data sheets draw these lines; their figures give standstill and rated speed alone.
+    pub fn continuous(&self, speed: f64) -> f64 {
+        if speed <= self.rated_speed {
+            self.stall + (self.rated - self.stall) * speed / self.rated_speed
+        } else {
+            self.rated * self.rated_speed / speed
+        }
+    }
+
+    /// Torque in Nm for a short time at a speed in r/min: the peak torque up to rated speed, at constant power above.
+    pub fn most(&self, speed: f64) -> f64 {
+        self.peak * (self.rated_speed / speed).min(1.0)
+    }
+
     /// The shares of a load and a duty.
     pub fn shares(&self, load: &Load, duty: &Duty) -> Shares {
         Shares {

@@ -30,12 +30,17 @@ pub struct DrivenAxis {
 /// The motor that a form has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fitted {
-    /// Moment of inertia of the rotor, kg m²; 0 where the load includes it.
-    pub rotor: f64,
-    /// Greatest torque that its rules allow, Nm.
-    pub peak: f64,
-    /// Greatest effective torque that its rules allow, Nm.
-    pub effective: f64,
+    /// Its ratings; the rotor is 0 where the load includes it.
+    pub motor: Servo,
+    /// Its limits.
+    pub limits: Acceptance,
+}
+
+impl Fitted {
+    /// Greatest torque that its limits allow, Nm.
+    pub fn peak(&self) -> f64 {
+        self.limits.peak * self.motor.peak
+    }
 }
 
 /// Ids of the fields of a servo motor in a form. Torques in Nm, rotor in kg cm², speeds in r/min.
@@ -55,13 +60,6 @@ pub struct MotorFields {
     pub top_speed: &'static str,
     /// Greatest load inertia over rotor inertia.
     pub inertia_limit: &'static str,
-}
-
-impl Fitted {
-    /// A servo motor by its limits.
-    pub fn servo(motor: &Servo, limits: &Acceptance) -> Fitted {
-        Fitted { rotor: motor.rotor, peak: limits.peak * motor.peak, effective: limits.effective * motor.stall }
-    }
 }
 
 impl DrivenAxis {

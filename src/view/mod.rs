@@ -28,6 +28,8 @@ pub mod csv;
 
 pub mod plot;
 
+pub mod torque_chart;
+
 pub mod report;
 
 pub use chart::{Chart, Series};
@@ -39,3 +41,4 @@ pub use readout::{Advice, Limit, Readout, Verdict};
 pub use scene::{Font, Node, Placement, Pose, Scene, SceneGroup, Shape};
 pub use sheet::{Row, Sheet};
 pub use svg::Theme;
+pub use torque_chart::{MotorPoint, OperatingLine, TorqueChart, TorqueWords};

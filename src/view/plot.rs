@@ -131,12 +131,13 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
     }
 }
 
-fn keys((from, to): (f64, f64), at_most: usize) -> Vec<f64> {
+/// Values at which grid lines stand.
+pub(super) fn keys((from, to): (f64, f64), at_most: usize) -> Vec<f64> {
     RangedCoordf64::from(from..to).key_points(at_most)
 }
 
 /// Decimals that tell neighbouring figures apart.
-fn decimals(values: &[f64]) -> u8 {
+pub(super) fn decimals(values: &[f64]) -> u8 {
     let step = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(f64::INFINITY, f64::min);
     if step.is_finite() && step > 0.0 { math::clamp(-math::log10(step).floor(), 0.0, 9.0) as u8 } else { 3 }
 }

@@ -4,9 +4,13 @@ use super::demand::Asked;
 use super::load::Spindle;
 use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::drives::load::{Load, through_gear};
+use crate::drives::servo::{Acceptance, Servo};
 use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow};
 use crate::math::PI;
 use crate::motion::Mover;
+
+/// All that the drive gives may be asked: the form has no reserve beside its peak torque.
+const WHOLE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
 
 /// The motors of work and tool, as if each cut at the greatest mean torque for as long as it turns.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
@@ -14,22 +18,30 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
         let p = &lathe.p;
         // Motor speed over spindle speed.
         let (gear, efficiency) = (teeth / motor_teeth, p.drive_efficiency / 100.0);
-        let (rated, most) = p.torques(spindle);
+        let drive = p.drive(spindle);
+        let rated = drive.motor.torque(0.0) / (gear * efficiency);
         let torque = lathe.demand(spindle, Asked::Mean).0;
-        // The form's torques and inertia stand behind the gear, with the rotor; losses of the gear are in the torques.
-        let at_motor = |torque: f64| torque / (gear * efficiency);
+        // The form has torque and inertia behind the gear, with the rotor; its torque has the losses of the gear already.
+        let motor = Servo {
+            rated,
+            stall: rated,
+            peak: rated * p.drive_peak / 100.0,
+            rated_speed: drive.motor.base * gear,
+            top_speed: drive.speed.max(drive.motor.base) * gear,
+            rotor: 0.0,
+        };
         DrivenAxis {
             id,
             name,
             mover: Mover::Turned(at),
             turn: gear * PI / 180.0,
             load: Load {
-                inertia: p.drive(spindle).inertia / (gear * gear),
+                inertia: drive.inertia / (gear * gear),
                 torque: through_gear(torque, gear, efficiency),
                 efficiency,
             },
             hold: 0.0,
-            fitted: Fitted { rotor: 0.0, peak: at_motor(most), effective: at_motor(rated) },
+            fitted: Fitted { motor, limits: WHOLE },
             fields: None,
         }
     };

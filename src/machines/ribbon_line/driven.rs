@@ -47,7 +47,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         turn: 2.0 * PI * gear / turn,
         load: of.load,
         hold: of.hold,
-        fitted: Fitted::servo(&of.motor, &of.limits),
+        fitted: Fitted { motor: of.motor, limits: of.limits },
         fields: Some(fields),
     };
     let m = &line.mechanics;

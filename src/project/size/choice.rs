@@ -1,11 +1,13 @@
 //! The choice of motors: every motor of the catalogue that goes with the control, against what the run asks.
 
+use std::collections::BTreeMap;
+
 use super::runs::{WholeRun, fast};
 use crate::controls::Control;
 use crate::drives::duty::{Motion, Work};
 use crate::drives::load::{Regeneration, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
-use crate::drives::servo::{Duty, Reason, Shares};
+use crate::drives::servo::{Duty, Reason, Servo, Shares};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields};
 use crate::math::PI;
@@ -15,12 +17,22 @@ use crate::project::Project;
 use crate::project::parts::goes_with;
 use crate::text::Message;
 use crate::text::catalog::number_text;
+use crate::view::{OperatingLine, TorqueChart};
 
 /// Radians per second of one revolution per minute.
 const RPM: f64 = PI / 30.0;
 
 /// Square metres in a square centimetre: forms have inertia in kg cm².
 const CM2: f64 = 1e-4;
+
+/// Lines of a run in a chart at most.
+const LINES: usize = 600;
+
+/// Parts in which the lines of a motor bend above its rated speed.
+const BEND: u32 = 8;
+
+/// Speeds and torques that agree to one part of this many r/min or Nm are one.
+const ALIKE: f64 = 1e3;
 
 /// Characters of a motor's name in a form.
 const NAME: usize = 40;
@@ -34,6 +46,8 @@ pub struct SizedAxis {
     pub name: &'static str,
     /// What the run asks of the motor that the form has; none of a drive behind an inverter.
     pub work: Option<Work>,
+    /// Torque over speed of that motor.
+    pub chart: Option<TorqueChart>,
     /// The motors: first those that pass, the lightest rating first, then the others by their reason.
     pub candidates: Vec<Candidate>,
 }
@@ -109,6 +123,40 @@ impl Asked {
     }
 }
 
+impl Asked {
+    /// Torque over speed of a motor, with all runs: lines of the same speeds and torque are one.
+    fn chart(&self, motor: &Servo) -> TorqueChart {
+        let mut lines: BTreeMap<(i64, i64, i64), OperatingLine> = BTreeMap::new();
+        let (mut way, mut seconds) = (0.0, 0.0);
+        for motion in &self.motions {
+            for turn in motion.turns() {
+                let torque = motion.torque(turn, motor.rotor) * if turn.from + turn.to < 0.0 { -1.0 } else { 1.0 };
+                let speeds = (turn.from.abs() / RPM, turn.to.abs() / RPM);
+                let key = |value: f64| (value * ALIKE).round() as i64;
+                let line = OperatingLine { speeds, torque, t: turn.t, seconds: 0.0 };
+                lines.entry((key(speeds.0), key(speeds.1), key(torque))).or_insert(line).seconds += turn.seconds;
+                way += 0.5 * (speeds.0 + speeds.1) * turn.seconds;
+                seconds += turn.seconds;
+            }
+        }
+        // The longest; what is left out lasts too shortly to be seen.
+        let mut lines: Vec<OperatingLine> = lines.into_values().collect();
+        lines.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
+        lines.truncate(LINES);
+        let points = |torque: &dyn Fn(f64) -> f64| {
+            let bend = motor.rated_speed.min(motor.top_speed);
+            let above = (1..=BEND).map(|at| bend + (motor.top_speed - bend) * f64::from(at) / f64::from(BEND));
+            [0.0, bend].into_iter().chain(above).map(|speed| (speed, torque(speed))).collect::<Vec<_>>()
+        };
+        TorqueChart {
+            continuous: points(&|speed| motor.continuous(speed)),
+            peak: points(&|speed| motor.most(speed)),
+            lines,
+            effective: (if seconds > 0.0 { way / seconds } else { 0.0 }, self.work(motor.rotor).effective),
+        }
+    }
+}
+
 /// The axes and the drive behind the inverter with their motors.
 pub(super) fn axes(project: &Project, prepared: &PreparedMachine, whole: &WholeRun) -> Vec<SizedAxis> {
     let fast = fast(whole);
@@ -124,7 +172,8 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, whole: &WholeR
         SizedAxis {
             id: axis.id,
             name: axis.name,
-            work: Some(asked.work(axis.fitted.rotor)),
+            work: Some(asked.work(axis.fitted.motor.rotor)),
+            chart: Some(asked.chart(&axis.fitted.motor)),
             candidates: in_order(candidates),
         }
     });
@@ -132,7 +181,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, whole: &WholeR
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
         let candidates = motors.map(|part| induction(part, &drive, &catalogue, control)).collect();
-        SizedAxis { id: drive.id, name: drive.name, work: None, candidates: in_order(candidates) }
+        SizedAxis { id: drive.id, name: drive.name, work: None, chart: None, candidates: in_order(candidates) }
     });
     servo.chain(behind).collect()
 }
@@ -225,12 +274,7 @@ fn braking(amplifier: &Part) -> Option<(Regeneration, f64)> {
 }
 
 /// What a servo motor sets in the form.
-fn entries(
-    fields: &MotorFields,
-    part: &Part,
-    motor: &crate::drives::servo::Servo,
-    inertia_ratio: f64,
-) -> Vec<(&'static str, String)> {
+fn entries(fields: &MotorFields, part: &Part, motor: &Servo, inertia_ratio: f64) -> Vec<(&'static str, String)> {
     vec![
         (fields.name, name(part)),
         (fields.stall, number_text(motor.stall, 3)),

@@ -227,8 +227,8 @@ impl Envelope<'_> {
         });
         let torques = self.axes.iter().map(|axis| {
             let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
-            let value = motion.work(axis.fitted.rotor).peak.0;
-            let limit = Some(Limit::AtMost(axis.fitted.peak));
+            let value = motion.work(axis.fitted.motor.rotor).peak.0;
+            let limit = Some(Limit::AtMost(axis.fitted.peak()));
             EnvelopeRow {
                 event,
                 id: format!("{}-torque", axis.id),

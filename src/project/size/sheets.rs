@@ -6,9 +6,10 @@ use super::tell::{grade, with_unit};
 use super::{BillRow, Growth, SizedAxis, Sizing};
 use crate::drives::parts::PartGrade;
 use crate::machines::sheets::{row, say};
+use crate::math::PI;
 use crate::text::catalog::{Language, number_text, sentence};
 use crate::text::{Citation, Grade};
-use crate::view::{Row, Sheet, Verdict};
+use crate::view::{Row, Sheet, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
@@ -18,7 +19,7 @@ impl Sizing {
     /// The sheets: what there is to buy, what limits, what happens in operation, and the motors of each axis.
     pub fn sheets(&self) -> Vec<Sheet> {
         let mut sheets = vec![self.bill_sheet(), self.limit_sheet(), self.envelope_sheet()];
-        sheets.extend(self.axes.iter().map(motors));
+        sheets.extend(self.axes.iter().flat_map(|axis| [asked(axis), Some(motors(axis))]).flatten());
         sheets.retain(|sheet| !sheet.rows.is_empty());
         sheets
     }
@@ -99,6 +100,31 @@ fn known(of: PartGrade) -> Grade {
     }
 }
 
+/// What the run asks of the motor that the form has, with its chart.
+fn asked(axis: &SizedAxis) -> Option<Sheet> {
+    let (work, chart) = (axis.work?, axis.chart.as_ref()?);
+    let (continuous, peak, effective, at) =
+        (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
+    let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at };
+    let cells = [
+        (
+            "size.torque",
+            format!("{} ({} {} s)", with_unit(work.peak.0, 3, "Nm"), say("size.at"), number_text(work.peak.1, 2)),
+        ),
+        ("size.effective", with_unit(work.effective, 3, "Nm")),
+        ("size.speed", with_unit(work.speed * 30.0 / PI, 0, "r/min")),
+        ("size.given", with_unit(work.given, 1, "J")),
+        ("size.returned", with_unit(work.returned, 1, "J")),
+    ];
+    Some(Sheet {
+        id: "asked",
+        title: axis.name,
+        columns: vec!["sheet.quantity-watched", "sheet.value"],
+        rows: cells.into_iter().map(|(label, value)| row([say(label), value], RUNS)).collect(),
+        drawing: chart.svg(&words),
+    })
+}
+
 /// The motors of an axis; a click takes one into the form.
 fn motors(axis: &SizedAxis) -> Sheet {
     let share = |share: Option<f64>| share.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share));
@@ -124,7 +150,8 @@ fn motors(axis: &SizedAxis) -> Sheet {
     };
     Sheet {
         id: "motors",
-        title: axis.name,
+        // Behind the sheet with its name.
+        title: if axis.chart.is_some() { "sheet.motors" } else { axis.name },
         columns: vec![
             "sheet.motor",
             "sheet.effective-load",

@@ -1,8 +1,11 @@
-//! Sizing: motors, operating envelope, limits and bill of materials, from runs of the program in the worker. A click on a motor takes it into the form.
+//! Sizing: motors, operating envelope, limits and bill of materials, from runs of the program in the worker. A click on a motor takes it into the form, one on a chart goes to that moment.
 
 use std::time::Duration;
 
+use leptos::ev::MouseEvent;
 use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::Element;
 
 use super::take::{listed, take};
 use crate::ui::parts::sheet_view::SheetView;
@@ -17,9 +20,11 @@ const REST: Duration = Duration::from_millis(400);
 #[component]
 pub(crate) fn SizingTab() -> impl IntoView {
     let page = Page::here();
-    let choose = move |event: leptos::ev::MouseEvent| {
+    let choose = move |event: MouseEvent| {
         if let Some(values) = listed(page, &event) {
             take(page, "", values);
+        } else if let Some(t) = moment(&event) {
+            page.player.seek(t);
         }
     };
     view! {
@@ -28,6 +33,12 @@ pub(crate) fn SizingTab() -> impl IntoView {
             <SheetView which=|sheets| sheets.sizing request=|| Request::Sizing rest=REST />
         </div>
     }
+}
+
+/// Time (s) of the part of the run whose line in a chart was clicked.
+fn moment(event: &MouseEvent) -> Option<f64> {
+    let line = event.target()?.dyn_into::<Element>().ok()?.closest("[data-at]").ok().flatten()?;
+    line.get_attribute("data-at")?.parse().ok()
 }
 
 #[cfg(test)]

@@ -45,7 +45,7 @@ fn torque_over_the_run_is_that_of_the_results() {
         let result = |id: &str| design.readouts.iter().find(|row| row.id == id).unwrap().value;
         let (run, axis) = (run_of(&project), axis(&project, "x"));
         let work =
-            axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end())).work(axis.fitted.rotor);
+            axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end())).work(axis.fitted.motor.rotor);
         // Before and behind the product it holds the web.
         let (product, hold) = (result("product-time"), axis.hold);
         let square = work.effective * work.effective * work.seconds - hold * hold * (work.seconds - product);
@@ -102,7 +102,7 @@ fn energy_of_a_run_goes_into_friction_alone() {
     for id in ["x", "y"] {
         let axis = axis(&project, id);
         let stretches = run.timeline().stretches(axis.mover, 0.0, end);
-        let work = axis.motion(&stretches).work(axis.fitted.rotor);
+        let work = axis.motion(&stretches).work(axis.fitted.motor.rotor);
         let friction = axis.load.torque * axis.turn * travelled(&stretches);
         assert!(work.given > 1.0, "{id}: {work:?}");
         super::same(&format!("energy of {id}"), work.given - work.returned, friction, WITHIN);

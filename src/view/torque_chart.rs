@@ -1,0 +1,191 @@
+//! Torque over speed of a motor: its continuous and its peak line, and where a run operates it, told by how long it stays there.
+
+use core::fmt::Write;
+
+use super::plot::{decimals, keys};
+use super::svg::escape;
+use crate::text::catalog::number_text;
+use crate::text::number::{Plain, fill};
+
+/// Speed in r/min and torque in Nm.
+pub type MotorPoint = (f64, f64);
+
+/// A part of a run in which the torque stays and the speed changes evenly. Torque below 0 brakes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OperatingLine {
+    /// Speeds at its ends, r/min, 0 or more.
+    pub speeds: (f64, f64),
+    /// Torque, Nm.
+    pub torque: f64,
+    /// When it is first met, s.
+    pub t: f64,
+    /// Seconds for which the run stays on it.
+    pub seconds: f64,
+}
+
+/// The chart of a motor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TorqueChart {
+    /// Torque for long over the speed.
+    pub continuous: Vec<MotorPoint>,
+    /// Torque for a short time over the speed.
+    pub peak: Vec<MotorPoint>,
+    /// Where the run operates it.
+    pub lines: Vec<OperatingLine>,
+    /// Mean speed and effective torque of the run.
+    pub effective: MotorPoint,
+}
+
+/// Width and height of the picture, and its margins: left, right, top, bottom.
+const SIZE: (f64, f64) = (480.0, 260.0);
+const MARGINS: (f64, f64, f64, f64) = (44.0, 14.0, 16.0, 34.0);
+
+/// Grid lines at most, across and up.
+const GRID: (usize, usize) = (7, 5);
+
+/// Shares of the run from which on a line counts as lasting, and as passing.
+const LASTING: f64 = 0.1;
+const PASSING: f64 = 0.01;
+
+/// Words of the picture.
+#[derive(Debug, Clone, Copy)]
+pub struct TorqueWords<'a> {
+    /// The continuous line.
+    pub continuous: &'a str,
+    /// The peak line.
+    pub peak: &'a str,
+    /// The effective torque.
+    pub effective: &'a str,
+    /// What a line of the run says before its time.
+    pub at: &'a str,
+}
+
+/// From speed and torque to places.
+struct Plane {
+    speed: f64,
+    torque: (f64, f64),
+}
+
+impl Plane {
+    fn of(chart: &TorqueChart) -> Plane {
+        let points = || chart.continuous.iter().chain(&chart.peak).copied();
+        let ends = || chart.lines.iter().flat_map(|line| [(line.speeds.0, line.torque), (line.speeds.1, line.torque)]);
+        let all = || points().chain(ends()).chain([chart.effective]).filter(|(x, y)| x.is_finite() && y.is_finite());
+        let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
+        let (speed, top) = (most(&mut all().map(|point| point.0)), most(&mut all().map(|point| point.1)));
+        let least = all().map(|point| point.1).fold(0.0_f64, f64::min);
+        let room = |value: f64| if value > 0.0 { 1.08 * value } else { 1.0 };
+        Plane { speed: room(speed), torque: (1.08 * least, room(top)) }
+    }
+
+    fn x(&self, speed: f64) -> f64 {
+        MARGINS.0 + (SIZE.0 - MARGINS.0 - MARGINS.1) * speed / self.speed
+    }
+
+    fn y(&self, torque: f64) -> f64 {
+        let (low, high) = self.torque;
+        SIZE.1 - MARGINS.3 - (SIZE.1 - MARGINS.2 - MARGINS.3) * (torque - low) / (high - low)
+    }
+}
+
+impl TorqueChart {
+    /// The chart as SVG with the classes of the page; a line of the run has its time as `data-at`. Points that are no finite numbers are left out.
+    pub fn svg(&self, words: &TorqueWords) -> String {
+        let plane = Plane::of(self);
+        let mut out = String::with_capacity(4096 + 160 * self.lines.len());
+        let _ = write!(
+            out,
+            "<svg class=\"torque\" viewBox=\"0 0 {} {}\" xmlns=\"http://www.w3.org/2000/svg\">",
+            SIZE.0, SIZE.1
+        );
+        grid(&mut out, &plane);
+        self.run(&mut out, &plane, words.at);
+        self.motor(&mut out, &plane, words);
+        out.push_str("</svg>");
+        out
+    }
+
+    /// The lines of the run, those that last above.
+    fn run(&self, out: &mut String, plane: &Plane, at: &str) {
+        let all: f64 = self.lines.iter().map(|line| line.seconds).sum();
+        let share = |line: &OperatingLine| if all > 0.0 { line.seconds / all } else { 0.0 };
+        let mut lines: Vec<&OperatingLine> = self.lines.iter().filter(|line| line.torque.is_finite()).collect();
+        lines.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+        for line in lines {
+            let (class, width) = match share(line) {
+                share if share >= LASTING => ("s-accent", 5.0),
+                share if share >= PASSING => ("s-accent", 2.5),
+                _ => ("s-dim", 1.5),
+            };
+            let (from, to) = (plane.x(line.speeds.0), plane.x(line.speeds.1));
+            // A point is drawn too.
+            let to = if (to - from).abs() < 1.0 { from + 1.0 } else { to };
+            let _ = write!(out, "<line class=\"{class}\" stroke-linecap=\"round\" data-at=\"{}\"", Plain(line.t, 3));
+            fill(
+                out,
+                " stroke-width=\"#\" x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"><title>",
+                &[width, from, plane.y(line.torque), to, plane.y(line.torque)],
+            );
+            escape(out, at);
+            let _ = write!(
+                out,
+                " {} s: {} Nm, {}–{} r/min, {} s, {} %</title></line>",
+                number_text(line.t, 2),
+                number_text(line.torque, 3),
+                number_text(line.speeds.0, 0),
+                number_text(line.speeds.1, 0),
+                number_text(line.seconds, 2),
+                number_text(100.0 * share(line), 1),
+            );
+        }
+    }
+
+    /// What the motor has, and its effective torque.
+    fn motor(&self, out: &mut String, plane: &Plane, words: &TorqueWords) {
+        for (points, word, dashes) in
+            [(&self.continuous, words.continuous, ""), (&self.peak, words.peak, " stroke-dasharray=\"6 4\"")]
+        {
+            let points: Vec<_> = points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+            let Some((_, first)) = points.first() else { continue };
+            let _ =
+                write!(out, "<polyline class=\"s-ink f-none\" fill=\"none\" stroke-width=\"1.5\"{dashes} points=\"");
+            points.iter().for_each(|(x, y)| fill(out, "#,# ", &[plane.x(*x), plane.y(*y)]));
+            out.push_str("\"/>");
+            fill(out, "<text class=\"small f-ink\" x=\"#\" y=\"#\">", &[plane.x(0.0) + 6.0, plane.y(*first) - 5.0]);
+            escape(out, word);
+            out.push_str("</text>");
+        }
+        let (x, y) = (plane.x(self.effective.0), plane.y(self.effective.1));
+        if x.is_finite() && y.is_finite() {
+            fill(out, "<circle class=\"s-ink f-pane\" stroke-width=\"1.5\" cx=\"#\" cy=\"#\" r=\"4\"/>", &[x, y]);
+            // To the side where there is room.
+            let (anchor, side) = if x > 0.6 * SIZE.0 { ("end", -8.0) } else { ("start", 8.0) };
+            let _ = write!(out, "<text class=\"small f-ink\" text-anchor=\"{anchor}\"");
+            fill(out, " x=\"#\" y=\"#\">", &[x + side, y - 7.0]);
+            escape(out, words.effective);
+            let _ = write!(out, " {} Nm</text>", number_text(self.effective.1, 3));
+        }
+    }
+}
+
+/// Grid, figures and units.
+fn grid(out: &mut String, plane: &Plane) {
+    let (left, right) = (MARGINS.0, SIZE.0 - MARGINS.1);
+    let (top, bottom) = (MARGINS.2, SIZE.1 - MARGINS.3);
+    let speeds = keys((0.0, plane.speed), GRID.0);
+    let torques = keys(plane.torque, GRID.1);
+    for speed in &speeds {
+        let x = plane.x(*speed);
+        fill(out, "<line class=\"s-line\" x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>", &[x, top, x, bottom]);
+        fill(out, "<text class=\"small f-dim\" text-anchor=\"middle\" x=\"#\" y=\"#\">", &[x, bottom + 13.0]);
+        let _ = write!(out, "{}</text>", number_text(*speed, decimals(&speeds)));
+    }
+    for torque in &torques {
+        let (y, class) = (plane.y(*torque), if *torque == 0.0 { "s-ink" } else { "s-line" });
+        fill(out, &format!("<line class=\"{class}\" x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>"), &[left, y, right, y]);
+        fill(out, "<text class=\"small f-dim\" text-anchor=\"end\" x=\"#\" y=\"#\">", &[left - 5.0, y + 3.5]);
+        let _ = write!(out, "{}</text>", number_text(*torque, decimals(&torques)));
+    }
+    fill(out, "<text class=\"small f-dim\" text-anchor=\"end\" x=\"#\" y=\"#\">r/min</text>", &[right, SIZE.1 - 6.0]);
+    fill(out, "<text class=\"small f-dim\" x=\"2\" y=\"#\">Nm</text>", &[top - 5.0]);
+}
