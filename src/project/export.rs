@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Project;
 use super::program::Written;
+use super::size::Sizing;
 use super::suppress::silence;
 use crate::machines::PreparedMachine;
 use crate::msg;
@@ -11,6 +12,17 @@ use crate::nc::{File, Files};
 use crate::text::catalog::Language;
 use crate::text::{Diagnostic, Severity};
 use crate::view::{self, report};
+
+/// What goes with the files beside the project itself.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ExportOptions<'a> {
+    /// Findings about the programs, as [`Project::advice`] gives them: for diagnostics and report.
+    pub advice: &'a [Diagnostic],
+    /// Date in the title block, as its reader writes dates; may be empty.
+    pub date: &'a str,
+    /// Sizing for the report; without one the report has none.
+    pub sizing: Option<&'a Sizing>,
+}
 
 /// The files of an export, or the reasons why there is none.
 #[derive(Debug, Clone)]
@@ -47,15 +59,14 @@ impl Export {
 impl Project {
     /// The files for the machine. Errors refuse the export; verdicts are in the report and do not.
     pub fn export(&self) -> Export {
-        self.export_with(&self.written(), &[], "")
+        self.export_with(&self.written(), &ExportOptions::default())
     }
 
-    /// The same for a program that is written already: its very files leave. [`Project::advice`] about it goes into diagnostics and report;
-    /// `date` is written into the title block, where it may stay empty.
-    pub fn export_with(&self, written: &Written, advice: &[Diagnostic], date: &str) -> Export {
+    /// The same for a program that is written already: its very files leave.
+    pub fn export_with(&self, written: &Written, options: &ExportOptions) -> Export {
         let (prepared, design) = (self.prepared(), self.design());
         let mut found = written.diagnostics.clone();
-        found.extend_from_slice(advice);
+        found.extend_from_slice(options.advice);
         Diagnostic::in_order(&mut found);
         silence(&mut found, &self.silenced);
         let mut diagnostics = design.diagnostics.clone();
@@ -64,7 +75,7 @@ impl Project {
         let mut files = Vec::new();
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
             files.extend(written.files.0.iter().cloned());
-            files.extend(self.documents_of(&prepared, written, &found, date));
+            files.extend(self.documents_of(&prepared, written, &ExportOptions { advice: &found, ..*options }));
             let same = same_names(&files);
             if !same.is_empty() {
                 files.clear();
@@ -74,22 +85,17 @@ impl Project {
         Export { files, diagnostics, about: written.files.clone() }
     }
 
-    /// The files beside the programs; `found` are findings about the programs, for the report.
-    fn documents_of(
-        &self,
-        prepared: &PreparedMachine,
-        written: &Written,
-        found: &[Diagnostic],
-        date: &str,
-    ) -> Vec<File> {
+    /// The files beside the programs.
+    fn documents_of(&self, prepared: &PreparedMachine, written: &Written, options: &ExportOptions) -> Vec<File> {
         let file = |name: &str, text| File { name: name.to_owned(), text };
-        let told = self.report(prepared, written, found, date);
+        let told = self.report(prepared, written, options);
         let mut files = vec![
             file("report.html", report::html(&told, Language::English)),
             file("report.md", report::markdown(&told, Language::English)),
             file("drawing.svg", told.run.drawing.clone()),
         ];
-        for sheet in &told.sheets {
+        let bill = options.sizing.map(Sizing::bill_sheet);
+        for sheet in bill.iter().chain(&prepared.sheets()) {
             files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet, Language::English) });
             if !sheet.drawing.is_empty() {
                 files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });

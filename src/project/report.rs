@@ -1,16 +1,18 @@
 //! The report of a project: what machine and control say, a run of the programs, and their check sums.
 
 use super::Project;
+use super::export::ExportOptions;
 use super::program::Written;
 use super::run::{RunOptions, of_project, program_number};
+use super::size::Sizing;
 use crate::controls::schema::syntax::Percent;
 use crate::machines::report::report;
 use crate::machines::{Frame, PreparedMachine};
 use crate::motion::{Budget, Retention, RunEnd};
 use crate::msg;
 use crate::nc::File;
+use crate::text::Message;
 use crate::text::lines::line_end;
-use crate::text::{Diagnostic, Message};
 use crate::view::balloons::balloons;
 use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
 use crate::view::{Theme, svg};
@@ -28,9 +30,11 @@ const POINTS: usize = 400;
 const SHOWN: f64 = 0.6;
 
 impl Project {
-    /// The report about these programs of the project; `date` is the day of its reader, `found` are findings about the programs.
-    pub fn report(&self, prepared: &PreparedMachine, written: &Written, found: &[Diagnostic], date: &str) -> Report {
-        let report = report(self.machine, prepared, &self.name, (&self.values, &self.provenance), self.on(), found);
+    /// The report about these programs of the project.
+    pub fn report(&self, prepared: &PreparedMachine, written: &Written, options: &ExportOptions) -> Report {
+        let values = (&self.values, &self.provenance);
+        let report = report(self.machine, prepared, &self.name, values, self.on(), options.advice);
+        let sized = options.sizing.map(Sizing::offer).unwrap_or_default();
         let files = &written.files.0;
         let program = |file: &File| PrintedProgram {
             name: file.name.clone(),
@@ -39,11 +43,12 @@ impl Project {
         };
         Report {
             block: self.title_block.clone(),
-            date: date.to_owned(),
+            date: options.date.to_owned(),
             checksum: checksum(&self.to_json()),
             run: self.run_report(prepared, written),
             programs: files.iter().map(program).collect(),
             loading: self.loading(written),
+            sheets: sized.into_iter().chain(report.sheets).collect(),
             ..report
         }
     }

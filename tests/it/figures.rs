@@ -7,6 +7,7 @@ use macroline::machines::form::Value;
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::nc::{self, File, Files};
 use macroline::project::Project;
+use macroline::project::export::ExportOptions;
 use macroline::project::run::{self, RunOptions, RunSummary};
 use proptest::prelude::*;
 
@@ -184,7 +185,7 @@ fn the_written_programs_are_exported() {
     let project = ribbon(&[]);
     let mut written = project.written();
     written.files.0[0].text.push_str("(THIS VERY TEXT)\n");
-    let export = project.export_with(&written, &[], "");
+    let export = project.export_with(&written, &ExportOptions::default());
     let (programs, documents) = export.files.split_at(written.files.0.len());
     assert_eq!(programs, written.files.0);
     assert_eq!(documents, export.documents());

@@ -9,6 +9,7 @@ use macroline::controls::Switches;
 use macroline::nc;
 use macroline::project::check::review;
 use macroline::project::examples::NameKind;
+use macroline::project::export::ExportOptions;
 use macroline::project::render::summary;
 use macroline::project::run::AtStop;
 use macroline::project::suppress::silence;
@@ -127,7 +128,9 @@ fn export(path: &Path, folder: &Path, date: &str) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
     let written = project.written();
-    let export = project.export_with(&written, &project.advice(&written), date);
+    let (advice, sizing) = (project.advice(&written), size::size(&project, &written));
+    let options = ExportOptions { advice: &advice, date, sizing: Some(&sizing) };
+    let export = project.export_with(&written, &options);
     let all = [file, Findings { sources: Sources::written(export.about), list: export.diagnostics }];
     tell(&all)?;
     verdict(&all)?;

@@ -15,6 +15,9 @@ const RUNS: Citation = Citation::new("run of the program in the virtual control"
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
 const CATALOGUE: Citation = Citation::new("catalogue of parts, with the source of each row", Grade::Inferred);
 
+/// Motors of an axis in an offer.
+const OFFERED: usize = 5;
+
 impl Sizing {
     /// The sheets: what there is to buy, what limits, what happens in operation, and the motors of each axis.
     pub fn sheets(&self) -> Vec<Sheet> {
@@ -24,7 +27,15 @@ impl Sizing {
         sheets
     }
 
-    fn bill_sheet(&self) -> Sheet {
+    /// The sheets of an offer: those, with the motors that an engineer would look at first.
+    pub fn offer(&self) -> Vec<Sheet> {
+        let mut sheets = self.sheets();
+        sheets.iter_mut().filter(|sheet| sheet.id == "motors").for_each(|sheet| sheet.rows.truncate(OFFERED));
+        sheets
+    }
+
+    /// The bill of materials.
+    pub fn bill_sheet(&self) -> Sheet {
         let cells = |of: &BillRow| {
             let cells = [say(of.item), of.axis.map(say).unwrap_or_default(), of.part.clone(), of.quantity.to_string()];
             row(cells, Citation { grade: known(of.grade), ..CATALOGUE })

@@ -2,6 +2,7 @@
 
 use super::messages::{Documents, Range, Remark, Sheets};
 use crate::project::Project;
+use crate::project::export::ExportOptions;
 use crate::project::meaning::{self, Subject, Table};
 use crate::project::size::size;
 use crate::text::{Diagnostic, Grade, Severity};
@@ -167,7 +168,9 @@ fn today() -> String {
 /// The documents of a project's export and the findings that refuse it or go with it.
 pub(super) fn documents(project: &Project) -> Documents {
     let written = project.written();
-    let export = project.export_with(&written, &project.advice(&written), &today());
+    let (advice, date, sizing) = (project.advice(&written), today(), size(project, &written));
+    let options = ExportOptions { advice: &advice, date: &date, sizing: Some(&sizing) };
+    let export = project.export_with(&written, &options);
     let remark = |found: &Diagnostic| Remark {
         refuses: found.severity == Severity::Error,
         tone: tone(found.severity).to_owned(),

@@ -4,6 +4,7 @@ use macroline::machines::ALL;
 use macroline::motion::{Budget, Retention};
 use macroline::nc::File;
 use macroline::project::Project;
+use macroline::project::export::ExportOptions;
 use macroline::project::run::{AtStop, RunOptions, of_project, to_end};
 use roxmltree::{Document, Node, ParsingOptions};
 
@@ -13,7 +14,40 @@ fn named<'f>(files: &'f [File], name: &str) -> &'f str {
 
 fn html(project: &Project) -> String {
     let written = project.written();
-    named(&project.export_with(&written, &[], "2026-11-22").files, "report.html").to_owned()
+    named(
+        &project.export_with(&written, &ExportOptions { date: "2026-11-22", ..ExportOptions::default() }).files,
+        "report.html",
+    )
+    .to_owned()
+}
+
+#[test]
+fn offer_has_motors_envelope_and_bill() {
+    for machine in ALL {
+        let project = Project::new(*machine, macroline::controls::find(machine.controls()[0]).unwrap());
+        let written = project.written();
+        let sizing = macroline::project::size::size(&project, &written);
+        let options = ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() };
+        let files = project.export_with(&written, &options).files;
+        let report = named(&files, "report.html");
+        let page = read(report);
+        let tables: Vec<&str> = page
+            .descendants()
+            .filter(|node| node.has_tag_name("table"))
+            .filter_map(|node| node.attribute("class"))
+            .collect();
+        for sheet in sizing.offer() {
+            assert!(tables.contains(&sheet.id), "{}: no {}", machine.id(), sheet.id);
+            assert!(
+                sheet.drawing.is_empty() || report.contains(&sheet.drawing),
+                "{}: no drawing of {}",
+                machine.id(),
+                sheet.id
+            );
+        }
+        let bill = named(&files, "bill.csv");
+        assert!(sizing.bill.iter().all(|row| bill.contains(&row.part)), "{bill}");
+    }
 }
 
 /// Reads a report as XML, which is stricter than a browser.
