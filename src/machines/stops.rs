@@ -115,9 +115,10 @@ pub fn sheet(reactions: &[Reaction]) -> Sheet {
         ];
         row(cells, reaction.cite)
     };
+    let has_inverter = reactions.iter().any(|reaction| reaction.at == Interruption::InverterFault);
     Sheet {
         id: "stops",
-        title: "sheet.stops",
+        title: if has_inverter { "sheet.stops-and-fault" } else { "sheet.stops" },
         columns: vec!["sheet.interruption", "sheet.spindle", "sheet.axes", "sheet.material", "sheet.operator"],
         rows: reactions.iter().map(line).collect(),
         drawing: String::new(),

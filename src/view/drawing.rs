@@ -133,13 +133,23 @@ impl Drawing {
 
     /// A line of text.
     pub fn text(&mut self, at: (f64, f64), anchor: &'static str, text: &str, font: Font, paint: Paint) -> &mut Node {
-        if !matches!(font, Font::Engraved(_)) {
+        let before = self.label;
+        if before == 0 && !matches!(font, Font::Engraved(_)) {
             self.labels += 1;
             self.label = self.labels;
         }
         let at = self.line_of_text(at, anchor, text, font, paint, 0);
-        self.label = 0;
+        self.label = before;
         &mut self.nodes[at]
+    }
+
+    /// The rim of a lens (centre and radius) with the figures in it. Together they are a label that stays in its place and has no other over it.
+    pub fn lens(&mut self, rim: (f64, f64, f64), figures: impl FnOnce(&mut Drawing)) {
+        self.labels += 1;
+        self.label = self.labels;
+        self.circle(rim, Look::POINTER);
+        figures(self);
+        self.label = 0;
     }
 
     fn line_of_text(

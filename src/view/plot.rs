@@ -17,8 +17,7 @@ use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyl
 use super::Chart;
 use super::svg::escape;
 use crate::math;
-use crate::text::catalog::number_text;
-use crate::text::number::{Plain, fill};
+use crate::text::number::{Plain, fill, short};
 
 /// Units of the frame.
 const SIZE: (u32, u32) = (1000, 200);
@@ -26,6 +25,8 @@ const SIZE: (u32, u32) = (1000, 200);
 const FINE: u32 = 8;
 /// Grid lines at most.
 const GRID: (usize, usize) = (8, 4);
+/// Percent of the height above which a grid line has no room for its figure.
+const ROOM_ABOVE: f64 = 78.0;
 /// Grid lines are drawn in this colour, lines in `(tone, 0, 0)`: the backend turns both into classes.
 const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
 
@@ -116,15 +117,17 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
         let decimals = decimals(&values);
         for value in &values {
             let at = share(*value, axis);
-            let text = number_text(*value, decimals);
+            let text = short(*value, decimals);
             // Figures at the very edges would be cut.
             if across && (3.0..=97.0).contains(&at) {
                 fill(out, "<text class=\"tick\" x=\"#%\" y=\"100%\" dy=\"-3\" text-anchor=\"middle\">", &[at]);
                 let _ = write!(out, "{text} ");
                 escape(out, x_unit);
                 out.push_str("</text>");
-            } else if !across && at <= 92.0 {
-                fill(out, "<text class=\"tick\" x=\"3\" y=\"#%\" dy=\"-3\">", &[100.0 - at]);
+            } else if !across && at <= 97.0 {
+                // Above its line, or below one that has no room above.
+                let dy = if at > ROOM_ABOVE { 12.0 } else { -3.0 };
+                fill(out, "<text class=\"tick\" x=\"3\" y=\"#%\" dy=\"#\">", &[100.0 - at, dy]);
                 let _ = write!(out, "{text}</text>");
             }
         }

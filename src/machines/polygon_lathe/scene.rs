@@ -56,6 +56,9 @@ pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
 /// Base line of the names over the machine, and of those below the lens.
 const ROW: f64 = 80.0;
 const LOW_ROW: f64 = 246.0;
+/// Base lines over the view from above, and of the first figure of the slides below it.
+const ABOVE: f64 = 337.5;
+const SLIDES: f64 = 593.0;
 /// Left ends of the labels of work and cutter, right end of those at the right.
 const WORK: f64 = 180.0;
 const CUTTER: f64 = 350.0;
@@ -80,17 +83,18 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let stock = format!("Ø {} mm", mm(p.stock_diameter));
     let values = [(Some(node::ACROSS), across.as_str()), (None, stock.as_str())];
     callout(d, "across-flats", (RIGHT, LOW_ROW), "end", &say("polygon.scene.close"), &values, None);
-    d.text((632.0, 318.0), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
-    d.text((632.0, 344.0), "start", &say("polygon.scene.above"), Font::Label, Paint::Dim);
+    d.text((632.0, 315.0), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
+    d.text((632.0, ABOVE), "start", &say("polygon.scene.above"), Font::Label, Paint::Dim);
     let start = format!("X{} Z{}", mm(0.5 * p.start_x * lathe.words()), mm(p.start_z));
     callout(d, "start-x", (RIGHT, 450.0), "end", &say("polygon.scene.start"), &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {} mm", say("polygon.clearance"), mm(p.clearance));
-        d.text((RIGHT, 520.0), "end", &text, Font::Label, Paint::Dim);
+        d.text((RIGHT, ABOVE), "end", &text, Font::Label, Paint::Dim);
     });
-    side::draw_arrows(d, (646.0, 524.0));
-    d.text((670.0, 524.0), "start", "", Font::Value, Paint::Ink).id = Some(node::SIZE);
-    d.text((670.0, 550.0), "start", "", Font::Value, Paint::Ink).id = Some(node::ALONG);
+    // Below the slide, wherever it is.
+    side::draw_arrows(d, (646.0, SLIDES));
+    d.text((670.0, SLIDES), "start", "", Font::Value, Paint::Ink).id = Some(node::SIZE);
+    d.text((670.0, SLIDES + 24.0), "start", "", Font::Value, Paint::Ink).id = Some(node::ALONG);
     // The distance of the axes, in the middle between them.
     d.path(String::new(), Look::LEAD.edge(Paint::Accent, 1.2)).id = Some(node::DISTANCE);
     let middle = (0.5 * (view.work.0 + view.cutter.0), cutter::DISTANCE);

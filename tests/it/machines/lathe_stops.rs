@@ -39,7 +39,9 @@ fn tables_of_both_lathes_name_every_interruption() {
         assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");
         let export = project.export();
         let report = export.files.iter().find(|file| file.name.ends_with(".md")).expect("a report");
-        assert!(report.text.contains("## Hold, alarm, reset, emergency stop"), "{}", project.control.id);
+        let fault = if project.prepared().plc().watches_inverter() { ", inverter fault" } else { "" };
+        let title = format!("## Hold, alarm, reset, emergency stop{fault}\n");
+        assert!(report.text.contains(&title), "{}", project.control.id);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The drawing of the polygon lathe: true proportion, the deviation in its lens, a leader that leaves the disc free, blur and stillness.
 
-use super::drawn::{FRAME, Still};
+use super::drawn::{FRAME, Still, texts};
 use super::polygon::{project, result};
 use macroline::controls::Address;
 use macroline::machines::Frame;
@@ -162,4 +162,40 @@ fn fast_cutter_blurs_and_a_slow_one_is_seen() {
     assert_eq!(seen(29.0), (1.0, 0.0));
     let (inserts, ring) = seen(50.0);
     assert!(inserts == 0.0 && ring > 0.0);
+}
+
+#[test]
+fn slide_from_above_passes_beside_the_figures() {
+    for (length, behind) in [("15", "0"), ("20", "40"), ("60", "0"), ("120", "30")] {
+        let project = project(&[("length", length), ("from-face", behind)]);
+        let scene = project.prepared().scene();
+        let parts = || scene.nodes.iter().filter(|node| node.group == SIDE);
+        let boxes: Vec<[f64; 4]> = parts()
+            .filter_map(|node| match node.shape {
+                Shape::Rect { x, y, w, h, .. } => Some([x, y, x + w, y + h]),
+                _ => None,
+            })
+            .collect();
+        assert!(boxes.len() > 1, "the slide has no boxes");
+        let (x, y) = place(&scene, SIDE);
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let far = -number(length) - number(behind);
+        // At the start, over the face, and along the polygon in the last pass.
+        for (across, z) in [(60.0, 30.0), (29.0, 2.0), (20.0, 0.0), (20.0, 0.5 * far), (20.0, far), (29.0, far)] {
+            let pose = posed(&project, &now(&project, (across, z), (0.0, 0.0)), FRAME);
+            let moved = placement(&pose, SIDE);
+            for (text, [left, top, right, bottom]) in texts(&scene, &pose) {
+                let met = boxes.iter().find(|part| {
+                    let [l, t, r, b] = [
+                        part[0] + x + moved.dx,
+                        part[1] + y + moved.dy,
+                        part[2] + x + moved.dx,
+                        part[3] + y + moved.dy,
+                    ];
+                    l < right && left < r && t < bottom && top < b
+                });
+                assert_eq!(met, None, "{length} mm at {behind} mm: the slide at {across}, {z} lies on {text:?}");
+            }
+        }
+    }
 }

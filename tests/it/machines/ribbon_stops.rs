@@ -186,7 +186,7 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
         // The report has it, too.
         let export = line(control.id, &[]).export();
         let report = export.files.iter().find(|file| file.name.ends_with(".md")).expect("a report");
-        assert!(report.text.contains("## Hold, alarm, reset, emergency stop"), "{}", control.id);
+        assert!(report.text.contains("## Hold, alarm, reset, emergency stop, inverter fault\n"), "{}", control.id);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The drawing of the turning spindle: true proportion, needles on their scales, jaws behind and before the part.
 
-use super::drawn::{FRAME, Still};
+use super::drawn::{FRAME, Still, texts};
 use super::turning::{over_time, project};
 use macroline::controls::{Address, Control};
 use macroline::drives::Bound;
@@ -167,4 +167,26 @@ fn chips_fly_only_while_the_tool_cuts() {
     assert!(moments.iter().all(|(seen, diameter, _)| *seen == 0.0 || *diameter < 80.0), "a chip without stock");
     assert!(moments.windows(2).all(|pair| pair[0].2 <= pair[1].2), "the tray loses chips");
     assert_eq!((moments[0].2, moments[400].2), (0, 12));
+}
+
+#[test]
+fn figures_of_the_instruments_stay_on_their_panel() {
+    let mut now = now(50.0, 10.0, 0.0);
+    (now.spindle.actual, now.spindle.volts) = (-12_345.0, -9.998);
+    let (mut scene, pose) = drawn(&[("output", "+-10")], &now);
+    // Labels keep their size on a small screen, the panel does not.
+    for unit in [1.0, 1.3, 3.0] {
+        scene.unit = unit;
+        let on_panel =
+            texts(&scene, &pose).into_iter().filter(|(text, _)| text.ends_with("r/min") || text.ends_with(" V"));
+        let figures: Vec<_> = on_panel.filter(|(_, [_, top, ..])| *top < 216.0).collect();
+        assert_eq!(figures.len(), 2, "{figures:?}");
+        for (text, [left, top, right, bottom]) in &figures {
+            assert!(
+                *left > -6.0 && *right < 224.0 && *top > 160.0 && *bottom < 216.0,
+                "{text} at {unit} units a pixel"
+            );
+        }
+        assert!(figures[0].1[2] < figures[1].1[0], "{figures:?}");
+    }
 }

@@ -48,11 +48,12 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         });
     }
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
-    d.circle((x, y, r), Look::POINTER);
     let [form, flatness, scales] = form(lathe, view);
-    d.text((x, y - 46.0), "middle", &scales, Font::Label, Paint::Dim).id = Some(node::SCALES);
-    d.text((x, y + 46.0), "middle", &form, Font::Label, Paint::Dim).id = Some(node::FORM);
-    d.text((x, y + 70.0), "middle", &flatness, Font::Value, Paint::Ink).id = Some(node::FLATNESS);
+    d.lens((x, y, r), |d| {
+        d.text((x, y - 46.0), "middle", &scales, Font::Label, Paint::Dim).id = Some(node::SCALES);
+        d.text((x, y + 46.0), "middle", &form, Font::Label, Paint::Dim).id = Some(node::FORM);
+        d.text((x, y + 70.0), "middle", &flatness, Font::Value, Paint::Ink).id = Some(node::FLATNESS);
+    });
 }
 
 /// Form and flatness of the sides, and the scales of the lens; empty where nothing is cut.

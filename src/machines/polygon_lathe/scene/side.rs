@@ -106,7 +106,7 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, view: &View, half: f64) {
         let text = format!("{} {} mm", say("polygon.scene.length"), show(lathe.p.length, 3));
         let half = 0.3 * LETTER * UNIT * text.chars().count() as f64;
         let middle = math::clamp(0.5 * (left + right), LEFT + half, 1008.0 - half);
-        d.text((middle, y - 8.0), "middle", &text, Font::Label, Paint::Ink);
+        d.text((middle, y - 12.0), "middle", &text, Font::Label, Paint::Ink);
     });
 }
 

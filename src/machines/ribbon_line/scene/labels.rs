@@ -82,7 +82,7 @@ pub(crate) fn callouts(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout
 /// The row below the floor: a bar of a round length, the drives with their gear ratios, the factor of the drawn thickness.
 fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let unit = layout.unit;
-    let [left, _, width, _] = layout.view;
+    let left = layout.view[0];
     let (y, gap) = (layout.floor + 18.0 * unit, 8.0 * unit);
     let wide = |text: &str| LETTER_WIDTH * LETTER * unit * text.chars().count() as f64;
     let long = round_step(45.0 * unit);
@@ -106,8 +106,7 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
         end = at + wide(&text) + gap;
     }
     let note = format!("{} {}", say("ribbon.scene.thickness"), factor(layout.thickness / p.ribbon_thickness));
-    let at = (left + width - 12.0 * unit - wide(&note)).max(end);
-    drawing.text((at, y), "start", &note, Font::Label, Paint::Dim);
+    drawing.text((end, y), "start", &note, Font::Label, Paint::Dim);
 }
 
 /// Limits of the loop, ruler and pointer, and the slack below.
@@ -160,15 +159,17 @@ pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     drawing.text((middle, y), "middle", &limit, Font::Label, Paint::Dim);
 }
 
-/// Figures of the lens: smear and magnification.
+/// Rim and figures of the lens: smear and magnification.
 pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (x, y, r) = layout.lens;
     let bad = line.d.smear > line.p.smear_limit;
     let letter = LETTER * layout.unit;
     let (low, name) = (y + 0.52 * r, format!("{}, {}", say("ribbon.scene.smear"), times(layout.magnified)));
-    drawing.text((x, low), "middle", &name, Font::Label, Paint::Dim);
     let paint = if bad { Paint::Bad } else { Paint::Ink };
-    drawing.text((x, low + LINE * letter), "middle", &smear_text(line.d.smear), Font::Value, paint);
+    drawing.lens((x, y, r), |drawing| {
+        drawing.text((x, low), "middle", &name, Font::Label, Paint::Dim);
+        drawing.text((x, low + LINE * letter), "middle", &smear_text(line.d.smear), Font::Value, paint);
+    });
 }
 
 /// A factor with two digits.

@@ -78,7 +78,6 @@ pub(crate) fn lens(drawing: &mut Drawing, layout: &Layout, p: &Params, smear: f6
     drawing.circle((x, y, r), Look::fill(Paint::Glass));
     drawing.showing("contact-length", |drawing| inside(drawing, &own, p));
     drawing.circle((x, y, r), Look::line(Paint::SkyHigh, 4.0 * layout.scale));
-    drawing.circle((x, y, r), Look::POINTER);
     if smears {
         // The smear of the dot that is being printed, marked below the ribbon.
         let left = x + Lens::CONTACT * r / LENS;

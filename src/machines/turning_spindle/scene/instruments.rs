@@ -23,6 +23,8 @@ const METER_RADIUS: f64 = 62.0;
 const METER_SWEEP: f64 = 44.0;
 /// Height of the letters on the dials.
 const LETTERS: f64 = 13.0;
+/// Height of the figures below them, which grow and shrink with the panel.
+const FIGURES: f64 = 14.0;
 
 /// The scale of the speed dial: its end, the step of its long marks, and the unit of its figures, all in r/min.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,7 +71,7 @@ pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle) {
     dial(d, lathe);
     meter(d, &lathe.p);
     for (x, id) in [(DIAL.0, node::SPEED), (METER.0, node::VOLTS)] {
-        d.text((x, y + h - 16.0), "middle", "", Font::Value, Paint::Rim).id = Some(id);
+        d.text((x, y + h - 17.0), "middle", "", Font::Engraved(FIGURES), Paint::Rim).id = Some(id);
     }
 }
 

@@ -58,11 +58,12 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
         });
     });
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
-    d.circle((x, y, r), Look::POINTER);
     let times = format!("{} ×", show(magnification(p, view), 0));
-    d.text((x + 66.0, y + 28.0), "end", &times, Font::Label, Paint::Ink);
-    d.showing("depth", |d| {
-        d.text((x, y + 70.0), "middle", &format!("{} mm", show(p.depth, 3)), Font::Value, Paint::Ink);
+    d.lens((x, y, r), |d| {
+        d.text((x + 66.0, y + 28.0), "end", &times, Font::Label, Paint::Ink);
+        d.showing("depth", |d| {
+            d.text((x, y + 70.0), "middle", &format!("{} mm", show(p.depth, 3)), Font::Value, Paint::Ink);
+        });
     });
 }
 
