@@ -45,7 +45,7 @@ test('a character that is typed and deleted is no edit', () =>
 test('a second tab is told when it opens, watches, and may take over', () =>
   withPage(app, {}, async ({ page, context }) => {
     await field(page, 'pitch').fill('9.5');
-    await page.getByText('Saved in this browser').waitFor();
+    await page.locator('.kept', { hasText: /^Saved$/ }).waitFor();
     const other = await context.newPage();
     await other.goto(app.url);
     await ready(other);
@@ -68,7 +68,7 @@ test('undo goes on after a reload', () =>
     await field(page, 'pitch').fill('9.5');
     await machine(page, 'Turning spindle').click();
     await field(page, 'cutting-speed').waitFor();
-    await page.getByText('Saved in this browser').waitFor();
+    await page.locator('.kept', { hasText: /^Saved$/ }).waitFor();
     await page.reload();
     await ready(page);
     await page.getByRole('button', { name: 'Undo' }).click();
@@ -87,7 +87,7 @@ test('a project before “New” is offered again, also after a reload', () =>
     await accessible(page);
     await page.getByRole('dialog').getByRole('button', { name: 'Print roller that fits the pitch' }).click();
     assert.equal(await field(page, 'pitch').inputValue(), '10');
-    await page.getByText('Saved in this browser').waitFor();
+    await page.locator('.kept', { hasText: /^Saved$/ }).waitFor();
     await page.reload();
     await ready(page);
     await page.getByRole('button', { name: 'Earlier' }).click();

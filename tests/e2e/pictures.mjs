@@ -28,7 +28,7 @@ const later = (act, seconds) => async (page) => {
 };
 const errors = async (page) => {
   await page.getByRole('button', { name: 'Paper’s listing' }).click();
-  await page.locator('.mode', { hasText: 'Error in the program' }).waitFor();
+  await page.locator('.mode', { hasText: 'Program error' }).waitFor();
 };
 
 // The machines in every size, what lies over and beside them in two. Each in both themes.

@@ -64,11 +64,11 @@ test('follow an advice', () =>
 test('mend the paper’s listing', () =>
   within(3, async (page) => {
     await page.getByRole('button', { name: 'Paper’s listing' }).click();
-    await page.locator('.mode', { hasText: 'Error in the program' }).waitFor();
+    await page.locator('.mode', { hasText: 'Program error' }).waitFor();
     await page.getByRole('button', { name: /^Fix \d+ errors$/ }).click();
     await page.getByRole('button', { name: /^Take \d+ first proposals?$/ }).click();
     // It reads without an error; that it lacks its values is for the run to tell.
-    await page.waitForFunction(() => document.querySelector('.mode').textContent !== 'Error in the program');
+    await page.waitForFunction(() => document.querySelector('.mode').textContent !== 'Program error');
   }));
 
 test('find the block that runs at a time', () =>

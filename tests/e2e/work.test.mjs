@@ -204,7 +204,7 @@ test('a reload keeps everything; a broken stored state is set aside and handed o
   withPage(app, {}, async ({ page }) => {
     await field(page, 'pitch').fill('9.5');
     await page.getByLabel('Name of the project').fill('Customer 4711');
-    await page.getByText('Saved in this browser').waitFor();
+    await page.locator('.kept', { hasText: /^Saved$/ }).waitFor();
     await page.reload();
     await ready(page);
     assert.equal(await field(page, 'pitch').inputValue(), '9.5');
@@ -240,11 +240,11 @@ test('the paper’s listing shows what is wrong with it, and a fix mends it', ()
 test('the paper’s listing is mended in three clicks', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Paper’s listing' }).click();
-    await page.locator('.mode', { hasText: 'Error in the program' }).waitFor();
+    await page.locator('.mode', { hasText: 'Program error' }).waitFor();
     await page.getByRole('button', { name: /^Fix \d+ errors$/ }).click();
     await page.getByRole('button', { name: /^Take \d+ first proposals?$/ }).click();
     // It reads without an error; that it lacks its values is for the run to tell.
-    await page.waitForFunction(() => document.querySelector('.mode').textContent !== 'Error in the program');
+    await page.waitForFunction(() => document.querySelector('.mode').textContent !== 'Program error');
     for (const _ of ['proposals', 'errors', 'listing']) await page.getByRole('button', { name: 'Undo' }).click();
     await page.getByRole('button', { name: 'O9101.nc' }).waitFor();
   }));
@@ -257,7 +257,7 @@ test('a finding leads to its file and line, in the listing and in the editor', (
     await editor.press('Control+Home');
     for (const key of ['ArrowDown', 'ArrowDown', 'Home']) await editor.press(key);
     await page.keyboard.type('G999\n');
-    await page.locator('.mode', { hasText: 'Error in the program' }).waitFor();
+    await page.locator('.mode', { hasText: 'Program error' }).waitFor();
     await editor.press('Control+End');
     await page.getByRole('button', { name: /errors?: show the next/ }).click();
     await page.locator('.editor .cm-activeLine', { hasText: 'G999' }).waitFor();

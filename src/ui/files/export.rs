@@ -9,7 +9,7 @@ use crate::text::Place;
 use crate::ui::dom::{self, go_to_field};
 use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
-use crate::ui::words::{say, t, tell};
+use crate::ui::words::{figure, say, t, tell};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Range, Remark, Request, Response};
 use crate::view::report::TitleBlock;
@@ -159,7 +159,7 @@ fn Offered(
     let row = move |at: usize| {
         let files = Arc::clone(&files);
         let (name, text) = files.get(at)?.clone();
-        let size = say(&crate::msg!("page.bytes", text.len() as f64));
+        let size = say(&crate::msg!("page.bytes", figure(text.len() as f64, 0)));
         Some(view! {
             <tr>
                 <th scope="row">{name}</th>

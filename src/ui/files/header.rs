@@ -139,7 +139,13 @@ fn ProjectName() -> impl IntoView {
                 prop:value=move || page.project.with(|project| project.name.clone())
                 on:input=take
             />
-            <span class="kept" class:warn=move || matches!(page.view.kept.get(), Kept::No | Kept::Elsewhere)>{kept}</span>
+            // What has no room in the header shows under the pointer.
+            <span
+                class="kept" title=move || if page.view.kept.get() == Kept::Yes { t("page.kept-about") } else { kept() }
+                class:warn=move || matches!(page.view.kept.get(), Kept::No | Kept::Elsewhere)
+            >
+                {kept}
+            </span>
         </div>
     }
 }

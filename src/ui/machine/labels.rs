@@ -1,4 +1,5 @@
-//! Labels of a drawing that has less room than they were laid out for: each moves a little to the side, or goes, so that none lies on another.
+//! Labels of a drawing that has less room than they were laid out for: each moves a little to the side, or goes, so that none lies on another
+//! nor over a lens.
 
 use std::collections::BTreeMap;
 
@@ -12,6 +13,11 @@ const GAP: f64 = 10.0;
 /// Pixels to the side that are tried, the nearest first.
 const ASIDE: [f64; 13] = [0.0, 8.0, -8.0, 16.0, -16.0, 26.0, -26.0, 38.0, -38.0, 52.0, -52.0, 68.0, -68.0];
 
+/// Pixels that a label without a hairline moves at most: further away it would name another part.
+const NEAR: f64 = 26.0;
+/// Share of a text's box above and below that its letters leave free.
+const FREE: f64 = 0.12;
+
 /// A rectangle in pixels: left, top, right, bottom.
 type Area = [f64; 4];
 
@@ -19,8 +25,10 @@ type Area = [f64; 4];
 #[derive(Debug, Clone, PartialEq)]
 struct Label {
     lines: Vec<Area>,
-    /// Whether it names a part.
+    /// Whether a hairline leads from it to its part.
     leads: bool,
+    /// The lens around it, in which it stays.
+    lens: Option<Area>,
 }
 
 /// What becomes of a label: how far it moves aside, and how many of its lines stay.
@@ -29,6 +37,19 @@ type Fate = (f64, usize);
 fn area(element: &Element) -> Area {
     let area = element.get_bounding_client_rect();
     [area.left(), area.top(), area.right(), area.bottom()]
+}
+
+/// The room of the letters of a text.
+fn letters(text: &Element) -> Area {
+    let [left, top, right, bottom] = area(text);
+    let free = FREE * (bottom - top);
+    [left, top + free, right, bottom - free]
+}
+
+/// What a circle keeps free of other labels: two rectangles whose corners are on its edge or near it.
+fn rectangles([left, top, right, bottom]: Area) -> [Area; 2] {
+    let part = 0.15 * (right - left);
+    [[left, top + part, right, bottom - part], [left + part, top, right - part, bottom]]
 }
 
 fn aside([left, top, right, bottom]: Area, by: f64) -> Area {
@@ -41,12 +62,27 @@ fn is_free(own: Area, frame: Area, taken: &[Area]) -> bool {
     within && taken.iter().all(|a| own[0] >= a[2] + GAP || own[2] <= a[0] - GAP || own[1] >= a[3] || own[3] <= a[1])
 }
 
-/// Places the labels, those that name parts first: each with all its lines where it can, else with fewer, its name at last.
+/// Lines of a label in a lens that are within it and not on the lines above.
+fn seen_in(label: &Label, lens: Area) -> usize {
+    let is_below = |at: usize| at == 0 || label.lines[at][1] >= label.lines[at - 1][3];
+    let is_within = |at: &usize| label.lines[*at][0] >= lens[0] && label.lines[*at][2] <= lens[2] && is_below(*at);
+    (0..label.lines.len()).take_while(is_within).count()
+}
+
+/// Places the labels: those in lenses stay, then come those that lead to parts. Each has all its lines where it can, else fewer, its name at
+/// last.
 fn placed(labels: &[Label], frame: Area) -> Vec<Fate> {
     let mut taken: Vec<Area> = Vec::new();
     let mut fates = vec![(0.0, 0); labels.len()];
+    for (label, fate) in labels.iter().zip(&mut fates) {
+        if let Some(lens) = label.lens {
+            *fate = (0.0, seen_in(label, lens));
+            taken.extend(rectangles(lens));
+        }
+    }
     for leads in [true, false] {
-        for (label, fate) in labels.iter().zip(&mut fates).filter(|(label, _)| label.leads == leads) {
+        let free = labels.iter().zip(&mut fates).filter(|(label, _)| label.lens.is_none() && label.leads == leads);
+        for (label, fate) in free {
             let fits = |(lines, by): &(usize, f64)| {
                 label
                     .lines
@@ -54,8 +90,9 @@ fn placed(labels: &[Label], frame: Area) -> Vec<Fate> {
                     .take(*lines)
                     .all(|line| line[0] == line[2] || is_free(aside(*line, *by), frame, &taken))
             };
-            let tries = (1..=label.lines.len()).rev().flat_map(|lines| ASIDE.map(|by| (lines, by)));
-            if let Some((lines, by)) = tries.into_iter().find(fits) {
+            let ways = ASIDE.iter().filter(|by| label.leads || by.abs() <= NEAR);
+            let mut tries = (1..=label.lines.len()).rev().flat_map(|lines| ways.clone().map(move |by| (lines, *by)));
+            if let Some((lines, by)) = tries.find(fits) {
                 *fate = (by, lines);
                 let seen = label.lines.iter().take(lines).filter(|line| line[0] < line[2]);
                 taken.extend(seen.map(|line| aside(*line, by)));
@@ -79,13 +116,14 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
     }
     let is_text = |element: &&Element| element.tag_name() == "text";
     let label = |elements: &Vec<Element>| Label {
-        lines: elements.iter().filter(is_text).map(area).collect(),
+        lines: elements.iter().filter(is_text).map(letters).collect(),
         leads: elements.iter().any(|element| !is_text(&element)),
+        lens: elements.iter().find(|element| element.tag_name() == "circle").map(area),
     };
     // What lies over the drawing stays where it is.
     let over = picture.closest(".drawing").ok().flatten();
-    let over = over.map_or(Vec::new(), |drawing| dom::all(&drawing, ".mode, .band .icon"));
-    let fixed = over.iter().map(|element| Label { lines: vec![area(element)], leads: true });
+    let over = over.map_or(Vec::new(), |drawing| dom::all(&drawing, ".state, .band .icon"));
+    let fixed = over.iter().map(|element| Label { lines: vec![area(element)], leads: true, lens: None });
     let labels: Vec<Label> = fixed.chain(parts.values().map(label)).collect();
     let fates = placed(&labels, area(picture)).into_iter().skip(over.len());
     for (elements, (by, lines)) in parts.values().zip(fates) {
@@ -96,7 +134,7 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
                 let _ = style.set_property("translate", &format!("{:.2}px", by * unit));
             }
         }
-        let leader = elements.iter().find(|element| !is_text(element)).filter(|_| lines == 0);
+        let leader = elements.iter().find(|element| element.tag_name() == "path").filter(|_| lines == 0);
         if let Some(leader) = leader {
             let _ = leader.class_list().add_1("crowded");
         }
@@ -118,7 +156,7 @@ mod tests {
     fn label(left: f64, top: f64, letters: &[f64], leads: bool) -> Label {
         let line =
             |(at, width): (usize, &f64)| [left, top + 18.0 * at as f64, left + width, top + 18.0 * at as f64 + 15.0];
-        Label { lines: letters.iter().enumerate().map(line).collect(), leads }
+        Label { lines: letters.iter().enumerate().map(line).collect(), leads, lens: None }
     }
 
     #[wasm_bindgen_test]
@@ -142,6 +180,29 @@ mod tests {
             label(60.0, 82.0, &[90.0, 90.0], true),
         ];
         assert_eq!(placed(&labels, FRAME), [(0.0, 0), (0.0, 2), (68.0, 1)]);
+    }
+
+    #[wasm_bindgen_test]
+    fn label_without_a_hairline_stays_near_its_part() {
+        let beside = |left| placed(&[label(10.0, 10.0, &[80.0], true), label(left, 10.0, &[80.0], false)], FRAME)[1];
+        assert_eq!(beside(80.0), (26.0, 1));
+        assert_eq!(beside(60.0), (0.0, 0));
+    }
+
+    #[wasm_bindgen_test]
+    fn lens_keeps_its_figures_and_others_away() {
+        let lens = Some([100.0, 0.0, 180.0, 80.0]);
+        let figures = Label { lens, ..label(110.0, 40.0, &[60.0, 50.0], true) };
+        let over = label(60.0, 50.0, &[60.0], true);
+        assert_eq!(placed(&[over.clone(), figures.clone()], FRAME), [(-38.0, 1), (0.0, 2)]);
+        let beside = label(30.0, 50.0, &[60.0], false);
+        assert_eq!(placed(&[beside, figures.clone()], FRAME), [(0.0, 1), (0.0, 2)]);
+        // In a smaller drawing the letters keep their size: what has no room in the lens goes.
+        let wide = Label { lens, ..label(90.0, 40.0, &[100.0, 50.0], true) };
+        assert_eq!(placed(&[wide], FRAME), [(0.0, 0)]);
+        let mut close = figures;
+        close.lines[1][1] = close.lines[0][3] - 1.0;
+        assert_eq!(placed(&[close], FRAME), [(0.0, 1)]);
     }
 
     #[wasm_bindgen_test]

@@ -28,6 +28,10 @@ pub(crate) fn Stage() -> impl IntoView {
     let drawn = StoredValue::new_local(None::<Drawn>);
     // Whether the drawing is wider than its room, and the size of the room that it was fitted into.
     let (pans, fitted) = (RwSignal::new(false), StoredValue::new((0, 0)));
+    let refit = move || {
+        let _ = fitted.try_set_value((0, 0));
+        player.ask();
+    };
     // The still is this very drawing, which goes on in it.
     let still = StoredValue::new_local(Still::take());
     Effect::new(move |_| {
@@ -40,15 +44,11 @@ pub(crate) fn Stage() -> impl IntoView {
             }
             drawn.set_value(Some(Drawn::new(&host, scene)));
         });
-        fitted.set_value((0, 0));
-        player.ask();
+        refit();
     });
     mark_causes(page, host);
     for event in ["resize", "fullscreenchange"] {
-        dom::hear(event, move |_| {
-            let _ = fitted.try_set_value((0, 0));
-            player.ask();
-        });
+        dom::hear(event, move |_| refit());
     }
     player.paint(move |moment| {
         // The size is read some times a second alone, for that makes the browser lay out the page.
@@ -90,7 +90,9 @@ pub(crate) fn Stage() -> impl IntoView {
             <div class="stage" class:pans=move || pans.get() tabindex=stop role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
             <Show when=move || pans.get()><Stations drawn=drawn /></Show>
             <Later>
-                <div class="top-left">
+                // The labels make room for what lies over the drawing.
+                {refit()}
+                <div class="state">
                     <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
                     <WrongValues />
                 </div>

@@ -1,32 +1,45 @@
-//! Positions, feed and spindle at the play head, as the control's position page has them.
+//! Positions of the machine's axes and spindle speed at the play head, as the control's position page has them.
 
 use leptos::prelude::*;
 
 use crate::ui::state::Page;
 use crate::ui::words::{figure, t};
 
-/// Axes, feed and spindle.
+/// An axis of the control, and what its words count for each millimetre that it moves.
+type Counted = (usize, String, f64);
+
+/// The axes of the control that the machine has.
+fn fitted(page: Page) -> Vec<Counted> {
+    page.project.with(|project| {
+        let plant = project.prepared().plant();
+        let axes = project.control.axes.iter().enumerate();
+        let found = axes.filter_map(|(at, axis)| {
+            let own = plant.axes.iter().find(|own| own.letter == Some(axis.letter))?;
+            Some((at, axis.letter.to_string(), own.words_per_unit()))
+        });
+        found.collect()
+    })
+}
+
+/// Axes and spindle.
 #[component]
 pub(super) fn Now() -> impl IntoView {
     let page = Page::here();
+    let axes = Memo::new(move |_| fitted(page));
+    let cell = |letter: String, mark: &'static str, value: String| {
+        view! { <div><dt data-means="program" data-word=letter.clone()>{letter.clone()} {mark}</dt><dd>{value}</dd></div> }
+    };
     let cells = move || {
-        let control = page.project.with_untracked(|project| {
-            page.control.track();
-            project.control
-        });
         page.player.now.with(|now| {
-            let axes = control.axes.iter().zip(&now.axes);
-            let mut cells: Vec<(String, String)> =
-                axes.map(|(axis, state)| (axis.letter.to_string(), figure(state.position, 3))).collect();
-            cells.push(("S".to_owned(), figure(now.spindle.actual, 0)));
-            cells
+            let axes = axes.get().into_iter().filter_map(|(at, letter, words)| {
+                let mark = if words > 1.0 { " Ø" } else { "" };
+                Some(cell(letter, mark, figure(words * now.axes.get(at)?.position, 3)))
+            });
+            let spindle = cell("S".to_owned(), "", figure(now.spindle.actual, 0));
+            axes.chain([spindle]).collect_view()
         })
     };
-    view! {
-        <dl class="now" aria-label=t("page.now")>
-            {move || cells().into_iter().map(|(name, value)| view! { <div><dt data-means="program">{name}</dt><dd>{value}</dd></div> }).collect_view()}
-        </dl>
-    }
+    view! { <dl class="now" aria-label=t("page.now")>{cells}</dl> }
 }
 
 #[cfg(test)]
@@ -34,17 +47,33 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{mount, settled};
+    use crate::ui::testing::{Bench, mount, mount_project, settled};
 
     #[wasm_bindgen_test]
-    async fn positions_have_the_axes_of_the_control_and_the_spindle() {
+    async fn positions_have_the_axes_of_the_machine_and_the_spindle() {
+        let names =
+            |bench: &Bench| -> Vec<_> { bench.all("dt").iter().filter_map(|name| name.text_content()).collect() };
         let bench = mount(|| view! { <Now /> }).await;
         bench.run().await;
-        let control = bench.page.project.with_untracked(|project| project.control);
-        let mut names: Vec<String> = control.axes.iter().map(|axis| axis.letter.to_string()).collect();
-        names.push("S".to_owned());
-        assert_eq!(bench.all("dt").iter().filter_map(|name| name.text_content()).collect::<Vec<_>>(), names);
+        // The E60 has Z and A too, the ribbon line has not.
+        assert_eq!(names(&bench), ["X", "Y", "S"]);
         assert_eq!(bench.text("dd"), "0.000");
+        let lathe = crate::project::Project::of("turning-spindle", Some("gsk-980tdc")).unwrap();
+        let bench = mount_project(lathe, || view! { <Now /> }).await;
+        bench.run().await;
+        assert_eq!(names(&bench), ["X Ø", "Z", "S"]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn position_of_a_lathe_is_a_diameter() {
+        let lathe = crate::project::Project::of("turning-spindle", Some("gsk-980tdc")).unwrap();
+        let bench = mount_project(lathe, || view! { <Now /> }).await;
+        bench.run().await;
+        bench.seek(0.0).await;
+        settled().await;
+        let x = bench.page.player.now.with_untracked(|now| now.axes[0].position);
+        assert!(x > 0.0);
+        assert_eq!(bench.text("dd"), figure(2.0 * x, 3));
     }
 
     #[wasm_bindgen_test]

@@ -46,7 +46,7 @@ fn Remark(
             }
             .into_any()
         }
-        _ => view! { {mark} " " {tell(&told)} }.into_any(),
+        _ => view! { <p class="hangs">{mark}<span>{tell(&told)}</span></p> }.into_any(),
     };
     view! { <li class=tone>{body}</li> }
 }

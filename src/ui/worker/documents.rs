@@ -5,8 +5,8 @@ use crate::project::Project;
 use crate::project::export::ExportOptions;
 use crate::project::meaning::{self, Subject, Table};
 use crate::project::size::size;
-use crate::text::{Diagnostic, Grade, Severity};
-use crate::ui::words::{grade, t, tell, tone};
+use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity};
+use crate::ui::words::{grade, say, t, tell, tone};
 use crate::view::Sheet;
 use crate::view::svg::escape;
 
@@ -165,6 +165,16 @@ fn today() -> String {
     format!("{:04}-{:02}-{:02}", now.get_full_year(), now.get_month() + 1, now.get_date())
 }
 
+/// A finding in a sentence; facts that are only assumed are counted, for the results list them by name.
+fn told(found: &Diagnostic) -> String {
+    match found.kind {
+        DiagnosticKind::AssumedFacts => {
+            say(&Message { id: "page.assumed-facts", values: found.message.values.clone() })
+        }
+        _ => tell(found),
+    }
+}
+
 /// The documents of a project's export and the findings that refuse it or go with it.
 pub(super) fn documents(project: &Project) -> Documents {
     let written = project.written();
@@ -175,12 +185,30 @@ pub(super) fn documents(project: &Project) -> Documents {
         refuses: found.severity == Severity::Error,
         tone: tone(found.severity).to_owned(),
         alarm: found.alarm.as_deref().unwrap_or_default().to_owned(),
-        text: tell(found),
+        text: told(found),
         field: found.field.unwrap_or_default().to_owned(),
         place: found.place.map(Range::from),
     };
     Documents {
         files: export.documents().iter().map(|file| (file.name.clone(), file.text.clone())).collect(),
         remarks: export.diagnostics.iter().map(remark).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::project;
+
+    #[wasm_bindgen_test]
+    fn remark_about_assumed_facts_has_no_ids_of_fields() {
+        let project = project();
+        let remarks = documents(&project).remarks;
+        assert!(remarks.iter().any(|remark| remark.text.contains("only assumed")));
+        for field in project.machine.fields().iter().filter(|field| field.id.contains('-')) {
+            assert!(remarks.iter().all(|remark| !remark.text.contains(field.id)), "{}", field.id);
+        }
     }
 }

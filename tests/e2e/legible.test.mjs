@@ -1,0 +1,125 @@
+// What is said can be read: no word and no figure is cut off, none lies on another, at every size.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { PAPER, openPanel, start, takeExample, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+const SIZES = [[1440, 900], [1366, 768], [1280, 720], [1024, 768], [720, 450], [390, 844], [320, 640]];
+const MACHINES = ['Ribbon line', 'Turning spindle', 'Polygon lathe'];
+
+// Words that reach beyond what clips them: boxes, buttons, the window. The running block and the name of the project may be longer than their
+// places, the title of a chart stands on its chip too, and what scrolls sideways is read by scrolling.
+const cutOff = (page) =>
+  page.evaluate(() => {
+    const places = '.top, .product, .cards, .keys, .chart, .now, .panel, .mode';
+    const free = '.hidden, h1, .where, .project, select, .percents, figcaption > span:first-child';
+    const faults = [];
+    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    for (let text; (text = texts.nextNode()); ) {
+      const parent = text.parentElement;
+      if (!text.textContent.trim() || !parent.closest(places) || parent.closest(free) || !parent.checkVisibility()) continue;
+      const range = document.createRange();
+      range.selectNodeContents(text);
+      const own = range.getBoundingClientRect();
+      for (let box = parent; box && own.width > 0; box = box.parentElement) {
+        const clips = box.tagName === 'BUTTON' || box === document.documentElement || getComputedStyle(box).overflowX !== 'visible';
+        const { left, right } = box.getBoundingClientRect();
+        if (!clips || (own.left >= left - 1 && own.right <= right + 1)) continue;
+        faults.push(`“${text.textContent.trim()}” in ${box.className || box.tagName}`);
+        break;
+      }
+    }
+    // A list shows its chosen word only: as wide as a list of that word alone.
+    for (const list of document.querySelectorAll('select.speed, select.control')) {
+      const alone = list.cloneNode();
+      alone.append(list.selectedOptions[0].cloneNode(true));
+      alone.style.setProperty('position', 'absolute');
+      alone.style.setProperty('width', 'max-content');
+      alone.style.setProperty('max-width', 'none');
+      list.parentElement.append(alone);
+      const { left, right, width } = list.getBoundingClientRect();
+      if (alone.getBoundingClientRect().width > width + 1 || left < 0 || right > innerWidth) faults.push(`“${list.selectedOptions[0].text}”`);
+      alone.remove();
+    }
+    return faults;
+  });
+
+// Labels of the drawing that lie on one another, on a lens that is not theirs, or below what lies over the drawing; figures of the chart on its title.
+const covered = (page) =>
+  page.evaluate(() => {
+    const area = (element, free = 0) => {
+      const { left, top, right, bottom, height } = element.getBoundingClientRect();
+      return { left, top: top + free * height, right, bottom: bottom - free * height };
+    };
+    const overlap = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
+    const texts = [...document.querySelectorAll('.stage text[data-label]:not(.crowded)')].filter((text) => text.textContent);
+    const labels = texts.map((text) => ({ words: text.textContent, label: text.dataset.label, area: area(text, 0.12) }));
+    const lenses = [...document.querySelectorAll('.stage circle[data-label]')].map((rim) => {
+      const { left, top, right, bottom } = area(rim);
+      const part = 0.15 * (right - left);
+      return { words: 'lens', label: rim.dataset.label, area: { left: left + part, top: top + part, right: right - part, bottom: bottom - part } };
+    });
+    const over = [...document.querySelectorAll('.drawing .mode, .band .icon')].map((one) => ({ words: one.textContent, label: '', area: area(one) }));
+    const faults = [];
+    labels.forEach((one, at) => {
+      const others = [...labels.slice(at + 1), ...lenses.filter(({ label }) => label !== one.label), ...over];
+      others.filter((other) => overlap(one.area, other.area)).forEach((other) => faults.push(`“${one.words}” and “${other.words}”`));
+    });
+    const title = area(document.querySelector('.chart figcaption'), 0.12);
+    for (const tick of document.querySelectorAll('.plot .tick')) if (overlap(area(tick, 0.12), title)) faults.push(`“${tick.textContent}” of the chart`);
+    return faults;
+  });
+
+async function legible(page, about) {
+  await page.waitForTimeout(300);
+  assert.deepEqual([...(await cutOff(page)), ...(await covered(page))], [], about);
+}
+
+const atEnd = async (page) => {
+  await page.waitForFunction(() => !document.querySelector('.film progress') && Number(document.getElementById('head').max) > 5000);
+  await page.locator('#head').evaluate((head) => {
+    head.value = head.max;
+    head.dispatchEvent(new Event('input', { bubbles: true }));
+  });
+};
+
+for (const [width, height] of SIZES) {
+  test(`no word and no figure is cut off or covered (${width} × ${height})`, () =>
+    withPage(app, { viewport: { width, height } }, async ({ page }) => {
+      for (const name of MACHINES) {
+        await page.getByRole('button', { name }).click();
+        await legible(page, name);
+        await atEnd(page);
+        await legible(page, `${name} at the end`);
+        await openPanel(page);
+        await legible(page, `${name} with the panel`);
+        await page.click('#panel-fold');
+      }
+    }));
+}
+
+for (const [width, height] of [[1440, 900], [1366, 768], [1024, 768], [390, 844]]) {
+  test(`repairs leave their verdicts legible (${width} × ${height})`, () =>
+    withPage(app, { viewport: { width, height } }, async ({ page }) => {
+      await takeExample(page, PAPER);
+      await page.locator('.repair').first().waitFor();
+      await legible(page, 'E60');
+      await page.selectOption('select.control', 'gsk-980tdc');
+      await page.locator('.alarm-screen').waitFor();
+      assert.deepEqual(await cutOff(page), []);
+    }));
+}
+
+test('the page is set in one family of letters beside that of figures', () =>
+  withPage(app, {}, async ({ page }) => {
+    for (const tab of ['program', 'results', 'variables', 'parameters', 'plc']) {
+      await page.click(`#tab-${tab}`);
+      const families = await page.evaluate(() => [
+        ...new Set([...document.querySelectorAll('body *:not(svg *)')].filter((one) => one.checkVisibility()).map((one) => getComputedStyle(one).fontFamily)),
+      ]);
+      assert.ok(families.length <= 2, families.join('\n'));
+    }
+  }));
