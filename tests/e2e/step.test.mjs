@@ -36,7 +36,7 @@ test('a click on a line number is a breakpoint; stepping goes into calls, over t
     await press(page, 'Out of this call');
     await next(page, '#138=#5042');
     assert.match(await seen(page), /Changed[\s\S]*#115\s+vacant → 10.716\.628/);
-    await press(page, 'Back by a block');
+    await press(page, 'Back one block');
     await next(page, 'N47 M99');
     await accessible(page);
     // The breakpoint is told with all others, and goes as it came or where it is told.
@@ -111,7 +111,7 @@ test('the head is where the walk stands; playing stops at a breakpoint, the firs
     assert.equal(await clock(page), '00:00.0000');
     await page.keyboard.press('b');
     await press(page, 'Run to a breakpoint or the end');
-    await why(page).getByText('The program is over.').waitFor();
+    await why(page).getByText('The program has ended.').waitFor();
   }));
 
 test('breakpoints go with their lines; another program, machine or undo leaves no stop behind', () =>

@@ -486,11 +486,11 @@ fn blocks_shorter_than_their_reading_are_a_warning() {
     let short = "X0.05\n".repeat(8);
     E60.check(&format!("O1\nG91 G64 G01 X10. F3000\n{short}M30"), expect![[r#"
         4:1 “X0.05” warning lint.short-blocks
-            This block is over in 1 ms, but the control needs 7.1 ms to read the next one (8× in this program): the axes stop in between. More travel per block or a lower F mends it.
+            This block is over in 1 ms, but the control needs 7.1 ms to read the next one (8× in this program): the axes stop in between. Program more travel per block or a lower F.
     "#]]);
     E60.check("O1\n#1=0\nG91 G01 F6000\nWHILE[#1 LT 500]DO1\nX0.5\n#1=#1+1\nEND1\nM30", expect![[r#"
         6:1 “X0.5” warning lint.short-blocks
-            This block is over in 5 ms, but the control needs 7.1 ms to read the next one (1× in this program): the axes stop in between. More travel per block or a lower F mends it.
+            This block is over in 5 ms, but the control needs 7.1 ms to read the next one (1× in this program): the axes stop in between. Program more travel per block or a lower F.
     "#]]);
 }
 

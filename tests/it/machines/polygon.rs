@@ -495,8 +495,8 @@ fn design_readouts_match_their_golden() {
         ("speed", "400"),
     ]));
     expect![[r#"
-        Fail relief: The inserts need more than 4.76° of relief in pass 4, to 20 mm; they have 3°. Less depth of cut, smaller stock, a larger cutter or more relief mends it. No way to turn it on this tip circle keeps within every limit: the flattest has 0.0284 mm of flatness error. The list of ways says which limit excludes each.
-        Warn orientation-error: A side is 15° off the orientation that is asked for: A15 mends it.
+        Fail relief: The inserts need more than 4.76° of relief in pass 4, to 20 mm; they have 3°. Take less depth of cut, smaller stock, a larger cutter or more relief. No way to turn it on this tip circle keeps within every limit: the flattest has 0.0284 mm of flatness error. The list of ways says which limit excludes each.
+        Warn orientation-error: A side is 15° off the orientation that is asked for: A15 corrects it.
     "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.1338 mm, 0.1 mm are allowed.
@@ -529,7 +529,7 @@ fn design_readouts_match_their_golden() {
     // The insert would have to cut with its back.
     expect![[r#"
         Fail flatness: The sides are uneven by 1.8627 mm, 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio. No way to turn it on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of ways says which limit excludes each.
-        Fail relief: In pass 3, to 54 mm, an insert would move back into its flank where it meets the work: no relief is enough. Less depth of cut or a larger cutter mends it.
+        Fail relief: In pass 3, to 54 mm, an insert would move back into its flank where it meets the work: no relief is enough. Take less depth of cut or a larger cutter.
         Warn slowest-cut: The inserts cut more slowly than they should: from 523 r/min for B on they do not.
         Fail distance: The axes would be nearer to each other than 20 mm.
         Fail reach: The body of the cutter touches the stock beside the polygon and overlaps it by 18 mm: the tips need an overhang of at least 20 mm, or the stock a diameter of at most 24 mm.

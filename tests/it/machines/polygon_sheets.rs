@@ -61,7 +61,7 @@ fn machine_sheets_have_the_expected_rows() {
         1.883 | The slide cuts
         54.131 | G502: O9121 takes #1101 and #1100 back
         54.698 | Both stand: #1002 = 0, #1003 = 1, O9121 ends
-         | At feed hold the slide stops; work and tool turn on beside it
+         | At feed hold the slide stops; work and tool keep turning
          | At reset, also within the cut, both come to rest in ratio and the slide stops where it is: retract it by hand before the next start. G512 finds the start angles again
          | At emergency stop the same: the drives stay on until both stand, the power-off has to wait so long
     "#]]

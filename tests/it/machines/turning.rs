@@ -227,7 +227,7 @@ fn design_readouts_match_their_golden() {
     expect![[""]].assert_eq(&said(&[("spindle-ramp", "1")]));
     expect![[r#"
         Fail speed-smallest: The speed limit of 3500 r/min lies above the 3000 r/min of chuck and spindle: set it to 3000 or less.
-        Warn acceleration-needed: The spindle would have to gain 3142 r/min each second, it can 1000: the surface speed lags behind near the limit. A lower cutting speed, feed or speed limit mends it.
+        Warn acceleration-needed: The spindle would have to gain 3142 r/min each second, it can 1000: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.
     "#]].assert_eq(&said(&[("upper-limit", "3500"), ("finished-diameter", "0")]));
     expect![[r#"
         Error finished-diameter: The finished part reaches 80 mm, the stock has 80 mm: there is nothing to cut.
@@ -237,7 +237,7 @@ fn design_readouts_match_their_golden() {
     expect![[r#"
         Warn limit-diameter: Below 57.296 mm the spindle is held at 1000 r/min: the surface speed falls to 62.8 m/min, over 58 % of the diameter.
         Warn stage-speed: Stage 1 ends at 1000 r/min, below the speed limit of 2500 r/min: the surface speed falls from there on. Take a faster stage. That makes another result fail: Highest feed.
-        Warn acceleration-needed: The spindle would have to gain 1164 r/min each second, it can 333: the surface speed lags behind near the limit. A lower cutting speed, feed or speed limit mends it.
+        Warn acceleration-needed: The spindle would have to gain 1164 r/min each second, it can 333: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.
         Fail power: The cut takes 12 kW, 6 kW reach it, and a slower cut has too little torque. Cut with less depth.
         Fail torque: The cut takes 168 Nm at 682 r/min, and the motor gives 57.3 Nm in stage 1: the spindle stalls. Take a stage with more torque, or cut with less depth.
     "#]].assert_eq(&said(&[("cutting-force", "4000"), ("gear", "1"), ("feed", "2")]));

@@ -389,7 +389,7 @@ fn long_step_lists_its_last_commands() {
               gives linear X28 F6000
               gives linear X29 F6000
               gives linear X30 F6000
-            warning[motion.starved]: The axes stop between blocks: this block takes longer to read (7.1 ms, and 3 ms for each macro block before it) than the one before takes to execute. More travel per block, or fewer macro blocks, mends it.
+            warning[motion.starved]: The axes stop between blocks: this block takes longer to read (7.1 ms, and 3 ms for each macro block before it) than the one before takes to execute. Program more travel per block, or fewer macro blocks.
              --> a.nc:5:1
               |
             5 | G01 X#1 F6000
