@@ -10,7 +10,10 @@ use std::hint::black_box;
 use macroline::drives::polygon::{CutterSetup, Ratio, Section};
 use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::Files;
+use macroline::project::Project;
+use macroline::project::chance::chance;
 use macroline::project::run::{AtStop, RunOptions, of_programs, to_end};
+use macroline::project::size::{SizingRuns, answers, size};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::Criterion;
 use work::{COUNT, flat, formulas, parse, run};
@@ -39,7 +42,26 @@ fn section() -> Vec<f64> {
     Section::new(black_box(&setup), 10.2).unwrap().radii(ANGLES as usize)
 }
 
+/// The first machine: design, choice of motors, sensitivities and inverse, by runs that are there.
+fn sized(project: &Project, runs: &SizingRuns) -> usize {
+    project.design().readouts.len() + answers(project, runs).axes.len()
+}
+
+fn sizing() {
+    let project = Project::of("ribbon-line", None).unwrap();
+    let runs = SizingRuns::new(&project, &project.written());
+    let motors: usize = answers(&project, &runs).axes.iter().map(|axis| axis.candidates.len()).sum();
+    // 10 ms natively, 25 ms in wasm, with 50 motors.
+    assert!(motors >= 50, "{motors} motors");
+    let asked = if cfg!(target_arch = "wasm32") { 1.0 / 25e-3 } else { 1.0 / 10e-3 };
+    summary::line("sizing, design with every motor", 1, "designs", Some(asked), || sized(&project, &runs));
+    let written = project.written();
+    summary::line("sizing, with the runs of the envelope", 1, "sizings", Some(0.5), || size(&project, &written));
+    summary::line("sizing, machines drawn", 1000, "machines", Some(1e4 / 3.0), || chance(&project, 1000, 1));
+}
+
 fn figures() {
+    sizing();
     let (flat, formulas) = (flat(COUNT), formulas());
     summary::line("flat blocks, text to canon", COUNT, "blocks", None, || run(&parse(&flat)));
     summary::line("P9100 passes, text to canon", COUNT, "passes", None, || run(&parse(&formulas)));

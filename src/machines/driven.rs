@@ -102,6 +102,8 @@ pub struct GaugeRow<M: 'static> {
     pub decimals: u8,
     /// Its limit.
     pub limit: fn(&M) -> Option<Limit>,
+    /// Field of the form that is the limit, where one is.
+    pub field: Option<&'static str>,
     /// Its value at a moment of the run.
     pub value: fn(&M, &Snapshot) -> f64,
 }
@@ -119,6 +121,8 @@ pub struct Gauge {
     pub decimals: u8,
     /// Its limit, in `unit`.
     pub limit: Option<Limit>,
+    /// Field of the form that is the limit, where one is.
+    pub field: Option<&'static str>,
     /// The worst value: the least under a least limit, else the greatest, of either sign where the limit is for both.
     pub value: f64,
 }
@@ -144,7 +148,7 @@ pub fn read<M>(
             _ => worst.max(next),
         };
         let value = values.reduce(worse).unwrap_or(0.0);
-        Gauge { id: row.id, label: row.label, unit: row.unit, decimals: row.decimals, limit, value }
+        Gauge { id: row.id, label: row.label, unit: row.unit, decimals: row.decimals, limit, field: row.field, value }
     };
     rows.iter().map(gauge).collect()
 }

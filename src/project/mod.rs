@@ -44,6 +44,8 @@ pub mod suppress;
 
 pub mod list;
 
+pub mod chance;
+
 pub mod sensitivity;
 
 pub mod size;

@@ -29,14 +29,24 @@ pub struct Flip {
 /// Each number that is shown on the control, is a fact and has no known origin is prepared with 0.9 and 1.1 of its value: within the range
 /// of the field, rounded to its decimals, a whole number at least one off.
 pub fn flips(project: &Project) -> Vec<Flip> {
-    let prepared = project.prepared();
-    let before = prepared.results().readouts;
-    let fields = project.machine.fields();
-    let assumed = |id: &str| project.provenance.get(id).is_none_or(|origin| *origin == Provenance::Assumed);
-    let facts = fields.iter().filter(|field| field.fact && assumed(field.id) && !prepared.hidden().contains(&field.id));
-    let mut found: Vec<Flip> = facts.filter_map(|field| flip(project, field, &before)).collect();
+    let before = project.prepared().results().readouts;
+    let facts = assumed_numbers(project);
+    let mut found: Vec<Flip> = facts.iter().filter_map(|field| flip(project, field, &before)).collect();
     found.sort_by_key(|flip| core::cmp::Reverse(flip.to));
     found
+}
+
+/// Fields of the numbers that are facts, have a meaning on the control and no known origin, in the order of the form.
+pub(super) fn assumed_numbers(project: &Project) -> Vec<FieldInfo> {
+    let prepared = project.prepared();
+    let assumed = |id: &str| project.provenance.get(id).is_none_or(|origin| *origin == Provenance::Assumed);
+    let counts = |field: &FieldInfo| {
+        matches!(field.kind, KindInfo::Number { .. })
+            && field.fact
+            && assumed(field.id)
+            && !prepared.hidden().contains(&field.id)
+    };
+    project.machine.fields().into_iter().filter(counts).collect()
 }
 
 /// The worst change that a fact makes.

@@ -645,8 +645,10 @@ fn size_json_has_motors_envelope_limits_and_bill() {
     for key in ["line_speed", "binding"] {
         assert!(!sizing["inverse"][key].is_null(), "{key}: {}", sizing["inverse"]);
     }
-    let told = String::from_utf8(macroline(&["size", &path]).stdout).unwrap();
-    for part in ["Bill of materials", "What limits the machine", "Operating envelope", "Motor of the pull roller"] {
+    assert!(sizing["chance"].is_null());
+    let told = String::from_utf8(macroline(&["size", &path, "--draws", "20"]).stdout).unwrap();
+    for part in ["Bill of materials", "What limits the machine", "Operating envelope", "Pull roller", "of 20 machines"]
+    {
         assert!(told.contains(part), "{part}: {told}");
     }
 }

@@ -2,6 +2,7 @@
 //! formulas and inputs of `docs/reference/sizing.md`.
 
 mod by_hand;
+mod chance;
 mod choice;
 mod envelope;
 mod timeline;

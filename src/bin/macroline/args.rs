@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
+use macroline::project::chance;
 
 /// Sizes special CNC machines, writes their macro programs and runs that very text.
 #[derive(Parser)]
@@ -57,6 +58,12 @@ pub(crate) enum Command {
     Size {
         /// Project file
         project: PathBuf,
+        /// Draws so many machines with their assumed facts within a tenth, and tells how often every verdict holds
+        #[arg(long, value_name = "N", default_value_t = 0)]
+        draws: u32,
+        /// Seed of the draws
+        #[arg(long, value_name = "N", default_value_t = chance::SEED)]
+        seed: u64,
         /// For programs
         #[arg(long)]
         json: bool,

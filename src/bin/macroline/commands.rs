@@ -7,11 +7,13 @@ use std::rc::Rc;
 use clap::Parser;
 use macroline::controls::Switches;
 use macroline::nc;
+use macroline::project::chance::chance;
 use macroline::project::check::review;
 use macroline::project::examples::NameKind;
 use macroline::project::export::ExportOptions;
 use macroline::project::render::summary;
 use macroline::project::run::AtStop;
+use macroline::project::size::tell::sheet_text;
 use macroline::project::suppress::silence;
 use macroline::project::{Project, drawing, list, origins, parts, size};
 use macroline::text::Diagnostic;
@@ -35,7 +37,7 @@ pub(crate) fn main() -> ExitCode {
         }
         Command::New { machine, control, example } => new(&machine, control.as_deref(), example.as_deref()),
         Command::Design { project, json } => design(&project, json),
-        Command::Size { project, json } => size(&project, json),
+        Command::Size { project, draws, seed, json } => size(&project, (draws, seed), json),
         Command::Export { project, out, date } => export(&project, &out, &date),
         Command::Draw { project, at, dark, out } => draw(&project, at, dark, &out),
         Command::Check { files, control, switch, silence, json } => {
@@ -107,18 +109,24 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
     verdict(&all)
 }
 
-fn size(path: &Path, json: bool) -> Result<(), Failure> {
+fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], json)) };
     let written = project.written();
     let sizing = size::size(&project, &written);
+    let chance = (draws > 0).then(|| chance(&project, draws, seed));
     let all = [file, Findings { sources: Sources::written(written.files), list: written.diagnostics }];
     if json {
         let mut told = sizing.json();
+        told["chance"] = json!(chance.as_ref().map(|chance| {
+            let fails = |row: &(&str, &str, u32)| json!({ "result": row.0, "draws": row.2 });
+            let fails: Vec<_> = chance.failing.iter().map(fails).collect();
+            json!({ "draws": chance.draws, "seed": seed, "facts": chance.facts, "probability": chance.probability(), "fails": fails })
+        }));
         told["diagnostics"] = list_json(&all);
         print_json(&told)?;
     } else {
-        print(&sizing.text())?;
+        print(&(sizing.text() + &chance.map_or(String::new(), |chance| sheet_text(&chance.sheet(), usize::MAX))))?;
         tell(&all)?;
     }
     verdict(&all)

@@ -59,5 +59,6 @@ pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
     unit: "°",
     decimals: 3,
     limit: |_| None,
+    field: None,
     value: |lathe, now| lathe.phase(now).abs(),
 }];

@@ -82,6 +82,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         unit: "mm",
         decimals: 1,
         limit: |line| Some(Limit::AtMost(line.p.loop_capacity)),
+        field: Some("loop-capacity"),
         value: |line, now| State::new(line, now).slack,
     },
     GaugeRow {
@@ -90,6 +91,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         unit: "N",
         decimals: 2,
         limit: |line| Some(Limit::AtMost(line.d.tension_limit)),
+        field: None,
         value: tension,
     },
 ];

@@ -28,5 +28,6 @@ pub(super) const GAUGES: &[GaugeRow<TurningSpindle>] = &[GaugeRow {
     unit: "r/min",
     decimals: 1,
     limit: |lathe| Some(Limit::AtMost(lathe.p.chuck_limit)),
+    field: None,
     value: |_, now| now.spindle.actual.abs(),
 }];

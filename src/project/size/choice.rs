@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::runs::{WholeRun, fast};
+use super::runs::SizingRuns;
 use crate::controls::Control;
 use crate::drives::duty::{Motion, Work};
 use crate::drives::load::{Regeneration, power};
@@ -158,14 +158,13 @@ impl Asked {
 }
 
 /// The axes and the drive behind the inverter with their motors.
-pub(super) fn axes(project: &Project, prepared: &PreparedMachine, whole: &WholeRun) -> Vec<SizedAxis> {
-    let fast = fast(whole);
+pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRuns) -> Vec<SizedAxis> {
     let runs: Vec<&Timeline> =
-        [Some(&whole.run), fast.as_ref()].into_iter().flatten().map(|run| run.timeline()).collect();
+        [Some(&of.run), of.fast.as_ref()].into_iter().flatten().map(|run| run.timeline()).collect();
     let catalogue = project.catalogue();
     let control = project.control;
     let servo = prepared.driven_axes().into_iter().map(|axis| {
-        let asked = Asked::of(&axis, &runs, whole.contact);
+        let asked = Asked::of(&axis, &runs, of.contact);
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
         let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();

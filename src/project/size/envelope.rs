@@ -2,7 +2,7 @@
 //!
 //! Each event is a run of the program with an operator's hand at the middle of its work; formulas check these runs, see `tests/it/sizing`.
 
-use super::runs::{WholeRun, finish};
+use super::runs::{SizingRuns, finish};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::DrivenAxis;
 use crate::motion::{Action, Event};
@@ -94,6 +94,8 @@ pub struct EnvelopeRow {
     pub decimals: u8,
     /// Its limit, in `unit`.
     pub limit: Option<Limit>,
+    /// Field of the form that is the limit, where one is.
+    pub field: Option<&'static str>,
     /// Whether it holds.
     pub verdict: Verdict,
     /// Whether it is the worst of this quantity over all events.
@@ -101,7 +103,7 @@ pub struct EnvelopeRow {
 }
 
 /// The rows of all events that the machine knows.
-pub(super) fn envelope(prepared: &PreparedMachine, whole: &WholeRun) -> Vec<EnvelopeRow> {
+pub(super) fn envelope(prepared: &PreparedMachine, whole: &SizingRuns) -> Vec<EnvelopeRow> {
     let envelope =
         Envelope { prepared, whole, axes: prepared.driven_axes(), middle: 0.5 * (whole.contact + whole.end) };
     let mut rows: Vec<EnvelopeRow> = OperatingEvent::IDS.iter().flat_map(|(event, _)| envelope.rows(*event)).collect();
@@ -125,7 +127,7 @@ fn mark_worst(rows: &mut [EnvelopeRow]) {
 
 struct Envelope<'a> {
     prepared: &'a PreparedMachine,
-    whole: &'a WholeRun,
+    whole: &'a SizingRuns,
     axes: Vec<DrivenAxis>,
     /// Time (s) at which the operator's hand acts.
     middle: f64,
@@ -222,6 +224,7 @@ impl Envelope<'_> {
             unit: gauge.unit,
             decimals: gauge.decimals,
             limit: gauge.limit,
+            field: gauge.field,
             verdict: verdict(gauge.limit, gauge.value),
             is_worst: false,
         });
@@ -238,6 +241,7 @@ impl Envelope<'_> {
                 unit: "Nm",
                 decimals: 3,
                 limit,
+                field: None,
                 verdict: verdict(limit, value),
                 is_worst: false,
             }
@@ -257,6 +261,7 @@ fn time(event: OperatingEvent, seconds: f64) -> EnvelopeRow {
         unit: "s",
         decimals: 2,
         limit: None,
+        field: None,
         verdict: Verdict::None,
         is_worst: false,
     }

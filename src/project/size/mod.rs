@@ -20,6 +20,7 @@ pub use bill::BillRow;
 pub use choice::{Candidate, Refusal, SizedAxis};
 pub use envelope::{EnvelopeRow, OperatingEvent};
 pub use growth::{Fastest, Growth};
+pub use runs::SizingRuns;
 
 use super::Project;
 use super::program::Written;
@@ -44,11 +45,15 @@ pub struct Sizing {
 
 /// Sizes a project with these programs. Total: a run that stops early is sized as far as it came.
 pub fn size(project: &Project, written: &Written) -> Sizing {
+    let runs = SizingRuns::new(project, written);
+    Sizing { envelope: envelope::envelope(&project.prepared(), &runs), ..answers(project, &runs) }
+}
+
+/// The sizing of a project by runs that are there, without the envelope, which needs runs of its own.
+pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
-    let run = runs::whole(project, written, &prepared);
-    let axes = choice::axes(project, &prepared, &run);
+    let axes = choice::axes(project, &prepared, runs);
     let bill = bill::bill(project, &prepared, &axes);
     let (limits, fastest) = growth::growth(project);
-    let envelope = envelope::envelope(&prepared, &run);
-    Sizing { axes, envelope, limits, fastest, sensitivities: flips(project), bill }
+    Sizing { axes, envelope: Vec::new(), limits, fastest, sensitivities: flips(project), bill }
 }

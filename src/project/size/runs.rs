@@ -1,7 +1,6 @@
 //! The runs that a sizing looks at: the program on the machine, at the knob's end where the machine has one.
 
 use crate::drives::speed::Steps;
-use crate::machines::PreparedMachine;
 use crate::motion::{Action, Budget, Event, Panel, Retention};
 use crate::project::Project;
 use crate::project::program::Written;
@@ -13,10 +12,13 @@ const LIMITS: Budget = Budget { blocks: 50_000, seconds: 900.0 };
 /// Events that are planned at a time.
 const SLICE: usize = 4096;
 
-/// A run of the program, and the part of it that is looked at.
-pub(super) struct WholeRun {
+/// The run of a program without the operator's hand, and the same with the knob at its upper end.
+#[derive(Debug)]
+pub struct SizingRuns {
     /// The run, planned to its end.
     pub(super) run: Run,
+    /// The run with the knob at its upper end from the start on, where there is a knob.
+    pub(super) fast: Option<Run>,
     /// Time (s) of the first contact with the work; that of the end where there is none.
     pub(super) contact: f64,
     /// Time (s) at which the program ended or stopped.
@@ -30,24 +32,24 @@ pub(super) fn finish(run: &mut Run) {
     while run.advance(f64::INFINITY, SLICE).ended.is_none() {}
 }
 
-/// The run of the program without the operator's hand.
-pub(super) fn whole(project: &Project, written: &Written, prepared: &PreparedMachine) -> WholeRun {
-    let untouched = Project { panel: Panel::default(), ..project.clone() };
-    let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
-    let mut run = of_project(&untouched, written, &options);
-    finish(&mut run);
-    let end = run.ended_at().unwrap_or(run.timeline().end());
-    let contact = prepared.first_contact(&run, end).map_or(end, |(t, _)| t);
-    let Steps { low, high, .. } = project.on().dialect().spindle().knob;
-    let knob = prepared.panel().spindle_override.map(|_| (low, high));
-    WholeRun { run, contact, end, knob }
-}
-
-/// The same run with the knob at its upper end from the start on.
-pub(super) fn fast(whole: &WholeRun) -> Option<Run> {
-    let (_, high) = whole.knob?;
-    let mut run = whole.run.clone();
-    run.event(Event { t: 0.0, action: Action::SpindleOverride(high) });
-    finish(&mut run);
-    Some(run)
+impl SizingRuns {
+    /// Runs these programs of a project.
+    pub fn new(project: &Project, written: &Written) -> SizingRuns {
+        let prepared = project.prepared();
+        let untouched = Project { panel: Panel::default(), ..project.clone() };
+        let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
+        let mut run = of_project(&untouched, written, &options);
+        finish(&mut run);
+        let end = run.ended_at().unwrap_or(run.timeline().end());
+        let contact = prepared.first_contact(&run, end).map_or(end, |(t, _)| t);
+        let Steps { low, high, .. } = project.on().dialect().spindle().knob;
+        let knob = prepared.panel().spindle_override.map(|_| (low, high));
+        let fast = knob.map(|(_, high)| {
+            let mut fast = run.clone();
+            fast.event(Event { t: 0.0, action: Action::SpindleOverride(high) });
+            finish(&mut fast);
+            fast
+        });
+        SizingRuns { run, fast, contact, end, knob }
+    }
 }

@@ -1,12 +1,13 @@
 //! A sizing as sheets, for page, report and command line.
 
 use super::choice::Candidate;
-use super::envelope::EnvelopeRow;
-use super::tell::{grade, with_unit};
+use super::envelope::{EnvelopeRow, OperatingEvent};
+use super::tell::with_unit;
 use super::{BillRow, Growth, SizedAxis, Sizing};
 use crate::drives::parts::PartGrade;
 use crate::machines::sheets::{row, say};
-use crate::math::PI;
+use crate::math::{self, PI};
+use crate::msg;
 use crate::text::catalog::{Language, number_text, sentence};
 use crate::text::{Citation, Grade};
 use crate::view::{Row, Sheet, TorqueWords, Verdict};
@@ -37,13 +38,16 @@ impl Sizing {
     /// The bill of materials.
     pub fn bill_sheet(&self) -> Sheet {
         let cells = |of: &BillRow| {
-            let cells = [say(of.item), of.axis.map(say).unwrap_or_default(), of.part.clone(), of.quantity.to_string()];
-            row(cells, Citation { grade: known(of.grade), ..CATALOGUE })
+            let item = match of.axis {
+                Some(axis) => format!("{}: {}", say(axis), say(of.item)),
+                None => say(of.item),
+            };
+            row([item, of.part.clone(), of.quantity.to_string()], Citation { grade: known(of.grade), ..CATALOGUE })
         };
         Sheet {
             id: "bill",
             title: "sheet.bill",
-            columns: vec!["sheet.item", "sheet.axis", "sheet.part", "sheet.quantity"],
+            columns: vec!["sheet.item", "sheet.part", "sheet.quantity"],
             rows: self.bill.iter().map(cells).collect(),
             drawing: String::new(),
         }
@@ -70,36 +74,68 @@ impl Sizing {
         }
     }
 
+    /// Events as rows, what is watched as columns, its limits above.
     fn envelope_sheet(&self) -> Sheet {
-        let cells = |of: &EnvelopeRow| {
-            let quantity = match of.axis {
-                Some(axis) => format!("{}, {}", say(of.label), say(axis)),
-                None => say(of.label),
-            };
-            let limit = of.limit.map_or(String::new(), |limit| {
-                let shown = number_text(limit.value(), of.decimals);
+        let mut watched: Vec<&EnvelopeRow> = Vec::new();
+        for row in &self.envelope {
+            if watched.iter().all(|known| known.id != row.id) {
+                watched.push(row);
+            }
+        }
+        let limit = |of: &&EnvelopeRow| {
+            of.limit.map_or(String::new(), |limit| {
+                let shown = with_unit(limit.value(), of.decimals, of.unit);
                 sentence(Language::English, &limit.message(shown))
-            });
-            let verdict = match of.verdict {
-                Verdict::None => None,
-                Verdict::Ok => Some(say("size.holds")),
-                Verdict::Warn | Verdict::Fail => Some(say("size.fails")),
-            };
-            let worst = of.is_worst.then(|| say("size.worst"));
-            let verdict: Vec<String> = verdict.into_iter().chain(worst).collect();
-            row(
-                [say(of.event.name()), quantity, with_unit(of.value, of.decimals, of.unit), limit, verdict.join(", ")],
-                RUNS,
-            )
+            })
         };
+        let limits = row([say("sheet.limit")].into_iter().chain(watched.iter().map(limit)).collect::<Vec<_>>(), RUNS);
+        let events = OperatingEvent::IDS.iter().map(|(event, _)| *event);
+        let events = events.filter(|event| self.envelope.iter().any(|row| row.event == *event));
+        let rows = events.map(|event| {
+            let at = |id: &str| self.envelope.iter().find(|row| row.event == event && row.id == id);
+            let cells = watched.iter().map(|of| at(&of.id).map_or(String::new(), value));
+            row([say(event.name())].into_iter().chain(cells).collect::<Vec<_>>(), RUNS)
+        });
+        let columns = watched.iter().map(|of| of.axis.unwrap_or(of.label));
         Sheet {
             id: "envelope",
             title: "sheet.envelope",
-            columns: vec!["sheet.event", "sheet.quantity-watched", "sheet.value", "sheet.limit", "sheet.verdict"],
-            rows: self.envelope.iter().map(cells).collect(),
+            columns: ["sheet.event"].into_iter().chain(columns).collect(),
+            rows: [limits].into_iter().chain(rows).chain(self.needed(&watched)).collect(),
             drawing: String::new(),
         }
     }
+}
+
+impl Sizing {
+    /// Limits of the form that would hold at every event, where one does not.
+    fn needed(&self, watched: &[&EnvelopeRow]) -> Option<Row> {
+        let entry = |of: &&EnvelopeRow| {
+            let rows = || self.envelope.iter().filter(|row| row.id == of.id);
+            let field = of.field.filter(|_| rows().any(|row| row.verdict == Verdict::Fail))?;
+            let unit = math::pow(10.0, f64::from(of.decimals));
+            let most = rows().map(|row| row.value).fold(0.0, f64::max);
+            Some((field, (most * unit).ceil() / unit))
+        };
+        let entries: Vec<_> = watched.iter().map(entry).collect();
+        let cells = watched.iter().zip(&entries);
+        let cells =
+            cells.map(|(of, entry)| entry.map_or(String::new(), |(_, value)| with_unit(value, of.decimals, of.unit)));
+        let sets: Vec<_> = watched
+            .iter()
+            .zip(&entries)
+            .filter_map(|(of, entry)| entry.map(|(field, value)| (field, number_text(value, of.decimals))))
+            .collect();
+        let told = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
+        (!sets.is_empty()).then_some(Row { sets, ..told })
+    }
+}
+
+/// A value of the envelope: with a cross beyond its limit, with a mark where it is the worst of all events.
+fn value(of: &EnvelopeRow) -> String {
+    let value = with_unit(of.value, of.decimals, of.unit);
+    let value = if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value };
+    if of.is_worst { format!("{value} ▲") } else { value }
 }
 
 /// How well a part is known, by the grades of sheets.
@@ -142,19 +178,12 @@ fn motors(axis: &SizedAxis) -> Sheet {
     let cells = |of: &Candidate| {
         let part = &of.part;
         let inertia = of.shares.filter(|shares| shares.inertia_ratio > 0.0);
-        let answer = match &of.refusal {
-            None => say("size.passes"),
-            Some(refusal) => sentence(Language::English, &refusal.message),
-        };
         let cells = [
             format!("{} {}", part.maker, part.model),
             share(of.shares.map(|shares| shares.effective)),
             share(of.shares.map(|shares| shares.peak)),
-            share(of.regenerative),
-            inertia.map_or(String::new(), |shares| format!("{:.1}", shares.inertia_ratio)),
-            of.amplifier.as_ref().map_or(String::new(), |part| part.model.clone()),
-            grade(part.evidence.grade).to_owned(),
-            answer,
+            inertia.map_or(String::new(), |shares| format!("{:.1} : 1", shares.inertia_ratio)),
+            answer(of),
         ];
         let cite = Citation { grade: known(part.evidence.grade), ..of.limits.cite };
         Row { sets: of.entries.clone(), ..row(cells, cite) }
@@ -163,17 +192,23 @@ fn motors(axis: &SizedAxis) -> Sheet {
         id: "motors",
         // Behind the sheet with its name.
         title: if axis.chart.is_some() { "sheet.motors" } else { axis.name },
-        columns: vec![
-            "sheet.motor",
-            "sheet.effective-load",
-            "sheet.peak-load",
-            "sheet.regenerative-load",
-            "sheet.inertia-ratio",
-            "sheet.amplifier",
-            "sheet.evidence",
-            "sheet.answer",
-        ],
+        columns: vec!["sheet.motor", "sheet.effective-load", "sheet.peak-load", "sheet.inertia-ratio", "sheet.answer"],
         rows: axis.candidates.iter().map(cells).collect(),
         drawing: String::new(),
     }
+}
+
+/// Whether a motor goes: with which amplifier, and what its brake resistor gets; else the reason.
+fn answer(of: &Candidate) -> String {
+    if let Some(refusal) = &of.refusal {
+        return sentence(Language::English, &refusal.message);
+    }
+    let told = match (&of.amplifier, of.regenerative) {
+        (Some(amplifier), Some(share)) => {
+            msg!("size.passes-with-resistor", amplifier.model.as_str(), (100.0 * share, 0))
+        }
+        (Some(amplifier), None) => msg!("size.passes-with", amplifier.model.as_str()),
+        (None, _) => msg!("size.passes"),
+    };
+    sentence(Language::English, &told)
 }

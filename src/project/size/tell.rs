@@ -9,7 +9,7 @@ use crate::drives::parts::{Part, PartGrade};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
 use crate::text::catalog::{Language, number_text, sentence, words};
-use crate::view::Limit;
+use crate::view::{Limit, Sheet};
 
 fn say(id: &'static str) -> &'static str {
     words(Language::English, id)
@@ -117,17 +117,20 @@ const SHOWN: usize = 8;
 impl Sizing {
     /// The sizing as lines.
     pub fn text(&self) -> String {
-        let mut out = String::new();
-        for sheet in self.sheets() {
-            out += &format!("{}\n", say(sheet.title));
-            for row in sheet.rows.iter().take(if sheet.id == "motors" { SHOWN } else { usize::MAX }) {
-                let cells: Vec<&str> = row.cells.iter().map(String::as_str).filter(|cell| !cell.is_empty()).collect();
-                out += &format!("  {}\n", cells.join("  "));
-            }
-            out.push('\n');
-        }
-        out
+        let rows = |sheet: &Sheet| if sheet.id == "motors" { SHOWN } else { usize::MAX };
+        self.sheets().iter().map(|sheet| sheet_text(sheet, rows(sheet))).collect()
     }
+}
+
+/// A sheet as lines: its title, and so many of its rows.
+pub fn sheet_text(sheet: &Sheet, rows: usize) -> String {
+    let mut out = format!("{}\n", say(sheet.title));
+    for row in sheet.rows.iter().take(rows) {
+        let cells: Vec<&str> = row.cells.iter().map(String::as_str).filter(|cell| !cell.is_empty()).collect();
+        out += &format!("  {}\n", cells.join("  "));
+    }
+    out.push('\n');
+    out
 }
 
 /// A number with its unit.

@@ -1,4 +1,5 @@
-//! Sizing: motors, operating envelope, limits and bill of materials, from runs of the program in the worker. A click on a motor takes it into the form, one on a chart goes to that moment.
+//! Sizing: motors, operating envelope, limits and bill of materials, from runs of the program in the worker. A click on a motor takes it into the form, one on a chart goes to
+//! that moment.
 
 use std::time::Duration;
 
@@ -20,6 +21,8 @@ const REST: Duration = Duration::from_millis(400);
 #[component]
 pub(crate) fn SizingTab() -> impl IntoView {
     let page = Page::here();
+    // Thousands of machines are drawn where they are asked for.
+    let drawn = RwSignal::new(false);
     let choose = move |event: MouseEvent| {
         if let Some(values) = listed(page, &event) {
             take(page, "", values);
@@ -31,6 +34,14 @@ pub(crate) fn SizingTab() -> impl IntoView {
         <p class="lead">{t("page.sizing-lead")}</p>
         <div class="sizing" on:click=choose>
             <SheetView which=|sheets| sheets.sizing request=|| Request::Sizing rest=REST />
+            <Show
+                when=move || drawn.get()
+                fallback=move || view! {
+                    <p class="row"><button type="button" class="chip" on:click=move |_| drawn.set(true)>{t("page.chance")}</button></p>
+                }
+            >
+                <SheetView which=|sheets| sheets.sizing request=|| Request::Chance rest=REST />
+            </Show>
         </div>
     }
 }

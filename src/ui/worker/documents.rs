@@ -2,13 +2,14 @@
 
 use super::messages::{Documents, Range, Remark, Sheets};
 use crate::project::Project;
+use crate::project::chance;
 use crate::project::export::ExportOptions;
 use crate::project::meaning::{self, Subject, Table};
 use crate::project::size::size;
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity};
 use crate::ui::words::{grade, say, t, tell, tone};
-use crate::view::Sheet;
 use crate::view::svg::escape;
+use crate::view::{Row, Sheet};
 
 /// The sheets of a project, by the tab that shows them.
 pub(super) fn sheets(project: &Project) -> Sheets {
@@ -30,6 +31,13 @@ pub(super) fn sizing(project: &Project) -> Sheets {
     let mut sizing = String::new();
     let sized = size(project, &project.written());
     sized.sheets().iter().for_each(|sheet| html(&mut sizing, sheet, project));
+    Sheets { sizing, ..Sheets::default() }
+}
+
+/// The chance that every verdict holds, as a sheet.
+pub(super) fn chance(project: &Project) -> Sheets {
+    let mut sizing = String::new();
+    html(&mut sizing, &chance::chance(project, chance::DRAWS, chance::SEED).sheet(), project);
     Sheets { sizing, ..Sheets::default() }
 }
 
@@ -63,6 +71,13 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
         matches!(sheet.columns.last(), Some(&("sheet.meaning" | "sheet.use" | "sheet.answer"))) && shown.len() > 3;
     // Sentences in several columns stand below one another there, each with its head: see `.told`.
     let told = shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
+    // A source that all rows share stands once.
+    let common = sheet.rows.first().filter(|first| {
+        !told
+            && !prose
+            && sheet.rows.len() > 1
+            && sheet.rows.iter().all(|row| (row.source, row.grade) == (first.source, first.grade))
+    });
     out.push_str("<table class=\"sheet");
     if told {
         out.push_str(" told");
@@ -70,7 +85,8 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
         out.push_str(&format!(" stacked n{}", shown.len() - 1));
     }
     out.push_str("\"><thead><tr>");
-    for head in shown.iter().filter_map(|at| sheet.columns.get(*at)).chain(&["page.grade"]) {
+    let heads = shown.iter().filter_map(|at| sheet.columns.get(*at));
+    for head in heads.chain(common.is_none().then_some(&"page.grade")) {
         out.push_str("<th scope=\"col\">");
         escape(out, t(head));
         out.push_str("</th>");
@@ -99,7 +115,9 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
                         escape(out, cell);
                         out.push_str("</td>");
                     }
-                    Some(&("sheet.meaning" | "sheet.use")) => tagged(out, "td", cell),
+                    Some(&("sheet.meaning" | "sheet.use" | "sheet.answer" | "sheet.motor" | "sheet.part")) => {
+                        tagged(out, "td", cell)
+                    }
                     Some(head) if told => {
                         out.push_str("<td>");
                         tagged(out, "small", t(head));
@@ -110,20 +128,32 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
                 }
             }
         }
-        out.push_str(if row.grade == Grade::Open {
-            "<td class=\"grade open\" title=\""
-        } else {
-            "<td class=\"grade\" title=\""
-        });
-        escape(out, row.source);
-        out.push_str("\">");
-        escape(out, grade(row.grade));
-        out.push_str("</td></tr>");
+        if common.is_none() {
+            graded(out, "td", row);
+        }
+        out.push_str("</tr>");
     }
     out.push_str("</tbody></table></div>");
+    if let Some(row) = common {
+        graded(out, "p", row);
+    }
     if folded {
         out.push_str("</details>");
     }
+}
+
+/// The grade of a row, with its source; as a paragraph with the source beside it.
+fn graded(out: &mut String, tag: &str, row: &Row) {
+    let open = if row.grade == Grade::Open { " open" } else { "" };
+    out.push_str(&format!("<{tag} class=\"grade{open}\" title=\""));
+    escape(out, row.source);
+    out.push_str("\">");
+    if tag == "p" {
+        escape(out, row.source);
+        out.push_str(": ");
+    }
+    escape(out, grade(row.grade));
+    out.push_str(&format!("</{tag}>"));
 }
 
 /// Characters from which on a cell is a sentence.

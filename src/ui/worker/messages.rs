@@ -29,6 +29,8 @@ pub(crate) enum Request {
     Sheets,
     /// Motors, operating envelope, limits and bill of materials.
     Sizing,
+    /// How often every verdict holds while the assumed facts lie within a tenth of their values.
+    Chance,
     /// Facts of the form that are only assumed and whose change by a tenth flips a verdict.
     Flips,
     /// Documents that leave with the programs.
@@ -53,7 +55,7 @@ pub(crate) enum Reply {
 pub(crate) enum Response {
     /// Of [`Request::Review`].
     Review(Vec<Finding>),
-    /// Of [`Request::Sheets`] and [`Request::Sizing`].
+    /// Of [`Request::Sheets`], [`Request::Sizing`] and [`Request::Chance`].
     Sheets(Sheets),
     /// Of [`Request::Flips`]: ids of the fields, the worst first.
     Flips(Vec<String>),
@@ -72,7 +74,7 @@ pub(crate) struct Sheets {
     pub plc: String,
     /// Sheets whose rows can be taken into the form.
     pub ways: String,
-    /// Motors, operating envelope, limits and bill of materials.
+    /// Motors, operating envelope, limits and bill of materials; or the chance that all verdicts hold.
     pub sizing: String,
 }
 

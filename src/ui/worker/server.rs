@@ -39,6 +39,7 @@ pub fn work(sentences: String) {
             Request::Review => Response::Review(review(&project)),
             Request::Sheets => Response::Sheets(documents::sheets(&project)),
             Request::Sizing => Response::Sheets(documents::sizing(&project)),
+            Request::Chance => Response::Sheets(documents::chance(&project)),
             Request::Flips => Response::Flips(flips(&project).into_iter().map(|flip| flip.field.to_owned()).collect()),
             Request::Export => Response::Export(documents::documents(&project)),
             Request::Check(blob) => {

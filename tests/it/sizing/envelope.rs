@@ -96,6 +96,26 @@ fn verdicts_follow_the_limits_of_the_machine() {
 }
 
 #[test]
+fn loop_that_would_hold_at_every_event_is_offered() {
+    let project = line();
+    let sizing = sized(&project);
+    assert_eq!(row(&sizing, OperatingEvent::PowerFailure, "loop").verdict, Verdict::Fail);
+    let sheet = sizing.sheets().into_iter().find(|sheet| sheet.id == "envelope").unwrap();
+    let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.sets).collect();
+    let [(field, _)] = sets.as_slice() else { panic!("{sets:?}") };
+    assert_eq!(*field, "loop-capacity");
+    let after = sized(&project.with_entries(&sets).unwrap());
+    assert!(after.envelope.iter().all(|row| row.id != "loop" || row.verdict == Verdict::Ok));
+    assert!(
+        after
+            .sheets()
+            .iter()
+            .filter(|sheet| sheet.id == "envelope")
+            .all(|sheet| sheet.rows.iter().all(|row| row.sets.is_empty()))
+    );
+}
+
+#[test]
 fn torque_at_start_is_the_peak_torque_of_the_results() {
     let project = line();
     let sizing = sized(&project);

@@ -1,0 +1,91 @@
+//! Monte Carlo: how often every verdict holds while the assumed facts lie anywhere within a tenth of their values.
+
+use std::collections::BTreeMap;
+
+use super::Project;
+use super::sensitivity::{assumed_numbers, changed};
+use crate::machines::form::Value;
+use crate::machines::sheets::{row, say};
+use crate::msg;
+use crate::text::catalog::{Language, sentence};
+use crate::text::{Citation, Grade};
+use crate::view::{Readout, Sheet, Verdict};
+
+/// Greatest part by which a fact is off.
+const OFF: f64 = 0.1;
+
+/// Draws that a person waits for.
+pub const DRAWS: u32 = 10_000;
+
+/// Seed where none is given.
+pub const SEED: u64 = 1;
+
+/// What many machines give whose assumed facts were drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chance {
+    /// Machines that were drawn.
+    pub draws: u32,
+    /// Assumed facts that were drawn for each.
+    pub facts: u32,
+    /// Those in which no verdict fails.
+    pub hold: u32,
+    /// Results that fail in some: id, catalog id of the label, and in how many; the most first.
+    pub failing: Vec<(&'static str, &'static str, u32)>,
+}
+
+/// Draws machines, each with every assumed fact evenly between 0.9 and 1.1 of its value: within the range of its field, rounded to its decimals.
+/// The same seed draws the same machines everywhere.
+pub fn chance(project: &Project, draws: u32, seed: u64) -> Chance {
+    let facts = assumed_numbers(project);
+    let mut random = fastrand::Rng::with_seed(seed);
+    let mut values = project.values.clone();
+    let mut hold = 0;
+    let mut failing: BTreeMap<&'static str, (&'static str, u32)> = BTreeMap::new();
+    for _ in 0..draws {
+        for field in &facts {
+            let factor = 1.0 + OFF * (2.0 * random.f64() - 1.0);
+            let drawn = changed(project, field, factor).map(Value::Number);
+            if let Some(value) = drawn.or_else(|| project.values.get(field.id).cloned()) {
+                values.insert(field.id.to_owned(), value);
+            }
+        }
+        let readouts = project.machine.prepare(&values, project.on()).results().readouts;
+        let fails = |row: &&Readout| row.verdict == Verdict::Fail;
+        hold += u32::from(!readouts.iter().any(|row| fails(&row)));
+        for row in readouts.iter().filter(fails) {
+            failing.entry(row.id).or_insert((row.label, 0)).1 += 1;
+        }
+    }
+    let mut failing: Vec<_> = failing.into_iter().map(|(id, (label, count))| (id, label, count)).collect();
+    failing.sort_by_key(|row| core::cmp::Reverse(row.2));
+    Chance { draws, facts: facts.len() as u32, hold, failing }
+}
+
+impl Chance {
+    /// Share of the machines, %.
+    fn share(&self, count: u32) -> f64 {
+        if self.draws > 0 { 100.0 * f64::from(count) / f64::from(self.draws) } else { 0.0 }
+    }
+
+    /// Share (0 to 1) in which every verdict holds.
+    pub fn probability(&self) -> f64 {
+        self.share(self.hold) / 100.0
+    }
+
+    /// The chance as a table: the sentence, then the results that fail.
+    pub fn sheet(&self) -> Sheet {
+        let cite = Citation::new("assumed facts drawn evenly within a tenth", Grade::Inferred);
+        let told = msg!("chance.hold", (self.share(self.hold), 1), self.draws, self.facts);
+        let first = row([sentence(Language::English, &told), String::new()], cite);
+        let fails = self.failing.iter().map(|(_, label, count)| {
+            row([say(label), sentence(Language::English, &msg!("chance.share", (self.share(*count), 1)))], cite)
+        });
+        Sheet {
+            id: "chance",
+            title: "sheet.chance",
+            columns: vec!["sheet.failing", "sheet.share"],
+            rows: [first].into_iter().chain(fails).collect(),
+            drawing: String::new(),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! The chance that every verdict holds, against the share that follows from one fact alone.
+
+use macroline::machines::form::{Provenance, Value};
+use macroline::project::Project;
+use macroline::project::chance::chance;
+
+/// A line whose facts are all measured.
+fn measured() -> Project {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    for field in project.machine.fields().iter().filter(|field| field.fact) {
+        project.provenance.insert(field.id.to_owned(), Provenance::Measured);
+    }
+    project
+}
+
+#[test]
+fn one_assumed_fact_gives_the_share_of_its_range() {
+    let mut project = measured();
+    let needed = project.design().readouts.iter().find(|row| row.id == "loop-needed").unwrap().value;
+    // Loops from 0.9 to 1.1 of this one: those below 0.95 of it are too small, a quarter of the range.
+    project.values.insert("loop-capacity".to_owned(), Value::Number((10.0 * needed / 0.95).round() / 10.0));
+    project.provenance.remove("loop-capacity");
+    let found = chance(&project, 4000, 7);
+    assert_eq!((found.draws, found.facts), (4000, 1));
+    assert!((found.probability() - 0.75).abs() < 0.03, "{found:?}");
+    assert_eq!(found.failing.iter().map(|row| row.0).collect::<Vec<_>>(), ["loop-needed"]);
+    assert_eq!(found.failing[0].2 + found.hold, 4000);
+}
+
+#[test]
+fn without_assumed_facts_the_design_decides() {
+    let mut project = measured();
+    let of = |project: &Project| chance(project, 5, 1);
+    assert_eq!((of(&project).facts, of(&project).hold), (0, 5));
+    project.values.insert("loop-capacity".to_owned(), Value::Number(1.0));
+    assert_eq!(of(&project).hold, 0);
+}
+
+#[test]
+fn seed_decides_which_machines_are_drawn() {
+    let project = Project::named("ribbon-line", None, None).unwrap();
+    let counts = |seed: u64| {
+        let found = chance(&project, 300, seed);
+        (found.hold, found.failing)
+    };
+    assert_eq!(counts(3), counts(3));
+    assert!((4..8).any(|seed| counts(seed) != counts(3)));
+}
