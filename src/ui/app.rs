@@ -58,7 +58,7 @@ pub fn App(
     store::keep(page, occupied);
     diagnostics::follow(page, worker);
     keys::listen(page);
-    open::listen(page, large);
+    open::listen(page, large, worker);
     view! { <Later><Screen /></Later> }
 }
 

@@ -37,6 +37,18 @@ pub fn read(text: &str, name: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     }
 }
 
+/// Bytes at the beginning of a text in which a table of parts names its columns.
+const HEAD: usize = 2000;
+
+/// Whether a text is a table of parts: its first line, or the first object of its list, names kind, maker and model.
+pub fn is_table(text: &str) -> bool {
+    let begin = text.trim_start_matches('\u{feff}').trim_start();
+    let head = begin.get(..HEAD).unwrap_or(begin);
+    let head = if begin.starts_with('[') { head } else { head.lines().next().unwrap_or_default() };
+    let head = head.to_ascii_lowercase();
+    columns::REQUIRED.iter().all(|name| head.contains(name))
+}
+
 /// The catalogue of public data sheets that macroline ships. Its sources are explained in `docs/reference/parts.md`.
 pub fn shipped() -> &'static [Part] {
     static SHIPPED: OnceLock<Vec<Part>> = OnceLock::new();

@@ -25,12 +25,26 @@ pub use runs::SizingRuns;
 use super::Project;
 use super::program::Written;
 use super::sensitivity::{Flip, flips};
+use crate::machines::PreparedMachine;
+
+/// Time and energy of a part, from the run of its program.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cycle {
+    /// Seconds from cycle start to the end of the program.
+    pub seconds: f64,
+    /// Energy that the servo motors give at their shafts, J.
+    pub given: f64,
+    /// Energy that comes back to them, J.
+    pub returned: f64,
+}
 
 /// The sizing of a project.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sizing {
     /// Axes and drives with their motors.
     pub axes: Vec<SizedAxis>,
+    /// Time and energy of a part; none where the program does not come to its end.
+    pub cycle: Option<Cycle>,
     /// What happens at every event of operation.
     pub envelope: Vec<EnvelopeRow>,
     /// Limits that bind next when more is asked.
@@ -55,5 +69,26 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let axes = choice::axes(project, &prepared, runs);
     let bill = bill::bill(project, &prepared, &axes);
     let (limits, fastest) = growth::growth(project);
-    Sizing { axes, envelope: Vec::new(), limits, fastest, sensitivities: flips(project), bill }
+    Sizing {
+        axes,
+        cycle: cycle(&prepared, runs),
+        envelope: Vec::new(),
+        limits,
+        fastest,
+        sensitivities: flips(project),
+        bill,
+    }
+}
+
+/// Time and energy of the run that comes to the end of its program.
+fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
+    let seconds = runs.seconds_of_a_part()?;
+    let timeline = runs.run.timeline();
+    let works = prepared
+        .driven_axes()
+        .into_iter()
+        .map(|axis| axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end())).work(axis.fitted.motor.rotor));
+    let (given, returned) =
+        works.fold((0.0, 0.0), |(given, returned), work| (given + work.given, returned + work.returned));
+    Some(Cycle { seconds, given, returned })
 }

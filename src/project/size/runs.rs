@@ -1,7 +1,7 @@
 //! The runs that a sizing looks at: the program on the machine, at the knob's end where the machine has one.
 
 use crate::drives::speed::Steps;
-use crate::motion::{Action, Budget, Event, Panel, Retention};
+use crate::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
 use crate::project::Project;
 use crate::project::program::Written;
 use crate::project::run::{Run, RunOptions, of_project};
@@ -23,23 +23,34 @@ pub struct SizingRuns {
     pub(super) contact: f64,
     /// Time (s) at which the program ended or stopped.
     pub(super) end: f64,
+    /// Whether it came to the end of the program.
+    has_ended: bool,
     /// Least and greatest position of the spindle override, %.
     pub(super) knob: Option<(f64, f64)>,
 }
 
 /// Plans a run to its end.
-pub(super) fn finish(run: &mut Run) {
-    while run.advance(f64::INFINITY, SLICE).ended.is_none() {}
+pub(super) fn finish(run: &mut Run) -> RunEnd {
+    loop {
+        if let Some(ended) = run.advance(f64::INFINITY, SLICE).ended {
+            return ended;
+        }
+    }
 }
 
 impl SizingRuns {
+    /// Seconds of a part; none where the program does not come to its end.
+    pub(super) fn seconds_of_a_part(&self) -> Option<f64> {
+        (self.has_ended && self.end > 0.0).then_some(self.end)
+    }
+
     /// Runs these programs of a project.
     pub fn new(project: &Project, written: &Written) -> SizingRuns {
         let prepared = project.prepared();
         let untouched = Project { panel: Panel::default(), ..project.clone() };
         let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
         let mut run = of_project(&untouched, written, &options);
-        finish(&mut run);
+        let has_ended = finish(&mut run) == RunEnd::ProgramEnd;
         let end = run.ended_at().unwrap_or(run.timeline().end());
         let contact = prepared.first_contact(&run, end).map_or(end, |(t, _)| t);
         let Steps { low, high, .. } = project.on().dialect().spindle().knob;
@@ -50,6 +61,6 @@ impl SizingRuns {
             finish(&mut fast);
             fast
         });
-        SizingRuns { run, fast, contact, end, knob }
+        SizingRuns { run, fast, contact, end, has_ended, knob }
     }
 }

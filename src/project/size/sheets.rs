@@ -10,7 +10,7 @@ use crate::math::{self, PI};
 use crate::msg;
 use crate::text::catalog::{Language, number_text, sentence};
 use crate::text::{Citation, Grade};
-use crate::view::{Row, Sheet, TorqueWords, Verdict};
+use crate::view::{Limit, Row, Sheet, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
@@ -22,7 +22,7 @@ const OFFERED: usize = 5;
 impl Sizing {
     /// The sheets: what there is to buy, what limits, what happens in operation, and the motors of each axis.
     pub fn sheets(&self) -> Vec<Sheet> {
-        let mut sheets = vec![self.bill_sheet(), self.limit_sheet(), self.envelope_sheet()];
+        let mut sheets = vec![self.bill_sheet(), self.cycle_sheet(), self.limit_sheet(), self.envelope_sheet()];
         sheets.extend(self.axes.iter().flat_map(|axis| [asked(axis), Some(motors(axis))]).flatten());
         sheets.retain(|sheet| !sheet.rows.is_empty());
         sheets
@@ -53,10 +53,29 @@ impl Sizing {
         }
     }
 
+    /// Time and energy of a part.
+    fn cycle_sheet(&self) -> Sheet {
+        let cells = self.cycle.as_ref().map(|cycle| {
+            [
+                ("size.cycle-time", with_unit(cycle.seconds, 2, "s")),
+                ("size.parts-per-hour", with_unit(3600.0 / cycle.seconds, 1, "1/h")),
+                ("size.given", with_unit(cycle.given, 1, "J")),
+                ("size.returned", with_unit(cycle.returned, 1, "J")),
+            ]
+        });
+        Sheet {
+            id: "cycle",
+            title: "sheet.cycle",
+            columns: vec!["sheet.quantity-watched", "sheet.value"],
+            rows: cells.into_iter().flatten().map(|(label, value)| row([say(label), value], RUNS)).collect(),
+            drawing: String::new(),
+        }
+    }
+
     fn limit_sheet(&self) -> Sheet {
         let cells = |of: &Growth| {
             let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
-            let margin = format!("{:+.1} %", 100.0 * of.margin);
+            let margin = format!("{:+.0} %", 100.0 * of.margin);
             row([say(of.label), with_unit(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
         };
         let fastest = self.fastest.as_ref().map(|fastest| {
@@ -82,11 +101,10 @@ impl Sizing {
                 watched.push(row);
             }
         }
-        let limit = |of: &&EnvelopeRow| {
-            of.limit.map_or(String::new(), |limit| {
-                let shown = with_unit(limit.value(), of.decimals, of.unit);
-                sentence(Language::English, &limit.message(shown))
-            })
+        // The limits carry the units.
+        let limit = |of: &&EnvelopeRow| match of.limit {
+            None => of.unit.to_owned(),
+            Some(limit) => format!("{} {}", sign(limit), with_unit(limit.value(), of.decimals, of.unit)),
         };
         let limits = row([say("sheet.limit")].into_iter().chain(watched.iter().map(limit)).collect::<Vec<_>>(), RUNS);
         let events = OperatingEvent::IDS.iter().map(|(event, _)| *event);
@@ -131,9 +149,19 @@ impl Sizing {
     }
 }
 
+/// The sign of a limit before its number.
+fn sign(limit: Limit) -> &'static str {
+    match limit {
+        Limit::AtMost(_) => "≤",
+        Limit::AtLeast(_) => "≥",
+        Limit::Within(_) => "±",
+        Limit::Equal(_) => "=",
+    }
+}
+
 /// A value of the envelope: with a cross beyond its limit, with a mark where it is the worst of all events.
 fn value(of: &EnvelopeRow) -> String {
-    let value = with_unit(of.value, of.decimals, of.unit);
+    let value = number_text(of.value, of.decimals);
     let value = if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value };
     if of.is_worst { format!("{value} ▲") } else { value }
 }

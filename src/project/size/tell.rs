@@ -34,6 +34,9 @@ impl Sizing {
     pub fn json(&self) -> Json {
         json!({
             "axes": self.axes.iter().map(axis).collect::<Vec<_>>(),
+            "cycle": self.cycle.map(|cycle| json!({
+                "time_s": cycle.seconds, "parts_per_hour": 3600.0 / cycle.seconds, "energy_given_j": cycle.given, "energy_returned_j": cycle.returned,
+            })),
             "envelope": self.envelope.iter().map(event).collect::<Vec<_>>(),
             "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
             "inverse": self.fastest.as_ref().map(fastest),

@@ -10,6 +10,8 @@ mod large;
 
 pub(crate) mod open;
 
+mod parts;
+
 mod set_aside;
 
 pub(crate) mod store;

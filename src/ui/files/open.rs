@@ -7,15 +7,18 @@ use wasm_bindgen_futures::JsFuture;
 use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, FileList};
 
 use super::large::{LargeFile, Source, check};
+use super::parts;
 use super::set_aside::{self, Reason};
 use crate::nc;
 use crate::project::decode::Decoded;
 use crate::project::import::{MAX_PROGRAM, open};
+use crate::project::parts::is_table;
 use crate::project::saved::with_line;
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::state::view::Tab;
 use crate::ui::words::{say, t, tone};
+use crate::ui::worker::client::Client;
 
 /// Bytes above which a text is not taken into the page but read aside.
 const BIG: f64 = MAX_PROGRAM as f64;
@@ -24,7 +27,7 @@ const BIG: f64 = MAX_PROGRAM as f64;
 const PROJECT: f64 = 8.0 * BIG;
 
 /// Takes files that a person opened, dropped or pasted: all of them or none.
-fn take(page: Page, large: LargeFile, files: Vec<File>) {
+fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
     // A project may be larger than a program: what macroline saved it opens.
     let is_project = |file: &File| file.name().to_ascii_lowercase().ends_with(".json") && file.size() <= PROJECT;
     if let Some(big) = files.iter().find(|file| file.size() > BIG && !is_project(file)) {
@@ -48,15 +51,20 @@ fn take(page: Page, large: LargeFile, files: Vec<File>) {
             }
             texts.push(nc::File { name: file.name(), text: decoded.text });
         }
-        read(page, &texts);
+        read(page, worker, texts);
     });
 }
 
-/// Reads texts: a project, programs that carry its settings, or any other programs.
-fn read(page: Page, files: &[nc::File]) {
-    if files.is_empty() {
-        return;
+/// Reads texts: a project, programs that carry its settings, or any other programs; tables of parts join the project.
+fn read(page: Page, worker: Client, files: Vec<nc::File>) {
+    let (tables, files): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| is_table(&file.text));
+    if !files.is_empty() {
+        read_programs(page, &files);
     }
+    tables.iter().for_each(|table| parts::take(page, worker, table));
+}
+
+fn read_programs(page: Page, files: &[nc::File]) {
     let opened = page.project.with_untracked(|project| open(project, files));
     let text = files.iter().find(|file| file.text.trim_start().starts_with('{')).map_or("", |file| &file.text);
     for told in &opened.diagnostics {
@@ -79,10 +87,10 @@ fn files_of(list: Option<FileList>) -> Vec<File> {
 }
 
 /// Takes what was dropped or pasted; whether there was something to take.
-fn transferred(page: Page, large: LargeFile, data: &DataTransfer) -> bool {
+fn transferred(page: Page, (large, worker): (LargeFile, Client), data: &DataTransfer) -> bool {
     let list = files_of(data.files());
     if !list.is_empty() {
-        take(page, large, list);
+        take(page, (large, worker), list);
         return true;
     }
     let text = data.get_data("text").unwrap_or_default();
@@ -91,18 +99,18 @@ fn transferred(page: Page, large: LargeFile, data: &DataTransfer) -> bool {
     } else if text.trim().is_empty() {
         return false;
     } else {
-        read(page, &[nc::File { name: t("page.pasted").to_owned(), text }]);
+        read(page, worker, vec![nc::File { name: t("page.pasted").to_owned(), text }]);
     }
     true
 }
 
 /// Listens for files that are dropped or pasted anywhere on the page.
-pub(crate) fn listen(page: Page, large: LargeFile) {
+pub(crate) fn listen(page: Page, large: LargeFile, worker: Client) {
     dom::hear("dragover", |event| event.prevent_default());
     dom::hear("drop", move |event| {
         event.prevent_default();
         if let Some(data) = event.unchecked_ref::<DragEvent>().data_transfer() {
-            transferred(page, large, &data);
+            transferred(page, (large, worker), &data);
         }
     });
     // Before any text field gets it: a paste of many megabytes must not go into one.
@@ -113,7 +121,7 @@ pub(crate) fn listen(page: Page, large: LargeFile) {
         if in_text && (data.get_data("text").map_or(0, |text| text.len()) as f64) < BIG {
             return;
         }
-        if transferred(page, large, &data) {
+        if transferred(page, (large, worker), &data) {
             event.prevent_default();
             event.stop_propagation();
         }
@@ -123,11 +131,11 @@ pub(crate) fn listen(page: Page, large: LargeFile) {
 /// The button that opens files.
 #[component]
 pub(super) fn OpenButton() -> impl IntoView {
-    let (page, large) = (Page::here(), LargeFile::here());
+    let (page, large, worker) = (Page::here(), LargeFile::here(), Client::here());
     let input: NodeRef<html::Input> = NodeRef::new();
     let chosen = move |_| {
         let Some(input) = input.get() else { return };
-        take(page, large, files_of(input.files()));
+        take(page, (large, worker), files_of(input.files()));
         // The same file may be opened twice in a row.
         input.set_value("");
     };
@@ -152,7 +160,7 @@ mod tests {
 
     async fn opened(name: &str, text: &str) -> Bench {
         let bench = mount(|| view! { <OpenButton /> }).await;
-        read(bench.page, &[nc::File { name: name.to_owned(), text: text.to_owned() }]);
+        read(bench.page, bench.worker, vec![nc::File { name: name.to_owned(), text: text.to_owned() }]);
         settled().await;
         bench
     }
@@ -191,7 +199,7 @@ mod tests {
         let json = nc::File { name: "order.json".to_owned(), text: order.to_json() };
         let mut programs = order.written().files.0;
         programs[1].text.push_str("(mine)\n");
-        read(bench.page, &[programs[1].clone(), json.clone(), programs[0].clone()]);
+        read(bench.page, bench.worker, vec![programs[1].clone(), json.clone(), programs[0].clone()]);
         assert_eq!(bench.page.project.with_untracked(|project| project.name.clone()), "Order 7");
         assert!(bench.page.program.text(1).ends_with("(mine)\n"));
         assert_eq!(bench.page.program.text(0), programs[0].text);
@@ -208,7 +216,7 @@ mod tests {
             vec![program.clone(), nc::File { name: "a.png".to_owned(), text: "\0\0".to_owned() }],
         ] {
             let bench = mount(|| ()).await;
-            read(bench.page, &files);
+            read(bench.page, bench.worker, files);
             assert!(bench.page.project.get_untracked() == project());
             assert_eq!(bench.notices().len(), 1);
         }
@@ -218,9 +226,9 @@ mod tests {
     async fn pasted_text_is_read_and_an_empty_one_is_left() {
         let bench = mount(|| view! { <OpenButton /> }).await;
         let data = DataTransfer::new().unwrap();
-        assert!(!transferred(bench.page, LargeFile::provide(), &data));
+        assert!(!transferred(bench.page, (LargeFile::provide(), bench.worker), &data));
         data.set_data("text", "G01 X1.\nM30\n").unwrap();
-        assert!(transferred(bench.page, LargeFile::provide(), &data));
+        assert!(transferred(bench.page, (LargeFile::provide(), bench.worker), &data));
         settled().await;
         assert!(bench.page.program.text(0).contains("G01 X1."));
     }

@@ -1,10 +1,12 @@
 //! Sheets as HTML for the page, and the documents of an export.
 
-use super::messages::{Documents, Range, Remark, Sheets};
+use super::messages::{Documents, Range, ReadParts, Remark, Sheets};
 use crate::project::Project;
 use crate::project::chance;
 use crate::project::export::ExportOptions;
 use crate::project::meaning::{self, Subject, Table};
+use crate::project::parts;
+use crate::project::saved::with_line;
 use crate::project::size::size;
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity};
 use crate::ui::words::{grade, say, t, tell, tone};
@@ -24,6 +26,15 @@ pub(super) fn sheets(project: &Project) -> Sheets {
         html(tab, sheet, project);
     }
     out
+}
+
+/// A project with the sound parts of a table.
+pub(in crate::ui) fn parts(mut project: Project, name: &str, text: &str) -> ReadParts {
+    let (read, found) = parts::read(text, name);
+    let added = read.len() as u32;
+    project.add_parts(read);
+    let remark = |told: &Diagnostic| (told.severity == Severity::Error, with_line(told, text));
+    ReadParts { project: project.to_json(), added, remarks: found.iter().map(remark).collect() }
 }
 
 /// The sheets of a sizing of the project.

@@ -35,6 +35,8 @@ pub(crate) enum Request {
     Flips,
     /// Documents that leave with the programs.
     Export,
+    /// The project with the parts of a table, by the name of its file and its text.
+    Parts(String, String),
     /// Errors and warnings of a text that is too large for the page, on the project's control.
     Check(#[serde(with = "serde_wasm_bindgen::preserve")] Blob),
 }
@@ -61,6 +63,8 @@ pub(crate) enum Response {
     Flips(Vec<String>),
     /// Of [`Request::Export`].
     Export(Documents),
+    /// Of [`Request::Parts`].
+    Parts(ReadParts),
     /// Of [`Request::Check`].
     Check(Report),
 }
@@ -76,6 +80,17 @@ pub(crate) struct Sheets {
     pub ways: String,
     /// Motors, operating envelope, limits and bill of materials; or the chance that all verdicts hold.
     pub sizing: String,
+}
+
+/// Parts that were read from a table.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct ReadParts {
+    /// The project with them, as the text of its file.
+    pub project: String,
+    /// How many were added.
+    pub added: u32,
+    /// What was found: whether it refuses a row, and the sentence with its line.
+    pub remarks: Vec<(bool, String)>,
 }
 
 /// The documents of an export. The programs are not among them: the page exports the very files that it runs.

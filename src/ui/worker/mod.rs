@@ -6,6 +6,6 @@ pub(super) mod client;
 
 pub(super) mod diagnostics;
 
-mod documents;
+pub(super) mod documents;
 
 pub(super) mod server;

@@ -40,6 +40,7 @@ pub fn work(sentences: String) {
             Request::Sheets => Response::Sheets(documents::sheets(&project)),
             Request::Sizing => Response::Sheets(documents::sizing(&project)),
             Request::Chance => Response::Sheets(documents::chance(&project)),
+            Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
             Request::Flips => Response::Flips(flips(&project).into_iter().map(|flip| flip.field.to_owned()).collect()),
             Request::Export => Response::Export(documents::documents(&project)),
             Request::Check(blob) => {

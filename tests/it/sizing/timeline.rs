@@ -7,6 +7,7 @@ use macroline::machines::form::Value;
 use macroline::motion::{Budget, Mover, Retention, Stretch};
 use macroline::project::Project;
 use macroline::project::run::{self, Run, RunOptions};
+use macroline::project::size::size;
 use proptest::prelude::*;
 
 /// What may lie between a run and its closed form.
@@ -107,6 +108,22 @@ fn energy_of_a_run_goes_into_friction_alone() {
         assert!(work.given > 1.0, "{id}: {work:?}");
         super::same(&format!("energy of {id}"), work.given - work.returned, friction, WITHIN);
     }
+}
+
+#[test]
+fn energy_of_a_part_is_that_of_its_motors() {
+    let project = Project::named("ribbon-line", None, None).unwrap();
+    let cycle = size(&project, &project.written()).cycle.expect("the program comes to its end");
+    let run = run_of(&project);
+    let works = project.prepared().driven_axes().into_iter().map(|axis| {
+        axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end())).work(axis.fitted.motor.rotor)
+    });
+    super::same("energy of a part", cycle.given, works.map(|work| work.given).sum(), 1e-9);
+    super::same("cycle time", cycle.seconds, run.ended_at().unwrap(), 1e-9);
+    // A program that does not end makes no part.
+    let mut endless = project.clone();
+    endless.edited = Some(macroline::nc::Files::one("O1.NC", "%\nO1\nM00\nM30\n%\n"));
+    assert_eq!(size(&endless, &endless.written()).cycle, None);
 }
 
 /// A move from rest to rest as turns, forward or backward.

@@ -1,0 +1,77 @@
+//! Parts that a person brings as a table, CSV or JSON: the worker reads it, and its sound rows are kept with the project.
+
+use leptos::prelude::*;
+
+use crate::msg;
+use crate::nc;
+use crate::project::Project;
+use crate::ui::state::Page;
+use crate::ui::state::view::Tab;
+use crate::ui::words::{say, t};
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{ReadParts, Request, Response};
+
+/// Findings about a table that are told one by one.
+const TOLD: usize = 4;
+
+/// Adds the parts of a table to the project: a step of the history. What was wrong with the others is told.
+pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
+    let name = table.name.clone();
+    let show = move |response: Option<Response>| {
+        let Some(Response::Parts(ReadParts { project, added, remarks })) = response else {
+            return page.notices.notify("fail", t("page.no-answer").to_owned());
+        };
+        for (refuses, text) in remarks.iter().take(TOLD) {
+            page.notices.notify(if *refuses { "fail" } else { "info" }, format!("{name}: {text}"));
+        }
+        if remarks.len() > TOLD {
+            page.notices.notify("info", say(&msg!("page.more-of-parts", (remarks.len() - TOLD) as u32)));
+        }
+        let Some(read) = Project::from_json(&project).project.filter(|_| added > 0) else { return };
+        page.edit("", |project| project.parts = read.parts);
+        page.view.tab.set(Tab::Sizing);
+        page.notices.say(say(&msg!("page.parts-added", added)));
+    };
+    let request = Request::Parts(table.name.clone(), table.text.clone());
+    page.project.with_untracked(|project| worker.ask(project, request, show));
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::project::parts;
+    use crate::ui::testing::{Bench, mount, project, settled};
+    use crate::ui::worker::documents;
+
+    /// A table opened on a page whose worker is here.
+    async fn opened(text: &str) -> Bench {
+        let bench = mount(|| ()).await;
+        bench.worker.answer_here(|project, request| match request {
+            Request::Parts(name, text) => Some(Response::Parts(documents::parts(project.clone(), &name, &text))),
+            _ => None,
+        });
+        take(bench.page, bench.worker, &nc::File { name: "own.csv".to_owned(), text: text.to_owned() });
+        settled().await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn parts_of_a_table_are_kept_with_the_project() {
+        let table = parts::write(parts::shipped().iter().take(3));
+        let bench = opened(&table).await;
+        let models = |bench: &Bench| bench.page.project.with_untracked(|project| project.parts.len());
+        assert_eq!(models(&bench), 3);
+        assert_eq!(bench.page.view.tab.get_untracked(), Tab::Sizing);
+        bench.page.undo();
+        assert_eq!(models(&bench), 0);
+    }
+
+    #[wasm_bindgen_test]
+    async fn table_without_a_sound_row_changes_nothing_and_is_told() {
+        let bench = opened("kind,maker,model\nservo,Works,\n").await;
+        assert!(bench.page.project.get_untracked() == project());
+        assert!(bench.notices().iter().all(|told| told.starts_with("own.csv: ")) && !bench.notices().is_empty());
+    }
+}
