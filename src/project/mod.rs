@@ -50,6 +50,8 @@ pub mod sensitivity;
 
 pub mod size;
 
+pub mod variants;
+
 pub mod origins;
 
 pub mod remedy;

@@ -654,6 +654,32 @@ fn size_json_has_motors_envelope_limits_and_bill() {
 }
 
 #[test]
+fn compare_tells_entries_and_results_that_differ() {
+    let (slow, fast) = (folder("compare-a"), folder("compare-b"));
+    let (a, b) = (project(&slow, json!({ "pitch": 9 })), project(&fast, json!({ "pitch": 9, "spindle-speed": 1400 })));
+    let out = macroline(&["compare", &a, &b, "--json"]);
+    let compared: Json = serde_json::from_slice(&out.stdout).unwrap();
+    let ids: Vec<&Json> = compared["entries"].as_array().unwrap().iter().map(|row| &row["id"]).collect();
+    assert_eq!(ids, ["spindle-speed"]);
+    let speed = compared["results"].as_array().unwrap().iter().find(|row| row["id"] == "line-speed").unwrap();
+    assert_eq!((&speed["differs"], speed["variants"].as_array().unwrap().len()), (&json!(true), 2));
+    let pitch = compared["results"].as_array().unwrap().iter().find(|row| row["id"] == "surface-ratio").unwrap();
+    assert_eq!(pitch["differs"], json!(false));
+    let text = String::from_utf8(macroline(&["compare", &a, &b]).stdout).unwrap();
+    assert!(
+        text.contains("Spindle speed") && text.contains("Line speed") && !text.contains("Roller : ribbon speed"),
+        "{text}"
+    );
+    // Another control has other entries; a file that is no project compares nothing.
+    let other = fast.join("other.json");
+    std::fs::write(&other, macroline(&["new", "ribbon-line", "--control", "gsk-980tdc"]).stdout).unwrap();
+    let compared: Json =
+        serde_json::from_slice(&macroline(&["compare", &a, other.to_str().unwrap(), "--json"]).stdout).unwrap();
+    assert_eq!(compared["controls"], json!(["Mitsubishi E60", "GSK 980TDc"]));
+    assert!(!macroline(&["compare", &a]).status.success());
+}
+
+#[test]
 fn example_is_printed_with_the_reasons_of_its_faults() {
     let printed = macroline(&["new", "ribbon-line", "--control", "gsk-980tdc", "--example", "paper"]);
     assert!(printed.status.success());

@@ -68,6 +68,15 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Variants of a machine side by side: entries and results that differ
+    Compare {
+        /// Project files, two or more
+        #[arg(required = true, num_args = 2..)]
+        projects: Vec<PathBuf>,
+        /// For programs
+        #[arg(long)]
+        json: bool,
+    },
     /// Writes the files the control takes, parameter sheet and report; nothing when there is an error
     Export {
         /// Project file

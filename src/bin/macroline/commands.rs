@@ -15,7 +15,7 @@ use macroline::project::render::summary;
 use macroline::project::run::AtStop;
 use macroline::project::size::tell::sheet_text;
 use macroline::project::suppress::silence;
-use macroline::project::{Project, drawing, list, origins, parts, size};
+use macroline::project::{Project, drawing, list, origins, parts, size, variants};
 use macroline::text::Diagnostic;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
@@ -38,6 +38,7 @@ pub(crate) fn main() -> ExitCode {
         Command::New { machine, control, example } => new(&machine, control.as_deref(), example.as_deref()),
         Command::Design { project, json } => design(&project, json),
         Command::Size { project, draws, seed, json } => size(&project, (draws, seed), json),
+        Command::Compare { projects, json } => compare(&projects, json),
         Command::Export { project, out, date } => export(&project, &out, &date),
         Command::Draw { project, at, dark, out } => draw(&project, at, dark, &out),
         Command::Check { files, control, switch, silence, json } => {
@@ -127,6 +128,27 @@ fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failur
         print_json(&told)?;
     } else {
         print(&(sizing.text() + &chance.map_or(String::new(), |chance| sheet_text(&chance.sheet(), usize::MAX))))?;
+        tell(&all)?;
+    }
+    verdict(&all)
+}
+
+fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
+    let (mut variants, mut all) = (Vec::new(), Vec::new());
+    for path in paths {
+        let (project, file) = input::project(path)?;
+        all.push(file);
+        let Some(project) = project else { return Err(refuse(&all, json)) };
+        let file = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        variants.push((if project.name.is_empty() { file } else { project.name.clone() }, project));
+    }
+    let comparison = variants::compare(&variants);
+    if json {
+        let mut told = comparison.json();
+        told["diagnostics"] = list_json(&all);
+        print_json(&told)?;
+    } else {
+        print(&comparison.text())?;
         tell(&all)?;
     }
     verdict(&all)
