@@ -208,6 +208,8 @@ mod tests {
     }
 
     async fn app_of_the_last_visit() -> Bench {
+        // Nothing can be waited for until something was mounted, and this may be the first test.
+        drop(mount_project(project(), || ()).await);
         let begun = Rc::new(RefCell::new(None));
         let take = Rc::clone(&begun);
         Beginning::in_turns(move |beginning| drop(take.replace(beginning)));

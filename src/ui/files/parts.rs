@@ -33,7 +33,9 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
         page.notices.say(say(&msg!("page.parts-added", added)));
     };
     let request = Request::Parts(table.name.clone(), table.text.clone());
-    page.project.with_untracked(|project| worker.ask(project, request, show));
+    // The answer may come at once, and changes the project.
+    let project = page.project.get_untracked();
+    worker.ask(&project, request, show);
 }
 
 #[cfg(test)]

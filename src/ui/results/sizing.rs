@@ -78,8 +78,8 @@ mod tests {
             view! { <SizingTab /> }
         })
         .await;
-        until(|| bench.has("button")).await;
-        bench.press("button").await;
+        until(|| bench.has("tr button")).await;
+        bench.press("tr button").await;
         settled().await;
         let value = |id: &str| bench.page.project.with_untracked(|project| project.values[id].clone());
         assert_eq!(

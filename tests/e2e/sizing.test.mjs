@@ -1,0 +1,69 @@
+// The sizing of a machine on the page: its sheets, a motor taken into the form, a moment of the chart, parts of one's own.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app.close());
+
+// The tab with the sheets of the present project.
+async function sized(page) {
+  await page.locator('#tab-sizing').click();
+  await page.locator('.sizing .sheets[aria-busy="false"] table').first().waitFor();
+}
+
+test('a motor of the list is taken into the form, and the bill follows', () =>
+  withPage(app, {}, async ({ page }) => {
+    await sized(page);
+    const bill = page.locator('.sizing table').first();
+    assert.match(await bill.innerText(), /Pull roller: Motor\s+Mitsubishi Electric HG-KR13/);
+    await page.getByRole('button', { name: /HG-KR23$/ }).first().click();
+    await page.waitForFunction(() => document.querySelector('.sizing table').innerText.includes('HG-KR23'));
+    await page.keyboard.press('Control+z');
+    await page.waitForFunction(() => !document.querySelector('.sizing table').innerText.includes('HG-KR23'));
+  }));
+
+test('a line of the torque chart leads to its moment', () =>
+  withPage(app, {}, async ({ page }) => {
+    await sized(page);
+    const line = page.locator('.torque [data-at]:not([data-at="0"])').last();
+    const at = Number(await line.getAttribute('data-at'));
+    await line.dispatchEvent('click');
+    await page.waitForFunction((ms) => Math.abs(Number(document.getElementById('head').value) - ms) < 2, 1000 * at);
+  }));
+
+test('parts of a table join the choice, and a wrong row is told with its line', () =>
+  withPage(app, {}, async ({ page }) => {
+    const rows = [
+      'kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade',
+      'servo,Works,M1,3000,4000,1,3,0.00001,entered',
+      'servo,Works,,3000,4000,1,3,0.00001,entered',
+    ];
+    await page.setInputFiles('#open', { name: 'own.csv', mimeType: 'text/csv', buffer: Buffer.from(`${rows.join('\n')}\n`) });
+    await page.getByText('own.csv: ').first().waitFor();
+    await page.getByRole('button', { name: /Works M1$/ }).first().waitFor();
+  }));
+
+test('machines are drawn by a button', () =>
+  withPage(app, {}, async ({ page }) => {
+    await sized(page);
+    await page.getByRole('button', { name: 'Draw 10,000 machines' }).click();
+    await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
+  }));
+
+for (const viewport of [{ width: 1440, height: 900 }, { width: 1366, height: 768 }, { width: 390, height: 844 }]) {
+  test(`no sheet is cut off at ${viewport.width} px`, () =>
+    withPage(app, { viewport }, async ({ page }) => {
+      for (const machine of ['Ribbon line', 'Turning spindle', 'Polygon lathe']) {
+        await page.locator('.segments button', { hasText: machine }).click();
+        await sized(page);
+        const wide = await page.evaluate(() =>
+          [...document.querySelectorAll('.sizing .scroll')]
+            .filter((box) => box.scrollWidth > box.clientWidth + 1)
+            .map((box) => `${box.getAttribute('aria-label')}: ${box.scrollWidth} in ${box.clientWidth}`),
+        );
+        assert.deepEqual(wide, [], machine);
+      }
+    }));
+}
