@@ -15,6 +15,15 @@ pub struct Row {
     pub sets: Vec<(&'static str, String)>,
 }
 
+impl Sheet {
+    /// The first row, where all of several rows have its source and grade.
+    pub fn common_source(&self) -> Option<&Row> {
+        let first = self.rows.first()?;
+        let shared = self.rows.iter().all(|row| (row.source, row.grade) == (first.source, first.grade));
+        (shared && self.rows.len() > 1).then_some(first)
+    }
+}
+
 /// A table with a title.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {

@@ -213,7 +213,9 @@ fn motors(axis: &SizedAxis) -> Sheet {
             inertia.map_or(String::new(), |shares| format!("{:.1} : 1", shares.inertia_ratio)),
             answer(of),
         ];
-        let cite = Citation { grade: known(part.evidence.grade), ..of.limits.cite };
+        // The limits of a series are those of servo motors.
+        let limits = if axis.chart.is_some() { of.limits.cite } else { CATALOGUE };
+        let cite = Citation { grade: known(part.evidence.grade), ..limits };
         Row { sets: of.entries.clone(), ..row(cells, cite) }
     };
     Sheet {

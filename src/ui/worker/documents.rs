@@ -83,12 +83,7 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     // Sentences in several columns stand below one another there, each with its head: see `.told`.
     let told = shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
     // A source that all rows share stands once.
-    let common = sheet.rows.first().filter(|first| {
-        !told
-            && !prose
-            && sheet.rows.len() > 1
-            && sheet.rows.iter().all(|row| (row.source, row.grade) == (first.source, first.grade))
-    });
+    let common = sheet.common_source().filter(|_| !told && !prose);
     out.push_str("<table class=\"sheet");
     if told {
         out.push_str(" told");

@@ -121,6 +121,8 @@ pub struct Report {
     pub readouts: Vec<Readout>,
     /// Findings about fields and program.
     pub diagnostics: Vec<Diagnostic>,
+    /// Tables of the sizing: what there is to buy, what limits the machine, what happens in operation, the motors; empty where it was not sized.
+    pub sizing: Vec<Sheet>,
     /// Tables.
     pub sheets: Vec<Sheet>,
     /// What is open.

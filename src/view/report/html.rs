@@ -79,6 +79,9 @@ impl Page<'_> {
         self.first_sheet();
         self.raw("<main class=\"flow\">");
         self.findings();
+        for sheet in &report.sizing {
+            self.sheet(sheet);
+        }
         self.title("form.report.results");
         let results: Vec<_> = report.readouts.iter().map(|row| cells_of_result(report, row, self.language)).collect();
         self.table("results", &RESULT_COLUMNS, &results);
@@ -290,12 +293,22 @@ impl Page<'_> {
         self.title(sheet.title);
         self.raw(&format!("<table class=\"{}\">", sheet.id));
         let mut columns = sheet.columns.clone();
-        columns.push("form.report.source");
+        // A source that all rows share stands once.
+        let common = sheet.common_source();
+        if common.is_none() {
+            columns.push("form.report.source");
+        }
         self.head(&columns, None);
         for row in &sheet.rows {
-            self.row(&cells_of_row(row, self.language));
+            let mut cells = cells_of_row(row, self.language);
+            cells.truncate(columns.len());
+            self.row(&cells);
         }
         self.raw("</table>");
+        if let Some(row) = common {
+            let source = cells_of_row(row, self.language).pop().unwrap_or_default();
+            self.text("p", "dim source", &source);
+        }
         if !sheet.drawing.is_empty() {
             self.raw("<figure class=\"sketch\">");
             self.raw(&sheet.drawing);

@@ -19,6 +19,10 @@ pub fn markdown(report: &Report, language: Language) -> String {
     parts(&mut out, report, language);
     section(&mut out, say("form.report.findings"));
     findings(&mut out, report, language);
+    for sheet in &report.sizing {
+        section(&mut out, say(sheet.title));
+        self::sheet(&mut out, sheet, language);
+    }
     section(&mut out, say("form.report.results"));
     results(&mut out, report, language);
     section(&mut out, say("form.report.inputs"));
