@@ -274,11 +274,12 @@ mod tests {
         let bench = app().await;
         let chosen = || bench.attribute("[role=tab][aria-selected=true]", "id");
         let mut seen = vec![chosen()];
-        for _ in 0..5 {
+        for _ in 0..6 {
             bench.key("[role=tablist]", "ArrowRight", false).await;
             seen.push(chosen());
         }
-        assert_eq!(seen, ["tab-program", "tab-results", "tab-variables", "tab-parameters", "tab-plc", "tab-program"]);
+        let ids = ["program", "results", "sizing", "variables", "parameters", "plc", "program"];
+        assert_eq!(seen, ids.map(|id| format!("tab-{id}")));
         assert_eq!(document().active_element().unwrap().id(), "tab-program");
         assert_eq!(bench.attribute("#side-body", "aria-labelledby"), "tab-program");
         assert_eq!(bench.all("[role=tab][tabindex='0']").len(), 1);
