@@ -116,7 +116,8 @@ fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failur
     let written = project.written();
     let sizing = size::size(&project, &written);
     let chance = (draws > 0).then(|| chance(&project, draws, seed));
-    let all = [file, Findings { sources: Sources::written(written.files), list: written.diagnostics }];
+    let list = written.diagnostics.into_iter().chain(sizing.findings()).collect();
+    let all = [file, Findings { sources: Sources::written(written.files), list }];
     if json {
         let mut told = sizing.json();
         told["chance"] = json!(chance.as_ref().map(|chance| {

@@ -9,7 +9,7 @@ use crate::machines::sheets::{row, say};
 use crate::math::{self, PI};
 use crate::msg;
 use crate::text::catalog::{Language, number_text, sentence};
-use crate::text::{Citation, Grade};
+use crate::text::{Citation, Diagnostic, Grade};
 use crate::view::{Limit, Row, Sheet, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
@@ -146,6 +146,22 @@ impl Sizing {
             .collect();
         let told = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
         (!sets.is_empty()).then_some(Row { sets, ..told })
+    }
+}
+
+impl Sizing {
+    /// What is beyond its limit in operation, as warnings: the verdicts of a design tell of the work alone.
+    pub fn findings(&self) -> Vec<Diagnostic> {
+        let beyond = self.envelope.iter().filter(|row| row.verdict == Verdict::Fail);
+        let told = |row: &EnvelopeRow| {
+            let quantity = row.axis.map_or_else(|| say(row.label), |axis| format!("{}, {}", say(row.label), say(axis)));
+            let limit = row.limit.map_or(String::new(), |limit| {
+                format!("{} {}", sign(limit), with_unit(limit.value(), row.decimals, row.unit))
+            });
+            let value = with_unit(row.value, row.decimals, row.unit);
+            Diagnostic::warning(msg!("size.beyond", say(row.event.name()), quantity, value, limit))
+        };
+        beyond.map(told).collect()
     }
 }
 

@@ -45,6 +45,11 @@ fn offer_has_motors_envelope_and_bill() {
                 sheet.id
             );
         }
+        for finding in sizing.findings() {
+            let told =
+                macroline::text::catalog::sentence(macroline::text::catalog::Language::English, &finding.message);
+            assert!(report.contains(&told), "{}: {told}", machine.id());
+        }
         let bill = named(&files, "bill.csv");
         assert!(sizing.bill.iter().all(|row| bill.contains(&row.part)), "{bill}");
     }

@@ -5,6 +5,7 @@ use macroline::motion::{Budget, Retention};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
 use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, size};
+use macroline::text::catalog::{Language, sentence};
 use macroline::view::Verdict;
 
 fn sized(project: &Project) -> Sizing {
@@ -102,9 +103,18 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     assert_eq!(row(&sizing, OperatingEvent::PowerFailure, "loop").verdict, Verdict::Fail);
     let sheet = sizing.sheets().into_iter().find(|sheet| sheet.id == "envelope").unwrap();
     let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.sets).collect();
+    let told = |sizing: &Sizing| -> Vec<String> {
+        sizing.findings().iter().map(|found| sentence(Language::English, &found.message)).collect()
+    };
+    assert!(
+        matches!(told(&sizing).as_slice(), [one] if one.starts_with("Power failure: Loop comes to ")),
+        "{:?}",
+        told(&sizing)
+    );
     let [(field, _)] = sets.as_slice() else { panic!("{sets:?}") };
     assert_eq!(*field, "loop-capacity");
     let after = sized(&project.with_entries(&sets).unwrap());
+    assert_eq!(told(&after), [""; 0]);
     assert!(after.envelope.iter().all(|row| row.id != "loop" || row.verdict == Verdict::Ok));
     assert!(
         after
