@@ -6,7 +6,7 @@ use crate::view::DrawnPart;
 
 /// All parts with their places in the drawing.
 pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
-    let layout = &line.layout;
+    let layout = line.layout();
     let part = |name: &'static str, at: (f64, f64), data: &[(&'static str, &'static str)]| DrawnPart {
         name,
         quantity: 1,

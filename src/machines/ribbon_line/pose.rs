@@ -129,7 +129,7 @@ fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose
         ),
     ];
     for ((first, turn, speed, motor, motor_speed), (belt, station)) in
-        rows.into_iter().zip(node::BELTS.into_iter().zip([&line.layout.unwinder, &line.layout.pull]))
+        rows.into_iter().zip(node::BELTS.into_iter().zip([&line.layout().unwinder, &line.layout().pull]))
     {
         let step = speed * frame.step;
         pose.placements.extend([
@@ -142,13 +142,13 @@ fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose
         let pitch = 6.0 * station.scale;
         pose.dashes.push((belt, -(turn * PI / 180.0 * 0.44 * station.r) % pitch));
     }
-    let (_, _, r) = line.layout.deflector;
+    let (_, _, r) = line.layout().deflector;
     pose.placements.push(turned(group::DEFLECTOR_MARKS, state.pulled / r * 180.0 / PI, 1.0));
 }
 
 /// Reels turn with the ribbon on their radius, and shrink and grow by its thickness.
 fn reels(line: &RibbonLine, state: &State, pose: &mut Pose) {
-    let (layout, t) = (&line.layout, line.p.ribbon_thickness);
+    let (layout, t) = (line.layout(), line.p.ribbon_thickness);
     let rows: [(&Reel, f64, [u16; 3]); 2] = [
         (&layout.supply, -state.unwound.max(0.0), [group::REEL_BODY, group::REEL_FACE, group::REEL_HUB]),
         (&layout.take_up, state.pulled.max(0.0), [group::TAKE_UP_BODY, group::TAKE_UP_FACE, group::TAKE_UP_HUB]),
@@ -179,14 +179,14 @@ fn print_roller(line: &RibbonLine, frame: Frame, state: &State, pose: &mut Pose)
     }
     pose.placements.push(turned(group::PRINT, -flash, heads_seen));
     pose.placements.push(shown(group::PRINT_BLUR, 0.6 * (1.0 - heads_seen)));
-    let lens = Lens::new(&line.layout, &line.p, line.d.smear);
+    let lens = Lens::new(line.layout(), &line.p, line.d.smear);
     let (cy, turn) = (lens.centre(), -(flash - (flash / head).floor() * head));
     pose.placements.push(Placement { turn, cy, opacity: 0.25 + 0.75 * heads_seen, ..Placement::of(group::LENS_HEADS) });
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.
 fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
-    let (p, layout) = (&line.p, &line.layout);
+    let (p, layout) = (&line.p, line.layout());
     let (part, _) = state.passed(p);
     let part = if frame.option { 0.0 } else { part };
     let step = (now.axes[line.pull()].feed / 60.0 * frame.step / p.pitch).abs();
@@ -217,7 +217,7 @@ fn holds(line: &RibbonLine, state: &State) -> bool {
 
 /// The loop hangs as deep as its slack, at most on the floor.
 fn slack_loop(line: &RibbonLine, state: &State, pose: &mut Pose) {
-    let layout = &line.layout;
+    let layout = line.layout();
     let slack = state.slack.min(layout.on_floor);
     pose.paths.extend(node::LOOP.into_iter().zip(band(layout, &layout.slack.web(layout.unwinder.x, slack))));
     let depth = layout.slack.depth(slack);

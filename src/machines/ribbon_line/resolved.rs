@@ -1,5 +1,7 @@
 //! The ribbon line on a control: its axes, words and inputs there, and the form without the choices that the control lacks.
 
+use std::sync::OnceLock;
+
 use super::derive::Derived;
 use super::mechanics::Mechanics;
 use super::params::{Endless, KnobStep, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
@@ -33,8 +35,8 @@ pub(crate) struct RibbonLine {
     pub(super) fast_mechanics: Mechanics,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
-    /// Positions and sizes in the drawing.
-    pub(super) layout: Layout,
+    /// Positions and sizes in the drawing, worked out when it is first shown: most forms are tried for their results alone.
+    layout: OnceLock<Layout>,
 }
 
 impl RibbonLine {
@@ -70,11 +72,16 @@ impl RibbonLine {
             }
             false => d.clone(),
         };
-        let [unwinder, pull, print] = names(&p).map(|name| name.chars().count());
-        let letters = [unwinder, pull, print, distance(&p).chars().count()];
-        let layout = Layout::new(&p, letters);
         let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d), Mechanics::new(&p, &fast));
-        RibbonLine { form, p, d, fast, mechanics, fast_mechanics, control, dialect, layout }
+        RibbonLine { form, p, d, fast, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
+    }
+
+    /// Positions and sizes in the drawing.
+    pub(super) fn layout(&self) -> &Layout {
+        self.layout.get_or_init(|| {
+            let [unwinder, pull, print] = names(&self.p).map(|name| name.chars().count());
+            Layout::new(&self.p, [unwinder, pull, print, distance(&self.p).chars().count()])
+        })
     }
 
     /// Speed now over the speed with the knob at its end: a limit that holds there is so much lower here.

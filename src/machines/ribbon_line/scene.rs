@@ -43,14 +43,14 @@ pub(super) fn band(layout: &Layout, web: &Web) -> [String; 2] {
 
 /// Length and width of a dot on the ribbon, mm. The width is no input.
 pub(super) fn dot(line: &RibbonLine) -> (f64, f64) {
-    let (p, s) = (&line.p, line.layout.scale);
+    let (p, s) = (&line.p, line.layout().scale);
     let long = (p.contact_length + line.d.smear).max(0.6 * s);
     (math::clamp(long, 0.05 * p.pitch, 0.7 * p.pitch), math::clamp(2.0 * p.contact_length, 1.6 * s, 4.0 * s))
 }
 
 /// The drawing at rest.
 pub(super) fn scene(line: &RibbonLine) -> Scene {
-    let (p, layout) = (&line.p, &line.layout);
+    let (p, layout) = (&line.p, line.layout());
     let mut drawing = Drawing::new(layout.unit);
     let print = p.print_axis.address().to_string();
     ground(&mut drawing, layout);
@@ -102,7 +102,7 @@ fn ground(drawing: &mut Drawing, layout: &Layout) {
 
 /// The ribbon from reel to reel with its dots.
 fn ribbon(drawing: &mut Drawing, line: &RibbonLine) {
-    let layout = &line.layout;
+    let layout = line.layout();
     let (from, to) = (layout.unwinder.x + layout.unwinder.r, layout.pull.x - layout.pull.r);
     let hanging = drawing.gradient(Gradient {
         ramp: Ramp::Between([from, 0.0, to, 0.0]),
