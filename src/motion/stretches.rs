@@ -83,6 +83,21 @@ impl Path {
     }
 }
 
+/// Part of a speed below which two speeds are one.
+const ALIKE: f64 = 1e-9;
+
+/// Whether two speeds differ by rounding alone.
+fn same(one: f64, other: f64) -> bool {
+    (one - other).abs() <= ALIKE * one.abs().max(other.abs())
+}
+
+impl Stretch {
+    /// Whether the speed stays.
+    fn is_even(&self) -> bool {
+        same(self.from, self.to)
+    }
+}
+
 /// Adds the stretches between some moments, in any order.
 fn put(out: &mut Vec<Stretch>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64) {
     moments.sort_by(f64::total_cmp);
@@ -91,7 +106,13 @@ fn put(out: &mut Vec<Stretch>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64
     for next in moments {
         if next - t > MOMENT {
             let to = speed(next);
-            out.push(Stretch { t, seconds: next - t, from, to });
+            match out.last_mut() {
+                // Blocks that follow each other at one speed are one stretch.
+                Some(last) if last.is_even() && same(last.to, from) && same(from, to) => {
+                    (last.seconds, last.to) = (next - last.t, to);
+                }
+                _ => out.push(Stretch { t, seconds: next - t, from, to }),
+            }
             (t, from) = (next, to);
         }
     }

@@ -83,6 +83,8 @@ fn stretches_of_a_run_add_up_to_its_travel() {
                     pair[1].t
                 );
             }
+            // Each of the sixty blocks bends the speed twice; where the least increment changes nothing it stays one stretch.
+            assert!(stretches.len() < 120, "{machine} {}: {} stretches", axis.id, stretches.len());
             let (sum, travel) = (travelled(&stretches), place(axis.mover));
             assert!(travel.abs() > 100.0);
             super::same(&format!("{machine} on {control}, {}", axis.id), sum, travel, 1e-6);
