@@ -5,6 +5,9 @@
 /// The circle constant, the only π of the core.
 pub const PI: f64 = core::f64::consts::PI;
 
+/// Radians per second of one revolution per minute.
+pub const RPM: f64 = PI / 30.0;
+
 /// `x` limited to `low..=high`. Total: `f64::clamp` panics if the bounds cross; here the low bound wins for `x` below it.
 pub fn clamp(x: f64, low: f64, high: f64) -> f64 {
     if x < low {

@@ -55,11 +55,6 @@ impl Motion {
         &self.turns
     }
 
-    /// The load.
-    pub fn load(&self) -> &Load {
-        &self.load
-    }
-
     /// Torque in Nm during a turn, positive where it drives in the positive direction: steady torque and `(J_L / η + J_M) α` while the shaft
     /// gets faster, `(J_L η + J_M) α` while it gets slower. Source: sizing facts 2.2.
     pub fn torque(&self, turn: &Turn, rotor: f64) -> f64 {

@@ -2,6 +2,9 @@
 
 use crate::math::PI;
 
+/// Square metres in a square centimetre: moments of inertia stand in kg cm² on data sheets and in forms.
+pub const CM2: f64 = 1e-4;
+
 /// Density of steel, kg/m³. Source: sizing facts 2.1.
 pub const STEEL: f64 = 7850.0;
 

@@ -233,6 +233,11 @@ const fn row(series: &'static str, inertia_ratio: f64, effective: f64, cite: Cit
 }
 
 impl Part {
+    /// Maker and model, as people name it.
+    pub fn name(&self) -> String {
+        format!("{} {}", self.maker, self.model)
+    }
+
     /// Whether both have the same maker and model: two rows of one part.
     pub fn is(&self, other: &Part) -> bool {
         self.maker == other.maker && self.model == other.model

@@ -1,9 +1,6 @@
 //! The motor of a main spindle behind a gear: torque constant up to base speed, power constant above.
 
-use crate::math::{self, PI};
-
-/// Radians per second in a revolution per minute.
-const RADIANS: f64 = PI / 30.0;
+use crate::math::{self, RPM};
 
 /// Newton metres times r/min per kilowatt: `60 000 / 2π`.
 const TORQUE: f64 = 9_549.296_585_513_72;
@@ -42,12 +39,12 @@ pub fn power(torque: f64, rpm: f64) -> f64 {
 ///
 /// Source: `reference/operation.md` F, run-up by a ramp; the gain by the servo lag of first order.
 pub fn run_up(inertia: f64, rpm: f64, tau: f64, gain: f64) -> f64 {
-    inertia * rpm.abs() * RADIANS * if tau > 0.0 { -math::expm1(-gain * tau) / tau } else { gain }
+    inertia * rpm.abs() * RPM * if tau > 0.0 { -math::expm1(-gain * tau) / tau } else { gain }
 }
 
 /// The shortest ramp in s whose run-up takes a torque at most; 0 where none is needed.
 pub fn shortest_ramp(inertia: f64, rpm: f64, gain: f64, torque: f64) -> f64 {
-    let plain = inertia * rpm.abs() * RADIANS / torque;
+    let plain = inertia * rpm.abs() * RPM / torque;
     if plain * gain <= 1.0 {
         return 0.0;
     }

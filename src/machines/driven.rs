@@ -141,11 +141,8 @@ pub fn read<M>(
     let gauge = |row: &GaugeRow<M>| {
         let limit = (row.limit)(machine);
         let values = moments.iter().map(|now| (row.value)(machine, now));
-        let worse = |worst: f64, next: f64| match limit {
-            Some(Limit::AtLeast(_)) => worst.min(next),
-            Some(Limit::Within(_)) if next.abs() <= worst.abs() => worst,
-            Some(Limit::Within(_)) => next,
-            _ => worst.max(next),
+        let worse = |worst: f64, next: f64| {
+            if Limit::load(limit, next) > Limit::load(limit, worst) { next } else { worst }
         };
         let value = values.reduce(worse).unwrap_or(0.0);
         Gauge { id: row.id, label: row.label, unit: row.unit, decimals: row.decimals, limit, field: row.field, value }

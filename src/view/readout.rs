@@ -50,6 +50,15 @@ impl Limit {
         }
     }
 
+    /// How much a value asks of a limit: of two values the greater load is the worse one. Without a limit the greater value counts.
+    pub fn load(limit: Option<Limit>, value: f64) -> f64 {
+        match limit {
+            Some(Limit::AtLeast(_)) => -value,
+            Some(Limit::Within(_)) => value.abs(),
+            Some(Limit::AtMost(_) | Limit::Equal(_)) | None => value,
+        }
+    }
+
     /// Id of the direction for programs: `most`, `least`, `within` or `equal`.
     pub fn bound(self) -> &'static str {
         match self {

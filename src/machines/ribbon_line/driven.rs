@@ -1,12 +1,13 @@
 //! What the ribbon line is sized by: the motors of pull and print roller, the unwinder behind its inverter, and loop and tension of the web.
 
-use super::mechanics::{CM2, ServoAxis};
+use super::mechanics::ServoAxis;
 use super::pose::State;
 use super::resolved::RibbonLine;
+use crate::drives::inertia::CM2;
 use crate::drives::load::coasting;
 use crate::drives::web;
 use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow, InverterDrive, MotorFields};
-use crate::math::PI;
+use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
 use crate::view::Limit;
 
@@ -70,7 +71,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
 
 /// Seconds in which the unwinder without current coasts to rest from its speed at 10 V.
 pub(super) fn coasts(line: &RibbonLine) -> f64 {
-    let speed = line.p.speed_at_10v * PI / 30.0;
+    let speed = line.p.speed_at_10v * RPM;
     coasting(line.p.unwinding.inertia * CM2, speed, line.mechanics.unwinder).min(LONGEST_COAST)
 }
 

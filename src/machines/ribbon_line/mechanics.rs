@@ -2,17 +2,11 @@
 
 use super::derive::Derived;
 use super::params::{Params, PathMode};
-use crate::drives::inertia::{self, Cylinder, STEEL};
+use crate::drives::inertia::{self, CM2, Cylinder, STEEL};
 use crate::drives::load::{self, Load, Move, effective};
 use crate::drives::servo::{Acceptance, Duty, Servo, Shares};
 use crate::drives::web;
-use crate::math::PI;
-
-/// Square metres in a square centimetre: moments of inertia stand in kg cm² on data sheets.
-pub(super) const CM2: f64 = 1e-4;
-
-/// Radians per second of one revolution per minute.
-const RPM: f64 = PI / 30.0;
+use crate::math::RPM;
 
 /// A servo axis with its motor.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,8 +1,8 @@
 //! The results about the ribbon line's drives as rows: label, unit, formula, source.
 
-use super::mechanics::CM2;
 use super::resolved::RibbonLine;
-use crate::drives::{inertia, web};
+use crate::drives::inertia::{self, CM2};
+use crate::drives::web;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 

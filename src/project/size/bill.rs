@@ -2,7 +2,6 @@
 
 use super::choice::{SizedAxis, name};
 use crate::drives::parts::{Part, PartGrade};
-use crate::machines::PreparedMachine;
 use crate::machines::form::Value;
 use crate::project::Project;
 
@@ -22,7 +21,7 @@ pub struct BillRow {
 }
 
 /// The rows. An axis without a motor that passes has none; the list of its motors says why.
-pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<BillRow> {
+pub(super) fn bill(project: &Project, axes: &[SizedAxis]) -> Vec<BillRow> {
     let control = BillRow {
         item: "size.item.control",
         axis: None,
@@ -30,16 +29,16 @@ pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedA
         quantity: 1,
         grade: PartGrade::Entered,
     };
-    let drives = axes.iter().flat_map(|axis| of_axis(project, prepared, axis));
+    let drives = axes.iter().flat_map(|axis| of_axis(project, axis));
     core::iter::once(control).chain(drives).collect()
 }
 
-fn of_axis(project: &Project, prepared: &PreparedMachine, axis: &SizedAxis) -> Vec<BillRow> {
+fn of_axis(project: &Project, axis: &SizedAxis) -> Vec<BillRow> {
     let row = |item, part: String, grade| BillRow { item, axis: Some(axis.name), part, quantity: 1, grade };
-    let of = |item, part: &Part| row(item, format!("{} {}", part.maker, part.model), part.evidence.grade);
+    let of = |item, part: &Part| row(item, part.name(), part.evidence.grade);
     let is_servo = axis.work.is_some();
     let amplifier = if is_servo { "size.item.amplifier" } else { "size.item.inverter" };
-    let typed = named(project, prepared, axis.id);
+    let typed = named(project, axis);
     let known = axis.candidates.iter().find(|candidate| Some(name(&candidate.part)) == typed);
     let passing = || axis.candidates.iter().filter(|candidate| candidate.refusal.is_none());
     // One whose amplifier is known can be ordered.
@@ -56,13 +55,8 @@ fn of_axis(project: &Project, prepared: &PreparedMachine, axis: &SizedAxis) -> V
 }
 
 /// The motor that the form names for an axis.
-fn named(project: &Project, prepared: &PreparedMachine, axis: &str) -> Option<String> {
-    let servo = prepared.driven_axes().into_iter().find(|row| row.id == axis);
-    let field = match servo {
-        Some(axis) => axis.fields?.name,
-        None => prepared.inverter_drive().filter(|drive| drive.id == axis)?.fields?.0,
-    };
-    match project.values.get(field)? {
+fn named(project: &Project, axis: &SizedAxis) -> Option<String> {
+    match project.values.get(axis.field?)? {
         Value::Text(name) => Some(name.trim().to_owned()).filter(|name| !name.is_empty()),
         _ => None,
     }

@@ -5,12 +5,13 @@ use std::collections::BTreeMap;
 use super::runs::SizingRuns;
 use crate::controls::Control;
 use crate::drives::duty::{Motion, Work};
+use crate::drives::inertia::CM2;
 use crate::drives::load::{Regeneration, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
 use crate::drives::servo::{Duty, Reason, Servo, Shares};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields};
-use crate::math::PI;
+use crate::math::RPM;
 use crate::motion::Timeline;
 use crate::msg;
 use crate::project::Project;
@@ -18,12 +19,6 @@ use crate::project::parts::goes_with;
 use crate::text::Message;
 use crate::text::catalog::number_text;
 use crate::view::{OperatingLine, TorqueChart};
-
-/// Radians per second of one revolution per minute.
-const RPM: f64 = PI / 30.0;
-
-/// Square metres in a square centimetre: forms have inertia in kg cm².
-const CM2: f64 = 1e-4;
 
 /// Lines of a run in a chart at most.
 const LINES: usize = 600;
@@ -44,6 +39,8 @@ pub struct SizedAxis {
     pub id: &'static str,
     /// Catalog id of its name.
     pub name: &'static str,
+    /// Field of the form with maker and model of its motor, where there is one.
+    pub field: Option<&'static str>,
     /// What the run asks of the motor that the form has; none of a drive behind an inverter.
     pub work: Option<Work>,
     /// Torque over speed of that motor.
@@ -121,9 +118,7 @@ impl Asked {
     fn to_resistor(&self, rotor: f64, back: &Regeneration) -> f64 {
         self.motions.iter().map(|motion| motion.to_resistor(rotor, back)).fold(0.0, f64::max)
     }
-}
 
-impl Asked {
     /// Torque over speed of a motor, with all runs: lines of the same speeds and torque are one.
     fn chart(&self, motor: &Servo) -> TorqueChart {
         let mut lines: BTreeMap<(i64, i64, i64), OperatingLine> = BTreeMap::new();
@@ -171,6 +166,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         SizedAxis {
             id: axis.id,
             name: axis.name,
+            field: axis.fields.map(|fields| fields.name),
             work: Some(asked.work(axis.fitted.motor.rotor)),
             chart: Some(asked.chart(&axis.fitted.motor)),
             candidates: in_order(candidates),
@@ -180,7 +176,8 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
         let candidates = motors.map(|part| induction(part, &drive, &catalogue, control)).collect();
-        SizedAxis { id: drive.id, name: drive.name, work: None, chart: None, candidates: in_order(candidates) }
+        let field = drive.fields.map(|(model, _)| model);
+        SizedAxis { id: drive.id, name: drive.name, field, work: None, chart: None, candidates: in_order(candidates) }
     });
     servo.chain(behind).collect()
 }
@@ -287,7 +284,7 @@ fn entries(fields: &MotorFields, part: &Part, motor: &Servo, inertia_ratio: f64)
 
 /// Maker and model, as a form takes them.
 pub(super) fn name(part: &Part) -> String {
-    format!("{} {}", part.maker, part.model).chars().take(NAME).collect()
+    part.name().chars().take(NAME).collect()
 }
 
 /// A motor behind the inverter: torque up to its rated speed, power above.

@@ -2,7 +2,7 @@
 //!
 //! Each event is a run of the program with an operator's hand at the middle of its work; formulas check these runs, see `tests/it/sizing`.
 
-use super::runs::{SizingRuns, finish};
+use super::runs::{SizingRuns, finish, plan};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::DrivenAxis;
 use crate::motion::{Action, Event};
@@ -113,15 +113,17 @@ pub(super) fn envelope(prepared: &PreparedMachine, whole: &SizingRuns) -> Vec<En
 
 /// Marks the worst row of each quantity: the one that is nearest to its limit or farthest beyond; of equal ones the first.
 fn mark_worst(rows: &mut [EnvelopeRow]) {
-    let size = |row: &EnvelopeRow| match row.limit {
-        Some(Limit::AtLeast(_)) => -row.value,
-        Some(Limit::Within(_)) => row.value.abs(),
-        _ => row.value,
-    };
     for at in 0..rows.len() {
         let others = rows.iter().enumerate().filter(|(_, other)| other.id == rows[at].id);
-        let worst = others.reduce(|worst, next| if size(next.1) > size(worst.1) { next } else { worst });
+        let worst = others.reduce(|worst, next| if next.1.load() > worst.1.load() { next } else { worst });
         rows[at].is_worst = worst.is_some_and(|(worst, _)| worst == at);
+    }
+}
+
+impl EnvelopeRow {
+    /// How much its value asks of its limit.
+    fn load(&self) -> f64 {
+        Limit::load(self.limit, self.value)
     }
 }
 
@@ -182,7 +184,7 @@ impl Envelope<'_> {
             run.event(Event { t: *t, action: Action::SpindleOverride(*percent) });
         }
         let until = self.middle + SPAN;
-        while run.timeline().end() < until && run.advance(until, 4096).ended.is_none() {}
+        plan(&mut run, until);
         run
     }
 
@@ -200,7 +202,7 @@ impl Envelope<'_> {
         let rests = run.timeline().end();
         run.event(Event { t: rests + PAUSE, action: Action::Start });
         let until = rests + PAUSE + SPAN;
-        while run.timeline().end() < until && run.advance(until, 4096).ended.is_none() {}
+        plan(&mut run, until);
         let mut rows = self.read(OperatingEvent::Hold, &run, (self.middle, until));
         rows.push(time(OperatingEvent::Hold, rests - self.middle));
         rows
@@ -277,14 +279,5 @@ fn verdict(limit: Option<Limit>, value: f64) -> Verdict {
 
 /// Of two readings of the same quantities the worse row each.
 fn worse([one, other]: [Vec<EnvelopeRow>; 2]) -> Vec<EnvelopeRow> {
-    let pick = |(mut a, b): (EnvelopeRow, EnvelopeRow)| {
-        let mut both = [a.clone(), b];
-        mark_worst(&mut both);
-        let [_, b] = both;
-        if b.is_worst {
-            a = b;
-        }
-        EnvelopeRow { is_worst: false, ..a }
-    };
-    one.into_iter().zip(other).map(pick).collect()
+    one.into_iter().zip(other).map(|(one, other)| if other.load() > one.load() { other } else { one }).collect()
 }

@@ -162,15 +162,15 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
 fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
     let binding = speed.binding?;
     let field = project.machine.fields().into_iter().find(|field| field.id == speed.field)?;
-    let KindInfo::Number { min, max, decimals, .. } = field.kind else { return None };
-    let trial = Trial { project, field: &field, min, max, decimals, now: speed.value, ignored: Vec::new() };
-    let results = trial.results(speed.value);
+    let KindInfo::Number { decimals, .. } = field.kind else { return None };
+    let entry = (speed.field, number_text(speed.value, decimals));
+    let results = project.with_entries(core::slice::from_ref(&entry))?.prepared().results().readouts;
     let told = results.iter().find(|row| row.id == project.machine.speed_result())?;
     Some(Fastest {
         result: (told.id, told.label),
         value: (told.value, told.unit),
         decimals: told.decimals,
         binding,
-        entry: (speed.field, number_text(speed.value, decimals)),
+        entry,
     })
 }

@@ -67,7 +67,7 @@ pub fn size(project: &Project, written: &Written) -> Sizing {
 pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
     let axes = choice::axes(project, &prepared, runs);
-    let bill = bill::bill(project, &prepared, &axes);
+    let bill = bill::bill(project, &axes);
     let (limits, fastest) = growth::growth(project);
     Sizing {
         axes,

@@ -29,6 +29,11 @@ pub struct SizingRuns {
     pub(super) knob: Option<(f64, f64)>,
 }
 
+/// Plans a run until a time (s), or to its end.
+pub(super) fn plan(run: &mut Run, until: f64) {
+    while run.timeline().end() < until && run.advance(until, SLICE).ended.is_none() {}
+}
+
 /// Plans a run to its end.
 pub(super) fn finish(run: &mut Run) -> RunEnd {
     loop {

@@ -6,7 +6,7 @@ use super::tell::with_unit;
 use super::{BillRow, Growth, SizedAxis, Sizing};
 use crate::drives::parts::PartGrade;
 use crate::machines::sheets::{row, say};
-use crate::math::{self, PI};
+use crate::math::{self, RPM};
 use crate::msg;
 use crate::text::catalog::{Language, number_text, sentence};
 use crate::text::{Citation, Diagnostic, Grade};
@@ -102,10 +102,7 @@ impl Sizing {
             }
         }
         // The limits carry the units.
-        let limit = |of: &&EnvelopeRow| match of.limit {
-            None => of.unit.to_owned(),
-            Some(limit) => format!("{} {}", sign(limit), with_unit(limit.value(), of.decimals, of.unit)),
-        };
+        let limit = |of: &&EnvelopeRow| limit(of).unwrap_or_else(|| of.unit.to_owned());
         let limits = row([say("sheet.limit")].into_iter().chain(watched.iter().map(limit)).collect::<Vec<_>>(), RUNS);
         let events = OperatingEvent::IDS.iter().map(|(event, _)| *event);
         let events = events.filter(|event| self.envelope.iter().any(|row| row.event == *event));
@@ -155,9 +152,7 @@ impl Sizing {
         let beyond = self.envelope.iter().filter(|row| row.verdict == Verdict::Fail);
         let told = |row: &EnvelopeRow| {
             let quantity = row.axis.map_or_else(|| say(row.label), |axis| format!("{}, {}", say(row.label), say(axis)));
-            let limit = row.limit.map_or(String::new(), |limit| {
-                format!("{} {}", sign(limit), with_unit(limit.value(), row.decimals, row.unit))
-            });
+            let limit = limit(row).unwrap_or_default();
             let value = with_unit(row.value, row.decimals, row.unit);
             Diagnostic::warning(msg!("size.beyond", say(row.event.name()), quantity, value, limit))
         };
@@ -165,14 +160,16 @@ impl Sizing {
     }
 }
 
-/// The sign of a limit before its number.
-fn sign(limit: Limit) -> &'static str {
-    match limit {
+/// The limit of a row as a sign before its number.
+fn limit(of: &EnvelopeRow) -> Option<String> {
+    let limit = of.limit?;
+    let sign = match limit {
         Limit::AtMost(_) => "≤",
         Limit::AtLeast(_) => "≥",
         Limit::Within(_) => "±",
         Limit::Equal(_) => "=",
-    }
+    };
+    Some(format!("{sign} {}", with_unit(limit.value(), of.decimals, of.unit)))
 }
 
 /// A value of the envelope: with a cross beyond its limit, with a mark where it is the worst of all events.
@@ -203,7 +200,7 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
             format!("{} ({} {} s)", with_unit(work.peak.0, 3, "Nm"), say("size.at"), number_text(work.peak.1, 2)),
         ),
         ("size.effective", with_unit(work.effective, 3, "Nm")),
-        ("size.speed", with_unit(work.speed * 30.0 / PI, 0, "r/min")),
+        ("size.speed", with_unit(work.speed / RPM, 0, "r/min")),
         ("size.given", with_unit(work.given, 1, "J")),
         ("size.returned", with_unit(work.returned, 1, "J")),
     ];
@@ -223,7 +220,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
         let part = &of.part;
         let inertia = of.shares.filter(|shares| shares.inertia_ratio > 0.0);
         let cells = [
-            format!("{} {}", part.maker, part.model),
+            part.name(),
             share(of.shares.map(|shares| shares.effective)),
             share(of.shares.map(|shares| shares.peak)),
             inertia.map_or(String::new(), |shares| format!("{:.1} : 1", shares.inertia_ratio)),

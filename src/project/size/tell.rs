@@ -25,10 +25,6 @@ fn percent(share: f64) -> f64 {
     100.0 * share
 }
 
-fn full_name(part: &Part) -> String {
-    format!("{} {}", part.maker, part.model)
-}
-
 impl Sizing {
     /// The sizing as an object. Loads are in percent of what the motor has.
     pub fn json(&self) -> Json {
@@ -74,7 +70,7 @@ fn candidate(candidate: &Candidate) -> Json {
         "regenerative_load": candidate.regenerative.map(percent),
         "inertia_ratio": shares.map(|shares| shares.inertia_ratio),
         "grade": grade(part.evidence.grade),
-        "amplifier": candidate.amplifier.as_ref().map(full_name),
+        "amplifier": candidate.amplifier.as_ref().map(Part::name),
         "entries": entries.collect::<serde_json::Map<String, Json>>(),
     })
 }
