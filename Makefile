@@ -24,7 +24,7 @@ check: ## the inner loop: format, lints, native tests
 
 .PHONY: test
 test: ## every test of every kind, with the time of each stage
-	@scripts/stages.sh setup 'dist&' fmt lint lint-web test-native test-parity test-web wait sizes test-e2e
+	@scripts/stages.sh setup 'dist&' fmt lint lint-web wait sizes 'test-e2e&' test-native test-parity test-web wait
 
 .PHONY: clauses
 clauses: ## the clauses of the four papers, each with the verdict of its test

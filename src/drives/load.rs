@@ -48,6 +48,11 @@ pub fn coasting(inertia: f64, speed: f64, torque: f64) -> f64 {
     if torque > 0.0 { inertia * speed / torque } else { f64::INFINITY }
 }
 
+/// Torque in Nm that brings a drive from `speed` rad/s to rest in `seconds`: `J ω / t`. Source: sizing facts 2.2.
+pub fn braking(inertia: f64, speed: f64, seconds: f64) -> f64 {
+    inertia * speed / seconds
+}
+
 /// Power in W of a torque in Nm at a speed in rad/s: `T ω`.
 pub fn power(torque: f64, speed: f64) -> f64 {
     torque * speed

@@ -86,6 +86,8 @@ pub struct InverterDrive {
     pub torque: f64,
     /// Speed of the motor with it, r/min.
     pub speed: f64,
+    /// Torque of the brake at the motor that closes without current, Nm; 0 without one.
+    pub brake: f64,
     /// Fields of the form for maker with model and for the rated torque.
     pub fields: Option<(&'static str, &'static str)>,
 }

@@ -215,10 +215,6 @@ pub trait Prepared: Send + Sync {
     fn inverter_drive(&self) -> Option<InverterDrive> {
         None
     }
-    /// Seconds in which the spindle coasts to rest from the rated speed of its stage when the supply fails; none where that is not known.
-    fn coasting(&self) -> Option<f64> {
-        None
-    }
     /// What is watched while the machine is operated: the worst values in a part of a run, looked at `points` times.
     fn gauges(&self, _run: &dyn Samples, _span: (f64, f64), _points: usize) -> Vec<Gauge> {
         Vec::new()

@@ -1,7 +1,7 @@
 //! The plant with checked numbers: one entry for each axis that a control can have.
 
 use super::plant::{AxisPlant, Plant, SpindlePlant};
-use super::plc::WordPart;
+use super::plc::{Stops, WordPart};
 use super::setup::Budget;
 use crate::controls::{Alarm, Control, VarKind, VarRange};
 use crate::drives::Positioning;
@@ -13,6 +13,9 @@ const HOME: f64 = 1e6;
 
 /// Every block takes some time, so that time passes in a loop that waits.
 const LEAST_BLOCK_TIME: f64 = 1e-4;
+
+/// Longest time in s that a spindle coasts: one that nothing slows does not end a run.
+const LONGEST_COAST: f64 = 3600.0;
 
 /// Constants of a run.
 #[derive(Debug, Clone)]
@@ -34,6 +37,8 @@ pub(super) struct CheckedPlant {
     pub(super) reversal: Option<(&'static str, &'static str)>,
     pub(super) gear_timeout: Option<(&'static str, &'static str)>,
     pub(super) inverter_fault: Option<(&'static str, &'static str)>,
+    /// From this time (s) on there is no supply.
+    pub(super) power_fails: f64,
     /// The control has program zero return.
     pub(super) zero_return: bool,
     vars: &'static [VarRange],
@@ -76,6 +81,7 @@ impl CheckedPlant {
         let mut spindle = SpindlePlant {
             speed_clamp: positive(plant.spindle.speed_clamp, 0.0),
             ramp: positive(plant.spindle.ramp, 0.0),
+            coasting: plant.spindle.coasting.map(|seconds| positive(seconds, 0.0).min(LONGEST_COAST)),
             gain: positive(plant.spindle.gain, 1.0),
             slip: if plant.spindle.slip.is_finite() { plant.spindle.slip } else { 0.0 },
             stage_count: plant.spindle.stage_count.clamp(1, STAGES as u8),
@@ -106,6 +112,7 @@ impl CheckedPlant {
             reversal: control.alarm_shown(Alarm::SpindleReversal),
             gear_timeout: control.alarm_shown(Alarm::GearTimeout),
             inverter_fault: control.alarm_shown(Alarm::InverterFault),
+            power_fails: f64::INFINITY,
             zero_return: control.zero_return.is_some(),
             vars: control.vars,
             fitted,
@@ -116,6 +123,11 @@ impl CheckedPlant {
     /// The axis that counts diameters: it is square to the spindle.
     pub(super) fn square(&self) -> Option<u8> {
         self.axes.iter().position(|axis| axis.diameter).map(|at| at as u8)
+    }
+
+    /// Whether the spindle's drive gives no current at `t`.
+    pub(super) fn is_without_current(&self, t: f64, stops: &Stops) -> bool {
+        self.spindle.coasting.is_some() && (stops.inverter_fault || t >= self.power_fails)
     }
 
     /// Least and largest value of an input, or of half of it, which may be signed or unsigned.

@@ -175,15 +175,10 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
-    /// Takes the supply away at `t`: emergency stop, but the spindle coasts, in `coasting` seconds from the rated speed of its stage.
-    pub fn lose_power(&mut self, t: f64, coasting: f64) {
+    /// Takes the supply away at `t` (s): emergency stop, but the spindle coasts.
+    pub fn lose_power(&mut self, t: f64) {
+        self.plant.power_fails = t;
         self.event(Event { t, action: Action::EmergencyStop });
-        // All before runs on its ramps.
-        let before = t.next_down();
-        while self.ended.is_none() && self.records.timeline.end < before.min(self.plant.limits.seconds) {
-            self.advance(before, usize::MAX);
-        }
-        self.plant.spindle.ramp = coasting;
     }
 
     /// Ends the plan at `still`, where axes and spindle have settled after the end of the run.

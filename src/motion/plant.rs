@@ -70,6 +70,8 @@ pub struct SpindlePlant {
     pub surface_low: f64,
     /// Seconds from 0 to the rated speed of a stage, and back.
     pub ramp: f64,
+    /// Seconds in which it coasts from the rated speed of a stage to rest without current; where that is not known it slows down over its ramp.
+    pub coasting: Option<f64>,
     /// Speed of the unloaded motor per commanded speed: an induction motor at 50 Hz turns 1500 where 1480 is asked for.
     pub gain: f64,
     /// Speed lost under load as a fraction of the rated speed: actual = gain × command - slip × rated speed while
@@ -101,6 +103,7 @@ impl SpindlePlant {
             speed_clamp,
             surface_low: 0.0,
             ramp,
+            coasting: None,
             gain: 1.0,
             slip: 0.0,
             encoder: true,
@@ -154,7 +157,16 @@ impl SpindlePlant {
 
     /// Acceleration by the inverter's ramp in a stage, r/min per second; infinite without ramp.
     pub fn acceleration(&self, stage: u8) -> f64 {
-        if self.ramp > 0.0 { self.stage(stage).rated / self.ramp } else { f64::INFINITY }
+        self.rate(stage, self.ramp)
+    }
+
+    /// Loss of speed in a stage without current, r/min per second.
+    pub fn coasting_rate(&self, stage: u8) -> f64 {
+        self.rate(stage, self.coasting.unwrap_or(self.ramp))
+    }
+
+    fn rate(&self, stage: u8, seconds: f64) -> f64 {
+        if seconds > 0.0 { self.stage(stage).rated / seconds } else { f64::INFINITY }
     }
 }
 

@@ -20,6 +20,8 @@ pub(super) struct SpeedCommand {
     pub(super) stage: u8,
     /// Limit that acts on the speed.
     pub(super) bound: Bound,
+    /// The drive gives no current: the spindle coasts to rest.
+    pub(super) coasts: bool,
 }
 
 /// Whether a spindle turns by speed or goes to an angle.

@@ -51,9 +51,14 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (to, bound) = self.held(later);
         let from = if now == later { to } else { self.held(now).0 };
         let span = if from == to { 0.0 } else { span };
-        let sign = if self.s.plc.io.stops.spindle { 0 } else { self.s.spindle.direction };
-        let command = SpeedCommand { from, to, span, sign, stage: self.gear(), bound };
+        let without_current = self.plant.is_without_current(t, &self.s.plc.io.stops);
+        let stands = without_current || self.s.plc.io.stops.spindle;
+        let sign = if stands { 0 } else { self.s.spindle.direction };
         let last = self.out.timeline.ramps.last();
+        // A drive that has its current again brakes nothing before it is asked to turn.
+        let coasted = last.is_some_and(|last| last.command.coasts) && sign == 0;
+        let command =
+            SpeedCommand { from, to, span, sign, stage: self.gear(), bound, coasts: without_current || coasted };
         if last.is_some_and(|last| {
             last.command == command && last.control == SpindleMode::Speed && (span == 0.0 || last.t == t)
         }) {
@@ -123,7 +128,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (mut start, turns) = last.map_or((0.0, 0.0), |ramp| (ramp.speed(t), ramp.turns(plant, t)));
         let sign = f64::from(command.sign);
         let (from, target) = (sign * command.from, sign * command.to);
-        let mut rate = plant.acceleration(command.stage);
+        let mut rate =
+            if command.coasts { plant.coasting_rate(command.stage) } else { plant.acceleration(command.stage) };
         if command.span > 0.0 {
             if rate == f64::INFINITY {
                 start = from;

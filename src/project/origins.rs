@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use super::Project;
 use super::list::verdict_word;
-use super::sensitivity::{Flip, flips};
+use super::sensitivity::{Flip, Sensitivity};
 use crate::machines::form::fill::assumed;
 use crate::machines::report::inputs;
 use crate::text::catalog::{Language, words};
@@ -67,7 +67,7 @@ pub fn json(project: &Project) -> Json {
         let to = json!({ "readout": flip.readout, "factor": flip.factor, "from": verdict_word(flip.from), "to": verdict_word(flip.to) });
         json!({ "field": flip.field, "flips": to })
     };
-    let found = flips(project);
+    let found = Sensitivity::new(project).flips();
     let first: Vec<&str> = found.iter().map(|flip| flip.field).collect();
     let others = assumed_facts(project).into_iter().filter(|id| !first.contains(id));
     let others = others.map(|id| json!({ "field": id, "flips": null }));
@@ -97,7 +97,7 @@ pub fn text(project: &Project) -> String {
         out.push('\n');
     }
     let readouts = project.design().readouts;
-    let found = flips(project);
+    let found = Sensitivity::new(project).flips();
     if !found.is_empty() {
         out += "\nassumed facts to measure first: a tenth more or less changes a verdict\n";
     }

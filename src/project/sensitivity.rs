@@ -24,16 +24,50 @@ pub struct Flip {
     pub factor: f64,
 }
 
-/// The assumed facts that flip a verdict, those that lead to a failure first, then in the order of the form.
-///
-/// Each number that is shown on the control, is a fact and has no known origin is prepared with 0.9 and 1.1 of its value: within the range
-/// of the field, rounded to its decimals, a whole number at least one off.
-pub fn flips(project: &Project) -> Vec<Flip> {
-    let before = project.prepared().results().readouts;
-    let facts = assumed_numbers(project);
-    let mut found: Vec<Flip> = facts.iter().filter_map(|field| flip(project, field, &before)).collect();
-    found.sort_by_key(|flip| core::cmp::Reverse(flip.to));
-    found
+/// The results of a machine, and what becomes of them when an assumed fact changes by a tenth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// The results with the entries of the form.
+    pub before: Vec<Readout>,
+    /// The facts that could be changed, in the order of the form.
+    pub facts: Vec<TriedFact>,
+}
+
+/// An assumed fact with the results that its changes lead to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TriedFact {
+    /// Id of the fact's field.
+    pub field: &'static str,
+    /// Catalog id of its label.
+    pub label: &'static str,
+    /// For each change, 0.9 or 1.1, the results.
+    pub after: Vec<(f64, Vec<Readout>)>,
+}
+
+impl Sensitivity {
+    /// Prepares the machine with 0.9 and 1.1 of each number that is shown on the control, is a fact and has no known origin: within the range
+    /// of the field, rounded to its decimals, a whole number at least one off.
+    pub fn new(project: &Project) -> Sensitivity {
+        let tried = |field: FieldInfo| {
+            let after = FACTORS.into_iter().filter_map(|factor| {
+                let mut values = project.values.clone();
+                values.insert(field.id.to_owned(), Value::Number(changed(project, &field, factor)?));
+                Some((factor, project.machine.prepare(&values, project.on()).results().readouts))
+            });
+            TriedFact { field: field.id, label: field.label, after: after.collect() }
+        };
+        Sensitivity {
+            before: project.prepared().results().readouts,
+            facts: assumed_numbers(project).into_iter().map(tried).collect(),
+        }
+    }
+
+    /// The facts that flip a verdict, those that lead to a failure first, then in the order of the form.
+    pub fn flips(&self) -> Vec<Flip> {
+        let mut found: Vec<Flip> = self.facts.iter().filter_map(|fact| fact.flip(&self.before)).collect();
+        found.sort_by_key(|flip| core::cmp::Reverse(flip.to));
+        found
+    }
 }
 
 /// Fields of the numbers that are facts, have a meaning on the control and no known origin, in the order of the form.
@@ -49,27 +83,26 @@ pub(super) fn assumed_numbers(project: &Project) -> Vec<FieldInfo> {
     project.machine.fields().into_iter().filter(counts).collect()
 }
 
-/// The worst change that a fact makes.
-fn flip(project: &Project, field: &FieldInfo, before: &[Readout]) -> Option<Flip> {
-    let mut worst: Option<Flip> = None;
-    for factor in FACTORS {
-        let Some(changed) = changed(project, field, factor) else { continue };
-        let mut values = project.values.clone();
-        values.insert(field.id.to_owned(), Value::Number(changed));
-        let after = project.machine.prepare(&values, project.on()).results().readouts;
-        let found = before.iter().filter_map(|old| {
-            let to = after.iter().find(|new| new.id == old.id)?.verdict;
-            // Some rules judge a result only where it does not hold: no verdict is as good as ok.
-            let flips = to.max(Verdict::Ok) != old.verdict.max(Verdict::Ok);
-            flips.then_some(Flip { field: field.id, readout: old.id, from: old.verdict, to, factor })
-        });
-        for flip in found {
-            if worst.as_ref().is_none_or(|worst| flip.to > worst.to) {
-                worst = Some(flip);
+impl TriedFact {
+    /// The worst change of a verdict.
+    fn flip(&self, before: &[Readout]) -> Option<Flip> {
+        let mut worst: Option<Flip> = None;
+        for (factor, after) in &self.after {
+            let found = before.iter().filter_map(|old| {
+                let to = after.iter().find(|new| new.id == old.id)?.verdict;
+                // Some rules judge a result only where it does not hold: no verdict is as good as ok.
+                let flips = to.max(Verdict::Ok) != old.verdict.max(Verdict::Ok);
+                let flip = Flip { field: self.field, readout: old.id, from: old.verdict, to, factor: *factor };
+                flips.then_some(flip)
+            });
+            for flip in found {
+                if worst.as_ref().is_none_or(|worst| flip.to > worst.to) {
+                    worst = Some(flip);
+                }
             }
         }
+        worst
     }
-    worst
 }
 
 /// The value of a number by a factor, as the field takes it; `None` where the field is no number, or its range or decimals leave no other value.

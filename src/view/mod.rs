@@ -28,6 +28,7 @@ pub mod csv;
 
 pub mod plot;
 
+pub mod tornado_chart;
 pub mod torque_chart;
 
 pub mod report;
@@ -41,4 +42,5 @@ pub use readout::{Advice, Limit, Readout, Verdict};
 pub use scene::{Font, Node, Placement, Pose, Scene, SceneGroup, Shape};
 pub use sheet::{Row, Sheet};
 pub use svg::Theme;
+pub use tornado_chart::{TornadoBar, TornadoChart};
 pub use torque_chart::{MotorPoint, OperatingLine, TorqueChart, TorqueWords};

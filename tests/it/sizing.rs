@@ -6,6 +6,7 @@ mod chance;
 mod choice;
 mod envelope;
 mod timeline;
+mod tornado;
 
 use std::collections::BTreeMap;
 

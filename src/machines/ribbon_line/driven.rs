@@ -3,11 +3,9 @@
 use super::mechanics::ServoAxis;
 use super::pose::State;
 use super::resolved::RibbonLine;
-use crate::drives::inertia::CM2;
-use crate::drives::load::coasting;
 use crate::drives::web;
 use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow, InverterDrive, MotorFields};
-use crate::math::{PI, RPM};
+use crate::math::PI;
 use crate::motion::{Mover, Snapshot};
 use crate::view::Limit;
 
@@ -32,9 +30,6 @@ const PRINT: MotorFields = MotorFields {
     top_speed: "motor-max-y",
     inertia_limit: "inertia-limit-y",
 };
-
-/// Longest time in s that a drive coasts here: one that nothing slows does not end a run.
-const LONGEST_COAST: f64 = 3600.0;
 
 /// The servo motors.
 pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
@@ -65,14 +60,9 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         name: "ribbon.drive.unwinder",
         torque: line.mechanics.unwinder,
         speed: line.fast.actual_speed,
+        brake: line.p.unwinding.motor_brake,
         fields: Some(("unwinder-motor", "unwinder-torque-rated")),
     }
-}
-
-/// Seconds in which the unwinder without current coasts to rest from its speed at 10 V.
-pub(super) fn coasts(line: &RibbonLine) -> f64 {
-    let speed = line.p.speed_at_10v * RPM;
-    coasting(line.p.unwinding.inertia * CM2, speed, line.mechanics.unwinder).min(LONGEST_COAST)
 }
 
 /// What is watched: ribbon in the loop, and the tension where the loop is empty.

@@ -21,6 +21,8 @@ macro_rules! matched {
             ("gear-x", "50"),
             ("gear-y", "50"),
             ("motor-max-y", "5000"),
+            // Without current the unwinder stops about as fast as over its ramp.
+            ("unwinder-motor-brake", "0.5"),
             $($own),*
         ]
     };
@@ -35,6 +37,7 @@ const PAPER: &[Fault] = &[
     Fault::everywhere("slack-rate", "ribbon.example.paper.slip"),
     Fault::everywhere("slack-rate-rated", "ribbon.example.paper.slip-rated"),
     Fault::everywhere("loop-needed", "ribbon.example.paper.loop"),
+    Fault::everywhere("loop-coasting", "ribbon.example.paper.coasting"),
 ];
 
 /// All examples, the first that of a new project.

@@ -47,6 +47,7 @@ mod scene;
 mod pose;
 
 mod charts;
+mod coasting;
 
 mod sheets;
 
@@ -185,10 +186,6 @@ impl Prepared for RibbonLine {
 
     fn inverter_drive(&self) -> Option<InverterDrive> {
         Some(driven::inverter(self))
-    }
-
-    fn coasting(&self) -> Option<f64> {
-        Some(driven::coasts(self))
     }
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {

@@ -314,6 +314,7 @@ pub(crate) struct UnwindingParams {
     pub efficiency: f64,
     pub motor: String,
     pub torque: f64,
+    pub motor_brake: f64,
 }
 
 /// Axes that can carry the print roller: on a lathe, whose X counts diameters, Y, C or Z; else Y.
@@ -430,6 +431,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     text("unwinder-motor", member!(&Params.unwinding.motor)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor").help("ribbon.unwinder-motor.help").characters(40),
     number("unwinder-torque-rated", member!(Params.unwinding.torque)).group("ribbon.group.unwinder").label("ribbon.unwinder-torque-rated").help("ribbon.unwinder-torque-rated.help")
         .unit("Nm").range(0.001..=100000.0).default(5.0).decimals(3).step(0.1).fact(),
+    number("unwinder-motor-brake", member!(Params.unwinding.motor_brake)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor-brake").help("ribbon.unwinder-motor-brake.help")
+        .unit("Nm").range(0.0..=100000.0).default(0.0).decimals(2).step(0.1).fact(),
     flag("spindle-encoder", member!(Params.spindle_encoder)).group("ribbon.group.unwinder").label("ribbon.spindle-encoder").help("ribbon.spindle-encoder.help")
         .fact(),
     flag("dancer", member!(Params.dancer)).group("ribbon.group.unwinder").label("ribbon.dancer").help("ribbon.dancer.help")

@@ -1,5 +1,6 @@
 //! The plant of the ribbon line: two servo axes and the unwinder on the analog output.
 
+use super::coasting;
 use super::params::PULL;
 use super::resolved::RibbonLine;
 use super::stops::unwinder;
@@ -61,6 +62,7 @@ fn spindle(line: &RibbonLine) -> SpindlePlant {
         gain,
         slip,
         encoder: p.spindle_encoder,
+        coasting: Some(coasting::seconds(line, p.speed_at_10v)),
         // The ribbon's slack at the start is a result of its own.
         drives_cut: false,
         ..SpindlePlant::new(analog, p.top_speed(), p.inverter_ramp, rules)

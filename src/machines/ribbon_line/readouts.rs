@@ -1,5 +1,6 @@
 //! The results of the ribbon line as rows: label, unit, formula, source.
 
+use super::coasting;
 use super::resolved::RibbonLine;
 use super::rules_of_coordinates as coordinates;
 use super::rules_of_feeds as feeds;
@@ -249,6 +250,22 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         id: "loop-needed", label: "ribbon.readout.loop-needed", unit: "mm", decimals: 1, headline: false,
         formula: "|start| + |run| + |stop| + interruption",
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.d.loop_needed,
+    },
+    ReadoutRow {
+        id: "coasting-time", label: "ribbon.readout.coasting-time", unit: "s", decimals: 2, headline: false,
+        formula: "J · 2π n / 60 / (unwinder torque + motor brake)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred),
+        value: |line| coasting::seconds(line, line.d.actual_speed),
+    },
+    ReadoutRow {
+        id: "slack-coasting", label: "ribbon.readout.slack-coasting", unit: "mm", decimals: 1, headline: false,
+        formula: "v · (coasting / 2 - τ / 2 - 1 / Kx): at an inverter fault or a power failure",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| coasting::laid(line, &line.d),
+    },
+    ReadoutRow {
+        id: "loop-coasting", label: "ribbon.readout.loop-coasting", unit: "mm", decimals: 1, headline: false,
+        formula: "|start| + |run| + |coasting|, the knob at its end",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: coasting::loop_needed,
     },
     ReadoutRow {
         id: "loop-time", label: "ribbon.readout.loop-time", unit: "s", decimals: 1, headline: false,

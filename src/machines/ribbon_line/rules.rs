@@ -4,6 +4,7 @@
 //! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
+use super::coasting;
 use super::program;
 use super::resolved::RibbonLine;
 use super::rules_of_coordinates as coordinates;
@@ -46,6 +47,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("frequency", feeds::slow_motor, Citation::new("trade source; rule 7", Grade::Inferred)),
     Rule::new("register-error", slack::equal_axes, Citation::new("sizing facts 0.6; rule 9", Grade::Inferred)),
     Rule::new("loop-needed", slack::loop_needed, Citation::new("ribbon line facts, 7; rule 10", Grade::Inferred)),
+    Rule::new("loop-coasting", coasting::holds, Citation::new("ribbon line facts, 7", Grade::Inferred)),
     Rule::new(
         "slack-rate",
         slack::slack_rate,

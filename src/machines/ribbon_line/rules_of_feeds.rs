@@ -3,7 +3,7 @@
 use super::calculated_once::calculated_once;
 use super::params::{FIELDS, PathMode, Variant};
 use super::resolved::RibbonLine;
-use super::rules_of_slack::worst_knob;
+use super::rules_of_slack::{with_dancer, worst_knob};
 use crate::controls::Code;
 use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
 use crate::msg;
@@ -134,8 +134,8 @@ pub(super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
         return fail(AtMost(limit), [msg!("ribbon.revolution-feed-above-limit", (feed, 3), limit).into()]);
     }
     let drift = (1.0 - (feed / step).round() * step / feed) * d.line_speed;
-    if drift.abs() > 1.0 {
-        return warn(AtMost(limit), [msg!("ribbon.feed-in-steps", step, (drift.abs(), 1)).into()]);
+    if drift.abs() > 1.0 && !line.p.dancer {
+        return warn(AtMost(limit), [with_dancer(msg!("ribbon.feed-in-steps", step, (drift.abs(), 1)))]);
     }
     ok(AtMost(limit))
 }

@@ -144,7 +144,8 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
-fn with_dancer(advice: Message) -> Advice {
+/// An advice to fit a dancer.
+pub(super) fn with_dancer(advice: Message) -> Advice {
     Advice::from(advice).setting(msg!("advice.add-dancer"), [("dancer", "true".to_owned())])
 }
 

@@ -1,5 +1,6 @@
 //! Hold, alarm, reset, emergency stop and inverter fault of the ribbon line: the unwinder stops with the axes, or it fills the loop.
 
+use super::coasting;
 use super::phase;
 use super::resolved::RibbonLine;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
@@ -7,8 +8,6 @@ use crate::msg;
 use crate::text::{Citation, Grade, Message};
 
 const MODEL: Citation = Citation::new("ribbon line facts, 7", Grade::Inferred);
-/// How long an unwinder coasts without the inverter is not known.
-const COASTS: Citation = Citation::new("ribbon line facts, 7", Grade::Open);
 
 /// What the unwinder does.
 pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
@@ -74,17 +73,14 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
                 |axis, variable| msg!("ribbon.stops.clear-by-hand", axis, variable),
             ),
         ),
-        Reaction {
-            cite: COASTS,
-            ..row(
-                Interruption::InverterFault,
-                msg!("ribbon.stops.axes-reset", print.as_str()),
-                msg!("ribbon.stops.laid-at-fault", (d.slack_hold, 0)),
-                anew(
-                    |axis| msg!("ribbon.stops.fault", axis),
-                    |axis, variable| msg!("ribbon.stops.fault-by-hand", axis, variable),
-                ),
-            )
-        },
+        row(
+            Interruption::InverterFault,
+            msg!("ribbon.stops.axes-reset", print.as_str()),
+            laid(coasting::laid(line, d)),
+            anew(
+                |axis| msg!("ribbon.stops.fault", axis),
+                |axis, variable| msg!("ribbon.stops.fault-by-hand", axis, variable),
+            ),
+        ),
     ]
 }

@@ -17,6 +17,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         name: "turning.drive.spindle",
         torque: through_gear(d.torque, gear, p.efficiency / 100.0),
         speed: d.speed_largest * gear,
+        brake: 0.0,
         fields: None,
     })
 }

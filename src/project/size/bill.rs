@@ -4,6 +4,7 @@ use super::choice::{SizedAxis, name};
 use crate::drives::parts::{Part, PartGrade};
 use crate::machines::form::Value;
 use crate::project::Project;
+use crate::text::catalog::number_text;
 
 /// A row of the bill.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,8 +30,15 @@ pub(super) fn bill(project: &Project, axes: &[SizedAxis]) -> Vec<BillRow> {
         quantity: 1,
         grade: PartGrade::Entered,
     };
-    let drives = axes.iter().flat_map(|axis| of_axis(project, axis));
+    let drives = axes.iter().flat_map(|axis| of_axis(project, axis).into_iter().chain(brake(axis)));
     core::iter::once(control).chain(drives).collect()
+}
+
+/// The brake at the motor of an axis.
+fn brake(axis: &SizedAxis) -> Option<BillRow> {
+    let part = format!("{} Nm", number_text(axis.brake, 2));
+    let row = BillRow { item: "size.item.brake", axis: Some(axis.name), part, quantity: 1, grade: PartGrade::Entered };
+    (axis.brake > 0.0).then_some(row)
 }
 
 fn of_axis(project: &Project, axis: &SizedAxis) -> Vec<BillRow> {

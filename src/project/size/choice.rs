@@ -41,6 +41,8 @@ pub struct SizedAxis {
     pub name: &'static str,
     /// Field of the form with maker and model of its motor, where there is one.
     pub field: Option<&'static str>,
+    /// Torque of the brake at its motor that closes without current, Nm; 0 without one.
+    pub brake: f64,
     /// What the run asks of the motor that the form has; none of a drive behind an inverter.
     pub work: Option<Work>,
     /// Torque over speed of that motor.
@@ -167,6 +169,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             id: axis.id,
             name: axis.name,
             field: axis.fields.map(|fields| fields.name),
+            brake: 0.0,
             work: Some(asked.work(axis.fitted.motor.rotor)),
             chart: Some(asked.chart(&axis.fitted.motor)),
             candidates: in_order(candidates),
@@ -177,7 +180,15 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
         let candidates = motors.map(|part| induction(part, &drive, &catalogue, control)).collect();
         let field = drive.fields.map(|(model, _)| model);
-        SizedAxis { id: drive.id, name: drive.name, field, work: None, chart: None, candidates: in_order(candidates) }
+        SizedAxis {
+            id: drive.id,
+            name: drive.name,
+            field,
+            brake: drive.brake,
+            work: None,
+            chart: None,
+            candidates: in_order(candidates),
+        }
     });
     servo.chain(behind).collect()
 }

@@ -168,9 +168,11 @@ impl Envelope<'_> {
             OperatingEvent::Alarm => Vec::new(),
             OperatingEvent::EmergencyStop => self.stopped(event, Action::EmergencyStop),
             OperatingEvent::PowerFailure => {
-                let Some(coasting) = self.prepared.coasting() else { return Vec::new() };
+                if self.prepared.plant().spindle.coasting.is_none() {
+                    return Vec::new();
+                }
                 let mut run = run.clone();
-                run.lose_power(at, coasting);
+                run.lose_power(at);
                 finish(&mut run);
                 self.to_standstill(event, &run)
             }

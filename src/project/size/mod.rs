@@ -16,15 +16,18 @@ pub mod sheets;
 
 pub mod tell;
 
+mod tornado;
+
 pub use bill::BillRow;
 pub use choice::{Candidate, Refusal, SizedAxis};
 pub use envelope::{EnvelopeRow, OperatingEvent};
 pub use growth::{Fastest, Growth};
 pub use runs::SizingRuns;
+pub use tornado::{Swing, Tornado};
 
 use super::Project;
 use super::program::Written;
-use super::sensitivity::{Flip, flips};
+use super::sensitivity::{Flip, Sensitivity};
 use crate::machines::PreparedMachine;
 
 /// Time and energy of a part, from the run of its program.
@@ -53,6 +56,8 @@ pub struct Sizing {
     pub fastest: Option<Fastest>,
     /// Assumed facts that flip a verdict.
     pub sensitivities: Vec<Flip>,
+    /// What moves the results that are nearest to their limits.
+    pub tornadoes: Vec<Tornado>,
     /// What there is to buy.
     pub bill: Vec<BillRow>,
 }
@@ -69,13 +74,15 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let axes = choice::axes(project, &prepared, runs);
     let bill = bill::bill(project, &axes);
     let (limits, fastest) = growth::growth(project);
+    let sensitivity = Sensitivity::new(project);
     Sizing {
         axes,
         cycle: cycle(&prepared, runs),
         envelope: Vec::new(),
         limits,
         fastest,
-        sensitivities: flips(project),
+        sensitivities: sensitivity.flips(),
+        tornadoes: tornado::tornadoes(&sensitivity),
         bill,
     }
 }

@@ -3,14 +3,14 @@
 use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, OperatingEvent};
 use super::tell::with_unit;
-use super::{BillRow, Growth, SizedAxis, Sizing};
+use super::{BillRow, Growth, SizedAxis, Sizing, Swing, Tornado};
 use crate::drives::parts::PartGrade;
 use crate::machines::sheets::{row, say};
 use crate::math::{self, RPM};
 use crate::msg;
 use crate::text::catalog::{Language, number_text, sentence};
 use crate::text::{Citation, Diagnostic, Grade};
-use crate::view::{Limit, Row, Sheet, TorqueWords, Verdict};
+use crate::view::{Limit, Row, Sheet, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
@@ -23,6 +23,7 @@ impl Sizing {
     /// The sheets: what there is to buy, what limits, what happens in operation, and the motors of each axis.
     pub fn sheets(&self) -> Vec<Sheet> {
         let mut sheets = vec![self.bill_sheet(), self.cycle_sheet(), self.limit_sheet(), self.envelope_sheet()];
+        sheets.push(self.tornado_sheet());
         sheets.extend(self.axes.iter().flat_map(|axis| [asked(axis), Some(motors(axis))]).flatten());
         sheets.retain(|sheet| !sheet.rows.is_empty());
         sheets
@@ -90,6 +91,24 @@ impl Sizing {
             columns: vec!["sheet.grows", "sheet.until", "sheet.margin", "sheet.binds"],
             rows: self.limits.iter().map(cells).chain(fastest).collect(),
             drawing: String::new(),
+        }
+    }
+
+    /// What moves the results that are nearest to their limits.
+    fn tornado_sheet(&self) -> Sheet {
+        let rows = self.tornadoes.iter().flat_map(|tornado| {
+            let name = say(tornado.readout.label);
+            tornado.swings.iter().map(move |swing| {
+                let [less, more] = [swing.low, swing.high].map(|share| with_unit(100.0 * share, 1, "%"));
+                row([name.clone(), say(swing.label), less, more], RUNS_OF_FORM)
+            })
+        });
+        Sheet {
+            id: "tornado",
+            title: "sheet.tornado",
+            columns: vec!["sheet.result", "sheet.assumed-fact", "sheet.tenth-less", "sheet.tenth-more"],
+            rows: rows.collect(),
+            drawing: self.tornadoes.iter().map(tornado_chart).collect(),
         }
     }
 
@@ -186,6 +205,23 @@ fn known(of: PartGrade) -> Grade {
         PartGrade::Secondary | PartGrade::Entered => Grade::Inferred,
         PartGrade::Open => Grade::Open,
     }
+}
+
+/// The chart of a result that assumed facts move, in percent of its limit.
+fn tornado_chart(tornado: &Tornado) -> String {
+    let names: Vec<String> = tornado.swings.iter().map(|swing| say(swing.label)).collect();
+    let bar = |(name, swing): (_, &Swing)| TornadoBar { name, ends: (100.0 * swing.low, 100.0 * swing.high) };
+    let (title, less, more) = (say(tornado.readout.label), say("sheet.tenth-less"), say("sheet.tenth-more"));
+    let chart = TornadoChart {
+        title: &title,
+        unit: "%",
+        value: 100.0 * tornado.share,
+        limit: Some(100.0),
+        decimals: 1,
+        changes: (&less, &more),
+        bars: names.iter().map(String::as_str).zip(&tornado.swings).map(bar).collect(),
+    };
+    chart.svg()
 }
 
 /// What the run asks of the motor that the form has, with its chart.

@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use super::choice::Candidate;
 use super::envelope::EnvelopeRow;
-use super::{BillRow, Fastest, Growth, SizedAxis, Sizing};
+use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, Tornado};
 use crate::drives::parts::{Part, PartGrade};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
@@ -37,6 +37,7 @@ impl Sizing {
             "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
             "inverse": self.fastest.as_ref().map(fastest),
             "sensitivities": self.sensitivities.iter().map(flip).collect::<Vec<_>>(),
+            "tornado": self.tornadoes.iter().map(tornado).collect::<Vec<_>>(),
             "bom": self.bill.iter().map(bill).collect::<Vec<_>>(),
         })
     }
@@ -102,6 +103,11 @@ fn flip(flip: &Flip) -> Json {
         "input": flip.field, "result": flip.readout, "factor": flip.factor,
         "flips": { "from": verdict_word(flip.from), "to": verdict_word(flip.to) },
     })
+}
+
+fn tornado(of: &Tornado) -> Json {
+    let bar = |swing: &Swing| json!({ "input": swing.field, "low": percent(swing.low), "high": percent(swing.high) });
+    json!({ "result": of.readout.id, "limit_use": percent(of.share), "bars": of.swings.iter().map(bar).collect::<Vec<_>>() })
 }
 
 fn bill(row: &BillRow) -> Json {

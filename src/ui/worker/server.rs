@@ -11,7 +11,7 @@ use super::documents;
 use super::messages::{Finding, Question, Reply, Report, Request, Response, SHOWN};
 use crate::nc::{self, Files};
 use crate::project::Project;
-use crate::project::sensitivity::flips;
+use crate::project::sensitivity::Sensitivity;
 use crate::project::suppress::silence;
 use crate::text::{Diagnostic, LineIndex, catalog};
 use crate::ui::words::{counts, sign, t, tell, tone};
@@ -41,7 +41,9 @@ pub fn work(sentences: String) {
             Request::Sizing => Response::Sheets(documents::sizing(&project)),
             Request::Chance => Response::Sheets(documents::chance(&project)),
             Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
-            Request::Flips => Response::Flips(flips(&project).into_iter().map(|flip| flip.field.to_owned()).collect()),
+            Request::Flips => Response::Flips(
+                Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),
+            ),
             Request::Export => Response::Export(documents::documents(&project)),
             Request::Check(blob) => {
                 let page = page.clone();

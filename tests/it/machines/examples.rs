@@ -154,7 +154,10 @@ fn paper_of_the_ribbon_line_has_the_printed_values() {
         assert!((readout.value - value).abs() < 1e-9, "{id}: {}", readout.value);
     }
     let told: Vec<_> = project.faults().into_iter().map(|(readout, _)| readout.id).collect();
-    assert_eq!(told, ["block-time", "surface-ratio", "smear", "slack-rate", "slack-rate-rated", "loop-needed"]);
+    assert_eq!(
+        told,
+        ["block-time", "surface-ratio", "smear", "slack-rate", "slack-rate-rated", "loop-needed", "loop-coasting"]
+    );
 }
 
 #[test]

@@ -162,6 +162,72 @@ fn hold_during_the_start_stays_within_the_loop() {
     }
 }
 
+#[test]
+fn fault_lets_the_unwinder_coast_as_long_as_its_inertia_says() {
+    for control in controls() {
+        for (brake, inertia) in [("0", "40"), ("0.5", "40"), ("0.5", "80")] {
+            let project = line(control.id, &[("unwinder-motor-brake", brake), ("unwinder-inertia", inertia)]);
+            let planner = over_time(&project, vec![event(8.0, Action::InverterFault(true))]);
+            let name = format!("{} {brake} Nm {inertia} kg cm²", control.id);
+            let value = |id: &str| readout(&project, id).value;
+            // J ω / T, with the torque of web and friction and that of the brake.
+            let torque = value("unwinder-torque") + brake.parse::<f64>().unwrap();
+            let speed = value("actual-speed") * std::f64::consts::TAU / 60.0;
+            let coasts = inertia.parse::<f64>().unwrap() * 1e-4 * speed / torque;
+            assert!((value("coasting-time") - coasts).abs() < 1e-9 * coasts, "{name}: {coasts}");
+            let turns = |t: f64| planner.timeline().at(t).spindle.actual;
+            assert!(turns(8.0 + 0.97 * coasts) > 0.0 && turns(8.0 + 1.01 * coasts + 0.02) == 0.0, "{name}: {coasts}");
+            let points = slack(&project, &planner, 6001);
+            let laid = points[6000].1 - slack_at(&points, 7.9);
+            assert!((laid - value("slack-coasting")).abs() < 0.5 + 0.01 * laid, "{name}: {laid}");
+        }
+    }
+}
+
+#[test]
+fn unwinder_coasts_on_after_the_fault_until_asked_to_turn() {
+    for control in controls() {
+        let project = line(control.id, &[]);
+        let events = [
+            (8.0, Action::InverterFault(true)),
+            (9.0, Action::InverterFault(false)),
+            (9.1, Action::Reset),
+            (9.5, Action::ManualSpeed(800.0)),
+        ];
+        let planner = over_time(&project, events.iter().map(|(t, action)| event(*t, action.clone())).collect());
+        let turns = |t: f64| planner.timeline().at(t).spindle.actual;
+        // From 800 r/min it loses no more in a second than by web and friction.
+        let lost = readout(&project, "actual-speed").value / readout(&project, "coasting-time").value;
+        assert!(
+            (turns(8.1) - turns(9.4) - 1.3 * lost).abs() < 0.03 * lost,
+            "{}: {} {}",
+            control.id,
+            turns(8.1),
+            turns(9.4)
+        );
+        assert!(turns(10.5) > turns(9.4), "{}: {}", control.id, turns(10.5));
+    }
+}
+
+#[test]
+fn loop_that_a_coasting_unwinder_overfills_is_red_and_mended() {
+    for control in controls() {
+        let needed = readout(&line(control.id, &[]), "loop-coasting").value;
+        let capacity = (needed - 50.0).floor();
+        let project = line(control.id, &[("loop-capacity", &capacity.to_string())]);
+        let judged = readout(&project, "loop-coasting");
+        assert_eq!((judged.verdict, judged.limit), (Verdict::Fail, Some(Limit::AtMost(capacity))), "{}", control.id);
+        let fields: Vec<_> = judged.advice.iter().map(|advice| advice.sets[0].0).collect();
+        assert_eq!(fields, ["unwinder-motor-brake", "loop-capacity"], "{}", control.id);
+        // No more is offered than is needed.
+        for (advice, least) in judged.advice.iter().zip([capacity - 25.0, needed - 0.1]) {
+            let mended = readout(&project.with_entries(&advice.sets).unwrap(), "loop-coasting");
+            assert_eq!(mended.verdict, Verdict::Ok, "{} {:?}", control.id, advice.sets);
+            assert!(mended.value > least, "{} {:?}: {}", control.id, advice.sets, mended.value);
+        }
+    }
+}
+
 /// Cells of the table of stops.
 fn table(project: &Project) -> Vec<Vec<String>> {
     let sheet = project.prepared().sheets().into_iter().find(|sheet| sheet.id == "stops").expect("a table of stops");
@@ -252,7 +318,8 @@ proptest! {
             ("spindle-encoder", "true"), ("feed-form", if in_step { "per-revolution" } else { "per-minute" }),
             ("wait", if fin { "fin" } else { "dwell" }),
         ]);
-        let needed = readout(&project, "loop-needed").value;
+        // Without current the unwinder coasts, whatever the ramp.
+        let needed = readout(&project, if kind == 3 { "loop-coasting" } else { "loop-needed" }).value;
         let whole = over_time(&project, vec![]).ended_at().unwrap();
         let t = at * whole;
         let events = match kind {
@@ -287,8 +354,11 @@ fn table_of_stops_tells_the_operator_what_a_restart_asks() {
         for name in ["Alarm", "Reset", "Emergency stop", "Inverter fault"] {
             assert_eq!(row(name).contains("to a head by hand, set "), asks, "{control}: {}", row(name));
         }
-        let fault = row("Inverter fault");
-        assert!(fault.contains("how long it coasts is open") && fault.ends_with("(not confirmed) |"), "{fault}");
+        let (fault, laid) = (row("Inverter fault"), readout(&project, "slack-coasting").value);
+        assert!(
+            fault.contains("the motor coasts") && fault.contains(&format!("{laid:.0} mm more in the loop")),
+            "{fault}"
+        );
         by_hand.extend(asks.then_some(control));
     }
     assert_eq!(by_hand, ["sinumerik-802d", "sinumerik-808d"]);

@@ -4,7 +4,7 @@ use macroline::controls;
 use macroline::machines;
 use macroline::machines::form::{Provenance, Value};
 use macroline::project::Project;
-use macroline::project::sensitivity::{Flip, flips};
+use macroline::project::sensitivity::{Flip, Sensitivity};
 use macroline::view::Verdict;
 
 fn project(machine: &str, control: &str, changes: &[(&str, f64)]) -> Project {
@@ -15,7 +15,7 @@ fn project(machine: &str, control: &str, changes: &[(&str, f64)]) -> Project {
 
 #[track_caller]
 fn of(project: &Project, field: &str) -> Option<Flip> {
-    flips(project).into_iter().find(|flip| flip.field == field)
+    Sensitivity::new(project).flips().into_iter().find(|flip| flip.field == field)
 }
 
 fn flip(field: &'static str, readout: &'static str, (from, to): (Verdict, Verdict), factor: f64) -> Option<Flip> {
@@ -70,7 +70,7 @@ fn hidden_facts_do_not_flip() {
 #[test]
 fn failures_come_first_then_the_form() {
     let line = project("ribbon-line", "mitsubishi-e60", &[("clamp-x", 16_000.0), ("encoder-resolution", 3500.0)]);
-    let found = flips(&line);
+    let found = Sensitivity::new(&line).flips();
     let order: Vec<_> = line.machine.fields().iter().map(|field| field.id).collect();
     let place = |flip: &Flip| order.iter().position(|id| *id == flip.field);
     for pair in found.windows(2) {

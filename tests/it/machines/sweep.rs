@@ -168,17 +168,39 @@ pub(super) fn changes(project: &Project) -> String {
     differs.map(|(id, value)| format!(" {id}={value:?}")).collect()
 }
 
-#[test]
-fn any_form_has_finite_results_and_a_clean_program() {
+fn sweep(machine: &str) {
+    let machine = machines::find(machine).unwrap();
     let mut found: Vec<String> = Vec::new();
-    for machine in machines::ALL {
-        for control in machine.controls() {
-            for project in forms(*machine, control) {
-                let faults = faults(&project);
-                let about = || format!("{} on {control},{}", machine.id(), changes(&project));
-                found.extend(faults.into_iter().map(|fault| format!("{fault}\n    {}", about())));
-            }
+    for control in machine.controls() {
+        for project in forms(machine, control) {
+            let faults = faults(&project);
+            let about = || format!("{} on {control},{}", machine.id(), changes(&project));
+            found.extend(faults.into_iter().map(|fault| format!("{fault}\n    {}", about())));
         }
     }
     assert!(found.is_empty(), "{} faults:\n{}", found.len(), found[..found.len().min(40)].join("\n"));
+}
+
+/// A test for each machine: they run side by side.
+macro_rules! sweeps {
+    ($($name:ident: $machine:literal,)*) => {
+        $(
+            #[test]
+            fn $name() {
+                sweep($machine);
+            }
+        )*
+
+        #[test]
+        fn every_machine_is_swept() {
+            let swept = [$($machine),*];
+            assert!(machines::ALL.iter().map(|machine| machine.id()).eq(swept), "{swept:?}");
+        }
+    };
+}
+
+sweeps! {
+    any_ribbon_line_is_sound_and_its_program_clean: "ribbon-line",
+    any_turning_spindle_is_sound_and_its_program_clean: "turning-spindle",
+    any_polygon_lathe_is_sound_and_its_program_clean: "polygon-lathe",
 }

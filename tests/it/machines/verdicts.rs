@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use macroline::controls;
 use macroline::controls::options::{OverrideOrder, SwitchChoice};
 use macroline::machines::form::Value;
 use macroline::machines::{self, Design};
@@ -15,15 +16,38 @@ use super::sweep::{changes, forms};
 /// Results that a clamp holds at their limit, or that have to stay below it: they fail at the limit itself.
 const HELD: &[&str] = &["volts", "speed-smallest", "relief"];
 
-/// All forms of the sweep, with a description.
+/// Forms whose advice is too rare for random ones: ribbon lines on the E60 that feed per revolution.
+const RARE: &[&[(&str, &str)]] = &[
+    // 4.8995 mm per revolution in steps of 0.001, at a high speed.
+    &[
+        ("reduction-ratio", "90.8"),
+        ("heads", "47"),
+        ("spindle-speed", "3550"),
+        ("speed-at-10v", "3600"),
+        ("speed-clamp", "3600"),
+        ("no-load-speed", "3600"),
+        ("rated-load-speed", "3550"),
+    ],
+    // A load that the motor cannot turn.
+    &[("rated-load-speed", "1"), ("unwinder-load", "200")],
+];
+
+/// All forms of the sweep, and the rare ones, with a description.
 fn all() -> impl Iterator<Item = (Project, String)> {
+    let rare = RARE.iter().map(|entries| {
+        let follows = [("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")];
+        let entries: Vec<_> = entries.iter().chain(&follows).map(|(id, text)| (*id, (*text).to_owned())).collect();
+        let plain = Project::of_form(machines::find("ribbon-line").unwrap(), controls::find("mitsubishi-e60").unwrap());
+        (plain.with_entries(&entries).unwrap(), format!("{entries:?}"))
+    });
     let on = machines::ALL.iter().flat_map(|machine| machine.controls().iter().map(move |id| (*machine, *id)));
-    on.flat_map(|(machine, control)| {
+    let swept = on.flat_map(|(machine, control)| {
         forms(machine, control).into_iter().map(move |project| {
             let about = format!("{} on {control},{}", machine.id(), changes(&project));
             (project, about)
         })
-    })
+    });
+    rare.chain(swept)
 }
 
 fn number(project: &Project, id: &str) -> f64 {
@@ -144,6 +168,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.range-shifted", "a fact, no fault"),
     ("ribbon.revolution-feed-above-limit", "a deed: gear, heads or roller of the machine"),
     ("ribbon.slips", "a fact; roller, heads and pitch behind it have the buttons"),
+    ("ribbon.stalls", "a deed: less load on the motor"),
     ("ribbon.stands", "a deed: the knob is turned up"),
     ("ribbon.y-carried", "a fact, no fault"),
     ("scaling.drifts", "a fact of gear and lead: another gear"),

@@ -158,8 +158,10 @@ fn bill_names_each_drive_once_and_the_motor_of_the_form_first() {
     let parts = |project: &Project| sized(project).bill.iter().map(|row| row.part.clone()).collect::<Vec<_>>();
     let first = parts(&project);
     assert_eq!(first[0], project.control.name);
-    // Control; motor and amplifier of each servo axis; motor and inverter of the unwinder.
-    assert_eq!(first.len(), 7, "{first:?}");
+    // Control; motor and amplifier of each servo axis; motor, inverter and brake of the unwinder.
+    assert_eq!((first.len(), first[7].as_str()), (8, "0.5 Nm"), "{first:?}");
+    project.values.insert("unwinder-motor-brake".to_owned(), Value::Number(0.0));
+    assert_eq!(parts(&project), first[..7]);
     project.values.insert("motor-x".to_owned(), Value::Text("Works M99".to_owned()));
     assert!(parts(&project).contains(&"Works M99".to_owned()));
 }

@@ -1,0 +1,120 @@
+//! Tornado chart: for each of some facts a bar from the value with less of it to the value with more, about the present value, with the limit.
+
+use core::fmt::Write;
+
+use super::svg::escape;
+use crate::text::catalog::number_text;
+use crate::text::number::fill;
+
+/// A fact of the chart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TornadoBar<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The result with less and with more of the fact.
+    pub ends: (f64, f64),
+}
+
+/// The chart of a result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TornadoChart<'a> {
+    /// The result.
+    pub title: &'a str,
+    /// Unit of its values.
+    pub unit: &'a str,
+    /// Its present value.
+    pub value: f64,
+    /// Its limit.
+    pub limit: Option<f64>,
+    /// Decimals shown.
+    pub decimals: u8,
+    /// What less and what more of a fact is called.
+    pub changes: (&'a str, &'a str),
+    /// The facts from top to bottom.
+    pub bars: Vec<TornadoBar<'a>>,
+}
+
+/// Width of the picture, room at its sides for the figures, height of the heading, of a bar with its name, and of the bar alone.
+const WIDTH: f64 = 480.0;
+const SIDE: f64 = 60.0;
+const HEAD: f64 = 44.0;
+const ROW: f64 = 27.0;
+const BAR: f64 = 10.0;
+
+impl TornadoChart<'_> {
+    /// The chart as SVG with the classes of the page. Bars without finite ends are left out.
+    pub fn svg(&self) -> String {
+        let bars: Vec<_> = self.bars.iter().filter(|bar| bar.ends.0.is_finite() && bar.ends.1.is_finite()).collect();
+        let ends = || bars.iter().flat_map(|bar| [bar.ends.0, bar.ends.1]).chain([self.value]);
+        let (low, high) =
+            ends().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), end| (low.min(end), high.max(end)));
+        let place = |value: f64| match high > low {
+            true => SIDE + (WIDTH - 2.0 * SIDE) * (value - low) / (high - low),
+            false => 0.5 * WIDTH,
+        };
+        let height = HEAD + ROW * bars.len() as f64 + 6.0;
+        let mut out = String::with_capacity(1024 + 700 * bars.len());
+        let _ =
+            write!(out, "<svg class=\"torque\" viewBox=\"0 0 {WIDTH} {height}\" xmlns=\"http://www.w3.org/2000/svg\">");
+        self.heading(&mut out);
+        for (at, bar) in bars.iter().enumerate() {
+            self.bar(&mut out, bar, HEAD + ROW * at as f64, place);
+        }
+        let down = |out: &mut String, class: &str, dashes: &str, value: f64| {
+            let _ = write!(out, "<line class=\"{class}\"{dashes}");
+            let x = place(value);
+            fill(out, " x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>", &[x, HEAD, x, height - 4.0]);
+        };
+        down(&mut out, "s-ink", "", self.value);
+        if let Some(limit) = self.limit.filter(|limit| (low..=high).contains(limit)) {
+            down(&mut out, "s-ink", " stroke-dasharray=\"4 3\"", limit);
+        }
+        out.push_str("</svg>");
+        out
+    }
+
+    /// Title, present value and the key of both halves of a bar.
+    fn heading(&self, out: &mut String) {
+        out.push_str("<text class=\"f-ink\" x=\"0\" y=\"12\">");
+        escape(out, self.title);
+        let _ = write!(out, ": {} {}</text>", number_text(self.value, self.decimals), self.unit);
+        for (class, word, x) in [("f-dim", self.changes.0, 0.0), ("f-accent", self.changes.1, 0.5 * WIDTH)] {
+            fill(out, &format!("<rect class=\"{class}\" x=\"#\" y=\"20\" width=\"14\" height=\"9\"/>"), &[x]);
+            fill(out, "<text class=\"small f-dim\" x=\"#\" y=\"28\">", &[x + 19.0]);
+            escape(out, word);
+            out.push_str("</text>");
+        }
+    }
+
+    /// A fact: its name, both halves of its bar, the figures at their ends.
+    fn bar(&self, out: &mut String, bar: &TornadoBar, top: f64, place: impl Fn(f64) -> f64) {
+        out.push_str("<g><title>");
+        escape(out, bar.name);
+        let figure = |value: f64| number_text(value, self.decimals);
+        let _ = write!(out, ": {} … {}</title>", figure(bar.ends.0), figure(bar.ends.1));
+        fill(out, "<text class=\"small f-ink\" x=\"0\" y=\"#\">", &[top + 10.0]);
+        escape(out, bar.name);
+        out.push_str("</text>");
+        let (centre, y) = (place(self.value), top + ROW - BAR - 2.0);
+        for (class, end) in [("f-dim", bar.ends.0), ("f-accent", bar.ends.1)] {
+            let x = place(end);
+            let (from, wide) = (centre.min(x), (x - centre).abs());
+            fill(
+                out,
+                &format!("<rect class=\"{class}\" x=\"#\" y=\"#\" width=\"#\" height=\"#\"/>"),
+                &[from, y, wide, BAR],
+            );
+        }
+        // The figures stand outside of both halves.
+        let (least, most) = (bar.ends.0.min(bar.ends.1).min(self.value), bar.ends.0.max(bar.ends.1).max(self.value));
+        for (value, anchor, side) in [(least, "end", -4.0), (most, "start", 4.0)] {
+            if value != self.value {
+                let _ = write!(out, "<text class=\"small f-dim\" text-anchor=\"{anchor}\"");
+                fill(out, " x=\"#\" y=\"#\">", &[place(value) + side, y + BAR - 1.0]);
+                out.push_str(&figure(value));
+                out.push_str("</text>");
+            }
+        }
+        out.push_str("</g>");
+    }
+}
