@@ -5,6 +5,9 @@ use crate::math::{self, RPM};
 /// Newton metres times r/min per kilowatt: `60 000 / 2π`.
 const TORQUE: f64 = 9_549.296_585_513_72;
 
+/// Share of the power that a load takes, below which it is small.
+const SMALL: f64 = 1e-3;
+
 /// Torque and power at the spindle in one gear stage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotorCurve {
@@ -26,6 +29,37 @@ impl MotorCurve {
     /// Torque in Nm at a spindle speed in r/min: `M = 9549.3 P / max(n, n_b)`.
     pub fn torque(&self, rpm: f64) -> f64 {
         TORQUE * self.power / rpm.abs().max(self.base)
+    }
+
+    /// The curve with a share of its torque at every speed.
+    pub fn share(&self, share: f64) -> MotorCurve {
+        MotorCurve { power: self.power * share, ..*self }
+    }
+
+    /// Seconds from standstill to a speed in r/min with all of its torque, of an inertia in kg m² against a steady torque `load` in Nm, which
+    /// is negative where it helps, as in braking: `J ω_b / (M - T)` up to base speed, above it `J ∫ ω / (P - T ω) dω`
+    /// `= J / T² · (P ln((P - T ω_b) / (P - T ω)) - T (ω - ω_b))`. Infinite where the load takes all of the torque.
+    ///
+    /// Source: `reference/turning-spindle.md` 5.
+    pub fn seconds_to(&self, rpm: f64, inertia: f64, load: f64) -> f64 {
+        let (speed, power) = (rpm.abs() * RPM, 1000.0 * self.power);
+        let base = (self.base * RPM).min(speed);
+        let (over, left) = (self.torque(0.0) - load, power - load * speed);
+        if speed == 0.0 {
+            return 0.0;
+        }
+        if over <= 0.0 || left <= 0.0 {
+            return f64::INFINITY;
+        }
+        let part = load / power;
+        let above = if (part * speed).abs() < SMALL {
+            // The first terms of the series in T: the logarithm would lose digits.
+            let term = |power: f64| (math::pow(speed, power) - math::pow(base, power)) / power;
+            (term(2.0) + part * term(3.0) + part * part * term(4.0)) / power
+        } else {
+            (math::ln((1.0 - part * base) / (1.0 - part * speed)) / part - (speed - base)) / load
+        };
+        inertia * (base / over + above)
     }
 }
 

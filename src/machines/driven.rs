@@ -1,7 +1,7 @@
 //! What a machine is sized by: the motors behind its axes, the drive behind its inverter, and what is watched while it is operated.
 
 use crate::drives::duty::{Motion, Turn};
-use crate::drives::load::Load;
+use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::motion::{Mover, Snapshot, Stretch};
 use crate::view::Limit;
@@ -88,8 +88,31 @@ pub struct InverterDrive {
     pub speed: f64,
     /// Torque of the brake at the motor that closes without current, Nm; 0 without one.
     pub brake: f64,
+    /// Its run-ups and stops, where they count.
+    pub cycle: Option<InverterCycle>,
     /// Fields of the form for maker with model and for the rated torque.
     pub fields: Option<(&'static str, &'static str)>,
+}
+
+/// Run-up and stop of a drive behind an inverter, with its work between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InverterCycle {
+    /// What the ramps drive, at the motor's shaft and without its rotor.
+    pub load: Load,
+    /// Inertia (kg m²) of the rotor of a motor whose own is not known.
+    pub rotor: f64,
+    /// Its ramps, and the time of the work between them.
+    pub of: Move,
+    /// Torque for moments as a share of the rated one, in the run-up and in the stop.
+    pub peak: [f64; 2],
+}
+
+impl InverterCycle {
+    /// Torques of run-up and stop with a rotor, signed.
+    pub fn ramps(&self, rotor: Option<f64>) -> [Phase; 2] {
+        let [rise, _, fall, _] = self.load.phases(rotor.unwrap_or(self.rotor), self.of);
+        [rise, fall]
+    }
 }
 
 /// A quantity of a machine `M` that is watched while it is operated.

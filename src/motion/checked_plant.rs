@@ -81,7 +81,7 @@ impl CheckedPlant {
         let mut spindle = SpindlePlant {
             speed_clamp: positive(plant.spindle.speed_clamp, 0.0),
             ramp: positive(plant.spindle.ramp, 0.0),
-            coasting: plant.spindle.coasting.map(|seconds| positive(seconds, 0.0).min(LONGEST_COAST)),
+            coasting: plant.spindle.coasting.map(|all| all.map(|seconds| positive(seconds, 0.0).min(LONGEST_COAST))),
             gain: positive(plant.spindle.gain, 1.0),
             slip: if plant.spindle.slip.is_finite() { plant.spindle.slip } else { 0.0 },
             stage_count: plant.spindle.stage_count.clamp(1, STAGES as u8),

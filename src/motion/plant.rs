@@ -70,8 +70,8 @@ pub struct SpindlePlant {
     pub surface_low: f64,
     /// Seconds from 0 to the rated speed of a stage, and back.
     pub ramp: f64,
-    /// Seconds in which it coasts from the rated speed of a stage to rest without current; where that is not known it slows down over its ramp.
-    pub coasting: Option<f64>,
+    /// Seconds in which it coasts from the rated speed of each stage to rest without current; where that is not known it slows down over its ramp.
+    pub coasting: Option<[f64; STAGES]>,
     /// Speed of the unloaded motor per commanded speed: an induction motor at 50 Hz turns 1500 where 1480 is asked for.
     pub gain: f64,
     /// Speed lost under load as a fraction of the rated speed: actual = gain × command - slip × rated speed while
@@ -146,7 +146,13 @@ impl SpindlePlant {
 
     /// A stage by its number from 1; the first where there is none such.
     pub fn stage(&self, number: u8) -> &Stage {
-        self.stages().get(usize::from(number).wrapping_sub(1)).unwrap_or(&self.stages[0])
+        &self.stages[self.place(number)]
+    }
+
+    /// Where a stage stands in the tables, by its number from 1; the first where there is none such.
+    fn place(&self, number: u8) -> usize {
+        let place = usize::from(number).wrapping_sub(1);
+        if place < self.stages().len() { place } else { 0 }
     }
 
     /// The analog output in a stage.
@@ -162,7 +168,8 @@ impl SpindlePlant {
 
     /// Loss of speed in a stage without current, r/min per second.
     pub fn coasting_rate(&self, stage: u8) -> f64 {
-        self.rate(stage, self.coasting.unwrap_or(self.ramp))
+        let place = self.place(stage);
+        self.rate(stage, self.coasting.map_or(self.ramp, |seconds| seconds[place]))
     }
 
     fn rate(&self, stage: u8, seconds: f64) -> f64 {

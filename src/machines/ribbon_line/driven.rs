@@ -61,6 +61,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         torque: line.mechanics.unwinder,
         speed: line.fast.actual_speed,
         brake: line.p.unwinding.motor_brake,
+        cycle: None,
         fields: Some(("unwinder-motor", "unwinder-torque-rated")),
     }
 }

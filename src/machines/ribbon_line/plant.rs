@@ -6,6 +6,7 @@ use super::resolved::RibbonLine;
 use super::stops::unwinder;
 use crate::controls::SpindleRules;
 use crate::drives::Analog;
+use crate::drives::speed::STAGES;
 use crate::machines::stops::{Interruption, SpindleReaction};
 use crate::math::PI;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
@@ -62,7 +63,7 @@ fn spindle(line: &RibbonLine) -> SpindlePlant {
         gain,
         slip,
         encoder: p.spindle_encoder,
-        coasting: Some(coasting::seconds(line, p.speed_at_10v)),
+        coasting: Some([coasting::seconds(line, p.speed_at_10v); STAGES]),
         // The ribbon's slack at the start is a result of its own.
         drives_cut: false,
         ..SpindlePlant::new(analog, p.top_speed(), p.inverter_ramp, rules)

@@ -4,7 +4,6 @@ use super::params::{Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::SpindleRules;
 use crate::drives::cutting::{self, Cut};
 use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_speed};
-use crate::drives::spindle_motor::MotorCurve;
 use crate::drives::{Analog, Bound};
 use crate::math;
 
@@ -206,8 +205,7 @@ impl Derived {
         let span = largest - smallest;
         let sign = if p.direction == Direction::CounterClockwise { -1.0 } else { 1.0 };
         let middle = 0.5 * volts;
-        let speeds = (p.motor_base, p.motor_top);
-        let motor = MotorCurve::new(p.motor_power, p.efficiency / 100.0, speeds, stage_speed);
+        let motor = p.motor(stage_speed);
         Derived {
             passes,
             largest,

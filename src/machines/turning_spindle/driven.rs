@@ -1,11 +1,15 @@
 //! What the turning spindle is sized by: its motor behind inverter and gear, and its speed against the chuck's.
 
 use super::resolved::TurningSpindle;
-use crate::drives::load::through_gear;
-use crate::machines::driven::{GaugeRow, InverterDrive};
+use super::run_up;
+use crate::drives::inertia;
+use crate::drives::load::{Load, Move, through_gear};
+use crate::machines::driven::{GaugeRow, InverterCycle, InverterDrive};
+use crate::math::RPM;
 use crate::view::Limit;
 
-/// The spindle's motor at the largest diameter, where the cut asks the greatest torque; none where nothing is known of the cutting force.
+/// The spindle's motor: the cut at the largest diameter, where it asks the greatest torque, between run-up and stop over the ramp; none where
+/// nothing is known of the cutting force.
 pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
     let (p, d) = (&lathe.p, &lathe.d);
     if p.cutting_force <= 0.0 || d.stage_speed <= 0.0 {
@@ -18,8 +22,23 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         torque: through_gear(d.torque, gear, p.efficiency / 100.0),
         speed: d.speed_largest * gear,
         brake: 0.0,
+        cycle: (p.spindle_ramp > 0.0).then(|| cycle(lathe, gear)),
         fields: None,
     })
+}
+
+/// Run-up to the highest speed and stop, with the cut between them, behind a gear of motor speed over spindle speed.
+fn cycle(lathe: &TurningSpindle, gear: f64) -> InverterCycle {
+    let (p, d) = (&lathe.p, &lathe.d);
+    let (efficiency, highest) = (p.efficiency / 100.0, run_up::highest(lathe));
+    let load = Load {
+        inertia: inertia::through_gear(p.spindle_inertia + p.work_inertia(), gear),
+        torque: through_gear(p.spindle_friction, gear, efficiency),
+        efficiency,
+    };
+    let ramp = p.spindle_ramp * highest / d.stage_speed;
+    let of = Move { speed: highest * gear * RPM, ramp, run: d.cutting_time, pause: 0.0, hold: 0.0 };
+    InverterCycle { load, rotor: p.rotor_inertia, of, peak: [p.motor_peak / 100.0, p.motor_braking / 100.0] }
 }
 
 /// What is watched: the speed of the spindle.

@@ -14,6 +14,8 @@ mod readouts;
 
 mod rules;
 
+mod run_up;
+
 mod program;
 
 mod gears;
@@ -86,6 +88,7 @@ impl Prepared for TurningSpindle {
     fn results(&self) -> Design {
         let shown = |id: &str| match id {
             "power" | "torque" => self.p.cutting_force > 0.0,
+            "run-up-torque" => self.p.spindle_ramp > 0.0,
             "keyway-time" | "driven-cutting-speed" => self.keyway().is_some(),
             "limit-diameter" | "limited-share" | "low-diameter" | "surface-smallest" | "acceleration-needed" => {
                 self.surface()

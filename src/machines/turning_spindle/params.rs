@@ -2,6 +2,7 @@
 
 use crate::controls::Address;
 use crate::controls::{Alarm, Code, Control};
+use crate::drives::inertia::STEEL;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::machines::materials::Material;
@@ -73,6 +74,8 @@ pub(crate) struct Params {
     pub stock_diameter: f64,
     pub finished_diameter: f64,
     pub length: f64,
+    pub work_length: f64,
+    pub work_density: f64,
     pub large_diameter: f64,
     pub allowance: f64,
     pub depth: f64,
@@ -112,6 +115,8 @@ pub(crate) struct Params {
     pub stage_4: f64,
     pub chuck_limit: f64,
     pub spindle_ramp: f64,
+    pub spindle_inertia: f64,
+    pub spindle_friction: f64,
     pub gear_time: f64,
     pub gear_patience: f64,
     pub output: Output,
@@ -125,6 +130,9 @@ pub(crate) struct Params {
     pub motor_base: f64,
     pub motor_top: f64,
     pub motor_overload: f64,
+    pub motor_peak: f64,
+    pub motor_braking: f64,
+    pub rotor_inertia: f64,
     pub efficiency: f64,
     pub rapid_x: f64,
     pub rapid_z: f64,
@@ -243,6 +251,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(0.001..=3000.0).default(60.0).decimals(3).step(1.0).when(Params::is_taper),
     number("length", member!(Params.length)).group("turning.group.part").label("turning.length").help("turning.length.help").symbol("#105")
         .unit("mm").range(0.1..=10000.0).default(60.0).decimals(3).step(1.0).when(Params::has_length),
+    number("work-length", member!(Params.work_length)).group("turning.group.part").label("turning.work-length").help("turning.work-length.help")
+        .unit("mm").range(0.1..=20000.0).default(100.0).decimals(1).step(10.0),
+    number("work-density", member!(Params.work_density)).group("turning.group.part").label("turning.work-density").help("turning.work-density.help").symbol("ρ")
+        .unit("kg/m³").range(1.0..=25000.0).default(STEEL).decimals(0).step(50.0).fact(),
     number("allowance", member!(Params.allowance)).group("turning.group.part").label("turning.allowance").help("turning.allowance.help").symbol("#114")
         .unit("mm").range(0.01..=1000.0).default(2.0).decimals(3).step(0.1).when(Params::is_facing),
     number("depth", member!(Params.depth)).group("turning.group.cut").label("turning.depth").help("turning.depth.help").symbol("#106")
@@ -318,6 +330,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact(),
     number("spindle-ramp", member!(Params.spindle_ramp)).group("turning.group.spindle").label("turning.spindle-ramp").help("turning.spindle-ramp.help")
         .unit("s").range(0.0..=600.0).default(3.0).decimals(2).step(0.1).fact(),
+    number("spindle-inertia", member!(Params.spindle_inertia)).group("turning.group.spindle").label("turning.spindle-inertia").help("turning.spindle-inertia.help").symbol("J")
+        .unit("kg m²").range(0.0001..=10000.0).default(0.2).decimals(4).step(0.01).fact(),
+    number("spindle-friction", member!(Params.spindle_friction)).group("turning.group.spindle").label("turning.spindle-friction").help("turning.spindle-friction.help")
+        .unit("Nm").range(0.01..=10000.0).default(2.0).decimals(2).step(0.1).fact(),
     number("gear-time", member!(Params.gear_time)).group("turning.group.spindle").label("turning.gear-time").help("turning.gear-time.help")
         .unit("s").range(0.0..=60.0).default(2.0).decimals(2).step(0.1).fact().when(Params::has_gears),
     number("gear-patience", member!(Params.gear_patience)).group("turning.group.spindle").label("turning.gear-patience").help("turning.gear-patience.help")
@@ -343,6 +359,12 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
     number("motor-overload", member!(Params.motor_overload)).group("turning.group.power").label("turning.motor-overload").help("turning.motor-overload.help")
         .unit("%").range(100.0..=400.0).default(100.0).decimals(0).step(10.0).fact(),
+    number("motor-peak", member!(Params.motor_peak)).group("turning.group.power").label("turning.motor-peak").help("turning.motor-peak.help")
+        .unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact(),
+    number("motor-braking", member!(Params.motor_braking)).group("turning.group.power").label("turning.motor-braking").help("turning.motor-braking.help")
+        .unit("%").range(1.0..=600.0).default(150.0).decimals(0).step(10.0).fact(),
+    number("rotor-inertia", member!(Params.rotor_inertia)).group("turning.group.power").label("turning.rotor-inertia").help("turning.rotor-inertia.help")
+        .unit("kg m²").range(0.0..=1000.0).default(0.03).decimals(4).step(0.001).fact(),
     number("efficiency", member!(Params.efficiency)).group("turning.group.power").label("turning.efficiency").help("turning.efficiency.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(80.0).decimals(0).step(1.0).fact(),
     number("rapid-x", member!(Params.rapid_x)).group("turning.group.axes").label("turning.rapid-x").help("turning.rapid-x.help")

@@ -4,6 +4,7 @@ use super::gears::gear_times;
 use super::ladder::ladder;
 use super::resolved::{ALONG, CROSS, TurningSpindle};
 use crate::controls::{Address, SpindleRules};
+use crate::drives::speed::STAGES;
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
@@ -50,9 +51,19 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
         // Where the program cuts the keyway, it starts the tool.
         driven_tool: p.driven_tool && lathe.keyway().is_none(),
         centre: Some(0.0),
+        coasting: Some(coasting(lathe)),
         positioning: lathe.positions().then(|| lathe.positioning()),
         ..spindle.with_stages(lathe.stages())
     }
+}
+
+/// Seconds in which the spindle coasts to rest from the speed at 10 V of each gear stage.
+fn coasting(lathe: &TurningSpindle) -> [f64; STAGES] {
+    let mut all = [0.0; STAGES];
+    for (place, rated) in all.iter_mut().zip(lathe.p.stages()) {
+        *place = lathe.p.coasting(rated, rated);
+    }
+    all
 }
 
 /// The ladder, wired to knob, inverter and gear box.

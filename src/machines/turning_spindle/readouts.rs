@@ -2,6 +2,7 @@
 
 use super::keyway;
 use super::resolved::TurningSpindle;
+use super::run_up;
 use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
@@ -11,6 +12,10 @@ const OUTPUT: Citation = Citation::new("turning spindle facts 1; 12 bits from a 
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
 const KIENZLE: Citation = Citation::new("ISCAR turning catalogue 2017, p.558, groups by their order", Grade::Inferred);
+const INERTIA: Citation = Citation::new("sizing facts 2.1", Grade::Inferred);
+const TORQUE: Citation = Citation::new("sizing facts 2.2", Grade::Inferred);
+const ENERGY: Citation = Citation::new("sizing facts 2.4", Grade::Inferred);
+const RUN_UP: Citation = Citation::new("turning spindle facts, 5", Grade::Inferred);
 
 const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
@@ -108,6 +113,38 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "force", label: "turning.readout.force", unit: "N", decimals: 0, headline: false,
         formula: "kc1.1 · b · h^(1 - mc) · (1 - γ / 100)", cite: KIENZLE, value: |lathe| lathe.p.cutting_force,
+    },
+    ReadoutRow {
+        id: "work-inertia", label: "turning.readout.work-inertia", unit: "kg m²", decimals: 4, headline: false,
+        formula: "π ρ L D⁴ / 32", cite: INERTIA, value: |lathe| lathe.p.work_inertia(),
+    },
+    ReadoutRow {
+        id: "inertia", label: "turning.readout.inertia", unit: "kg m²", decimals: 4, headline: false,
+        formula: "J spindle + J work + J rotor · (n m / n10)²", cite: INERTIA, value: run_up::inertia,
+    },
+    ReadoutRow {
+        id: "run-up-torque", label: "turning.readout.run-up-torque", unit: "Nm", decimals: 1, headline: false,
+        formula: "J · 2π n10 / (60 t) + friction", cite: RUN_UP, value: run_up::torque,
+    },
+    ReadoutRow {
+        id: "shortest-ramp", label: "turning.readout.shortest-ramp", unit: "s", decimals: 2, headline: false,
+        formula: "J · 2π n10 / 60 / (torque for moments at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: run_up::shortest_ramp,
+    },
+    ReadoutRow {
+        id: "run-up-time", label: "turning.readout.run-up-time", unit: "s", decimals: 2, headline: false,
+        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: run_up::run_up,
+    },
+    ReadoutRow {
+        id: "braking-time", label: "turning.readout.braking-time", unit: "s", decimals: 2, headline: false,
+        formula: "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", cite: RUN_UP, value: run_up::braking,
+    },
+    ReadoutRow {
+        id: "coasting-time", label: "turning.readout.coasting-time", unit: "s", decimals: 1, headline: false,
+        formula: "J · 2π n / 60 / friction, from the highest speed", cite: TORQUE, value: run_up::coasting,
+    },
+    ReadoutRow {
+        id: "stop-energy", label: "turning.readout.stop-energy", unit: "J", decimals: 0, headline: false,
+        formula: "½ J ω² - ½ friction · ω t", cite: ENERGY, value: run_up::stop_energy,
     },
     ReadoutRow {
         id: "keyway-time", label: "turning.readout.keyway-time", unit: "s", decimals: 2, headline: false,

@@ -5,6 +5,7 @@ use super::keyway;
 use super::params::{FIELDS, Gear, Params, Path};
 use super::program;
 use super::resolved::TurningSpindle;
+use super::run_up;
 use crate::controls::spindle::RapidSpeed;
 use crate::drives::Bound;
 use crate::machines::materials::Material;
@@ -29,6 +30,7 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("stage", gear_time, Citation::new("ladder of the control, A1.0", Grade::Sister)),
     Rule::new("feed-top", clamps, Citation::new("cutting feed clamp, a parameter", Grade::Sister)),
     Rule::new("acceleration-needed", acceleration, Citation::new("derivative of n = 1000 v / (π d)", Grade::Inferred)),
+    Rule::new("shortest-ramp", run_up::judge, Citation::new("turning spindle facts, 5", Grade::Inferred)),
     Rule::new("cutting-time", block_time, Citation::new("what a block costs, a parameter", Grade::Open)),
     Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
     Rule::new("torque", torque, Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred)),

@@ -1,13 +1,12 @@
 //! Hold, alarm, reset, emergency stop and inverter fault of the lathe: the spindle turns on while the tool is in the cut, until somebody ends the program.
 
 use super::resolved::TurningSpindle;
+use super::run_up;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 
 const DESIGN: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
-/// How long a spindle coasts without the inverter is not known.
-const COASTS: Citation = Citation::new("turning spindle facts, 7", Grade::Open);
 
 /// What the spindle does.
 pub(super) fn spindle(lathe: &TurningSpindle, at: Interruption) -> SpindleReaction {
@@ -48,14 +47,11 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             msg!("turning.stops.work-slows"),
             msg!("turning.stops.clear"),
         ),
-        Reaction {
-            cite: COASTS,
-            ..row(
-                Interruption::InverterFault,
-                msg!("turning.stops.axes-reset"),
-                msg!("turning.stops.work-slows"),
-                msg!("turning.stops.fault"),
-            )
-        },
+        row(
+            Interruption::InverterFault,
+            msg!("turning.stops.axes-reset"),
+            msg!("turning.stops.work-coasts", (run_up::coasting(lathe), 1)),
+            msg!("turning.stops.fault"),
+        ),
     ]
 }

@@ -6,7 +6,7 @@ use super::runs::SizingRuns;
 use crate::controls::Control;
 use crate::drives::duty::{Motion, Work};
 use crate::drives::inertia::CM2;
-use crate::drives::load::{Regeneration, power};
+use crate::drives::load::{Phase, Regeneration, effective, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
 use crate::drives::servo::{Duty, Reason, Servo, Shares};
 use crate::machines::PreparedMachine;
@@ -298,7 +298,8 @@ pub(super) fn name(part: &Part) -> String {
     part.name().chars().take(NAME).collect()
 }
 
-/// A motor behind the inverter: torque up to its rated speed, power above.
+/// A motor behind the inverter: torque up to its rated speed, power above; in run-up and stop their share for moments, and over both with the
+/// work between them the rated torque.
 fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &Control) -> Candidate {
     let Ratings::Induction(of) = part.ratings else { return unknown(part) };
     let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
@@ -312,22 +313,38 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
         }),
         _ => None,
     });
-    let refusal = if asked > torque {
+    let mut shares =
+        Shares { inertia_ratio: 0.0, peak: asked / torque, effective: asked / torque, speed: speed / rated_speed };
+    let mut refusal = if asked > torque {
         Some((Rank::Effective, msg!("size.refused-torque", (asked, 3), (torque, 3))))
     } else if needed > rated_power {
         Some((Rank::Peak, msg!("size.refused-power", (needed, 0), (rated_power, 0))))
     } else {
         None
     };
+    if let Some(cycle) = &drive.cycle {
+        let ramps = cycle.ramps(of.inertia);
+        // Power, not torque, bounds the end of a ramp above rated speed.
+        let gives = torque.min(rated_power / cycle.of.speed);
+        let of_peak = ramps.iter().zip(cycle.peak).map(|(ramp, share)| (ramp.torque.abs(), share * gives));
+        for (asked, most) in of_peak {
+            shares.peak = shares.peak.max(asked / most);
+            if asked > most {
+                refusal = refusal.or_else(|| Some((Rank::Peak, msg!("size.refused-ramp", (asked, 3), (most, 3)))));
+            }
+        }
+        let [rise, fall] = ramps;
+        let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.of.run }, fall]);
+        shares.effective = effective / torque;
+        if effective > torque {
+            let refused = || Some((Rank::Effective, msg!("size.refused-cycle", (effective, 3), (torque, 3))));
+            refusal = refusal.or_else(refused);
+        }
+    }
     let entries = drive.fields.map(|(model, rated)| vec![(model, name(part)), (rated, number_text(torque, 3))]);
     Candidate {
         amplifier: inverter.cloned(),
-        shares: Some(Shares {
-            inertia_ratio: 0.0,
-            peak: asked / torque,
-            effective: asked / torque,
-            speed: speed / rated_speed,
-        }),
+        shares: Some(shares),
         refusal: refusal.map(|(rank, message)| Refusal { rank, message }),
         entries: entries.unwrap_or_default(),
         ..unknown(part)

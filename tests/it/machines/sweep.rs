@@ -27,7 +27,7 @@ const TOLD: &[(&str, &[&str])] = &[
     // Where a control has no alarms for programs, they stop with a message.
     ("waits for the operator", &["vector-feed", "feed-per-revolution", "block-time", "length-error"]),
     // The machine deviates from its commands.
-    ("commanded speed", &["volts", "stage-speed", "speed-smallest", "lower-limit"]),
+    ("commanded speed", &["volts", "stage-speed", "speed-smallest", "lower-limit", "override"]),
     ("the control slows the whole block", &["feed-top", "feed-per-revolution"]),
     ("The axes stop between blocks", &["block-time", "cutting-time"]),
     ("The spindle stands still", &["block-time"]),

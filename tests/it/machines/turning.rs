@@ -224,7 +224,7 @@ fn design_readouts_match_their_golden() {
         });
         verdicts.chain(errors).collect::<String>()
     };
-    expect![[""]].assert_eq(&said(&[("spindle-ramp", "1")]));
+    expect![[""]].assert_eq(&said(&[("spindle-ramp", "1"), ("motor-power", "22")]));
     expect![[r#"
         Fail speed-smallest: The speed limit of 3500 r/min lies above the 3000 r/min of chuck and spindle: set it to 3000 or less.
         Warn acceleration-needed: The spindle would have to gain 3142 r/min each second, it can 1000: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.

@@ -173,11 +173,8 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.y-carried", "a fact, no fault"),
     ("scaling.drifts", "a fact of gear and lead: another gear"),
     ("scaling.no-ratio", "a fact of gear and lead: another gear"),
-    (
-        "turning.far-too-little-power",
-        "no speed is slow enough; less depth has its button where the force follows from it",
-    ),
     ("turning.few-volts-alone", "a deed: a spindle with gear stages"),
+    ("turning.friction-stalls", "a deed: less friction, or another motor"),
     ("turning.limited", "a fact about the limit that the form asks for"),
     ("turning.overload", "a fact: the share of time is the operator's"),
 ];

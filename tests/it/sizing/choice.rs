@@ -165,3 +165,51 @@ fn bill_names_each_drive_once_and_the_motor_of_the_form_first() {
     project.values.insert("motor-x".to_owned(), Value::Text("Works M99".to_owned()));
     assert!(parts(&project).contains(&"Works M99".to_owned()));
 }
+
+/// A lathe that turns a shaft in a stage of 1500 r/min, its motor at 1500 r/min: 500 N at Ø 50 and more, 13 Nm.
+fn lathe(changes: &[(&'static str, &str)]) -> Project {
+    let mut project = Project::named("turning-spindle", None, Some("shaft")).unwrap();
+    // Two motors of 15 Nm and one of 30 Nm; the last rotor is that of a flywheel.
+    let table = "kind,maker,model,rated_power_w,rated_speed_rpm,rated_torque_nm,inertia_kgm2,grade\n\
+         induction,Works,L15,2356,1500,15,0.01,entered\n\
+         induction,Works,L30,4712,1500,30,0.02,entered\n\
+         induction,Works,H30,4712,1500,30,0.5,entered\n";
+    let (parts, found) = parts::read(table, "own.csv");
+    assert!(found.is_empty(), "{found:?}");
+    project.add_parts(parts);
+    let form = [
+        ("stage-1", "1500"),
+        ("stage-2", "0"),
+        ("motor-base", "1500"),
+        ("motor-top", "1500"),
+        ("cutting-force", "400"),
+        ("efficiency", "100"),
+    ];
+    let sets = form.iter().chain(changes).map(|(id, typed)| (*id, (*typed).to_owned())).collect::<Vec<_>>();
+    project.with_entries(&sets).unwrap()
+}
+
+#[test]
+fn spindle_motor_is_chosen_by_cut_and_run_up() {
+    let refused = |changes: &[(&'static str, &str)]| {
+        let sizing = sized(&lathe(changes));
+        let own = |model: &str| {
+            let found = candidates(&sizing, "spindle").iter().find(|candidate| candidate.part.model == model);
+            reason(found.unwrap_or_else(|| panic!("no {model}")))
+        };
+        ["L15", "L30", "H30"].map(own)
+    };
+    // The cut alone asks 11.6 Nm; chuck and work of 0.202 kg m² and a rotor of 0.01 take 3.3 Nm over 10 s, a rotor of 0.5 takes 11 Nm.
+    assert_eq!(refused(&[("spindle-ramp", "10")]), ["", "", ""]);
+    // Over 1.5 s they ask 22.3 and 2 Nm of friction, of 22.5 Nm for moments.
+    let [light, strong, heavy] = refused(&[("spindle-ramp", "1.5")]);
+    assert!(light.starts_with("Too weak for the ramp: 24."), "{light}");
+    assert_eq!(strong, "");
+    assert!(heavy.starts_with("Too weak for the ramp: 7"), "{heavy}");
+    // A light motor for moments that do not tire it, and a short cut between long ramps: too warm.
+    let [light, strong, _] = refused(&[("spindle-ramp", "1.5"), ("motor-peak", "200"), ("motor-braking", "200")]);
+    assert_eq!((light.as_str(), strong.as_str()), ("", ""));
+    let short = [("spindle-ramp", "1.5"), ("motor-peak", "200"), ("motor-braking", "200"), ("length", "1")];
+    let [light, _, _] = refused(&short);
+    assert!(light.starts_with("Too warm: "), "{light}");
+}

@@ -123,7 +123,7 @@ fn every_machine_has_its_events_and_one_worst_each() {
     use OperatingEvent::{Alarm, EmergencyStop, Hold, Knob, PowerFailure, Run, SpeedChange, Start};
     for (machine, events) in [
         ("ribbon-line", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop, PowerFailure]),
-        ("turning-spindle", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop]),
+        ("turning-spindle", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop, PowerFailure]),
         ("polygon-lathe", vec![Start, Run, Hold, EmergencyStop]),
     ] {
         let sizing = sized(&Project::named(machine, None, None).unwrap());
@@ -138,6 +138,18 @@ fn every_machine_has_its_events_and_one_worst_each() {
             assert_eq!(worst, 1, "{machine}: worst {id}");
         }
         assert!(sizing.envelope.iter().all(|row| row.value.is_finite()), "{machine}");
+    }
+}
+
+#[test]
+fn lathe_coasts_at_fault_and_power_failure_as_long_as_it_says() {
+    // One diameter, one speed: from the middle of the cut to rest.
+    let mut project = Project::named("turning-spindle", None, Some("shaft")).unwrap();
+    project.values.insert("speed-mode".to_owned(), Value::Text("fixed".to_owned()));
+    let sizing = sized(&project);
+    let coasting = result(&project, "coasting-time");
+    for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
+        super::same(event.id(), row(&sizing, event, "time").value, coasting, 0.01);
     }
 }
 

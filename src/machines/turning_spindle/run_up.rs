@@ -1,0 +1,129 @@
+//! What turns with the spindle in a gear stage: its inertia, what run-up and braking ask of the motor, and how long it coasts without current.
+
+use super::params::{FIELDS, Params, Path};
+use super::resolved::TurningSpindle;
+use crate::drives::inertia::{Cylinder, through_gear};
+use crate::drives::load::{self, Load};
+use crate::drives::spindle_motor::MotorCurve;
+use crate::machines::verdict::{Judgement, fail, ok, up};
+use crate::math::RPM;
+use crate::msg;
+use crate::view::Advice;
+use crate::view::Limit::AtMost;
+
+/// Longest ramp of the form, s.
+const LONGEST_RAMP: f64 = 600.0;
+
+impl Params {
+    /// The motor at the spindle in a gear stage of `rated` r/min at 10 V.
+    pub(super) fn motor(&self, rated: f64) -> MotorCurve {
+        MotorCurve::new(self.motor_power, self.efficiency / 100.0, (self.motor_base, self.motor_top), rated)
+    }
+
+    /// Moment of inertia (kg m²) of the stock, a solid cylinder that is as long as the cut at least. Source: sizing facts 2.1.
+    pub(super) fn work_inertia(&self) -> f64 {
+        let cut = if self.path == Path::Facing { 0.0 } else { self.length };
+        let (outer, length) = (self.stock_diameter / 1000.0, self.work_length.max(cut) / 1000.0);
+        Cylinder { outer, inner: 0.0, length, density: self.work_density }.inertia()
+    }
+
+    /// Chuck, work and rotor as the spindle sees them in a gear stage of `rated` r/min at 10 V, against its friction:
+    /// `J = J_spindle + J_work + J_rotor (n_m / n10)²`. Source: sizing facts 2.1.
+    pub(super) fn turned(&self, rated: f64) -> Load {
+        let rotor = through_gear(self.rotor_inertia, rated / self.motor_top);
+        Load {
+            inertia: self.spindle_inertia + self.work_inertia() + rotor,
+            torque: self.spindle_friction,
+            efficiency: 1.0,
+        }
+    }
+
+    /// Seconds in which the spindle coasts to rest from `rpm` in a gear stage: friction alone slows it. Source: sizing facts 2.2.
+    pub(super) fn coasting(&self, rated: f64, rpm: f64) -> f64 {
+        let turned = self.turned(rated);
+        load::coasting(turned.inertia, rpm * RPM, turned.torque)
+    }
+
+    /// The motor at the spindle for moments, in run-up and in braking.
+    fn for_moments(&self, rated: f64) -> [MotorCurve; 2] {
+        [self.motor_peak, self.motor_braking].map(|percent| self.motor(rated).share(percent / 100.0))
+    }
+}
+
+/// Highest speed of the program, r/min.
+pub(super) fn highest(lathe: &TurningSpindle) -> f64 {
+    lathe.d.speed_largest.max(lathe.d.speed_smallest)
+}
+
+/// Chuck, work and rotor in the program's gear stage, at the spindle.
+fn turned(lathe: &TurningSpindle) -> Load {
+    lathe.p.turned(lathe.d.stage_speed)
+}
+
+/// The same where friction helps the motor to brake.
+fn braked(lathe: &TurningSpindle) -> Load {
+    let turned = turned(lathe);
+    Load { torque: -turned.torque, ..turned }
+}
+
+/// Moment of inertia (kg m²) of all that turns.
+pub(super) fn inertia(lathe: &TurningSpindle) -> f64 {
+    turned(lathe).inertia
+}
+
+/// Torque (Nm) at the spindle that the run-up asks at the form's ramp: `J ω10 / t + M_f`. Source: turning spindle facts, 5.
+pub(super) fn torque(lathe: &TurningSpindle) -> f64 {
+    let turned = turned(lathe);
+    turned.accelerating(0.0, lathe.d.stage_speed * RPM, lathe.p.spindle_ramp) + turned.torque
+}
+
+/// The shortest ramp (s to the speed at 10 V) whose run-up and braking the motor has the torque for at the highest speed of the program,
+/// where it has the least. Source: turning spindle facts, 5.
+pub(super) fn shortest_ramp(lathe: &TurningSpindle) -> f64 {
+    let rated = lathe.d.stage_speed;
+    let [up, down] = lathe.p.for_moments(rated).map(|motor| motor.torque(highest(lathe)));
+    let ramp = |load: Load, torque: f64| load.shortest_ramp(0.0, rated * RPM, torque);
+    ramp(turned(lathe), up).max(ramp(braked(lathe), down))
+}
+
+/// Seconds to the highest speed of the program with all that the motor gives for moments.
+pub(super) fn run_up(lathe: &TurningSpindle) -> f64 {
+    let (turned, [motor, _]) = (turned(lathe), lathe.p.for_moments(lathe.d.stage_speed));
+    motor.seconds_to(highest(lathe), turned.inertia, turned.torque)
+}
+
+/// Seconds from there to rest.
+pub(super) fn braking(lathe: &TurningSpindle) -> f64 {
+    let (braked, [_, motor]) = (braked(lathe), lathe.p.for_moments(lathe.d.stage_speed));
+    motor.seconds_to(highest(lathe), braked.inertia, braked.torque)
+}
+
+/// Seconds from there to rest without current.
+pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
+    lathe.p.coasting(lathe.d.stage_speed, highest(lathe))
+}
+
+/// Energy (J) that a stop over the ramp from there gives back at the spindle, less what friction takes; 0 where that takes all.
+/// Source: sizing facts 2.4.
+pub(super) fn stop_energy(lathe: &TurningSpindle) -> f64 {
+    let seconds = lathe.p.spindle_ramp * highest(lathe) / lathe.d.stage_speed;
+    turned(lathe).stop_energy(0.0, highest(lathe) * RPM, seconds).max(0.0)
+}
+
+/// The form's ramp against the shortest one.
+pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
+    let (ramp, shortest) = (lathe.p.spindle_ramp, shortest_ramp(lathe));
+    let limit = AtMost(ramp);
+    if limit.holds(shortest) {
+        return ok(limit);
+    }
+    if shortest == f64::INFINITY {
+        let [motor, _] = lathe.p.for_moments(lathe.d.stage_speed);
+        let gives = motor.torque(highest(lathe));
+        return fail(limit, [msg!("turning.friction-stalls", (lathe.p.spindle_friction, 1), (gives, 1)).into()]);
+    }
+    let set = up(FIELDS, "spindle-ramp", shortest);
+    let advice = Advice::from(msg!("turning.ramp-too-short", (shortest, 2), (ramp, 2)));
+    let button = msg!("advice.set-ramp", set.1.as_str());
+    fail(limit, [if shortest <= LONGEST_RAMP { advice.setting(button, [set]) } else { advice }])
+}
