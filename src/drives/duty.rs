@@ -1,6 +1,6 @@
 //! What a motion asks of its motor: torque at the shaft over time for any rotor, and the energy that goes to and fro.
 
-use super::load::{Load, Regeneration};
+use super::load::{Load, Regeneration, power};
 
 /// A part of a motion with constant acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,6 +111,60 @@ impl Motion {
         sum += regeneration.to_resistor(stop);
         if seconds > 0.0 { sum / seconds } else { 0.0 }
     }
+}
+
+/// Energy in J that motors on one DC bus take from the supply and give back to it: what one gives back another may take at that moment.
+/// Each is a motion with the rotor of its motor, kg m². Source: sizing facts 2.4, power of all axes added.
+pub fn on_one_bus(motors: &[(&Motion, f64)]) -> (f64, f64) {
+    // Power is straight within a turn: where one begins or ends, its power and slope come or go.
+    let mut changes: Vec<(f64, f64, f64)> = Vec::new();
+    for (motion, rotor) in motors {
+        for turn in &motion.turns {
+            let torque = motion.torque(turn, *rotor);
+            let (begin, end) = (power(torque, turn.from), power(torque, turn.to));
+            let slope = (end - begin) / turn.seconds;
+            changes.push((turn.t, begin, slope));
+            changes.push((turn.t + turn.seconds, -end, -slope));
+        }
+    }
+    changes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut given, mut returned) = (0.0, 0.0);
+    let (mut t, mut watts, mut slope) = (0.0, 0.0, 0.0);
+    for (next, jump, bend) in changes {
+        let end = watts + slope * (next - t);
+        let (over, under) = areas(watts, end, next - t);
+        (given, returned) = (given + over, returned + under);
+        (t, watts, slope) = (next, end + jump, slope + bend);
+    }
+    (given, returned)
+}
+
+/// Areas above and below 0 of a straight line from `a` to `b` over `seconds`.
+fn areas(a: f64, b: f64, seconds: f64) -> (f64, f64) {
+    let whole = 0.5 * (a + b) * seconds;
+    if a * b >= 0.0 {
+        return (whole.max(0.0), (-whole).max(0.0));
+    }
+    let crossing = seconds * a / (a - b);
+    let (first, second) = (0.5 * a * crossing, 0.5 * b * (seconds - crossing));
+    (first.max(second), -first.min(second))
+}
+
+/// Duty type of an electric machine by IEC 60034-1, for a drive that turns under load or stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DutyType {
+    /// S1: it turns as good as always.
+    Continuous,
+    /// S3: it turns and stands by turns; the cyclic duration factor, %: 15, 25, 40 or 60.
+    Intermittent(u8),
+}
+
+/// The duty type of a drive that turns for `share` of the time, 0 to 1: the least cyclic duration factor of the standard that covers it.
+/// Source: sizing facts 2.8, from memory.
+pub fn duty_type(share: f64) -> DutyType {
+    let factors = [15, 25, 40, 60].into_iter();
+    let covering = factors.into_iter().find(|factor| share <= f64::from(*factor) / 100.0);
+    covering.map_or(DutyType::Continuous, DutyType::Intermittent)
 }
 
 /// A turn in two where it changes its direction.

@@ -118,6 +118,14 @@ pub struct ServoRatings {
     pub encoder_pulses: Option<f64>,
 }
 
+impl ServoRatings {
+    /// Current in A for a torque of 1 Nm, by the rated point: the torque of a permanent-magnet motor is proportional to its current.
+    pub fn ampere_per_torque(&self) -> Option<f64> {
+        let (current, torque) = self.rated_current.zip(self.rated_torque.or(self.stall_torque))?;
+        (torque > 0.0).then(|| current / torque)
+    }
+}
+
 /// Ratings of an induction motor at its base frequency.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct InductionRatings {

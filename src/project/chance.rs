@@ -36,12 +36,23 @@ pub struct Chance {
 /// Draws machines, each with every assumed fact evenly between 0.9 and 1.1 of its value: within the range of its field, rounded to its decimals.
 /// The same seed draws the same machines everywhere.
 pub fn chance(project: &Project, draws: u32, seed: u64) -> Chance {
+    chance_telling(project, draws, seed, &mut |_| ())
+}
+
+/// Draws between two reports of how far they are.
+const TOLD: u32 = 500;
+
+/// The same, and tells the share that is done, 0 to 1, on the way.
+pub fn chance_telling(project: &Project, draws: u32, seed: u64, tell: &mut dyn FnMut(f64)) -> Chance {
     let facts = assumed_numbers(project);
     let mut random = fastrand::Rng::with_seed(seed);
     let mut values = project.values.clone();
     let mut hold = 0;
     let mut failing: BTreeMap<&'static str, (&'static str, u32)> = BTreeMap::new();
-    for _ in 0..draws {
+    for draw in 0..draws {
+        if draw % TOLD == 0 {
+            tell(f64::from(draw) / f64::from(draws));
+        }
         for field in &facts {
             let factor = 1.0 + OFF * (2.0 * random.f64() - 1.0);
             let drawn = changed(project, field, factor).map(Value::Number);

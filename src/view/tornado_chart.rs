@@ -35,8 +35,8 @@ pub struct TornadoChart<'a> {
 }
 
 /// Width of the picture, room at its sides for the figures, height of the heading, of a bar with its name, and of the bar alone.
-const WIDTH: f64 = 480.0;
-const SIDE: f64 = 60.0;
+const WIDTH: f64 = 340.0;
+const SIDE: f64 = 44.0;
 const HEAD: f64 = 44.0;
 const ROW: f64 = 27.0;
 const BAR: f64 = 10.0;

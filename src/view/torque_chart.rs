@@ -37,11 +37,11 @@ pub struct TorqueChart {
 }
 
 /// Width and height of the picture, and its margins: left, right, top, bottom.
-const SIZE: (f64, f64) = (480.0, 260.0);
+const SIZE: (f64, f64) = (340.0, 220.0);
 const MARGINS: (f64, f64, f64, f64) = (44.0, 14.0, 16.0, 34.0);
 
 /// Grid lines at most, across and up.
-const GRID: (usize, usize) = (7, 5);
+const GRID: (usize, usize) = (5, 5);
 
 /// Shares of the run from which on a line counts as lasting, and as passing.
 const LASTING: f64 = 0.1;

@@ -52,6 +52,20 @@ test('machines are drawn by a button', () =>
     await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
   }));
 
+test('a drawing of machines that was cancelled is done once more by a button', () =>
+  withPage(app, {}, async ({ page }) => {
+    await sized(page);
+    await page.getByRole('button', { name: 'Draw 10,000 machines' }).click();
+    // At once: the button shows itself only where the answer takes its time.
+    await page.locator('.working').nth(1).locator('button').dispatchEvent('click');
+    await page.getByText('Cancelled').waitFor();
+    await page.getByRole('button', { name: 'Once more' }).click();
+    await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
+    // The worker that was ended has a successor: the sizing goes on.
+    await page.getByRole('button', { name: /HG-KR23$/ }).first().click();
+    await page.waitForFunction(() => document.querySelector('.sizing table').innerText.includes('HG-KR23'));
+  }));
+
 for (const viewport of [{ width: 1440, height: 900 }, { width: 1366, height: 768 }, { width: 390, height: 844 }]) {
   test(`no sheet is cut off at ${viewport.width} px`, () =>
     withPage(app, { viewport }, async ({ page }) => {

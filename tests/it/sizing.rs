@@ -4,6 +4,7 @@
 mod by_hand;
 mod chance;
 mod choice;
+mod energy;
 mod envelope;
 mod timeline;
 mod tornado;

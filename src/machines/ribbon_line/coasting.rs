@@ -2,7 +2,7 @@
 //! meanwhile.
 
 use super::derive::Derived;
-use super::params::FIELDS;
+use super::params::{FIELDS, PathMode};
 use super::resolved::RibbonLine;
 use crate::drives::inertia::CM2;
 use crate::drives::{load, web};
@@ -34,9 +34,30 @@ fn laid_before(line: &RibbonLine) -> f64 {
     line.fast.slack_start.abs() + line.fast.slack_run.abs()
 }
 
-/// Capacity (mm) that takes up a product which ends without current, with the knob at its end: `C ≥ |start| + |run| + |laid|`.
+/// Ribbon (mm) that is laid at the worst moment, with the knob at its end: X has come to rest behind the last move and M5 is not read yet, so
+/// that the unwinder coasts from its whole speed.
+fn laid_behind_the_last_move(line: &RibbonLine) -> f64 {
+    let d = &line.fast;
+    if d.actual_speed <= 0.0 {
+        return 0.0;
+    }
+    let (edge, lag) = stop_of_x(line);
+    web::slack_after_stop(d.line_speed / 60.0, seconds(line, d.actual_speed), edge, edge) - lag
+}
+
+/// How long (s) X takes to come to rest at the end of a product with the knob at its end, and how far (mm) it is behind its command before:
+/// exact stops have both in the time of a block.
+fn stop_of_x(line: &RibbonLine) -> (f64, f64) {
+    match line.p.path_mode {
+        PathMode::ExactStop => (0.0, 0.0),
+        PathMode::Continuous => (line.p.time_constant_x / 1000.0, line.fast.line_speed / 60.0 / line.p.position_gain_x),
+    }
+}
+
+/// Capacity (mm) that takes up a product which ends without current at any moment, with the knob at its end:
+/// `C ≥ |start| + |run| + |coasting behind the last move|`. A brake that stops the unwinder sooner than X stops asks for more within a move.
 pub(super) fn loop_needed(line: &RibbonLine) -> f64 {
-    laid_before(line) + laid(line, &line.fast).abs()
+    laid_before(line) + laid_behind_the_last_move(line).abs().max(laid(line, &line.fast).abs())
 }
 
 /// What the loop holds against what a product without current lays into it; a brake at the motor or a greater loop mends it.
@@ -51,9 +72,9 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     let mut advice = Vec::new();
     // The brake that stops the unwinder in the time in which the loop fills up.
     let speed = line.fast.line_speed / 60.0;
-    let room = capacity - laid_before(line) + speed / line.p.position_gain_x;
-    let left = 2.0 * room / speed + line.p.time_constant_x / 1000.0;
-    if room > 0.0 {
+    let (edge, lag) = stop_of_x(line);
+    let left = 2.0 * (capacity - laid_before(line) + lag) / speed - edge;
+    if left > 0.0 {
         let torque = load::braking(line.p.unwinding.inertia * CM2, line.fast.actual_speed * RPM, left);
         let set = up(FIELDS, "unwinder-motor-brake", torque - line.mechanics.unwinder);
         advice.push(Advice::from(said.clone()).setting(msg!("advice.set-motor-brake", set.1.as_str()), [set]));

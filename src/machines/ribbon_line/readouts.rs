@@ -264,7 +264,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "loop-coasting", label: "ribbon.readout.loop-coasting", unit: "mm", decimals: 1, headline: false,
-        formula: "|start| + |run| + |coasting|, the knob at its end",
+        formula: "|start| + |run| + v · (coasting / 2 + τ / 2 - 1 / Kx), the knob at its end",
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: coasting::loop_needed,
     },
     ReadoutRow {

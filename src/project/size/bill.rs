@@ -1,8 +1,7 @@
 //! The bill of materials of the drives: for each axis the motor that the form names or the smallest that passes, best with a known amplifier, and the control.
 
-use super::choice::{SizedAxis, name};
+use super::choice::{SizedAxis, name, named};
 use crate::drives::parts::{Part, PartGrade};
-use crate::machines::form::Value;
 use crate::project::Project;
 use crate::text::catalog::number_text;
 
@@ -46,7 +45,7 @@ fn of_axis(project: &Project, axis: &SizedAxis) -> Vec<BillRow> {
     let of = |item, part: &Part| row(item, part.name(), part.evidence.grade);
     let is_servo = axis.work.is_some();
     let amplifier = if is_servo { "size.item.amplifier" } else { "size.item.inverter" };
-    let typed = named(project, axis);
+    let typed = axis.field.and_then(|field| named(project, field));
     let known = axis.candidates.iter().find(|candidate| Some(name(&candidate.part)) == typed);
     let passing = || axis.candidates.iter().filter(|candidate| candidate.refusal.is_none());
     // One whose amplifier is known can be ordered.
@@ -59,13 +58,5 @@ fn of_axis(project: &Project, axis: &SizedAxis) -> Vec<BillRow> {
             let motor = of("size.item.motor", &chosen.part);
             [motor].into_iter().chain(chosen.amplifier.as_ref().map(|part| of(amplifier, part))).collect()
         }
-    }
-}
-
-/// The motor that the form names for an axis.
-fn named(project: &Project, axis: &SizedAxis) -> Option<String> {
-    match project.values.get(axis.field?)? {
-        Value::Text(name) => Some(name.trim().to_owned()).filter(|name| !name.is_empty()),
-        _ => None,
     }
 }

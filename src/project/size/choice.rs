@@ -11,8 +11,9 @@ use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
 use crate::drives::servo::{Duty, Reason, Servo, Shares};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields};
+use crate::machines::form::Value;
 use crate::math::RPM;
-use crate::motion::Timeline;
+use crate::motion::{Mover, Timeline};
 use crate::msg;
 use crate::project::Project;
 use crate::project::parts::goes_with;
@@ -41,8 +42,12 @@ pub struct SizedAxis {
     pub name: &'static str,
     /// Field of the form with maker and model of its motor, where there is one.
     pub field: Option<&'static str>,
+    /// Share of the time of a part for which it turns, 0 to 1.
+    pub turning: f64,
     /// Torque of the brake at its motor that closes without current, Nm; 0 without one.
     pub brake: f64,
+    /// Current of the motor that the form names for 1 Nm, A; none where the catalogue does not have it.
+    pub ampere_per_torque: Option<f64>,
     /// What the run asks of the motor that the form has; none of a drive behind an inverter.
     pub work: Option<Work>,
     /// Torque over speed of that motor.
@@ -169,7 +174,9 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             id: axis.id,
             name: axis.name,
             field: axis.fields.map(|fields| fields.name),
+            turning: share_turning(of, axis.mover),
             brake: 0.0,
+            ampere_per_torque: ampere_per_torque(project, &axis),
             work: Some(asked.work(axis.fitted.motor.rotor)),
             chart: Some(asked.chart(&axis.fitted.motor)),
             candidates: in_order(candidates),
@@ -184,13 +191,41 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             id: drive.id,
             name: drive.name,
             field,
+            turning: share_turning(of, Mover::Spindle),
             brake: drive.brake,
+            ampere_per_torque: None,
             work: None,
             chart: None,
             candidates: in_order(candidates),
         }
     });
     servo.chain(behind).collect()
+}
+
+/// Share of the time of a part for which something turns.
+fn share_turning(of: &SizingRuns, mover: Mover) -> f64 {
+    let timeline = of.run.timeline();
+    let all = timeline.stretches(mover, 0.0, timeline.end());
+    let turning = all.iter().filter(|part| part.from != 0.0 || part.to != 0.0).map(|part| part.seconds).sum::<f64>();
+    if timeline.end() > 0.0 { turning / timeline.end() } else { 0.0 }
+}
+
+/// Current (A) for 1 Nm of the motor that the form names for an axis, where the catalogue has it.
+pub(super) fn ampere_per_torque(project: &Project, axis: &DrivenAxis) -> Option<f64> {
+    let typed = named(project, axis.fields?.name)?;
+    let known = project.catalogue().into_iter().find(|part| name(part) == typed)?;
+    match &known.ratings {
+        Ratings::Servo(ratings) => ratings.ampere_per_torque(),
+        _ => None,
+    }
+}
+
+/// The motor that a field of the form names.
+pub(super) fn named(project: &Project, field: &str) -> Option<String> {
+    match project.values.get(field)? {
+        Value::Text(name) => Some(name.trim().to_owned()).filter(|name| !name.is_empty()),
+        _ => None,
+    }
 }
 
 /// Those that pass first, the least power first; the others by their reason.

@@ -2,10 +2,12 @@
 //!
 //! Each event is a run of the program with an operator's hand at the middle of its work; formulas check these runs, see `tests/it/sizing`.
 
+use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, finish, plan};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::DrivenAxis;
 use crate::motion::{Action, Event};
+use crate::project::Project;
 use crate::project::run::Run;
 use crate::view::{Limit, Verdict};
 
@@ -102,11 +104,17 @@ pub struct EnvelopeRow {
     pub is_worst: bool,
 }
 
-/// The rows of all events that the machine knows.
-pub(super) fn envelope(prepared: &PreparedMachine, whole: &SizingRuns) -> Vec<EnvelopeRow> {
-    let envelope =
-        Envelope { prepared, whole, axes: prepared.driven_axes(), middle: 0.5 * (whole.contact + whole.end) };
-    let mut rows: Vec<EnvelopeRow> = OperatingEvent::IDS.iter().flat_map(|(event, _)| envelope.rows(*event)).collect();
+/// The rows of all events that the machine knows; `done` is called after each.
+pub(super) fn envelope(project: &Project, whole: &SizingRuns, done: &mut dyn FnMut()) -> Vec<EnvelopeRow> {
+    let prepared = &*project.prepared();
+    let with_current = |axis: DrivenAxis| (axis, ampere_per_torque(project, &axis));
+    let axes = prepared.driven_axes().into_iter().map(with_current).collect();
+    let envelope = Envelope { prepared, whole, axes, middle: 0.5 * (whole.contact + whole.end) };
+    let mut rows = Vec::new();
+    for (event, _) in OperatingEvent::IDS {
+        rows.extend(envelope.rows(event));
+        done();
+    }
     mark_worst(&mut rows);
     rows
 }
@@ -130,7 +138,8 @@ impl EnvelopeRow {
 struct Envelope<'a> {
     prepared: &'a PreparedMachine,
     whole: &'a SizingRuns,
-    axes: Vec<DrivenAxis>,
+    /// The axes, each with the current of its motor for 1 Nm, where it is known.
+    axes: Vec<(DrivenAxis, Option<f64>)>,
     /// Time (s) at which the operator's hand acts.
     middle: f64,
 }
@@ -232,25 +241,36 @@ impl Envelope<'_> {
             verdict: verdict(gauge.limit, gauge.value),
             is_worst: false,
         });
-        let torques = self.axes.iter().map(|axis| {
+        let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
             let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
-            let value = motion.work(axis.fitted.motor.rotor).peak.0;
+            let torque = motion.work(axis.fitted.motor.rotor).peak.0;
             let limit = Some(Limit::AtMost(axis.fitted.peak()));
-            EnvelopeRow {
+            let of_torque = EnvelopeRow {
                 event,
                 id: format!("{}-torque", axis.id),
                 label: "size.torque",
                 axis: Some(axis.name),
-                value,
+                value: torque,
                 unit: "Nm",
                 decimals: 3,
                 limit,
                 field: None,
-                verdict: verdict(limit, value),
+                verdict: verdict(limit, torque),
                 is_worst: false,
-            }
+            };
+            let of_current = ampere_per_torque.map(|per_torque| EnvelopeRow {
+                id: format!("{}-current", axis.id),
+                label: "size.current",
+                value: torque * per_torque,
+                unit: "A",
+                decimals: 2,
+                limit: None,
+                verdict: Verdict::None,
+                ..of_torque.clone()
+            });
+            [Some(of_torque), of_current].into_iter().flatten()
         });
-        gauges.chain(torques).collect()
+        gauges.chain(motors).collect()
     }
 }
 

@@ -28,6 +28,7 @@ pub use tornado::{Swing, Tornado};
 use super::Project;
 use super::program::Written;
 use super::sensitivity::{Flip, Sensitivity};
+use crate::drives::duty::{Motion, on_one_bus};
 use crate::machines::PreparedMachine;
 
 /// Time and energy of a part, from the run of its program.
@@ -39,6 +40,8 @@ pub struct Cycle {
     pub given: f64,
     /// Energy that comes back to them, J.
     pub returned: f64,
+    /// Energy that comes back from all of them together where they share a DC bus, J.
+    pub returned_on_one_bus: f64,
 }
 
 /// The sizing of a project.
@@ -64,8 +67,25 @@ pub struct Sizing {
 
 /// Sizes a project with these programs. Total: a run that stops early is sized as far as it came.
 pub fn size(project: &Project, written: &Written) -> Sizing {
+    size_telling(project, written, &mut |_| ())
+}
+
+/// The same, and tells the share that is done, 0 to 1, on the way.
+pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f64)) -> Sizing {
+    tell(0.0);
     let runs = SizingRuns::new(project, written);
-    Sizing { envelope: envelope::envelope(&project.prepared(), &runs), ..answers(project, &runs) }
+    // The runs are one part, each event another, the answers the last.
+    let parts = OperatingEvent::IDS.len() + 2;
+    let mut done = 0;
+    let mut part = || {
+        done += 1;
+        tell(f64::from(done) / parts as f64);
+    };
+    part();
+    let envelope = envelope::envelope(project, &runs, &mut part);
+    let sizing = Sizing { envelope, ..answers(project, &runs) };
+    part();
+    sizing
 }
 
 /// The sizing of a project by runs that are there, without the envelope, which needs runs of its own.
@@ -91,11 +111,14 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
 fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
     let seconds = runs.seconds_of_a_part()?;
     let timeline = runs.run.timeline();
-    let works = prepared
+    let motors: Vec<(Motion, f64)> = prepared
         .driven_axes()
         .into_iter()
-        .map(|axis| axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end())).work(axis.fitted.motor.rotor));
+        .map(|axis| (axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end())), axis.fitted.motor.rotor))
+        .collect();
+    let works = motors.iter().map(|(motion, rotor)| motion.work(*rotor));
     let (given, returned) =
         works.fold((0.0, 0.0), |(given, returned), work| (given + work.given, returned + work.returned));
-    Some(Cycle { seconds, given, returned })
+    let together: Vec<(&Motion, f64)> = motors.iter().map(|(motion, rotor)| (motion, *rotor)).collect();
+    Some(Cycle { seconds, given, returned, returned_on_one_bus: on_one_bus(&together).1 })
 }

@@ -4,6 +4,7 @@ use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, OperatingEvent};
 use super::tell::with_unit;
 use super::{BillRow, Growth, SizedAxis, Sizing, Swing, Tornado};
+use crate::drives::duty::{DutyType, duty_type};
 use crate::drives::parts::PartGrade;
 use crate::machines::sheets::{row, say};
 use crate::math::{self, RPM};
@@ -15,6 +16,8 @@ use crate::view::{Limit, Row, Sheet, TornadoBar, TornadoChart, TorqueWords, Verd
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
 const CATALOGUE: Citation = Citation::new("catalogue of parts, with the source of each row", Grade::Inferred);
+
+const DUTY: Citation = Citation::new("sizing facts 2.8", Grade::Open);
 
 /// Motors of an axis in an offer.
 const OFFERED: usize = 5;
@@ -62,13 +65,23 @@ impl Sizing {
                 ("size.parts-per-hour", with_unit(3600.0 / cycle.seconds, 1, "1/h")),
                 ("size.given", with_unit(cycle.given, 1, "J")),
                 ("size.returned", with_unit(cycle.returned, 1, "J")),
+                ("size.returned-on-one-bus", with_unit(cycle.returned_on_one_bus, 1, "J")),
             ]
         });
+        let duties = self.axes.iter().filter(|_| self.cycle.is_some()).map(|axis| {
+            let share = (100.0 * axis.turning, 0);
+            let duty = match duty_type(axis.turning) {
+                DutyType::Continuous => msg!("size.duty-continuous", share),
+                DutyType::Intermittent(factor) => msg!("size.duty-intermittent", f64::from(factor), share),
+            };
+            row([format!("{}: {}", say(axis.name), say("size.duty")), sentence(Language::English, &duty)], DUTY)
+        });
+        let cells = cells.into_iter().flatten().map(|(label, value)| row([say(label), value], RUNS));
         Sheet {
             id: "cycle",
             title: "sheet.cycle",
             columns: vec!["sheet.quantity-watched", "sheet.value"],
-            rows: cells.into_iter().flatten().map(|(label, value)| row([say(label), value], RUNS)).collect(),
+            rows: cells.chain(duties).collect(),
             drawing: String::new(),
         }
     }
@@ -76,7 +89,7 @@ impl Sizing {
     fn limit_sheet(&self) -> Sheet {
         let cells = |of: &Growth| {
             let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
-            let margin = format!("{:+.0} %", 100.0 * of.margin);
+            let margin = format!("{:+.0}\u{a0}%", 100.0 * of.margin);
             row([say(of.label), with_unit(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
         };
         let fastest = self.fastest.as_ref().map(|fastest| {
@@ -230,6 +243,7 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
     let (continuous, peak, effective, at) =
         (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
     let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at };
+    let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| with_unit(torque * per_torque, 2, "A"));
     let cells = [
         (
             "size.torque",
@@ -240,11 +254,13 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
         ("size.given", with_unit(work.given, 1, "J")),
         ("size.returned", with_unit(work.returned, 1, "J")),
     ];
+    let currents = [("size.current", amperes(work.peak.0)), ("size.effective-current", amperes(work.effective))];
+    let currents = currents.into_iter().filter_map(|(label, value)| Some((label, value?)));
     Some(Sheet {
         id: "asked",
         title: axis.name,
         columns: vec!["sheet.quantity-watched", "sheet.value"],
-        rows: cells.into_iter().map(|(label, value)| row([say(label), value], RUNS)).collect(),
+        rows: cells.into_iter().chain(currents).map(|(label, value)| row([say(label), value], RUNS)).collect(),
         drawing: chart.svg(&words),
     })
 }

@@ -32,6 +32,7 @@ impl Sizing {
             "axes": self.axes.iter().map(axis).collect::<Vec<_>>(),
             "cycle": self.cycle.map(|cycle| json!({
                 "time_s": cycle.seconds, "parts_per_hour": 3600.0 / cycle.seconds, "energy_given_j": cycle.given, "energy_returned_j": cycle.returned,
+                "energy_returned_on_one_bus_j": cycle.returned_on_one_bus,
             })),
             "envelope": self.envelope.iter().map(event).collect::<Vec<_>>(),
             "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
@@ -47,12 +48,14 @@ fn axis(axis: &SizedAxis) -> Json {
     let work = axis.work.map(|work| {
         json!({
             "peak_torque_nm": work.peak.0, "peak_at_s": work.peak.1, "effective_torque_nm": work.effective,
+            "current_per_torque_a_nm": axis.ampere_per_torque,
             "speed_rad_s": work.speed, "energy_given_j": work.given, "energy_returned_j": work.returned,
         })
     });
     json!({
         "axis": axis.id,
         "name": say(axis.name),
+        "turning": percent(axis.turning),
         "asked": work,
         "candidates": axis.candidates.iter().map(candidate).collect::<Vec<_>>(),
     })

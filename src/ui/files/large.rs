@@ -80,7 +80,7 @@ pub(super) fn check(page: Page, large: LargeFile, source: Source) {
                 question.iter().zip(check).for_each(|(question, check)| check.worker.send(question));
             });
         }
-        Reply::Progress(read) => large.update(|check| check.progress.0 = read),
+        Reply::Progress(_, read) => large.update(|check| check.progress.0 = read),
         Reply::Answer(_, Response::Check(report)) => large.update(|check| {
             check.progress.0 = check.progress.1;
             check.report = Some(report);

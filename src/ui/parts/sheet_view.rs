@@ -20,6 +20,9 @@ pub(crate) fn SheetView(
     /// How long the project rests before it is asked: for answers that take time.
     #[prop(default = Duration::ZERO)]
     rest: Duration,
+    /// Whether the answer takes so long that it shows how far it is and can be cancelled.
+    #[prop(optional)]
+    long: bool,
     /// Shown below the sheets once they are there.
     #[prop(optional)]
     children: Option<Children>,
@@ -29,6 +32,10 @@ pub(crate) fn SheetView(
     let answered = RwSignal::new(false);
     // The sheets are those of the project before its last change.
     let outdated = RwSignal::new(true);
+    // How far the answer is, and the number of its request; none while nothing is asked.
+    let far = RwSignal::new(None::<f64>);
+    let asked = StoredValue::new(0);
+    let is_cancelled = RwSignal::new(false);
     let show = move |response: Option<Response>| {
         let html = match response {
             Some(Response::Sheets(sheets)) => which(sheets),
@@ -38,11 +45,25 @@ pub(crate) fn SheetView(
         // The tab may have been left.
         let _ = shown.try_set(html);
         let _ = outdated.try_set(false);
+        let _ = far.try_set(None);
         if answered.try_get_untracked() == Some(false) {
             answered.set(true);
         }
     };
-    let ask = move || page.project.with_untracked(|project| worker.ask(project, request(), show));
+    let ask = move || {
+        put(far, Some(0.0));
+        put(is_cancelled, false);
+        let progress = move |share| {
+            let _ = far.try_set(Some(share));
+        };
+        let number = page.project.with_untracked(|project| worker.ask_long(project, request(), progress, show));
+        asked.set_value(number);
+    };
+    let cancel = move |_| {
+        worker.cancel(asked.get_value());
+        far.set(None);
+        is_cancelled.set(true);
+    };
     let timer = StoredValue::new(None::<TimeoutHandle>);
     let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
     Effect::new(move |_| {
@@ -57,7 +78,24 @@ pub(crate) fn SheetView(
     });
     on_cleanup(stop);
     let mut children = children;
+    let working = long.then(|| {
+        view! {
+            <div class="working" class:on=move || far.get().is_some() || is_cancelled.get()>
+                <Show
+                    when=move || !is_cancelled.get()
+                    fallback=move || view! {
+                        <span role="status">{t("page.cancelled")}</span>
+                        <button type="button" class="chip" on:click=move |_| ask()>{t("page.again")}</button>
+                    }
+                >
+                    <progress aria-label=t("page.progress") max="1" value=move || far.get().unwrap_or(1.0).to_string()></progress>
+                    <button type="button" class="chip" on:click=cancel>{t("page.cancel")}</button>
+                </Show>
+            </div>
+        }
+    });
     view! {
+        {working}
         <div class="sheets" aria-busy=move || outdated.get().to_string() inner_html=move || shown.get()></div>
         {move || answered.get().then(|| children.take().map(|children| children()))}
     }

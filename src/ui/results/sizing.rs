@@ -33,14 +33,14 @@ pub(crate) fn SizingTab() -> impl IntoView {
     view! {
         <p class="lead">{t("page.sizing-lead")}</p>
         <div class="sizing" on:click=choose>
-            <SheetView which=|sheets| sheets.sizing request=|| Request::Sizing rest=REST />
+            <SheetView which=|sheets| sheets.sizing request=|| Request::Sizing rest=REST long=true />
             <Show
                 when=move || drawn.get()
                 fallback=move || view! {
                     <p class="row"><button type="button" class="chip" on:click=move |_| drawn.set(true)>{t("page.chance")}</button></p>
                 }
             >
-                <SheetView which=|sheets| sheets.sizing request=|| Request::Chance rest=REST />
+                <SheetView which=|sheets| sheets.sizing request=|| Request::Chance rest=REST long=true />
             </Show>
         </div>
     }

@@ -73,6 +73,8 @@ type Answer = fn(&Project, Request) -> Option<Response>;
 struct Waiting {
     question: Question,
     then: Box<dyn FnOnce(Option<Response>)>,
+    /// Is told how far the answer is.
+    progress: Rc<dyn Fn(f64)>,
 }
 
 impl Client {
@@ -90,27 +92,58 @@ impl Client {
 
     /// Sends a request about a project; `then` gets the response, or `None` where no worker runs.
     pub(crate) fn ask(self, project: &Project, request: Request, then: impl FnOnce(Option<Response>) + 'static) {
-        let Some(state) = self.0.try_get_value() else { return };
+        self.ask_long(project, request, |_| (), then);
+    }
+
+    /// The same for an answer that takes time: `progress` is told how far it is. Returns the number by which it can be [cancelled](Client::cancel).
+    pub(crate) fn ask_long(
+        self,
+        project: &Project,
+        request: Request,
+        progress: impl Fn(f64) + 'static,
+        then: impl FnOnce(Option<Response>) + 'static,
+    ) -> u32 {
+        let Some(state) = self.0.try_get_value() else { return 0 };
         let mut state = state.borrow_mut();
         #[cfg(test)]
         if let Some(answer) = state.here {
             drop(state);
-            return then(answer(project, request));
+            then(answer(project, request));
+            return 0;
         }
         state.last += 1;
-        let question = Question { number: state.last, project: project.to_json(), request };
+        let number = state.last;
+        let question = Question { number, project: project.to_json(), request };
         if state.worker.is_none() {
-            state.worker = Running::start(move |reply| self.hear(reply), move || self.fail());
+            state.worker = self.start();
         }
         match &state.worker {
             None => {
                 drop(state);
-                return then(None);
+                then(None);
+                return number;
             }
             Some(running) if state.ready => running.send(&question),
             Some(_) => {}
         }
-        state.waiting.push(Waiting { question, then: Box::new(then) });
+        state.waiting.push(Waiting { question, then: Box::new(then), progress: Rc::new(progress) });
+        number
+    }
+
+    /// Gives up a request, in the middle of its work: its worker ends, and another one answers what else waits.
+    pub(crate) fn cancel(self, number: u32) {
+        let Some(state) = self.0.try_get_value() else { return };
+        let mut state = state.borrow_mut();
+        let waits = state.waiting.len();
+        state.waiting.retain(|waiting| waiting.question.number != number);
+        if state.waiting.len() < waits {
+            state.ready = false;
+            state.worker = if state.waiting.is_empty() { None } else { self.start() };
+        }
+    }
+
+    fn start(self) -> Option<Running> {
+        Running::start(move |reply| self.hear(reply), move || self.fail())
     }
 
     /// Answers requests at once, in place of a worker.
@@ -148,7 +181,14 @@ impl Client {
                     (waiting.then)(Some(response));
                 }
             }
-            Reply::Progress(_) => {}
+            Reply::Progress(number, far) => {
+                let waiting = state.waiting.iter().find(|waiting| waiting.question.number == number);
+                let progress = waiting.map(|waiting| Rc::clone(&waiting.progress));
+                drop(state);
+                if let Some(progress) = progress {
+                    progress(far);
+                }
+            }
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::project::export::ExportOptions;
 use crate::project::meaning::{self, Subject, Table};
 use crate::project::parts;
 use crate::project::saved::with_line;
-use crate::project::size::size;
+use crate::project::size::{size, size_telling};
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity};
 use crate::ui::words::{grade, say, t, tell, tone};
 use crate::view::svg::escape;
@@ -37,18 +37,18 @@ pub(in crate::ui) fn parts(mut project: Project, name: &str, text: &str) -> Read
     ReadParts { project: project.to_json(), added, remarks: found.iter().map(remark).collect() }
 }
 
-/// The sheets of a sizing of the project.
-pub(super) fn sizing(project: &Project) -> Sheets {
+/// The sheets of a sizing of the project; tells the share that is done.
+pub(super) fn sizing(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
     let mut sizing = String::new();
-    let sized = size(project, &project.written());
+    let sized = size_telling(project, &project.written(), tell);
     sized.sheets().iter().for_each(|sheet| html(&mut sizing, sheet, project));
     Sheets { sizing, ..Sheets::default() }
 }
 
-/// The chance that every verdict holds, as a sheet.
-pub(super) fn chance(project: &Project) -> Sheets {
+/// The chance that every verdict holds, as a sheet; tells the share that is done.
+pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
     let mut sizing = String::new();
-    html(&mut sizing, &chance::chance(project, chance::DRAWS, chance::SEED).sheet(), project);
+    html(&mut sizing, &chance::chance_telling(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
     Sheets { sizing, ..Sheets::default() }
 }
 

@@ -46,8 +46,8 @@ pub(crate) enum Request {
 pub(crate) enum Reply {
     /// The worker listens. A question sent before would be lost.
     Ready,
-    /// Bytes of the text read so far, of [`Request::Check`].
-    Progress(f64),
+    /// How far the question of this number is: the share of [`Request::Sizing`] and [`Request::Chance`], the bytes of [`Request::Check`].
+    Progress(u32, f64),
     /// The answer to the question of this number.
     Answer(u32, Response),
 }

@@ -35,11 +35,12 @@ pub fn work(sentences: String) {
         let Some(project) = Project::from_json(&project).project else {
             throw_str("the project of the page does not read")
         };
+        let mut progress = |share| send(&page, &Reply::Progress(number, share));
         let response = match request {
             Request::Review => Response::Review(review(&project)),
             Request::Sheets => Response::Sheets(documents::sheets(&project)),
-            Request::Sizing => Response::Sheets(documents::sizing(&project)),
-            Request::Chance => Response::Sheets(documents::chance(&project)),
+            Request::Sizing => Response::Sheets(documents::sizing(&project, &mut progress)),
+            Request::Chance => Response::Sheets(documents::chance(&project, &mut progress)),
             Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
             Request::Flips => Response::Flips(
                 Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),
@@ -49,7 +50,7 @@ pub fn work(sentences: String) {
                 let page = page.clone();
                 // Not Leptos' own: that waits for a mounted page.
                 return wasm_bindgen_futures::spawn_local(async move {
-                    let text = read(&blob, &page).await;
+                    let text = read(&blob, &page, number).await;
                     send(&page, &Reply::Answer(number, Response::Check(check(text, &project))));
                 });
             }
@@ -68,7 +69,7 @@ fn send(page: &DedicatedWorkerGlobalScope, reply: &Reply) {
 }
 
 /// The text of a blob, read in pieces, with its progress reported to the page.
-async fn read(blob: &Blob, page: &DedicatedWorkerGlobalScope) -> String {
+async fn read(blob: &Blob, page: &DedicatedWorkerGlobalScope, number: u32) -> String {
     let all = blob.size();
     let mut bytes = Vec::with_capacity(all as usize);
     let mut at = 0.0;
@@ -77,7 +78,7 @@ async fn read(blob: &Blob, page: &DedicatedWorkerGlobalScope) -> String {
         let Ok(buffer) = JsFuture::from(piece.array_buffer()).await else { break };
         bytes.extend(js_sys::Uint8Array::new(&buffer).to_vec());
         at += PIECE;
-        send(page, &Reply::Progress(at.min(all)));
+        send(page, &Reply::Progress(number, at.min(all)));
     }
     String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
 }

@@ -185,6 +185,25 @@ fn fault_lets_the_unwinder_coast_as_long_as_its_inertia_says() {
 }
 
 #[test]
+fn fault_behind_the_last_move_stays_within_the_loop() {
+    for control in controls() {
+        for more in [[("inverter-ramp", "0"), ("dwell", "2.5")], [("inverter-ramp", "2"), ("dwell", "0.7")]] {
+            let project = line(control.id, &more);
+            let whole = over_time(&project, vec![]);
+            // X stands as good as still, and M5 comes at once.
+            let end = whole.timeline().end();
+            let turns = |t: &f64| whole.timeline().at(*t).spindle.command > 0.0;
+            let t = (0..4000).map(|step| end - f64::from(step) * 0.002).find(turns).expect("a moment before M5");
+            let planner = over_time(&project, vec![event(t, Action::InverterFault(true))]);
+            let points = slack(&project, &planner, 4001);
+            let most = points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+            let needed = readout(&project, "loop-coasting").value;
+            assert!(most <= needed + looks(&project), "{} {more:?}: {most} of {needed}", control.id);
+        }
+    }
+}
+
+#[test]
 fn unwinder_coasts_on_after_the_fault_until_asked_to_turn() {
     for control in controls() {
         let project = line(control.id, &[]);

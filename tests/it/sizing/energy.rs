@@ -1,0 +1,133 @@
+//! Energy on a bus that several motors share, duty types, currents.
+
+use macroline::drives::duty::{DutyType, Motion, Turn, duty_type, on_one_bus};
+use macroline::drives::load::Load;
+use macroline::machines::form::Value;
+use macroline::project::Project;
+use macroline::project::size::{OperatingEvent, Sizing, size};
+use proptest::prelude::*;
+
+fn motion(turns: &[(f64, f64, f64)], torque: f64) -> Motion {
+    let mut t = 0.0;
+    let turns = turns.iter().map(|(seconds, from, to)| {
+        let turn = Turn { t, seconds: *seconds, from: *from, to: *to };
+        t += seconds;
+        turn
+    });
+    Motion::new(turns.collect::<Vec<_>>(), Load { inertia: 1e-3, torque, efficiency: 0.9 }, 0.0)
+}
+
+fn sized(project: &Project) -> Sizing {
+    size(project, &project.written())
+}
+
+#[test]
+fn one_motor_on_a_bus_gives_back_what_it_gives_back_alone() {
+    let own = motion(&[(0.1, 0.0, 100.0), (1.0, 100.0, 100.0), (0.1, 100.0, 0.0)], 0.05);
+    let alone = own.work(2e-4);
+    let (given, returned) = on_one_bus(&[(&own, 2e-4)]);
+    super::same("given", given, alone.given, 1e-12);
+    super::same("returned", returned, alone.returned, 1e-12);
+}
+
+#[test]
+fn motor_that_starts_takes_what_another_gives_back() {
+    // Without friction and losses: one stops while its like starts.
+    let turns = |from: f64, to: f64| {
+        Motion::new(
+            [Turn { t: 0.0, seconds: 0.2, from, to }],
+            Load { inertia: 1e-3, torque: 0.0, efficiency: 1.0 },
+            0.0,
+        )
+    };
+    let (stops, starts) = (turns(100.0, 0.0), turns(0.0, 100.0));
+    // The same torque, J ω / t = 0.5 Nm: one gives 0.5 ω (1 - t / T), the other takes 0.5 ω t / T; over the half time the first has more.
+    let (given, returned) = on_one_bus(&[(&stops, 0.0), (&starts, 0.0)]);
+    super::same("returned", returned, 0.5 * 50.0 * 0.1, 1e-12);
+    super::same("given", given, 0.5 * 50.0 * 0.1, 1e-12);
+    // Alone each has all of its kinetic energy, J ω² / 2 = 5 J.
+    super::same("alone", on_one_bus(&[(&stops, 0.0)]).1, 5.0, 1e-12);
+}
+
+proptest! {
+    /// Whatever the motions: the balance is that of the motors, a shared bus gives back at most what they give back alone, and the area under the
+    /// sampled power is the same.
+    #[test]
+    fn bus_keeps_the_balance_of_its_motors(
+        one in prop::collection::vec((0.01f64..1.0, -200.0f64..200.0), 1..8),
+        two in prop::collection::vec((0.01f64..1.0, -200.0f64..200.0), 1..8),
+        (friction, rotor) in (0.0f64..1.0, 0.0f64..1e-3),
+    ) {
+        let course = |points: &[(f64, f64)]| {
+            let mut from = 0.0;
+            let turns: Vec<_> = points.iter().map(|(seconds, to)| (*seconds, core::mem::replace(&mut from, *to), *to)).collect();
+            motion(&turns, friction)
+        };
+        let motions = [course(&one), course(&two)];
+        let works = [motions[0].work(rotor), motions[1].work(rotor)];
+        let (given, returned) = on_one_bus(&[(&motions[0], rotor), (&motions[1], rotor)]);
+        let (alone, back) = (works[0].given + works[1].given, works[0].returned + works[1].returned);
+        prop_assert!((given - returned - (alone - back)).abs() <= 1e-9 * (alone + back), "{given} {returned} {alone} {back}");
+        prop_assert!(returned <= back * (1.0 + 1e-9) + 1e-9 && returned >= 0.0, "{returned} of {back}");
+        let power = |motion: &Motion, t: f64| {
+            let turn = motion.turns().iter().find(|turn| turn.t <= t && t < turn.t + turn.seconds);
+            turn.map_or(0.0, |turn| {
+                let speed = turn.from + (turn.to - turn.from) * (t - turn.t) / turn.seconds;
+                motion.torque(turn, rotor) * speed
+            })
+        };
+        // Between the ends of all turns the power is straight: it is sampled finely there.
+        let mut ends: Vec<f64> =
+            motions.iter().flat_map(|motion| motion.turns()).flat_map(|turn| [turn.t, turn.t + turn.seconds]).collect();
+        ends.sort_by(f64::total_cmp);
+        let sampled: f64 = ends.windows(2).map(|pair| {
+            let dt = (pair[1] - pair[0]) / 1000.0;
+            let at = |step: u32| pair[0] + (f64::from(step) + 0.5) * dt;
+            (0..1000).map(|step| (-(power(&motions[0], at(step)) + power(&motions[1], at(step)))).max(0.0) * dt).sum::<f64>()
+        }).sum();
+        prop_assert!((sampled - returned).abs() <= 1e-5 * (alone + back), "{sampled} sampled, {returned}");
+    }
+}
+
+#[test]
+fn duty_type_is_the_least_factor_that_covers() {
+    for (share, wanted) in [
+        (0.0, DutyType::Intermittent(15)),
+        (0.15, DutyType::Intermittent(15)),
+        (0.151, DutyType::Intermittent(25)),
+        (0.4, DutyType::Intermittent(40)),
+        (0.41, DutyType::Intermittent(60)),
+        (0.601, DutyType::Continuous),
+        (1.0, DutyType::Continuous),
+    ] {
+        assert_eq!(duty_type(share), wanted, "{share}");
+    }
+}
+
+#[test]
+fn drives_of_the_line_turn_for_the_time_of_their_motion() {
+    let project = Project::named("ribbon-line", None, None).unwrap();
+    let sizing = sized(&project);
+    let product = project.design().readouts.iter().find(|row| row.id == "product-time").unwrap().value;
+    for axis in &sizing.axes {
+        let seconds = sizing.cycle.unwrap().seconds;
+        assert!(axis.turning > 0.9 * product / seconds && axis.turning <= 1.0, "{}: {}", axis.id, axis.turning);
+    }
+}
+
+#[test]
+fn current_follows_the_torque_of_a_motor_of_the_catalogue() {
+    let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
+    assert!(sized(&project).envelope.iter().all(|row| row.unit != "A"), "no motor is named");
+    let sizing = sized(&project);
+    let motor = sizing.axes[0].candidates.iter().find(|candidate| candidate.part.model == "HC52").unwrap();
+    project = project.with_entries(&motor.entries).unwrap();
+    let after = sized(&project);
+    // HC52: 3.2 A at 2.39 Nm.
+    super::same("A/Nm", after.axes[0].ampere_per_torque.unwrap(), 3.2 / 2.39, 1e-9);
+    assert_eq!(project.values["motor-x"], Value::Text(motor.part.name()));
+    for (event, _) in OperatingEvent::IDS {
+        let row = |id: &str| after.envelope.iter().find(|row| row.event == event && row.id == id).unwrap().value;
+        super::same(event.id(), row("x-current"), 3.2 / 2.39 * row("x-torque"), 1e-9);
+    }
+}
