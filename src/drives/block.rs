@@ -56,6 +56,15 @@ impl AxisBlock {
     }
 }
 
+/// Share (0 to 1) of a motion of so many seconds a period that an axis follows behind a moving average of `time_constant` seconds and a
+/// first-order servo of gain K: `|sin x| / x · K / √(K² + ω²)` with `ω = 2π / T`, `x = ω τ / 2`. Source: sizing facts 3.5.
+pub fn response(period: f64, time_constant: f64, position_gain: f64) -> f64 {
+    let turning = 2.0 * math::PI / period;
+    let x = 0.5 * turning * time_constant;
+    let averaged = if x > 0.0 { math::sin(x).abs() / x } else { 1.0 };
+    averaged * position_gain / math::hypot(position_gain, turning)
+}
+
 /// Seconds after the end of the interpolation until a block behind an exponential filter is within `width` millimetres of its end:
 /// `τ ln(F τ (1 - e^(-T / τ)) / w)`. Source: sizing facts, section 4, F9.
 pub fn exponential_tail(block: &AxisBlock, width: f64) -> f64 {

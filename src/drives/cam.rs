@@ -95,6 +95,24 @@ impl Correction {
     /// Highest speed of the web in m/s at a highest acceleration of the surface: `(p - c) √(a / (C_a |h|))`; any where nothing is corrected.
     /// Source: sizing facts 3.3, checked as E7.
     pub fn speed_at(&self, law: Coefficients, acceleration: f64) -> f64 {
-        (self.pitch - self.contact) * (acceleration / (law.acceleration * self.travel().abs())).sqrt()
+        self.speed_with(acceleration, law.acceleration)
+    }
+
+    /// Highest speed of the web in m/s at a highest effective acceleration of the surface: `(p - c) √(a / (q |h| √((p - c) / p)))`; any where
+    /// nothing is corrected. Source: sizing facts 3.3, checked as E8.
+    pub fn speed_at_effective(&self, law: Coefficients, acceleration: f64) -> f64 {
+        let share = (self.pitch - self.contact) / self.pitch;
+        self.speed_with(acceleration, law.effective * share.sqrt())
+    }
+
+    fn speed_with(&self, acceleration: f64, coefficient: f64) -> f64 {
+        let corrected = coefficient * self.travel().abs();
+        if corrected > 0.0 { (self.pitch - self.contact) * (acceleration / corrected).sqrt() } else { f64::INFINITY }
+    }
+
+    /// Blocks of constant speed and equal time that come within `error` m of the correction: at least `√(C_a |h| / (8 e))`, for a chord is off
+    /// its curve by an eighth of acceleration times time squared. Source: sizing facts 3.5.
+    pub fn blocks(&self, law: Coefficients, error: f64) -> f64 {
+        (law.acceleration * self.travel().abs() / (8.0 * error)).sqrt().ceil().max(1.0)
     }
 }

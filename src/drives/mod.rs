@@ -1,4 +1,4 @@
-//! Engineering shared by machines: inertia, load, duty and servo of an axis, parts to order, cams, analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
+//! Engineering shared by machines: inertia, load, duty, servo and its derating of an axis, parts to order, cams, analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
 
 pub mod inertia;
 
@@ -7,6 +7,8 @@ pub mod load;
 pub mod duty;
 
 pub mod servo;
+
+pub mod derating;
 
 pub mod parts;
 

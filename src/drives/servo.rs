@@ -49,6 +49,11 @@ impl Acceptance {
     pub fn mitsubishi(inertia_ratio: f64) -> Acceptance {
         Acceptance { inertia_ratio, peak: 0.8, effective: 0.8 }
     }
+
+    /// The limits where the air leaves a share of the continuous torque: the peak torque stays, for it warms the motor too briefly.
+    pub fn derated(self, share: f64) -> Acceptance {
+        Acceptance { effective: self.effective * share, ..self }
+    }
 }
 
 /// A motor with its load, as shares of what it has: 1 is all of it.
@@ -87,6 +92,11 @@ impl Servo {
         } else {
             self.rated * self.rated_speed / speed
         }
+    }
+
+    /// The same where the site leaves a share x of it: `x · M(n / x)`. Source: sizing facts 2.7.
+    pub fn continuous_at(&self, share: f64, speed: f64) -> f64 {
+        share * self.continuous(speed / share)
     }
 
     /// Torque in Nm for a short time at a speed in r/min: the peak torque up to rated speed, at constant power above.

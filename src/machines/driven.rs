@@ -23,6 +23,8 @@ pub struct DrivenAxis {
     pub hold: f64,
     /// The motor that the form has.
     pub fitted: Fitted,
+    /// Share of its continuous torque that the site leaves a motor, 0 to 1.
+    pub site_share: f64,
     /// Fields of the form that take another motor; none where the form has the power of the drive alone.
     pub fields: Option<&'static MotorFields>,
 }

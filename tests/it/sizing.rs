@@ -2,8 +2,10 @@
 //! formulas and inputs of `docs/reference/sizing.md`.
 
 mod by_hand;
+mod cams;
 mod chance;
 mod choice;
+mod derating;
 mod energy;
 mod envelope;
 mod timeline;

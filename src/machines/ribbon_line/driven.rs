@@ -44,6 +44,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         load: of.load,
         hold: of.hold,
         fitted: Fitted { motor: of.motor, limits: of.limits },
+        site_share: p.site().share(),
         fields: Some(fields),
     };
     let m = &line.mechanics;

@@ -67,7 +67,7 @@ impl ServoAxis {
             None => load.torque,
         };
         let duty = Duty { peak: load.torque + rise, effective, speed: side.rpm };
-        let limits = Acceptance::mitsubishi(inertia_limit);
+        let limits = Acceptance::mitsubishi(inertia_limit).derated(p.site().share());
         ServoAxis { load, motor, limits, turning: side.turning, ramp, hold, rise, duty }
     }
 

@@ -18,6 +18,10 @@ mod rules_of_slack;
 
 mod rules_of_feeds;
 
+mod cams;
+
+mod rules_of_cams;
+
 mod rules_of_product;
 
 mod rules_of_coordinates;
@@ -130,7 +134,9 @@ impl Prepared for RibbonLine {
         };
         let line = readouts::ROWS.iter().map(|row| judge(row, self, unit(row.id, row.unit), RULES));
         let drives = readouts_of_drives::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_drives::RULES));
-        let readouts = line.chain(drives).collect();
+        let cam: &[_] = if cams::chosen(self).is_some() { cams::ROWS } else { &[] };
+        let cam = cam.iter().map(|row| judge(row, self, row.unit, rules_of_cams::RULES));
+        let readouts = line.chain(drives).chain(cam).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }
 

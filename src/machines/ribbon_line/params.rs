@@ -3,6 +3,7 @@
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control, ParamRole, VarKind};
+use crate::drives::derating::Site;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::{member, options};
@@ -150,6 +151,18 @@ options! {
     }
 }
 
+options! {
+    /// Law of an electronic cam of the print roller.
+    pub(crate) enum CamLaw {
+        /// No cam.
+        Off = "none" "ribbon.cam-law.none",
+        /// 3-4-5 polynomial.
+        Polynomial = "polynomial-345" "ribbon.cam-law.polynomial-345",
+        /// Modified sine.
+        ModifiedSine = "modified-sine" "ribbon.cam-law.modified-sine",
+    }
+}
+
 impl PrintAxis {
     /// Catalog id of its name.
     pub(super) fn name(self) -> &'static str {
@@ -218,6 +231,7 @@ pub(crate) struct Params {
     pub contact_length: f64,
     pub smear_limit: f64,
     pub dot_tolerance: f64,
+    pub cam_law: CamLaw,
     pub job: Job,
     pub pitch_count: f64,
     pub product_length: f64,
@@ -240,6 +254,8 @@ pub(crate) struct Params {
     pub motor_rated_y: f64,
     pub motor_max_y: f64,
     pub encoder_resolution: f64,
+    pub site_height: f64,
+    pub site_temperature: f64,
     pub feed_limit: f64,
     pub block_time: f64,
     pub macro_time: f64,
@@ -325,6 +341,11 @@ fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
 }
 
 impl Params {
+    /// Where the line stands.
+    pub(super) fn site(&self) -> Site {
+        Site { height: self.site_height, temperature: self.site_temperature }
+    }
+
     /// The print roller's axis on a control: the chosen one, or the first that the control has.
     pub(super) fn print_axis_on(&self, control: &Control) -> PrintAxis {
         let first = print_axes(control).next().unwrap_or_default();
@@ -510,6 +531,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
     number("encoder-resolution", member!(Params.encoder_resolution)).group("ribbon.group.axes").label("ribbon.encoder-resolution").help("ribbon.encoder-resolution.help")
         .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
+    number("site-height", member!(Params.site_height)).group("ribbon.group.axes").label("ribbon.site-height").help("ribbon.site-height.help")
+        .unit("m").range(0.0..=5000.0).default(500.0).decimals(0).step(100.0).fact(),
+    number("site-temperature", member!(Params.site_temperature)).group("ribbon.group.axes").label("ribbon.site-temperature").help("ribbon.site-temperature.help")
+        .unit("°C").range(0.0..=50.0).default(40.0).decimals(1).step(1.0).fact(),
     choice("endless", member!(Params.endless: Endless)).group("ribbon.group.axes").label("ribbon.endless").help("ribbon.endless.help"),
     number("x-roller-wall", member!(Params.pull.wall)).group("ribbon.group.pull-drive").label("ribbon.x-roller-wall").help("ribbon.x-roller-wall.help")
         .unit("mm").range(0.1..=2500.0).default(10.0).decimals(2).step(1.0).fact(),
@@ -563,6 +588,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("kg cm²").range(0.001..=100000.0).default(6.6).decimals(4).step(0.1).fact(),
     number("inertia-limit-y", member!(Params.print.inertia_limit)).group("ribbon.group.print-drive").label("ribbon.inertia-limit-y").help("ribbon.inertia-limit-y.help")
         .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).fact(),
+    choice("cam-law", member!(Params.cam_law: CamLaw)).group("ribbon.group.print-drive").label("ribbon.cam-law").help("ribbon.cam-law.help"),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
         .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),
     number("block-time", member!(Params.block_time)).group("ribbon.group.control").label("form.block-time").help("form.block-time.help")

@@ -99,6 +99,12 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         },
     },
     ReadoutRow {
+        id: "site-share", label: "ribbon.readout.site-share", unit: "%", decimals: 1, headline: false,
+        formula: "table of height and temperature, at most 100 %",
+        cite: Citation::new("SIMOTICS S-1FL2 operating instructions, p.628: derating by height and temperature", Grade::Inferred),
+        value: |line| 100.0 * line.p.site().share(),
+    },
+    ReadoutRow {
         id: "dot-length", label: "ribbon.readout.dot-length", unit: "mm", decimals: 3, headline: false,
         formula: "l / r + |1 - 1/r| · c",
         cite: Citation::new("sizing facts 3.2", Grade::Inferred),

@@ -4,6 +4,7 @@
 //! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
+use super::cams;
 use super::coasting;
 use super::program;
 use super::resolved::RibbonLine;
@@ -129,6 +130,10 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         found.push(Diagnostic::error(message).about("spindle-speed"));
     }
     found.extend(coordinates::long_blocks(line));
+    if cams::has_no_time(line) {
+        let message = msg!("ribbon.cam-no-time", (p.contact_length, 3), (p.pitch, 3));
+        found.push(Diagnostic::warning(message).about("contact-length"));
+    }
     if !program::overrides_can_be_off(line) {
         found.push(Diagnostic::info(msg!("ribbon.override-acts")));
     }

@@ -35,7 +35,7 @@ const LOAD: f64 = 5.0;
 const LONGEST: f64 = 5000.0;
 
 /// A limit at the knob's end, as it is where the knob stands now.
-fn here(limit: f64, now: f64, end: f64) -> f64 {
+pub(super) fn here(limit: f64, now: f64, end: f64) -> f64 {
     if end > 0.0 { limit * now / end } else { limit }
 }
 
@@ -72,7 +72,8 @@ fn effective(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
         return ok(limit);
     }
     let stall = end.duty.effective / end.limits.effective;
-    fail(limit, [Advice::from(msg!("ribbon.effective-torque", (end.duty.effective, 2), (most, 2), (stall, 2)))])
+    let share = (100.0 * end.limits.effective, 1);
+    fail(limit, [Advice::from(msg!("ribbon.effective-torque", (end.duty.effective, 2), (most, 2), (stall, 2), share))])
 }
 
 fn effective_x(line: &RibbonLine) -> Option<Judgement> {

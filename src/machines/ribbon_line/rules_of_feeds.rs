@@ -61,7 +61,7 @@ pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
 }
 
 /// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
-fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
+pub(super) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
     let RibbonLine { p, d, fast, .. } = line;
     let mut sets = Vec::new();
     if d.asked_speed > speed {
@@ -141,7 +141,7 @@ pub(super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// The greatest speed counts over the whole range of the knob, the rated one where the knob is.
-fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Option<Judgement> {
+pub(super) fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Option<Judgement> {
     let limit = AtMost(max * line.knob_share());
     if !limit.holds(speed) {
         let slower = line.d.actual_speed * rated.min(max) / speed;

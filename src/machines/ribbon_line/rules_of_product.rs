@@ -2,6 +2,7 @@
 
 use super::params::{FIELDS, PiForm, Rest};
 use super::resolved::RibbonLine;
+use super::rules_of_cams;
 use crate::drives::web;
 use crate::machines::verdict::{Judgement, fail, near, ok, up, warn};
 use crate::msg;
@@ -44,7 +45,7 @@ pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
                 .setting(msg!("advice.set-heads", heads), [count]),
             Advice::from(msg!("ribbon.match-pitch", (d.matching_pitch, 3)))
                 .setting(msg!("advice.set-pitch", pitch.1.as_str()), [pitch]),
-            msg!("ribbon.match-cam").into(),
+            rules_of_cams::advice(line).into(),
         ]
     };
     Some(Judgement { verdict, limit: Some(Equal(1.0)), advice })

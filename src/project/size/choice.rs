@@ -126,8 +126,8 @@ impl Asked {
         self.motions.iter().map(|motion| motion.to_resistor(rotor, back)).fold(0.0, f64::max)
     }
 
-    /// Torque over speed of a motor, with all runs: lines of the same speeds and torque are one.
-    fn chart(&self, motor: &Servo) -> TorqueChart {
+    /// Torque over speed of a motor on its site, with all runs: lines of the same speeds and torque are one.
+    fn chart(&self, motor: &Servo, site_share: f64) -> TorqueChart {
         let mut lines: BTreeMap<(i64, i64, i64), OperatingLine> = BTreeMap::new();
         let (mut way, mut seconds) = (0.0, 0.0);
         for motion in &self.motions {
@@ -151,7 +151,7 @@ impl Asked {
             [0.0, bend].into_iter().chain(above).map(|speed| (speed, torque(speed))).collect::<Vec<_>>()
         };
         TorqueChart {
-            continuous: points(&|speed| motor.continuous(speed)),
+            continuous: points(&|speed| motor.continuous_at(site_share, speed)),
             peak: points(&|speed| motor.most(speed)),
             lines,
             effective: (if seconds > 0.0 { way / seconds } else { 0.0 }, self.work(motor.rotor).effective),
@@ -178,7 +178,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: 0.0,
             ampere_per_torque: ampere_per_torque(project, &axis),
             work: Some(asked.work(axis.fitted.motor.rotor)),
-            chart: Some(asked.chart(&axis.fitted.motor)),
+            chart: Some(asked.chart(&axis.fitted.motor, axis.site_share)),
             candidates: in_order(candidates),
         }
     });
@@ -273,7 +273,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     };
     let work = asked.work(motor.rotor);
     let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
-    let (shares, limits) = (motor.shares(&axis.load, &duty), part.acceptance());
+    let (shares, limits) = (motor.shares(&axis.load, &duty), part.acceptance().derated(axis.site_share));
     let refusal = shares.fails(&limits).map(|reason| match reason {
         Reason::Speed => (Rank::Speed, msg!("size.refused-speed", (duty.speed, 0), (motor.top_speed, 0))),
         Reason::Peak => (
@@ -284,7 +284,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
             let most = limits.effective * motor.stall;
             (
                 Rank::Effective,
-                msg!("size.refused-effective", (duty.effective, 3), (most, 3), (100.0 * limits.effective, 0)),
+                msg!("size.refused-effective", (duty.effective, 3), (most, 3), (100.0 * limits.effective, 1)),
             )
         }
         Reason::Inertia => {

@@ -16,29 +16,64 @@ use super::sweep::{changes, forms};
 /// Results that a clamp holds at their limit, or that have to stay below it: they fail at the limit itself.
 const HELD: &[&str] = &["volts", "speed-smallest", "relief"];
 
-/// Forms whose advice is too rare for random ones: ribbon lines on the E60 that feed per revolution.
-const RARE: &[&[(&str, &str)]] = &[
+/// Ribbon lines whose advice is too rare for random forms, each on its control.
+const RARE: &[(&str, &[(&str, &str)])] = &[
     // 4.8995 mm per revolution in steps of 0.001, at a high speed.
-    &[
-        ("reduction-ratio", "90.8"),
-        ("heads", "47"),
-        ("spindle-speed", "3550"),
-        ("speed-at-10v", "3600"),
-        ("speed-clamp", "3600"),
-        ("no-load-speed", "3600"),
-        ("rated-load-speed", "3550"),
-    ],
+    (
+        "mitsubishi-e60",
+        &[
+            ("reduction-ratio", "90.8"),
+            ("heads", "47"),
+            ("spindle-speed", "3550"),
+            ("speed-at-10v", "3600"),
+            ("speed-clamp", "3600"),
+            ("no-load-speed", "3600"),
+            ("rated-load-speed", "3550"),
+            ("feed-form", "per-revolution"),
+            ("spindle-encoder", "true"),
+            ("dwell", "0"),
+        ],
+    ),
     // A load that the motor cannot turn.
-    &[("rated-load-speed", "1"), ("unwinder-load", "200")],
+    (
+        "mitsubishi-e60",
+        &[
+            ("rated-load-speed", "1"),
+            ("unwinder-load", "200"),
+            ("feed-form", "per-revolution"),
+            ("spindle-encoder", "true"),
+            ("dwell", "0"),
+        ],
+    ),
+    // A listing that is in time but while the knob turns, where the ready-made program is always in time.
+    ("mitsubishi-e60", &[("variant", "precomputed"), ("pitch", "12")]),
+    // A knob that turns the unwinder alone, which the axes could follow.
+    (
+        "sinumerik-802d",
+        &[
+            ("knob-use", "free"),
+            ("spindle-encoder", "true"),
+            ("reduction-ratio", "90.8"),
+            ("heads", "47"),
+            ("dwell", "0"),
+        ],
+    ),
+    // A contact that leaves a cam no time.
+    ("mitsubishi-e60", &[("contact-length", "8"), ("cam-law", "modified-sine")]),
+    // Cams whose roller turns back, and whose motor is too weak.
+    ("mitsubishi-e60", &[("heads", "100"), ("cam-law", "modified-sine")]),
+    (
+        "mitsubishi-e60",
+        &[("heads", "40"), ("motor-peak-y", "3"), ("motor-stall-y", "1"), ("cam-law", "polynomial-345")],
+    ),
 ];
 
 /// All forms of the sweep, and the rare ones, with a description.
 fn all() -> impl Iterator<Item = (Project, String)> {
-    let rare = RARE.iter().map(|entries| {
-        let follows = [("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")];
-        let entries: Vec<_> = entries.iter().chain(&follows).map(|(id, text)| (*id, (*text).to_owned())).collect();
-        let plain = Project::of_form(machines::find("ribbon-line").unwrap(), controls::find("mitsubishi-e60").unwrap());
-        (plain.with_entries(&entries).unwrap(), format!("{entries:?}"))
+    let rare = RARE.iter().map(|(control, entries)| {
+        let entries: Vec<_> = entries.iter().map(|(id, text)| (*id, (*text).to_owned())).collect();
+        let plain = Project::of_form(machines::find("ribbon-line").unwrap(), controls::find(control).unwrap());
+        (plain.with_entries(&entries).unwrap(), format!("{entries:?} on {control}"))
     });
     let on = machines::ALL.iter().flat_map(|machine| machine.controls().iter().map(move |id| (*machine, *id)));
     let swept = on.flat_map(|(machine, control)| {
@@ -151,6 +186,10 @@ const PLAIN: &[(&str, &str)] = &[
     ("polygon.scarce-relief", "a fact: relief suffices"),
     ("polygon.too-far", "a fact of the machine: another cutter or part"),
     ("polygon.too-near", "a fact of the machine: another cutter or part"),
+    ("ribbon.cam-blocks-smoothed", "a deed: a cam in the drive"),
+    ("ribbon.cam-blocks-too-short", "a deed: a cam in the drive"),
+    ("ribbon.cam-not-written", "a fact, no fault"),
+    ("ribbon.cam-turns-back", "a fact: another roller or other heads"),
     ("ribbon.effective-torque", "a deed: another motor, with all of its data"),
     ("ribbon.inertia-ratio", "a deed: another gear or motor"),
     ("ribbon.peak-torque-motor", "a deed: another motor or gear"),
@@ -161,6 +200,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.loop-fills", "a fact; the dancer behind it has the button"),
     ("ribbon.low-frequency", "a deed: another gear, which changes the line"),
     ("ribbon.match-cam", "a deed: another drive"),
+    ("ribbon.match-cam-no-time", "a fact, no remedy"),
     ("ribbon.motor-above-rated", "a deed: the torque is checked on the data sheet"),
     ("ribbon.no-speed", "no speed is a remedy"),
     ("ribbon.range-endless", "a fact: parameters are set on the control"),

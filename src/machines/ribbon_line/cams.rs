@@ -1,0 +1,249 @@
+//! The electronic cam of the print roller: it runs at the ribbon's speed in the contact, and corrects arc against pitch between two contacts.
+//!
+//! A result only: the program that is written has one constant ratio, and its verdicts stay.
+
+use super::derive::Derived;
+use super::mechanics::ServoAxis;
+use super::params::{CamLaw, Params};
+use super::resolved::RibbonLine;
+use crate::drives::block;
+use crate::drives::cam::{Coefficients, Correction, Law};
+use crate::machines::verdict::ReadoutRow;
+use crate::math::{self, PI, RPM};
+use crate::text::{Citation, Grade};
+
+/// The cam at one position of the knob. Metres, seconds, Nm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cam {
+    correction: Correction,
+    law: Coefficients,
+    axis: ServoAxis,
+    /// Radians of the motor per metre of the roller's surface.
+    turn: f64,
+    /// Greatest error of the roller between the ends of short blocks, m.
+    tolerance: f64,
+    position_gain: f64,
+    time_constant: f64,
+    /// Smear with a constant ratio, mm.
+    smear: f64,
+}
+
+impl CamLaw {
+    fn law(self) -> Option<Law> {
+        match self {
+            CamLaw::Off => None,
+            CamLaw::Polynomial => Some(Law::Polynomial345),
+            CamLaw::ModifiedSine => Some(Law::ModifiedSine),
+        }
+    }
+}
+
+/// The cam by a law, now and with the knob at its end; none where a contact as long as the pitch leaves it no time.
+pub(super) fn by(line: &RibbonLine, law: Law) -> Option<(Cam, Cam)> {
+    let p = &line.p;
+    let cam = |d: &Derived, axis: &ServoAxis| Cam::new(p, law.coefficients(), d, *axis);
+    let pair = || (cam(&line.d, &line.mechanics.print), cam(&line.fast, &line.fast_mechanics.print));
+    (p.contact_length < p.pitch).then(pair)
+}
+
+/// The cam by the law of the form.
+pub(super) fn chosen(line: &RibbonLine) -> Option<(Cam, Cam)> {
+    by(line, line.p.cam_law.law()?)
+}
+
+/// A law is chosen, and the contact leaves no time for it.
+pub(super) fn has_no_time(line: &RibbonLine) -> bool {
+    line.p.cam_law != CamLaw::Off && chosen(line).is_none()
+}
+
+/// A figure of the chosen cam now.
+fn now(line: &RibbonLine, figure: fn(&Cam) -> f64) -> f64 {
+    chosen(line).map_or(0.0, |(now, _)| figure(&now))
+}
+
+impl Cam {
+    fn new(p: &Params, law: Coefficients, d: &Derived, axis: ServoAxis) -> Cam {
+        Cam {
+            correction: Correction {
+                pitch: p.pitch / 1e3,
+                contact: p.contact_length / 1e3,
+                // The heads are where they are, whatever π the program has.
+                arc: PI * p.print_roller_diameter / p.heads / 1e3,
+                speed: d.line_speed / 60e3,
+            },
+            law,
+            axis,
+            turn: p.gear_y / (p.print_roller_diameter / 2e3),
+            tolerance: p.dot_tolerance / 1e3,
+            position_gain: p.position_gain_y,
+            time_constant: p.time_constant_y / 1e3,
+            smear: d.smear,
+        }
+    }
+
+    /// Torque at the motor's shaft per acceleration of the roller's surface, Nm per m/s²: `(J_L / η + J_M) i / R`.
+    fn inertia(&self) -> f64 {
+        self.axis.load.accelerating(self.axis.motor.rotor, self.turn, 1.0)
+    }
+
+    /// Fastest surface speed, m/s: that of the contact, or that of the correction.
+    fn fastest(&self) -> f64 {
+        self.correction.speed.max(self.correction.peak_speed(self.law).abs())
+    }
+
+    /// Highest speed of the motor, r/min.
+    pub(super) fn motor_speed(&self) -> f64 {
+        self.fastest() * self.turn / RPM
+    }
+
+    /// Highest torque in steady running, Nm: `(J_L / η + J_M) a i / R + T_L`. Source: sizing facts 3.3.
+    pub(super) fn peak_torque(&self) -> f64 {
+        self.inertia() * self.correction.peak_acceleration(self.law) + self.axis.load.torque
+    }
+
+    /// The most that a start takes whose ramp ends in a correction, Nm: both accelerations add up, `a + v_max / τ`. Source: sizing facts 3.3.
+    pub(super) fn start_torque(&self) -> f64 {
+        self.peak_torque() + self.inertia() * self.fastest() / self.axis.ramp
+    }
+
+    /// Effective torque in steady running, Nm: `√(((J_L / η + J_M) a_rms i / R)² + T_L²)`. Source: sizing facts 3.3.
+    pub(super) fn effective_torque(&self) -> f64 {
+        math::hypot(self.inertia() * self.correction.effective_acceleration(self.law), self.axis.load.torque)
+    }
+
+    /// Greatest torque that the limits allow, Nm.
+    pub(super) fn most(&self) -> f64 {
+        self.axis.limits.peak * self.axis.motor.peak
+    }
+
+    /// Greatest effective torque that the limits allow on this site, Nm.
+    pub(super) fn most_effective(&self) -> f64 {
+        self.axis.limits.effective * self.axis.motor.stall
+    }
+
+    /// Highest ribbon speed by the peak torque in steady running, mm/min. Source: checked as E7.
+    pub(super) fn speed_by_peak(&self) -> f64 {
+        let left = (self.most() - self.axis.load.torque).max(0.0);
+        60e3 * self.correction.speed_at(self.law, left / self.inertia())
+    }
+
+    /// Highest ribbon speed by the torque of a start, mm/min: of `a v² + b v = T` per inertia, where the correction takes the square of the
+    /// speed and the ramp the speed.
+    pub(super) fn speed_by_start(&self) -> f64 {
+        let left = (self.most() - self.axis.load.torque).max(0.0) / self.inertia();
+        let per_speed = Correction { speed: 1.0, ..self.correction };
+        let square = per_speed.peak_acceleration(self.law);
+        let linear = per_speed.peak_speed(self.law).abs().max(1.0) / self.axis.ramp;
+        60e3 * 2.0 * left / (linear + (linear * linear + 4.0 * square * left).sqrt())
+    }
+
+    /// Highest ribbon speed by the effective torque, mm/min. Source: checked as E8.
+    pub(super) fn speed_by_heat(&self) -> f64 {
+        let (most, steady) = (self.most_effective(), self.axis.load.torque);
+        let left = (most * most - steady * steady).max(0.0).sqrt();
+        60e3 * self.correction.speed_at_effective(self.law, left / self.inertia())
+    }
+
+    /// Surface that the roller runs ahead of the ribbon per pitch, mm; negative behind it.
+    pub(super) fn travel(&self) -> f64 {
+        1e3 * self.correction.travel()
+    }
+
+    /// Most that the arc may be shorter than the pitch without the roller turning back, mm. Source: checked as E6.
+    pub(super) fn longest_lag(&self) -> f64 {
+        1e3 * self.correction.longest_lag(self.law)
+    }
+
+    /// Short blocks of one correction.
+    pub(super) fn blocks(&self) -> f64 {
+        self.correction.blocks(self.law, self.tolerance)
+    }
+
+    /// Time of a short block, ms.
+    pub(super) fn block_time(&self) -> f64 {
+        1e3 * self.correction.seconds() / self.blocks()
+    }
+
+    /// Highest ribbon speed at which a short block lasts so many ms, mm/min.
+    pub(super) fn speed_by_blocks(&self, needed: f64) -> f64 {
+        60.0 * (1e3 * (self.correction.pitch - self.correction.contact)) / (self.blocks() * needed / 1e3)
+    }
+
+    /// Share (0 to 1) of a correction by blocks that time constant and servo lag of the axis leave.
+    pub(super) fn followed(&self) -> f64 {
+        let period = self.correction.pitch / self.correction.speed;
+        block::response(period, self.time_constant, self.position_gain)
+    }
+
+    /// Smear that is left with short blocks, mm: that of the constant ratio, less the share of the correction that the axis follows.
+    /// Source: sizing facts 3.5.
+    pub(super) fn smear_of_blocks(&self) -> f64 {
+        (1.0 - self.followed()) * self.smear
+    }
+}
+
+/// Source of the formulas.
+const CAM: Citation = Citation::new("sizing facts 3.3", Grade::Inferred);
+
+/// Source of what short blocks give.
+const BLOCKS: Citation = Citation::new("sizing facts 3.5", Grade::Inferred);
+
+/// Rows in the order they are shown, behind those of the drives, where a law is chosen.
+#[rustfmt::skip]
+pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
+    ReadoutRow {
+        id: "cam-travel", label: "ribbon.readout.cam-travel", unit: "mm", decimals: 4, headline: false,
+        formula: "h = π · #111 / #109 - #107", cite: CAM, value: |line| now(line, Cam::travel),
+    },
+    ReadoutRow {
+        id: "cam-peak-speed", label: "ribbon.readout.cam-peak-speed", unit: "mm/min", decimals: 1, headline: false,
+        formula: "v + Cv · h / T, T = (#107 - c) / v", cite: CAM,
+        value: |line| now(line, |cam| 60e3 * cam.correction.peak_speed(cam.law)),
+    },
+    ReadoutRow {
+        id: "cam-peak-acceleration", label: "ribbon.readout.cam-peak-acceleration", unit: "m/s²", decimals: 3, headline: false,
+        formula: "Ca · |h| / T²", cite: CAM,
+        value: |line| now(line, |cam| cam.correction.peak_acceleration(cam.law)),
+    },
+    ReadoutRow {
+        id: "cam-motor-speed", label: "ribbon.readout.cam-motor-speed", unit: "r/min", decimals: 1, headline: false,
+        formula: "max(v, |v + Cv · h / T|) / (π · #111) · iy", cite: CAM, value: |line| now(line, Cam::motor_speed),
+    },
+    ReadoutRow {
+        id: "cam-peak-torque", label: "ribbon.readout.cam-peak-torque", unit: "Nm", decimals: 3, headline: false,
+        formula: "(JL / η + JM) · a · iy / R + load torque", cite: CAM, value: |line| now(line, Cam::peak_torque),
+    },
+    ReadoutRow {
+        id: "cam-start-torque", label: "ribbon.readout.cam-start-torque", unit: "Nm", decimals: 3, headline: false,
+        formula: "(JL / η + JM) · (a + v max / τ) · iy / R + load torque", cite: CAM, value: |line| now(line, Cam::start_torque),
+    },
+    ReadoutRow {
+        id: "cam-effective-torque", label: "ribbon.readout.cam-effective-torque", unit: "Nm", decimals: 3, headline: false,
+        formula: "SQRT[((JL / η + JM) · a eff · iy / R)² + load torque²]", cite: CAM, value: |line| now(line, Cam::effective_torque),
+    },
+    ReadoutRow {
+        id: "cam-longest-lag", label: "ribbon.readout.cam-longest-lag", unit: "mm", decimals: 3, headline: false,
+        formula: "(#107 - c) / Cv", cite: CAM, value: |line| now(line, Cam::longest_lag),
+    },
+    ReadoutRow {
+        id: "cam-speed-by-peak", label: "ribbon.readout.cam-speed-by-peak", unit: "mm/min", decimals: 0, headline: false,
+        formula: "(#107 - c) · SQRT[a / (Ca · |h|)], a of the peak torque allowed", cite: CAM, value: |line| now(line, Cam::speed_by_peak),
+    },
+    ReadoutRow {
+        id: "cam-speed-by-heat", label: "ribbon.readout.cam-speed-by-heat", unit: "mm/min", decimals: 0, headline: false,
+        formula: "the same with the effective torque allowed", cite: CAM, value: |line| now(line, Cam::speed_by_heat),
+    },
+    ReadoutRow {
+        id: "cam-blocks", label: "ribbon.readout.cam-blocks", unit: "", decimals: 0, headline: false,
+        formula: "SQRT[Ca · |h| / (8 · tolerance of a dot)], rounded up", cite: BLOCKS, value: |line| now(line, Cam::blocks),
+    },
+    ReadoutRow {
+        id: "cam-block-time", label: "ribbon.readout.cam-block-time", unit: "ms", decimals: 3, headline: false,
+        formula: "T / blocks", cite: BLOCKS, value: |line| now(line, Cam::block_time),
+    },
+    ReadoutRow {
+        id: "cam-blocks-smear", label: "ribbon.readout.cam-blocks-smear", unit: "mm", decimals: 3, headline: false,
+        formula: "smear · (1 - |sin x| / x · K / SQRT[K² + ω²]), x = ω τ / 2, ω = 2π · v / #107", cite: BLOCKS,
+        value: |line| now(line, Cam::smear_of_blocks),
+    },
+];

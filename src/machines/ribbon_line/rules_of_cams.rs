@@ -1,0 +1,104 @@
+//! The rules of the print roller's electronic cam: its motor, and whether short blocks could take its place. The knob at its end is what counts.
+
+use super::cams::{self, Cam};
+use super::resolved::RibbonLine;
+use super::rules_of_drives::here;
+use super::rules_of_feeds as feeds;
+use crate::drives::cam::Law;
+use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
+use crate::msg;
+use crate::text::{Citation, Grade, Message};
+use crate::view::Limit::{AtLeast, AtMost};
+use crate::view::{Advice, Verdict};
+
+/// All rules about the cam.
+pub(super) const RULES: &[Rule<RibbonLine>] = &[
+    Rule::new("cam-peak-speed", not_written, Citation::new("sizing facts 3.5", Grade::Inferred)),
+    Rule::new("cam-motor-speed", motor, Citation::new("data sheet of the motor", Grade::Inferred)),
+    Rule::new("cam-peak-torque", peak, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("cam-start-torque", start, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("cam-effective-torque", effective, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("cam-longest-lag", lag, Citation::new("sizing facts 3.3", Grade::Inferred)),
+    Rule::new("cam-block-time", block_time, Citation::new("sizing facts 3.5, times from memory", Grade::Open)),
+    Rule::new("cam-blocks-smear", smear, Citation::new("sizing facts 3.5", Grade::Inferred)),
+];
+
+/// What a cam would ask of the print motor, where the rollers do not match.
+pub(super) fn advice(line: &RibbonLine) -> Message {
+    let Some((_, end)) = cams::by(line, Law::ModifiedSine) else { return msg!("ribbon.match-cam-no-time") };
+    let peak = (end.start_torque(), 2);
+    let speed = end.speed_by_start().min(end.speed_by_heat());
+    msg!("ribbon.match-cam", peak, (end.most(), 2), (end.effective_torque(), 2), (end.most_effective(), 2), (speed, 0))
+}
+
+fn not_written(line: &RibbonLine) -> Option<Judgement> {
+    cams::chosen(line)?;
+    Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![msg!("ribbon.cam-not-written").into()] })
+}
+
+fn motor(line: &RibbonLine) -> Option<Judgement> {
+    let (now, _) = cams::chosen(line)?;
+    feeds::motor(line, now.motor_speed(), line.p.motor_rated_y, line.p.motor_max_y)
+}
+
+/// A torque now and with the knob at its end against what is allowed there, and the ribbon speed (mm/min) that keeps it.
+fn torque(line: &RibbonLine, (now, end): (f64, f64), most: f64, speed: f64) -> Option<Judgement> {
+    let limit = AtMost(here(most, now, end));
+    if limit.holds(now) {
+        return ok(limit);
+    }
+    let sentence = msg!("ribbon.cam-torque", (end, 2), (most, 2), (speed, 0));
+    let unwinder = (line.fast.actual_speed * speed / line.fast.line_speed).floor();
+    fail(limit, [if unwinder >= 1.0 { feeds::with_speed(line, unwinder, sentence) } else { sentence.into() }])
+}
+
+fn peak(line: &RibbonLine) -> Option<Judgement> {
+    let (now, end) = cams::chosen(line)?;
+    torque(line, (now.peak_torque(), end.peak_torque()), end.most(), end.speed_by_peak())
+}
+
+fn start(line: &RibbonLine) -> Option<Judgement> {
+    let (now, end) = cams::chosen(line)?;
+    torque(line, (now.start_torque(), end.start_torque()), end.most(), end.speed_by_start())
+}
+
+fn effective(line: &RibbonLine) -> Option<Judgement> {
+    let (now, end) = cams::chosen(line)?;
+    let torques = (now.effective_torque(), end.effective_torque());
+    torque(line, torques, end.most_effective(), end.speed_by_heat())
+}
+
+fn lag(line: &RibbonLine) -> Option<Judgement> {
+    let (now, _) = cams::chosen(line)?;
+    let limit = AtLeast((-now.travel()).max(0.0));
+    if limit.holds(now.longest_lag()) {
+        return ok(limit);
+    }
+    warn(limit, [Advice::from(msg!("ribbon.cam-turns-back", (-now.travel(), 3), (now.longest_lag(), 3)))])
+}
+
+/// Time of a short block against the time that the control needs for a block with a macro statement for its end point and F.
+fn block_time(line: &RibbonLine) -> Option<Judgement> {
+    let (now, end): (Cam, Cam) = cams::chosen(line)?;
+    let (lasts, needed) = (end.block_time(), line.p.block_time + line.p.macro_time);
+    if lasts.is_infinite() {
+        return ok(AtLeast(needed));
+    }
+    let limit = AtLeast(here(needed, now.block_time(), lasts));
+    if limit.holds(now.block_time()) {
+        return ok(limit);
+    }
+    let speed = (now.speed_by_blocks(needed), 0);
+    warn(limit, [Advice::from(msg!("ribbon.cam-blocks-too-short", (lasts, 1), (needed, 1), speed))])
+}
+
+/// Smear that ramp and lag of the axis leave of a correction by short blocks.
+fn smear(line: &RibbonLine) -> Option<Judgement> {
+    let (now, end) = cams::chosen(line)?;
+    let limit = AtMost(here(line.p.smear_limit, now.smear_of_blocks(), end.smear_of_blocks()));
+    if limit.holds(now.smear_of_blocks()) {
+        return ok(limit);
+    }
+    let left = (100.0 * end.followed(), 1);
+    warn(limit, [Advice::from(msg!("ribbon.cam-blocks-smoothed", left, (end.smear_of_blocks(), 3)))])
+}

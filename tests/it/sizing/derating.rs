@@ -1,0 +1,146 @@
+//! Derating of servo motors by height and temperature of the site, against the maker's table, in the verdicts and in the choice of motors.
+
+use macroline::drives::derating::Site;
+use macroline::drives::servo::{Acceptance, Servo};
+use macroline::machines::form::Value;
+use macroline::project::size::{Candidate, SizedAxis, size};
+use macroline::project::{Project, parts};
+use macroline::text::catalog::{Language, sentence};
+use macroline::view::{Limit, Readout, Verdict};
+use proptest::prelude::*;
+
+fn share(height: f64, temperature: f64) -> f64 {
+    Site { height, temperature }.share()
+}
+
+#[track_caller]
+fn near(own: f64, wanted: f64) {
+    assert!((own - wanted).abs() < 1e-12, "{own}, wanted {wanted}");
+}
+
+#[test]
+fn data_sheet_holds_to_1000_m_and_40_degrees() {
+    for (height, temperature) in [(0.0, 40.0), (500.0, 40.0), (1000.0, 40.0), (1000.0, 30.0), (0.0, 0.0), (0.0, -40.0)]
+    {
+        near(share(height, temperature), 1.0);
+    }
+    assert!(share(1001.0, 40.0) < 1.0 && share(1000.0, 40.1) < 1.0);
+}
+
+#[test]
+fn entries_of_the_table_are_met_and_joined_by_lines() {
+    for (height, temperature, wanted) in [
+        (1000.0, 45.0, 0.96),
+        (2000.0, 40.0, 0.93),
+        (3000.0, 30.0, 0.95),
+        (4000.0, 45.0, 0.72),
+        (5000.0, 50.0, 0.55),
+        // The maker's own example: 40 °C at 1500 m.
+        (1500.0, 40.0, 0.965),
+        (1000.0, 42.5, 0.98),
+        (2500.0, 42.5, (0.93 + 0.89 + 0.86 + 0.81) / 4.0),
+        // Cold air makes up for thin air, as far as the data sheet goes.
+        (2000.0, 30.0, 1.0),
+        (2000.0, 10.0, 1.0),
+        // Beyond the table its ends hold.
+        (9000.0, 90.0, 0.55),
+    ] {
+        near(share(height, temperature), wanted);
+    }
+}
+
+proptest! {
+    #[test]
+    fn higher_or_warmer_site_never_leaves_more(
+        height in -100.0..6000.0, temperature in -50.0..80.0, up in 0.0..3000.0, warmer in 0.0..30.0,
+    ) {
+        let (here, there) = (share(height, temperature), share(height + up, temperature + warmer));
+        prop_assert!(there <= here + 1e-12 && (0.55..=1.0).contains(&there), "{here} to {there}");
+    }
+}
+
+#[test]
+fn site_takes_from_torque_for_long_and_not_from_the_peak() {
+    let limits = Acceptance::mitsubishi(5.0);
+    assert_eq!(limits.derated(1.0), limits);
+    assert_eq!(limits.derated(0.5), Acceptance { inertia_ratio: 5.0, peak: 0.8, effective: 0.4 });
+    let motor = Servo { rated: 2.0, stall: 3.0, peak: 9.0, rated_speed: 3000.0, top_speed: 5000.0, rotor: 1e-4 };
+    // Half of the air: half of the torque of twice the speed, x · M(n / x).
+    assert_eq!(motor.continuous_at(0.5, 0.0), 1.5);
+    assert_eq!(motor.continuous_at(0.5, 1500.0), 1.0);
+    assert_eq!(motor.continuous_at(1.0, 1000.0), motor.continuous(1000.0));
+}
+
+fn line(entries: &[(&str, f64)]) -> Project {
+    let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
+    for (id, number) in entries {
+        assert!(project.machine.fields().iter().any(|field| field.id == *id), "{id}");
+        project.values.insert((*id).to_owned(), Value::Number(*number));
+    }
+    project
+}
+
+fn result(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
+}
+
+#[test]
+fn derated_limit_of_the_effective_torque_is_exact() {
+    // The clamp is where the knob ends: the limit is not scaled.
+    let fixed = [("spindle-speed", 1000.0), ("speed-clamp", 1000.0)];
+    let with = |stall: f64, height: f64| {
+        let entries = [("motor-stall-x", stall), ("site-height", height)];
+        result(&line(&[fixed.as_slice(), &entries].concat()), "x-effective-torque")
+    };
+    let asked = with(1.3, 500.0).value;
+    // 3000 m leave 86 %. Entries have three decimals: the last that fails, and the first that holds.
+    for (height, share) in [(1000.0, 1.0), (3000.0, 0.86)] {
+        let stall = 1e3 * asked / 0.8 / share;
+        let of = |thousandths: f64| with(thousandths / 1e3, height).verdict;
+        assert_eq!((of(stall.floor()), of(stall.ceil())), (Verdict::Fail, Verdict::Ok), "{height} m");
+    }
+    let small = with(0.01, 2000.0);
+    let Some(Limit::AtMost(limit)) = small.limit else { panic!("{small:?}") };
+    near(limit, 0.93 * 0.8 * 0.01);
+    let text = sentence(Language::English, &small.advice[0].message);
+    assert!(text.contains("74.4 % of the stall torque"), "{text}");
+    // The peak torque is not derated.
+    let peak = |height: f64| result(&line(&[("site-height", height)]), "y-peak-torque").limit;
+    assert_eq!(peak(500.0), peak(5000.0));
+}
+
+#[test]
+fn share_left_by_the_site_is_a_result() {
+    assert_eq!(result(&line(&[]), "site-share").value, 100.0);
+    let high = result(&line(&[("site-height", 3000.0), ("site-temperature", 50.0)]), "site-share");
+    assert_eq!((high.value, high.unit, high.verdict), (75.0, "%", Verdict::None));
+}
+
+/// The motor of the pull roller in the form on a site, and one of the user with this stall torque.
+fn sized(stall: f64, height: f64) -> (SizedAxis, Candidate) {
+    let mut project = line(&[("pitch-count", 100.0), ("site-height", height)]);
+    let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n";
+    let row = format!("servo,Works,M1,3000,3000,{stall},6,1e-4,entered\n");
+    let (parts, found) = parts::read(&format!("{table}{row}"), "own.csv");
+    assert!(found.is_empty(), "{found:?}");
+    project.add_parts(parts);
+    let axis = size(&project, &project.written()).axes.into_iter().find(|axis| axis.id == "x").unwrap();
+    let own = axis.candidates.iter().find(|motor| motor.part.model == "M1").unwrap().clone();
+    (axis, own)
+}
+
+#[test]
+fn choice_of_motors_counts_with_the_site() {
+    let asked = 2.0 * sized(2.0, 500.0).1.shares.unwrap().effective;
+    // 4000 m leave 77 %, 5000 m 68 %: a motor that needs three quarters of its 80 % passes at the one alone.
+    let stall = asked / 0.8 / 0.75;
+    let (low, own) = sized(stall, 4000.0);
+    assert_eq!(own.refusal, None);
+    let (high, own) = sized(stall, 5000.0);
+    let text = sentence(Language::English, &own.refusal.unwrap().message);
+    assert!(text.starts_with("Too warm") && text.contains("54.4 %"), "{text}");
+    // The chart has what is left.
+    let continuous = |axis: SizedAxis| axis.chart.unwrap().continuous[0].1;
+    near(continuous(low), 0.77 * 1.3);
+    near(continuous(high), 0.68 * 1.3);
+}
