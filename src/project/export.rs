@@ -94,8 +94,8 @@ impl Project {
             file("report.md", report::markdown(&told, Language::English)),
             file("drawing.svg", told.run.drawing.clone()),
         ];
-        let bill = options.sizing.map(Sizing::bill_sheet);
-        for sheet in bill.iter().chain(&prepared.sheets()) {
+        let of_sizing = options.sizing.map(|sizing| [sizing.bill_sheet(), sizing.terminal_sheet()]);
+        for sheet in of_sizing.iter().flatten().chain(&prepared.sheets()) {
             files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet, Language::English) });
             if !sheet.drawing.is_empty() {
                 files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });

@@ -56,6 +56,13 @@ pub struct SizedAxis {
     pub candidates: Vec<Candidate>,
 }
 
+impl SizedAxis {
+    /// The smallest motor of the catalogue that passes at the speed of the form; none where none does.
+    pub fn least(&self) -> Option<&Part> {
+        self.candidates.iter().find(|candidate| candidate.refusal.is_none()).map(|candidate| &candidate.part)
+    }
+}
+
 /// A motor for an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {

@@ -16,6 +16,8 @@ pub mod sheets;
 
 pub mod tell;
 
+mod terminals;
+
 mod tornado;
 
 pub use bill::BillRow;
@@ -23,6 +25,7 @@ pub use choice::{Candidate, Refusal, SizedAxis};
 pub use envelope::{EnvelopeRow, OperatingEvent};
 pub use growth::{Fastest, Growth};
 pub use runs::SizingRuns;
+pub use terminals::TerminalRow;
 pub use tornado::{Swing, Tornado};
 
 use super::Project;
@@ -63,6 +66,8 @@ pub struct Sizing {
     pub tornadoes: Vec<Tornado>,
     /// What there is to buy.
     pub bill: Vec<BillRow>,
+    /// What is wired to which terminal.
+    pub terminals: Vec<TerminalRow>,
 }
 
 /// Sizes a project with these programs. Total: a run that stops early is sized as far as it came.
@@ -93,6 +98,7 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
     let axes = choice::axes(project, &prepared, runs);
     let bill = bill::bill(project, &axes);
+    let terminals = terminals::terminals(&prepared, &axes);
     let (limits, fastest) = growth::growth(project);
     let sensitivity = Sensitivity::new(project);
     Sizing {
@@ -104,6 +110,7 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
         sensitivities: sensitivity.flips(),
         tornadoes: tornado::tornadoes(&sensitivity),
         bill,
+        terminals,
     }
 }
 

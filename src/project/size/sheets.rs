@@ -3,7 +3,7 @@
 use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, OperatingEvent};
 use super::tell::with_unit;
-use super::{BillRow, Growth, SizedAxis, Sizing, Swing, Tornado};
+use super::{BillRow, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
 use crate::drives::parts::PartGrade;
 use crate::machines::sheets::{row, say};
@@ -28,6 +28,7 @@ impl Sizing {
         let mut sheets = vec![self.bill_sheet(), self.cycle_sheet(), self.limit_sheet(), self.envelope_sheet()];
         sheets.push(self.tornado_sheet());
         sheets.extend(self.axes.iter().flat_map(|axis| [asked(axis), Some(motors(axis))]).flatten());
+        sheets.push(self.terminal_sheet());
         sheets.retain(|sheet| !sheet.rows.is_empty());
         sheets
     }
@@ -53,6 +54,19 @@ impl Sizing {
             title: "sheet.bill",
             columns: vec!["sheet.item", "sheet.part", "sheet.quantity"],
             rows: self.bill.iter().map(cells).collect(),
+            drawing: String::new(),
+        }
+    }
+
+    /// The terminal list.
+    pub fn terminal_sheet(&self) -> Sheet {
+        let cells =
+            |of: &TerminalRow| row([of.terminal.clone(), of.signal.clone(), of.from.clone(), of.to.clone()], of.cite);
+        Sheet {
+            id: "terminals",
+            title: "sheet.terminals",
+            columns: vec!["sheet.terminal", "sheet.signal", "sheet.from", "sheet.to"],
+            rows: self.terminals.iter().map(cells).collect(),
             drawing: String::new(),
         }
     }
@@ -92,6 +106,9 @@ impl Sizing {
             let margin = format!("{:+.0}\u{a0}%", 100.0 * of.margin);
             row([say(of.label), with_unit(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
         };
+        let least = self.axes.iter().filter_map(|axis| Some((axis.name, axis.least()?)));
+        let least = least.map(|(name, part)| format!("{}: {}", say(name), part.name())).collect::<Vec<_>>().join("; ");
+        let least = (!least.is_empty()).then(|| row([say("size.least"), String::new(), String::new(), least], RUNS));
         let fastest = self.fastest.as_ref().map(|fastest| {
             let speed = with_unit(fastest.value.0, fastest.decimals, fastest.value.1);
             let label = format!("{}: {}", say("size.fastest"), say(fastest.result.1));
@@ -102,7 +119,7 @@ impl Sizing {
             id: "limits",
             title: "sheet.limits",
             columns: vec!["sheet.grows", "sheet.until", "sheet.margin", "sheet.binds"],
-            rows: self.limits.iter().map(cells).chain(fastest).collect(),
+            rows: self.limits.iter().map(cells).chain(fastest).chain(least).collect(),
             drawing: String::new(),
         }
     }

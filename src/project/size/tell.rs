@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use super::choice::Candidate;
 use super::envelope::EnvelopeRow;
-use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, Tornado};
+use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::parts::{Part, PartGrade};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
@@ -40,6 +40,7 @@ impl Sizing {
             "sensitivities": self.sensitivities.iter().map(flip).collect::<Vec<_>>(),
             "tornado": self.tornadoes.iter().map(tornado).collect::<Vec<_>>(),
             "bom": self.bill.iter().map(bill).collect::<Vec<_>>(),
+            "terminals": self.terminals.iter().map(terminal).collect::<Vec<_>>(),
         })
     }
 }
@@ -56,6 +57,7 @@ fn axis(axis: &SizedAxis) -> Json {
         "axis": axis.id,
         "name": say(axis.name),
         "turning": percent(axis.turning),
+        "least": axis.least().map(Part::name),
         "asked": work,
         "candidates": axis.candidates.iter().map(candidate).collect::<Vec<_>>(),
     })
@@ -111,6 +113,10 @@ fn flip(flip: &Flip) -> Json {
 fn tornado(of: &Tornado) -> Json {
     let bar = |swing: &Swing| json!({ "input": swing.field, "low": percent(swing.low), "high": percent(swing.high) });
     json!({ "result": of.readout.id, "limit_use": percent(of.share), "bars": of.swings.iter().map(bar).collect::<Vec<_>>() })
+}
+
+fn terminal(row: &TerminalRow) -> Json {
+    json!({ "terminal": row.terminal, "signal": row.signal, "from": row.from, "to": row.to })
 }
 
 fn bill(row: &BillRow) -> Json {

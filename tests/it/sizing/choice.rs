@@ -1,7 +1,9 @@
 //! The choice of motors, what limits the machine, and the bill of materials.
 
-use macroline::drives::parts::Ratings;
+use macroline::drives::parts::{Part, Ratings};
+use macroline::machines::ALL;
 use macroline::machines::form::Value;
+use macroline::machines::ladder::Bit;
 use macroline::project::size::{Candidate, Sizing, size};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::{Language, sentence};
@@ -212,4 +214,50 @@ fn spindle_motor_is_chosen_by_cut_and_run_up() {
     let short = [("spindle-ramp", "1.5"), ("motor-peak", "200"), ("motor-braking", "200"), ("length", "1")];
     let [light, _, _] = refused(&short);
     assert!(light.starts_with("Too warm: "), "{light}");
+}
+
+#[test]
+fn terminals_name_every_motor_contact_and_the_set_speed() {
+    for machine in ALL {
+        for control in machine.controls() {
+            let project = Project::named(machine.id(), Some(control), None).unwrap();
+            let sizing = sized(&project);
+            let name = format!("{} on {control}", machine.id());
+            let rows = |strip: &str| sizing.terminals.iter().filter(|row| row.terminal.starts_with(strip)).count();
+            let brakes = sizing.axes.iter().filter(|axis| axis.brake > 0.0).count();
+            assert_eq!(rows("X1:"), 4 * sizing.axes.len() + 2 * brakes, "{name}");
+            // A set speed where an inverter is, and nowhere else.
+            assert_eq!(rows("X3:"), if project.prepared().inverter_drive().is_some() { 3 } else { 0 }, "{name}");
+            // Every input and output of the ladder that a wire leads to, each once, with its device.
+            let ladder = project.prepared().ladder().unwrap();
+            let inputs = ladder.bits.iter().filter(|(bit, _)| matches!(bit, Bit::Input(_)));
+            for (_, device) in inputs {
+                let found = sizing.terminals.iter().filter(|row| row.to == format!("PLC {}", device.name));
+                assert_eq!(found.count(), 1, "{name}: {}", device.name);
+            }
+            let mut numbers: Vec<&str> = sizing.terminals.iter().map(|row| row.terminal.as_str()).collect();
+            numbers.sort_unstable();
+            numbers.dedup();
+            assert_eq!(numbers.len(), sizing.terminals.len(), "{name}");
+        }
+    }
+}
+
+#[test]
+fn no_smaller_motor_than_the_least_passes() {
+    let power = |part: &Part| match &part.ratings {
+        Ratings::Servo(of) => of.rated_power,
+        Ratings::Induction(of) => of.rated_power,
+        _ => None,
+    };
+    let mut heavy = line();
+    // A web that is held back so much that small motors do not unwind it.
+    heavy.values.insert("reel-brake".to_owned(), Value::Number(3000.0));
+    for axis in &sized(&heavy).axes {
+        let least = power(axis.least().unwrap()).unwrap();
+        let smaller = axis.candidates.iter().filter(|other| power(&other.part).is_some_and(|power| power < least));
+        let passing: Vec<_> = smaller.filter(|other| other.refusal.is_none()).map(|other| other.part.name()).collect();
+        assert!(passing.is_empty(), "{}: {passing:?}", axis.id);
+        assert!(axis.candidates.iter().any(|other| other.refusal.is_some()), "{}: all pass", axis.id);
+    }
 }
