@@ -39,6 +39,7 @@ pub fn report(
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
         sizing: Vec::new(),
+        variants: None,
         sheets: prepared.sheets(),
         open: open(control, switches),
     }

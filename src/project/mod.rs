@@ -50,6 +50,8 @@ pub mod sensitivity;
 
 pub mod size;
 
+pub mod variant;
+
 pub mod variants;
 
 pub mod origins;
@@ -62,6 +64,7 @@ pub mod dependence;
 
 use std::sync::Arc;
 
+use self::variant::Variant;
 use crate::controls::{Control, Switches};
 use crate::drives::parts::Part;
 use crate::machines::form::{Origins, Values, with_entries};
@@ -95,6 +98,8 @@ pub struct Project {
     pub edited: Option<Files>,
     /// Parts that the user has added to the catalogue, by [`Project::add_parts`].
     pub parts: Vec<Part>,
+    /// Other settings of the machine, to compare and to take again, by [`Project::keep_variant`]; at most [`variant::MAX_VARIANTS`].
+    pub variants: Vec<Variant>,
     memo: prepared::Memo,
 }
 
@@ -121,6 +126,7 @@ impl PartialEq for Project {
             && self.panel == other.panel
             && self.edited == other.edited
             && self.parts == other.parts
+            && self.variants == other.variants
     }
 }
 
@@ -142,6 +148,7 @@ impl Project {
             panel: Panel::default(),
             edited: None,
             parts: Vec::new(),
+            variants: Vec::new(),
             memo: prepared::Memo::default(),
         }
     }

@@ -12,6 +12,7 @@ use crate::motion::{Budget, Retention, RunEnd};
 use crate::msg;
 use crate::nc::File;
 use crate::text::Message;
+use crate::text::catalog::{Language, words};
 use crate::text::lines::line_end;
 use crate::view::balloons::balloons;
 use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
@@ -50,6 +51,7 @@ impl Project {
             loading: self.loading(written),
             diagnostics: report.diagnostics.into_iter().chain(beyond).collect(),
             sizing: options.sizing.map(Sizing::offer).unwrap_or_default(),
+            variants: self.compared_variants(words(Language::English, "variants.offer")),
             ..report
         }
     }

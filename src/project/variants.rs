@@ -1,83 +1,136 @@
-//! Variants side by side: the entries in which they differ, and their results with verdicts.
+//! Variants of a project: kept, taken and dropped; and projects side by side, the entries in which they differ and their results with verdicts.
 
 use serde_json::{Value as Json, json};
 
 use super::Project;
 use super::list::verdict_word;
 use super::origins::values;
+use super::variant::{MAX_VARIANTS, Variant, variant_name};
+use crate::controls::Switch;
 use crate::text::catalog::{Language, words};
 use crate::text::number::Fixed;
-use crate::view::{Readout, Verdict};
+use crate::view::{ComparedRow, Comparison, Readout, VariantCell, Verdict};
 
-/// What one variant has in a row: the text, and the judgement of a result.
-pub type VariantCell = (String, Verdict);
+impl Project {
+    /// The first capital letter that names no variant.
+    pub fn free_variant_name(&self) -> String {
+        let free = |name: &String| self.variants.iter().all(|variant| variant.name != *name);
+        ('A'..='Z').map(String::from).find(free).unwrap_or_default()
+    }
 
-/// A row of a comparison.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ComparedRow {
-    /// Id of the field or of the result.
-    pub id: &'static str,
-    /// Its name.
-    pub label: &'static str,
-    /// Unit.
-    pub unit: &'static str,
-    /// A cell for each variant; none where it has no such entry or result.
-    pub cells: Vec<Option<VariantCell>>,
-    /// Whether the variants differ in it.
-    pub differs: bool,
-}
+    /// Keeps the present settings as a variant, in place of one with this name where there is one. Without a name it gets the next free letter.
+    /// Gives its place; `None` where there are [`MAX_VARIANTS`] already.
+    pub fn keep_variant(&mut self, name: &str) -> Option<usize> {
+        let name = variant_name(name).unwrap_or_else(|| self.free_variant_name());
+        let at = self.variants.iter().position(|variant| variant.name == name).unwrap_or(self.variants.len());
+        let (values, switches) = (self.values.clone(), self.switches.clone());
+        let variant = Variant { name, control: self.control, values, switches };
+        match self.variants.get_mut(at) {
+            Some(known) => *known = variant,
+            None if at < MAX_VARIANTS => self.variants.push(variant),
+            None => return None,
+        }
+        Some(at)
+    }
 
-/// Variants side by side.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Comparison {
-    /// Their names.
-    pub names: Vec<String>,
-    /// Their controls.
-    pub controls: Vec<&'static str>,
-    /// The entries in which they differ, in the order of the form.
-    pub entries: Vec<ComparedRow>,
-    /// All results, in the order in which they are shown.
-    pub results: Vec<ComparedRow>,
-}
+    /// Takes the settings of a variant, which stays; another control as [`move_to`](Project::move_to) does. Does nothing where there is no
+    /// such variant.
+    pub fn take_variant(&mut self, at: usize) {
+        let Some(Variant { control, values, switches, .. }) = self.variants.get(at).cloned() else { return };
+        if control.id != self.control.id {
+            self.move_to(control);
+        }
+        (self.values, self.switches) = (values, switches);
+    }
 
-/// Compares variants, each with its name. Machines may differ: what only some have stands where the others have nothing.
-pub fn compare(variants: &[(String, Project)]) -> Comparison {
-    let entries: Vec<Vec<_>> = variants
-        .iter()
-        .map(|(_, project)| {
-            let entry = |(input, _): (crate::view::report::Input, _)| {
-                (input.id, input.label, input.unit, (input.value, Verdict::None))
-            };
-            values(project).into_iter().map(entry).collect()
-        })
-        .collect();
-    let results: Vec<Vec<_>> = variants
-        .iter()
-        .map(|(_, project)| {
-            let cell =
-                |row: Readout| (row.id, row.label, row.unit, (Fixed(row.value, row.decimals).to_string(), row.verdict));
-            project.design().readouts.into_iter().map(cell).collect()
-        })
-        .collect();
-    let mut entries = side_by_side(&entries);
-    entries.retain(|row| row.differs);
-    Comparison {
-        names: variants.iter().map(|(name, _)| name.clone()).collect(),
-        controls: variants.iter().map(|(_, project)| project.control.name).collect(),
-        entries,
-        results: side_by_side(&results),
+    /// Drops a variant. Does nothing where there is no such one.
+    pub fn drop_variant(&mut self, at: usize) {
+        if at < self.variants.len() {
+            self.variants.remove(at);
+        }
+    }
+
+    /// The present settings, under a name, beside those of all variants; `None` where there is no variant.
+    pub fn compared_variants(&self, present: &str) -> Option<Comparison> {
+        if self.variants.is_empty() {
+            return None;
+        }
+        let variant = |at: usize| {
+            let mut project = self.clone();
+            project.take_variant(at);
+            project
+        };
+        let kept = self.variants.iter().enumerate().map(|(at, kept)| (kept.name.clone(), variant(at)));
+        let all: Vec<(String, Project)> = [(present.to_owned(), self.clone())].into_iter().chain(kept).collect();
+        Some(compare(&all))
     }
 }
 
+/// Id, name, unit and cell of a row.
+type Listed = (&'static str, String, &'static str, VariantCell);
+
+/// Compares projects, each with its name. Machines may differ: what only some have has no cell for the others.
+pub fn compare(variants: &[(String, Project)]) -> Comparison {
+    let each =
+        |list: fn(&Project) -> Vec<Listed>| variants.iter().map(|(_, project)| list(project)).collect::<Vec<_>>();
+    let mut entries = side_by_side(&each(entries));
+    let mut switches = side_by_side(&each(switches));
+    entries.retain(|row| row.differs);
+    // What one control alone has, or has by default, is its own: only what was chosen is told.
+    switches.retain(|row| row.differs && variants.iter().any(|(_, project)| is_chosen(project, row.id)));
+    let cells: Vec<_> =
+        variants.iter().map(|(_, project)| Some((project.control.name.to_owned(), Verdict::None))).collect();
+    let label = words(Language::English, "variants.control").to_owned();
+    let differs = differ(&cells);
+    Comparison {
+        names: variants.iter().map(|(name, _)| name.clone()).collect(),
+        entries,
+        results: side_by_side(&each(results)),
+        control: ComparedRow { id: "control", label, unit: "", cells, differs },
+        switches,
+    }
+}
+
+fn named(id: &'static str) -> String {
+    words(Language::English, id).to_owned()
+}
+
+fn entries(project: &Project) -> Vec<Listed> {
+    let inputs = values(project).into_iter().map(|(input, _)| input);
+    inputs.map(|input| (input.id, named(input.label), input.unit, (input.value, Verdict::None))).collect()
+}
+
+fn results(project: &Project) -> Vec<Listed> {
+    let row =
+        |row: Readout| (row.id, named(row.label), row.unit, (Fixed(row.value, row.decimals).to_string(), row.verdict));
+    project.design().readouts.into_iter().map(row).collect()
+}
+
+/// The open points of the control, each with its setting in words.
+fn switches(project: &Project) -> Vec<Listed> {
+    let row = |switch: &Switch| {
+        let setting = project.switches.setting(switch);
+        let option = switch.options().into_iter().find(|option| option.id == setting);
+        let words = option.map_or_else(|| setting.to_owned(), |option| named(option.label));
+        (switch.id(), switch.text(Language::English), "", (words, Verdict::None))
+    };
+    project.control.switches.iter().map(row).collect()
+}
+
+/// Whether the setting of an open point is not the default of the project's control.
+fn is_chosen(project: &Project, switch: &str) -> bool {
+    project.control.switch(switch).is_some_and(|row| project.switches.setting(row) != row.default())
+}
+
 /// Rows by their ids, in the order of the first variant that has them.
-fn side_by_side(lists: &[Vec<(&'static str, &'static str, &'static str, VariantCell)>]) -> Vec<ComparedRow> {
+fn side_by_side(lists: &[Vec<Listed>]) -> Vec<ComparedRow> {
     let mut rows: Vec<ComparedRow> = Vec::new();
     for (at, list) in lists.iter().enumerate() {
         for (id, label, unit, cell) in list {
             let known = rows.iter().position(|row| row.id == *id && row.unit == *unit);
             let place = known.unwrap_or_else(|| {
                 let cells = vec![None; lists.len()];
-                rows.push(ComparedRow { id, label: words(Language::English, label), unit, cells, differs: false });
+                rows.push(ComparedRow { id, label: label.clone(), unit, cells, differs: false });
                 rows.len() - 1
             });
             if let Some(slot) = rows.get_mut(place).and_then(|row| row.cells.get_mut(at)) {
@@ -86,9 +139,13 @@ fn side_by_side(lists: &[Vec<(&'static str, &'static str, &'static str, VariantC
         }
     }
     for row in &mut rows {
-        row.differs = row.cells.windows(2).any(|pair| pair[0] != pair[1]);
+        row.differs = differ(&row.cells);
     }
     rows
+}
+
+fn differ<C: PartialEq>(cells: &[C]) -> bool {
+    cells.windows(2).any(|pair| pair[0] != pair[1])
 }
 
 impl Comparison {
@@ -100,33 +157,29 @@ impl Comparison {
             };
             json!({ "id": row.id, "unit": row.unit, "differs": row.differs, "variants": row.cells.iter().map(cell).collect::<Vec<_>>() })
         };
+        let rows = |rows: &[ComparedRow]| rows.iter().map(row).collect::<Vec<_>>();
         json!({
             "variants": self.names,
-            "controls": self.controls,
-            "entries": self.entries.iter().map(row).collect::<Vec<_>>(),
-            "results": self.results.iter().map(row).collect::<Vec<_>>(),
+            "controls": self.control.cells.iter().flatten().map(|(name, _)| name).collect::<Vec<_>>(),
+            "switches": rows(&self.switches),
+            "entries": rows(&self.entries),
+            "results": rows(&self.results),
         })
     }
 
-    /// The comparison as lines: the entries that differ, then the results that differ, those that fail with a cross.
+    /// The comparison as lines: the entries, results and controls that differ; results that fail have a cross.
     pub fn text(&self) -> String {
         let mut out = line("", "", self.names.iter().map(String::as_str));
-        out += &line("control", "", self.controls.iter().copied());
-        let cell = |cell: &Option<VariantCell>| match cell {
-            None => "-".to_owned(),
-            Some((text, Verdict::Fail)) => format!("✕ {text}"),
-            Some((text, Verdict::Warn)) => format!("△ {text}"),
-            Some((text, _)) => text.clone(),
-        };
-        let mut told = |title: &str, rows: &[ComparedRow]| {
-            out += &format!("\n{title}\n");
-            for row in rows.iter().filter(|row| row.differs) {
-                let cells: Vec<String> = row.cells.iter().map(cell).collect();
-                out += &line(row.label, row.unit, cells.iter().map(String::as_str));
+        let groups = self.differences();
+        if groups.is_empty() {
+            out += &format!("\n{}\n", words(Language::English, "variants.same"));
+        }
+        for (title, rows) in groups {
+            out += &format!("\n{}\n", words(Language::English, title));
+            for row in rows {
+                out += &line(&row.label, row.unit, row.marked().iter().map(String::as_str));
             }
-        };
-        told("entries", &self.entries);
-        told("results", &self.results);
+        }
         out
     }
 }

@@ -18,6 +18,8 @@ pub mod ladder;
 
 pub mod sheet;
 
+pub mod comparison;
+
 pub mod explorer;
 
 pub mod svg;
@@ -34,6 +36,7 @@ pub mod torque_chart;
 pub mod report;
 
 pub use chart::{Chart, Series};
+pub use comparison::{ComparedRow, Comparison, VariantCell};
 pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Knob};
 pub use look::{Look, Paint};

@@ -1,7 +1,7 @@
 // The sizing of a machine on the page: its sheets, a motor taken into the form, a moment of the chart, parts of one's own.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { start, withPage } from './page.mjs';
+import { accessible, enter, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -64,6 +64,39 @@ test('a drawing of machines that was cancelled is done once more by a button', (
     // The worker that was ended has a successor: the sizing goes on.
     await page.getByRole('button', { name: /HG-KR23$/ }).first().click();
     await page.waitForFunction(() => document.querySelector('.sizing table').innerText.includes('HG-KR23'));
+  }));
+
+test('variants are kept, compared, taken and undone', () =>
+  withPage(app, {}, async ({ page }) => {
+    await sized(page);
+    const section = page.locator('.variants');
+    const pitch = section.locator('tbody tr', { hasText: 'Pitch mm' });
+    await page.getByRole('button', { name: 'Keep as variant' }).click();
+    await section.getByText('Nothing differs.').waitFor();
+    await enter(page.locator('#pitch'), '20');
+    await page.waitForFunction(() => document.querySelector('.variants tbody').innerText.includes('Pitch mm'));
+    assert.deepEqual(await pitch.locator('td').allInnerTexts(), ['20', '10']);
+    // The other one by the keyboard, under a name of its own.
+    await enter(page.getByRole('textbox', { name: 'Name of the variant' }), 'Wide');
+    await section.locator('thead .name', { hasText: 'Wide' }).waitFor();
+    await page.waitForFunction(() => document.querySelectorAll('.variants tbody td').length % 3 === 0);
+    await page.locator('.sizing .sheets[aria-busy="false"]').first().waitFor();
+    await accessible(page);
+    await page.getByRole('button', { name: 'Take variant A into the form' }).press('Enter');
+    await page.waitForFunction(() => document.getElementById('pitch').value === '10');
+    await page.waitForFunction(() => document.querySelector('.variants tbody td')?.innerText === '10');
+    assert.deepEqual(await pitch.locator('td').allInnerTexts(), ['10', '10', '20']);
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Take variant A into the form');
+    await page.locator('.variants h3').click();
+    await page.keyboard.press('Control+z');
+    await page.waitForFunction(() => document.getElementById('pitch').value === '20');
+    // They are there again after a reload.
+    await page.waitForFunction(() => JSON.parse(localStorage.getItem('macroline.project')).values.pitch === 20);
+    await page.reload();
+    await page.locator('#tab-sizing').click();
+    assert.deepEqual(await section.locator('thead .name').allInnerTexts(), ['A', 'Wide']);
+    await page.getByRole('button', { name: 'Remove variant A' }).click();
+    assert.deepEqual(await section.locator('thead .name').allInnerTexts(), ['Wide']);
   }));
 
 for (const viewport of [{ width: 1440, height: 900 }, { width: 1366, height: 768 }, { width: 390, height: 844 }]) {

@@ -676,7 +676,26 @@ fn compare_tells_entries_and_results_that_differ() {
     let compared: Json =
         serde_json::from_slice(&macroline(&["compare", &a, other.to_str().unwrap(), "--json"]).stdout).unwrap();
     assert_eq!(compared["controls"], json!(["Mitsubishi E60", "GSK 980TDc"]));
-    assert!(!macroline(&["compare", &a]).status.success());
+}
+
+#[test]
+fn compare_of_one_file_compares_its_variants() {
+    let folder = folder("compare-variants");
+    let path = project(&folder, json!({ "pitch": 9 }));
+    let alone = macroline(&["compare", &path]);
+    assert_eq!(alone.status.code(), Some(2));
+    assert!(String::from_utf8(alone.stderr).unwrap().contains("one that keeps variants"));
+    let mut saved: Json = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    saved["variants"] = json!([{ "name": "Wide", "control": "mitsubishi-e60", "values": saved["values"].clone() }]);
+    saved["variants"][0]["values"]["pitch"] = json!(12);
+    std::fs::write(&path, saved.to_string()).unwrap();
+    let compared: Json = serde_json::from_slice(&macroline(&["compare", &path, "--json"]).stdout).unwrap();
+    assert_eq!(compared["variants"], json!(["Now", "Wide"]));
+    let values: Vec<&Json> =
+        compared["entries"][0]["variants"].as_array().unwrap().iter().map(|cell| &cell["value"]).collect();
+    assert_eq!((&compared["entries"][0]["id"], values), (&json!("pitch"), vec![&json!("9"), &json!("12")]));
+    let text = String::from_utf8(macroline(&["compare", &path]).stdout).unwrap();
+    assert!(text.contains("Wide") && text.contains("Pitch mm") && !text.contains("Control"), "{text}");
 }
 
 #[test]

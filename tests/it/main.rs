@@ -21,5 +21,6 @@ mod saved;
 mod sizing;
 mod stepping;
 mod tidy;
+mod variants;
 mod warnings;
 mod writing;

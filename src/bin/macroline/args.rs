@@ -68,10 +68,10 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Variants of a machine side by side: entries and results that differ
+    /// Variants of a machine side by side: entries, results and controls that differ
     Compare {
-        /// Project files, two or more
-        #[arg(required = true, num_args = 2..)]
+        /// Project files, two or more; or one that keeps variants: its present settings beside those
+        #[arg(required = true)]
         projects: Vec<PathBuf>,
         /// For programs
         #[arg(long)]

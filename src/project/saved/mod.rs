@@ -21,11 +21,13 @@ use serde::de::IgnoredAny;
 
 pub use self::history::{steps_from_json, steps_to_json};
 pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
-use self::v1::{ProgramV1, ProjectV1, TitleBlockV1};
+use self::v1::{ProgramV1, ProjectV1, TitleBlockV1, VariantV1};
 use super::findings::Findings;
 use super::json::{self, Entries, Located};
+use super::variant::Variant;
 use super::{Project, parts};
-use crate::machines::form::Value;
+use crate::controls::Switches;
+use crate::machines::form::{Value, Values};
 use crate::machines::{self, AnyMachine};
 use crate::motion::Panel;
 use crate::msg;
@@ -45,11 +47,6 @@ struct Head<'t> {
 impl Project {
     /// The project as the text of its file.
     pub fn to_json(&self) -> String {
-        let value = |value: &Value| match value {
-            Value::Number(number) => json::number(*number),
-            Value::Flag(flag) => (*flag).into(),
-            Value::Text(text) => text.as_str().into(),
-        };
         let program = |file: &crate::nc::File| ProgramV1 { name: file.name.clone(), text: file.text.clone() };
         let saved = ProjectV1 {
             version: VERSION,
@@ -61,13 +58,14 @@ impl Project {
             },
             machine: Some(Located::new(self.machine.id())),
             control: Some(Located::new(self.control.id)),
-            values: Some(self.values.iter().map(|(id, of)| (id, value(of))).collect()),
+            values: Some(values(&self.values)),
             provenance: self.provenance.iter().map(|(id, from)| (id, resolve::provenance_word(*from).into())).collect(),
-            switches: self.switches.0.iter().map(|(id, setting)| (id, setting.as_str().into())).collect(),
+            switches: switches(&self.switches),
             silenced: self.silenced.clone(),
             panel: self.panel.events().iter().map(panel::entry).collect(),
             edited: self.edited.as_ref().map(|files| files.0.iter().map(program).collect()),
             parts: self.parts.iter().map(parts::entries).collect(),
+            variants: self.variants.iter().map(variant).collect(),
         };
         // Keys are texts and writing into a text does not fail.
         serde_json::to_string_pretty(&saved).unwrap_or_default() + "\n"
@@ -88,6 +86,30 @@ impl Project {
                 Loaded::refused(found)
             }
         }
+    }
+}
+
+/// Values as entries.
+fn values(values: &Values) -> Entries<'static> {
+    let entry = |value: &Value| match value {
+        Value::Number(number) => json::number(*number),
+        Value::Flag(flag) => (*flag).into(),
+        Value::Text(text) => text.as_str().into(),
+    };
+    values.iter().map(|(id, value)| (id, entry(value))).collect()
+}
+
+/// Settings of open points as entries.
+fn switches(switches: &Switches) -> Entries<'static> {
+    switches.0.iter().map(|(id, setting)| (id, setting.as_str().into())).collect()
+}
+
+fn variant(variant: &Variant) -> VariantV1<'static> {
+    VariantV1 {
+        name: Located::new(variant.name.as_str()),
+        control: Located::new(variant.control.id),
+        values: values(&variant.values),
+        switches: switches(&variant.switches),
     }
 }
 

@@ -6,14 +6,15 @@ use super::loaded::{Loaded, MAX_PROGRAMS};
 use super::old_ids::warning_id;
 use super::old_options::option_id;
 use super::panel;
-use super::v1::{ProgramV1, ProjectV1};
-use crate::controls::{self, Switches};
+use super::v1::{ProgramV1, ProjectV1, VariantV1};
+use crate::controls::{self, Control, Switches};
 use crate::machines::AnyMachine;
-use crate::machines::form::{KindInfo, Provenance, Value};
+use crate::machines::form::{KindInfo, Provenance, Value, Values};
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::findings::{Findings, clip};
-use crate::project::json::{Entries, kind_word};
+use crate::project::json::{Entries, Located, kind_word};
+use crate::project::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::project::{Project, parts};
 use crate::text::Diagnostic;
 use crate::view::report::TitleBlock;
@@ -32,15 +33,14 @@ pub(super) fn project<'t>(
     saved: ProjectV1<'t>,
     mut found: Findings<'t>,
 ) -> Loaded {
-    let part = |id: &Option<crate::project::json::Located<'t>>| id.as_ref().map_or("", |id| id.source);
+    let part = |id: &Option<Located<'t>>| id.as_ref().map_or("", |id| id.source);
     let named = saved.machine.as_ref().and_then(|id| id.as_str());
     let Some(machine) = named.and_then(|id| machines.iter().copied().find(|machine| machine.id() == id)) else {
         let known = machines.iter().map(|machine| machine.id()).collect::<Vec<_>>().join(", ");
         found.error(msg!("project.no-machine", known), part(&saved.machine));
         return Loaded::refused(found);
     };
-    let named = saved.control.as_ref().and_then(|id| id.as_str());
-    let Some(control) = named.filter(|id| machine.controls().contains(id)).and_then(controls::find) else {
+    let Some(control) = saved.control.as_ref().and_then(|id| control_of(machine, id)) else {
         found.error(msg!("project.no-control", machine.controls().join(", ")), part(&saved.control));
         return Loaded::refused(found);
     };
@@ -60,7 +60,7 @@ pub(super) fn project<'t>(
         number: line(&saved.title_block.number),
         revision: line(&saved.title_block.revision),
     };
-    values(saved_values, machine, &mut project, &mut found);
+    values(saved_values, machine, &mut project.values, &mut found);
     origins(&saved.provenance, machine, &mut project, &mut found);
     project.switches = switches(&saved.switches, control, &mut found);
     project.silenced = saved.silenced.iter().map(|id| clip(&warning_id(id))).collect();
@@ -68,12 +68,43 @@ pub(super) fn project<'t>(
     let (parts, about_parts) = parts::from_entries(found.text(), &saved.parts);
     about_parts.into_iter().for_each(|finding| found.add(finding, ""));
     project.parts = parts;
+    project.variants = variants(&saved.variants, machine, &mut found);
     project.edited = saved.edited.filter(|files| !files.is_empty()).map(edited);
     Loaded { project: Some(project), diagnostics: found.into_diagnostics() }
 }
 
+/// The control that a file names, where the machine goes with it.
+fn control_of(machine: &dyn AnyMachine, id: &Located) -> Option<&'static Control> {
+    id.as_str().filter(|id| machine.controls().contains(id)).and_then(controls::find)
+}
+
+/// The variants. One without a name of its own, or on a control that the machine does not go with, is left out.
+fn variants<'t>(saved: &[VariantV1<'t>], machine: &'static dyn AnyMachine, found: &mut Findings<'t>) -> Vec<Variant> {
+    let mut variants: Vec<Variant> = Vec::new();
+    for row in saved {
+        if variants.len() == MAX_VARIANTS {
+            found.error(msg!("project.too-many-variants", MAX_VARIANTS as u32), row.name.source);
+            break;
+        }
+        let name = row.name.as_str().and_then(variant_name);
+        let Some(name) = name.filter(|name| variants.iter().all(|other| other.name != *name)) else {
+            found.error(msg!("project.variant-name"), row.name.source);
+            continue;
+        };
+        let Some(control) = control_of(machine, &row.control) else {
+            found.error(msg!("project.variant-control", name, machine.controls().join(", ")), row.control.source);
+            continue;
+        };
+        let mut own = Project::of_form(machine, control).values;
+        values(&row.values, machine, &mut own, found);
+        let switches = switches(&row.switches, control, found);
+        variants.push(Variant { name, control, values: own, switches });
+    }
+    variants
+}
+
 /// The form's values. A value out of range is kept: the field shows its range, and no input is lost.
-fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &mut Project, found: &mut Findings<'t>) {
+fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, values: &mut Values, found: &mut Findings<'t>) {
     found.repeated(saved);
     let fields = machine.fields();
     for entry in &saved.0 {
@@ -89,7 +120,7 @@ fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &m
         };
         match value {
             Some(value) => {
-                project.values.insert(entry.key.clone(), value);
+                values.insert(entry.key.clone(), value);
             }
             None => {
                 let message = msg!("project.wrong-kind", clip(&entry.key), kind_word(&entry.value.value));
@@ -115,7 +146,7 @@ fn origins<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &
 }
 
 /// The settings of a control's switches. A switch that the file does not name is at its default.
-fn switches<'t>(saved: &Entries<'t>, control: &controls::Control, found: &mut Findings<'t>) -> Switches {
+fn switches<'t>(saved: &Entries<'t>, control: &Control, found: &mut Findings<'t>) -> Switches {
     found.repeated(saved);
     let mut switches = Switches::default();
     for entry in &saved.0 {

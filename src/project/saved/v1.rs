@@ -40,6 +40,25 @@ pub(super) struct ProjectV1<'t> {
     /// Parts with the names of the columns of a table of parts.
     #[serde(borrow, default, skip_serializing_if = "Vec::is_empty")]
     pub(super) parts: Vec<Entries<'t>>,
+    #[serde(borrow, default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) variants: Vec<VariantV1<'t>>,
+}
+
+/// A variant of the machine.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct VariantV1<'t> {
+    #[serde(borrow)]
+    pub(super) name: Located<'t>,
+    /// Id of the control.
+    #[serde(borrow)]
+    pub(super) control: Located<'t>,
+    /// Number, flag or text by field id.
+    #[serde(borrow)]
+    pub(super) values: Entries<'t>,
+    /// Setting by id of the switch.
+    #[serde(borrow, default, skip_serializing_if = "Entries::is_empty")]
+    pub(super) switches: Entries<'t>,
 }
 
 /// The title block of the report.

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use leptos::prelude::*;
 
+use crate::project::Project;
 use crate::ui::state::{Page, put};
 use crate::ui::words::t;
 use crate::ui::worker::client::Client;
@@ -66,8 +67,15 @@ pub(crate) fn SheetView(
     };
     let timer = StoredValue::new(None::<TimeoutHandle>);
     let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
+    let before = StoredValue::new_local(None::<Project>);
     Effect::new(move |_| {
-        page.project.track();
+        let mut present = page.project.get();
+        // No sheet tells of them.
+        present.variants.clear();
+        if before.with_value(|before| before.as_ref() == Some(&present)) {
+            return;
+        }
+        before.set_value(Some(present));
         put(outdated, true);
         stop();
         if rest.is_zero() {
@@ -127,5 +135,20 @@ mod tests {
         settled().await;
         assert_eq!(bench.text("b"), "Customer");
         assert_eq!(bench.text(".sheets + .sheets"), t("page.no-sheet"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn kept_variant_asks_for_no_other_sheet() {
+        let bench = mount(|| {
+            Client::here().answer_here(|project, _| {
+                let plc = format!("<b>{}</b>", project.variants.len());
+                Some(Response::Sheets(Sheets { plc, ..Sheets::default() }))
+            });
+            view! { <SheetView which=|sheets| sheets.plc /> }
+        })
+        .await;
+        bench.page.edit("", |project| assert_eq!(project.keep_variant("A"), Some(0)));
+        settled().await;
+        assert_eq!((bench.text("b").as_str(), bench.attribute(".sheets", "aria-busy").as_str()), ("0", "false"));
     }
 }

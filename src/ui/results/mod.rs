@@ -12,6 +12,8 @@ mod take;
 
 mod variables;
 
+mod variants;
+
 pub(crate) use explore::ExploreTab;
 pub(crate) use parameters::{ParametersTab, PlcTab};
 pub(crate) use readouts::ResultsTab;

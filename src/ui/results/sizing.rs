@@ -9,6 +9,7 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::Element;
 
 use super::take::{listed, take};
+use super::variants::Variants;
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::Page;
 use crate::ui::words::t;
@@ -31,6 +32,7 @@ pub(crate) fn SizingTab() -> impl IntoView {
         }
     };
     view! {
+        <Variants />
         <p class="lead">{t("page.sizing-lead")}</p>
         <div class="sizing" on:click=choose>
             <SheetView which=|sheets| sheets.sizing request=|| Request::Sizing rest=REST long=true />

@@ -9,9 +9,9 @@ use crate::project::parts;
 use crate::project::saved::with_line;
 use crate::project::size::{size, size_telling};
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity};
-use crate::ui::words::{grade, say, t, tell, tone};
+use crate::ui::words::{grade, say, sign, t, tell, tone, verdict_tone, verdict_words};
 use crate::view::svg::escape;
-use crate::view::{Row, Sheet};
+use crate::view::{Row, Sheet, VariantCell, Verdict};
 
 /// The sheets of a project, by the tab that shows them.
 pub(super) fn sheets(project: &Project) -> Sheets {
@@ -50,6 +50,58 @@ pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
     let mut sizing = String::new();
     html(&mut sizing, &chance::chance_telling(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
     Sheets { sizing, ..Sheets::default() }
+}
+
+/// The rows in which the present settings and the variants of a project differ, under titles; what differs from the present is marked.
+pub(in crate::ui) fn variants(project: &Project) -> String {
+    let mut out = String::new();
+    let Some(comparison) = project.compared_variants(t("variants.now")) else { return out };
+    let columns = comparison.names.len() + 1;
+    let titled = |out: &mut String, title: &str| {
+        out.push_str(&format!("<tr class=\"title\"><th colspan=\"{columns}\" scope=\"colgroup\">"));
+        tagged(out, "span", title);
+        out.push_str("</th></tr>");
+    };
+    let groups = comparison.differences();
+    if groups.is_empty() {
+        titled(&mut out, t("variants.same"));
+    }
+    for (title, rows) in groups {
+        titled(&mut out, t(title));
+        for row in rows {
+            out.push_str("<tr><th scope=\"row\">");
+            escape(&mut out, &row.label);
+            out.push(' ');
+            tagged(&mut out, "small", row.unit);
+            out.push_str("</th>");
+            for (at, cell) in row.cells.iter().enumerate() {
+                compared(&mut out, cell.as_ref(), row.differs_at(at));
+            }
+            out.push_str("</tr>");
+        }
+    }
+    out
+}
+
+/// A cell of a comparison: the sign of a verdict that does not hold, for those who see it and those who do not, then the value.
+fn compared(out: &mut String, cell: Option<&VariantCell>, differs: bool) {
+    out.push_str(if differs { "<td class=\"differs\">" } else { "<td>" });
+    match cell {
+        None => out.push('–'),
+        Some((text, verdict)) => {
+            if *verdict >= Verdict::Warn {
+                let tone = verdict_tone(*verdict);
+                out.push_str(&format!("<i class=\"{tone}\" aria-hidden=\"true\">{}</i> ", sign(tone)));
+            }
+            escape(out, text);
+            if *verdict >= Verdict::Warn {
+                out.push_str("<span class=\"hidden\">, ");
+                escape(out, verdict_words(*verdict));
+                out.push_str("</span>");
+            }
+        }
+    }
+    out.push_str("</td>");
 }
 
 /// Rows of a list that repeats a drawing above which it is folded.

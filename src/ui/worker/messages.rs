@@ -33,6 +33,8 @@ pub(crate) enum Request {
     Chance,
     /// Facts of the form that are only assumed and whose change by a tenth flips a verdict.
     Flips,
+    /// The present settings beside the variants of the project.
+    Variants,
     /// Documents that leave with the programs.
     Export,
     /// The project with the parts of a table, by the name of its file and its text.
@@ -59,6 +61,8 @@ pub(crate) enum Response {
     Review(Vec<Finding>),
     /// Of [`Request::Sheets`], [`Request::Sizing`] and [`Request::Chance`].
     Sheets(Sheets),
+    /// Of [`Request::Variants`]: rows of a table as HTML, without its head.
+    Variants(String),
     /// Of [`Request::Flips`]: ids of the fields, the worst first.
     Flips(Vec<String>),
     /// Of [`Request::Export`].

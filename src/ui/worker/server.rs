@@ -41,6 +41,7 @@ pub fn work(sentences: String) {
             Request::Sheets => Response::Sheets(documents::sheets(&project)),
             Request::Sizing => Response::Sheets(documents::sizing(&project, &mut progress)),
             Request::Chance => Response::Sheets(documents::chance(&project, &mut progress)),
+            Request::Variants => Response::Variants(documents::variants(&project)),
             Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
             Request::Flips => Response::Flips(
                 Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),

@@ -1,7 +1,7 @@
 //! What a report says, as data.
 
 use crate::text::{Diagnostic, Message};
-use crate::view::{Chart, Readout, Sheet};
+use crate::view::{Chart, Comparison, Readout, Sheet};
 
 /// An input of the report.
 #[derive(Debug, Clone, PartialEq)]
@@ -123,6 +123,8 @@ pub struct Report {
     pub diagnostics: Vec<Diagnostic>,
     /// Tables of the sizing: what there is to buy, what limits the machine, what happens in operation, the motors; empty where it was not sized.
     pub sizing: Vec<Sheet>,
+    /// The offer, first, and the variants of the project; none where it has no variant.
+    pub variants: Option<Comparison>,
     /// Tables.
     pub sheets: Vec<Sheet>,
     /// What is open.

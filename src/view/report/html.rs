@@ -10,10 +10,13 @@ use crate::text::catalog::{Language, sentence, words};
 use crate::text::number::{decimals_of_four, filled, four_digits, short};
 use crate::text::{Message, Severity};
 use crate::view::svg::escape;
-use crate::view::{Chart, Readout, Sheet, Verdict, plot};
+use crate::view::{Chart, ComparedRow, Readout, Sheet, Verdict, plot};
 
 /// The style sheet.
 const STYLE: &str = include_str!("../../../style/report.css");
+
+/// Variants beside the offer that a table has room for.
+const BESIDE: usize = 4;
 
 /// Rows of verdicts that the first sheet has room for.
 const FIRST: usize = 10;
@@ -82,6 +85,7 @@ impl Page<'_> {
         for sheet in &report.sizing {
             self.sheet(sheet);
         }
+        self.variants();
         self.title("form.report.results");
         let results: Vec<_> = report.readouts.iter().map(|row| cells_of_result(report, row, self.language)).collect();
         self.table("results", &RESULT_COLUMNS, &results);
@@ -314,6 +318,51 @@ impl Page<'_> {
             self.raw(&sheet.drawing);
             self.raw("</figure>");
         }
+    }
+
+    /// The rows in which the variants differ from the offer or from each other; further variants have tables of their own.
+    fn variants(&mut self) {
+        let Some(comparison) = &self.report.variants else { return };
+        self.title("variants.title");
+        let groups = comparison.differences();
+        if groups.is_empty() {
+            self.text("p", "", self.say("variants.same"));
+            return;
+        }
+        let kept: Vec<usize> = (1..comparison.names.len()).collect();
+        for beside in kept.chunks(BESIDE) {
+            let shown: Vec<usize> = [0].iter().chain(beside).copied().collect();
+            self.raw("<table class=\"compared\"><thead><tr>");
+            self.text("th", "", self.say("variants.row"));
+            shown.iter().filter_map(|at| comparison.names.get(*at)).for_each(|name| self.text("th", "", name));
+            self.raw("</tr></thead>");
+            for (title, rows) in &groups {
+                let mut rows = rows.iter().filter(|row| shown.iter().any(|at| row.differs_at(*at))).peekable();
+                if rows.peek().is_none() {
+                    continue;
+                }
+                self.raw(&format!("<tr><th colspan=\"{}\">", shown.len() + 1));
+                let title = self.say(title);
+                escape(&mut self.out, title);
+                self.raw("</th></tr>");
+                rows.for_each(|row| self.compared(row, &shown));
+            }
+            self.raw("</table>");
+        }
+    }
+
+    /// A row of variants; what differs from the offer is marked.
+    fn compared(&mut self, row: &ComparedRow, shown: &[usize]) {
+        self.raw("<tr><td>");
+        escape(&mut self.out, &row.label);
+        self.text("span", "dim", &format!(" {}", row.unit));
+        self.raw("</td>");
+        let cells = row.marked();
+        for at in shown {
+            let text = cells.get(*at).map_or("", String::as_str);
+            self.text("td", if row.differs_at(*at) { "differs" } else { "" }, text);
+        }
+        self.raw("</tr>");
     }
 
     /// How the programs are loaded, then their texts.

@@ -8,7 +8,7 @@ use super::cells::{
 use super::document::Report;
 use crate::text::catalog::{Language, sentence, words};
 use crate::text::escape;
-use crate::view::{Sheet, Verdict};
+use crate::view::{Comparison, Sheet, Verdict};
 
 /// The report as Markdown, readable as plain text too.
 pub fn markdown(report: &Report, language: Language) -> String {
@@ -22,6 +22,10 @@ pub fn markdown(report: &Report, language: Language) -> String {
     for sheet in &report.sizing {
         section(&mut out, say(sheet.title));
         self::sheet(&mut out, sheet, language);
+    }
+    if let Some(comparison) = &report.variants {
+        section(&mut out, say("variants.title"));
+        variants(&mut out, comparison, language);
     }
     section(&mut out, say("form.report.results"));
     results(&mut out, report, language);
@@ -97,6 +101,26 @@ fn sheet(out: &mut String, sheet: &Sheet, language: Language) {
     head(out, language, &columns);
     for row in &sheet.rows {
         line(out, &cells_of_row(row, language));
+    }
+}
+
+/// The rows in which the variants differ.
+fn variants(out: &mut String, comparison: &Comparison, language: Language) {
+    let groups = comparison.differences();
+    if groups.is_empty() {
+        let _ = writeln!(out, "{}", words(language, "variants.same"));
+        return;
+    }
+    let heads = ["form.report.group", "variants.row", "form.report.unit"].map(|id| words(language, id));
+    let heads = heads.into_iter().chain(comparison.names.iter().map(String::as_str));
+    let heads: Vec<String> = heads.map(str::to_owned).collect();
+    line(out, &heads);
+    let _ = writeln!(out, "|{}", "---|".repeat(heads.len()));
+    for (title, rows) in groups {
+        for row in rows {
+            let cells = [words(language, title), &row.label, row.unit].map(str::to_owned);
+            line(out, &cells.into_iter().chain(row.marked()).collect::<Vec<_>>());
+        }
     }
 }
 
