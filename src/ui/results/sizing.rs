@@ -100,8 +100,8 @@ mod tests {
             view! { <SizingTab /> }
         })
         .await;
-        assert!(bench.has("[aria-busy=true]") && !bench.has("tr"));
-        until(|| bench.has("tr")).await;
+        assert!(bench.has("[aria-busy=true]") && !bench.has(".sheets tr"));
+        until(|| bench.has(".sheets tr")).await;
         assert!(bench.has("[aria-busy=false]"));
     }
 }
