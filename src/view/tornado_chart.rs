@@ -58,16 +58,18 @@ impl TornadoChart<'_> {
             write!(out, "<svg class=\"torque\" viewBox=\"0 0 {WIDTH} {height}\" xmlns=\"http://www.w3.org/2000/svg\">");
         self.heading(&mut out);
         for (at, bar) in bars.iter().enumerate() {
-            self.bar(&mut out, bar, HEAD + ROW * at as f64, place);
-        }
-        let down = |out: &mut String, class: &str, dashes: &str, value: f64| {
-            let _ = write!(out, "<line class=\"{class}\"{dashes}");
-            let x = place(value);
-            fill(out, " x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>", &[x, HEAD, x, height - 4.0]);
-        };
-        down(&mut out, "s-ink", "", self.value);
-        if let Some(limit) = self.limit.filter(|limit| (low..=high).contains(limit)) {
-            down(&mut out, "s-ink", " stroke-dasharray=\"4 3\"", limit);
+            let top = HEAD + ROW * at as f64;
+            self.bar(&mut out, bar, top, place);
+            // Beside the bars alone: the names stand between them.
+            let across = |out: &mut String, dashes: &str, value: f64| {
+                let (x, y) = (place(value), top + ROW - BAR - 4.0);
+                let _ = write!(out, "<line class=\"s-ink\"{dashes}");
+                fill(out, " x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>", &[x, y, x, y + BAR + 4.0]);
+            };
+            across(&mut out, "", self.value);
+            if let Some(limit) = self.limit.filter(|limit| (low..=high).contains(limit)) {
+                across(&mut out, " stroke-dasharray=\"3 2\"", limit);
+            }
         }
         out.push_str("</svg>");
         out

@@ -106,9 +106,10 @@ impl Sizing {
             let margin = format!("{:+.0}\u{a0}%", 100.0 * of.margin);
             row([say(of.label), with_unit(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
         };
-        let least = self.axes.iter().filter_map(|axis| Some((axis.name, axis.least()?)));
-        let least = least.map(|(name, part)| format!("{}: {}", say(name), part.name())).collect::<Vec<_>>().join("; ");
-        let least = (!least.is_empty()).then(|| row([say("size.least"), String::new(), String::new(), least], RUNS));
+        let least = self.axes.iter().filter_map(|axis| {
+            let label = format!("{}: {}", say("size.least"), say(axis.name));
+            Some(row([label, axis.least()?.name(), String::new(), String::new()], RUNS))
+        });
         let fastest = self.fastest.as_ref().map(|fastest| {
             let speed = with_unit(fastest.value.0, fastest.decimals, fastest.value.1);
             let label = format!("{}: {}", say("size.fastest"), say(fastest.result.1));
