@@ -40,8 +40,8 @@ test('a click on a line number is a breakpoint; stepping goes into calls, over t
     await next(page, 'N47 M99');
     await accessible(page);
     // The breakpoint is told with all others, and goes as it came or where it is told.
-    assert.match(await seen(page), /Breakpoints\s+O9101.nc:22\s+N5 M98 P9100 · 1 ×/);
-    await press(page, 'Remove O9101.nc:22');
+    assert.match(await seen(page), /Breakpoints\s+O9101.nc:23\s+N5 M98 P9100 · 1 ×/);
+    await press(page, 'Remove O9101.nc:23');
     await file(page, 'O9101.nc');
     assert.equal(await page.locator('.listing li.stop').count(), 0);
     await page.locator('.listing').press('x');
