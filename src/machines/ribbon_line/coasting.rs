@@ -18,15 +18,18 @@ pub(super) fn seconds(line: &RibbonLine, rpm: f64) -> f64 {
     load::coasting(unwinding.inertia * CM2, rpm * RPM, line.mechanics.unwinder + unwinding.motor_brake)
 }
 
-/// Ribbon (mm) that is laid into the loop while X stops over its time constant and the unwinder coasts: as at a hold, with the time of
-/// coasting in the place of the ramp. Source: ribbon line facts, 7.
-pub(super) fn laid(line: &RibbonLine, d: &Derived) -> f64 {
+/// Ribbon (mm) that is laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
+fn laid_beside(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64), lag: f64) -> f64 {
     if d.actual_speed <= 0.0 {
         return 0.0;
     }
-    let speed = d.line_speed / 60.0;
-    web::slack_after_stop(speed, seconds(line, d.actual_speed), line.p.time_constant_x / 1000.0, 0.0)
-        - speed / line.p.position_gain_x
+    web::slack_after_stop(d.line_speed / 60.0, seconds(line, d.actual_speed), ramp, delay) - lag
+}
+
+/// Ribbon (mm) that is laid into the loop while X stops over its time constant and the unwinder coasts: as at a hold, with the time of
+/// coasting in the place of the ramp. Source: ribbon line facts, 7.
+pub(super) fn laid(line: &RibbonLine, d: &Derived) -> f64 {
+    laid_beside(line, d, (0.0, line.p.time_constant_x / 1000.0), d.line_speed / 60.0 / line.p.position_gain_x)
 }
 
 /// Ribbon (mm) that is in the loop at the worst moment, with the knob at its end.
@@ -37,12 +40,8 @@ fn laid_before(line: &RibbonLine) -> f64 {
 /// Ribbon (mm) that is laid at the worst moment, with the knob at its end: X has come to rest behind the last move and M5 is not read yet, so
 /// that the unwinder coasts from its whole speed.
 fn laid_behind_the_last_move(line: &RibbonLine) -> f64 {
-    let d = &line.fast;
-    if d.actual_speed <= 0.0 {
-        return 0.0;
-    }
     let (edge, lag) = stop_of_x(line);
-    web::slack_after_stop(d.line_speed / 60.0, seconds(line, d.actual_speed), edge, edge) - lag
+    laid_beside(line, &line.fast, (edge, edge), lag)
 }
 
 /// How long (s) X takes to come to rest at the end of a product with the knob at its end, and how far (mm) it is behind its command before:
