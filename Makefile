@@ -24,7 +24,7 @@ check: ## the inner loop: format, lints, native tests
 
 .PHONY: test
 test: ## every test of every kind, with the time of each stage
-	@scripts/stages.sh setup 'dist&' fmt lint lint-web wait sizes 'test-e2e&' test-native test-parity test-web wait
+	@scripts/stages.sh setup 'dist&' fmt lint lint-web wait sizes test-native test-wasm test-e2e
 
 .PHONY: clauses
 clauses: ## the clauses of the four papers, each with the verdict of its test
@@ -101,13 +101,9 @@ lint-web:
 test-native: ## native tests
 	cargo test --locked --quiet
 
-.PHONY: test-parity
-test-parity: ## the goldens again, in wasm under Node
-	cargo test --locked $(WASM) --test parity
-
-.PHONY: test-web
-test-web: ## components in headless Chromium
-	cargo test --locked $(WEB) --lib
+.PHONY: test-wasm
+test-wasm: ## in wasm: components in headless Chromium, and the goldens again under Node
+	cargo test --locked $(WEB) --lib --test parity
 
 .PHONY: sizes
 sizes: ## what the browser loads (of the dist/ that is there), against its limits

@@ -1,4 +1,4 @@
-//! Derating of a servo motor by its site: what thin or warm air leaves of the torque that it gives for long.
+//! Derating of a servo motor by its site: its continuous torque in thin or warm air.
 
 /// Where a motor stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,7 @@ const HEIGHTS: [f64; 5] = [1000.0, 2000.0, 3000.0, 4000.0, 5000.0];
 /// Temperatures of the columns of [`SHARES`], °C.
 const TEMPERATURES: [f64; 4] = [30.0, 40.0, 45.0, 50.0];
 
-/// Share of its torque that a motor gives for long, in percent. Source: sizing facts 2.7.
+/// Share of its continuous torque that a motor keeps, in percent. Source: sizing facts 2.7.
 const SHARES: [[f64; 4]; 5] = [
     [108.0, 100.0, 96.0, 91.0],
     [102.0, 93.0, 89.0, 84.0],

@@ -83,7 +83,7 @@ pub enum Reason {
 }
 
 impl Servo {
-    /// Torque in Nm for long at a speed in r/min: from the stall torque evenly to the rated one at rated speed, at rated power above.
+    /// Continuous torque in Nm at a speed in r/min: from the stall torque evenly to the rated one at rated speed, at rated power above.
     ///
     /// Data sheets draw these lines; their figures give standstill and rated speed alone.
     pub fn continuous(&self, speed: f64) -> f64 {

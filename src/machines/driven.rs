@@ -84,7 +84,7 @@ pub struct InverterDrive {
     pub id: &'static str,
     /// Catalog id of its name.
     pub name: &'static str,
-    /// Torque for long at the motor's shaft, Nm.
+    /// Continuous torque at the motor's shaft, Nm.
     pub torque: f64,
     /// Speed of the motor with it, r/min.
     pub speed: f64,
@@ -105,7 +105,7 @@ pub struct InverterCycle {
     pub rotor: f64,
     /// Its ramps, and the time of the work between them.
     pub of: Move,
-    /// Torque for moments as a share of the rated one, in the run-up and in the stop.
+    /// Short-time torque as a share of the rated one, in the run-up and in the stop.
     pub peak: [f64; 2],
 }
 

@@ -38,6 +38,7 @@ pub fn report(
         inputs,
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
+        exceeded: Vec::new(),
         sizing: Vec::new(),
         variants: None,
         sheets: prepared.sheets(),

@@ -35,7 +35,6 @@ impl Project {
     pub fn report(&self, prepared: &PreparedMachine, written: &Written, options: &ExportOptions) -> Report {
         let values = (&self.values, &self.provenance);
         let report = report(self.machine, prepared, &self.name, values, self.on(), options.advice);
-        let beyond = options.sizing.map(Sizing::findings).unwrap_or_default();
         let files = &written.files.0;
         let program = |file: &File| PrintedProgram {
             name: file.name.clone(),
@@ -49,7 +48,7 @@ impl Project {
             run: self.run_report(prepared, written),
             programs: files.iter().map(program).collect(),
             loading: self.loading(written),
-            diagnostics: report.diagnostics.into_iter().chain(beyond).collect(),
+            exceeded: options.sizing.map(Sizing::findings).unwrap_or_default(),
             sizing: options.sizing.map(Sizing::offer).unwrap_or_default(),
             variants: self.compared_variants(words(Language::English, "variants.offer")),
             ..report

@@ -26,7 +26,7 @@ pub struct OperatingLine {
 /// The chart of a motor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorqueChart {
-    /// Torque for long over the speed.
+    /// Continuous torque over the speed.
     pub continuous: Vec<MotorPoint>,
     /// Torque for a short time over the speed.
     pub peak: Vec<MotorPoint>,

@@ -59,7 +59,7 @@ test('a drawing of machines that was cancelled is done once more by a button', (
     // At once: the button shows itself only where the answer takes its time.
     await page.locator('.working').nth(1).locator('button').dispatchEvent('click');
     await page.getByText('Cancelled').waitFor();
-    await page.getByRole('button', { name: 'Once more' }).click();
+    await page.getByRole('button', { name: 'Run again' }).click();
     await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
     // The worker that was ended has a successor: the sizing goes on.
     await page.getByRole('button', { name: /HG-KR23$/ }).first().click();

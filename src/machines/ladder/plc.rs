@@ -44,7 +44,11 @@ pub struct LadderPlc {
     block: Option<Box<dyn NamedBlock>>,
     /// Macro bits that rungs drive, each with its word and its place in it.
     written: Vec<(u32, u32, u32)>,
+    /// Whether a rung reads the speed that the control puts out.
+    reads_speed: bool,
     image: Image,
+    /// Whether one more scan of the same signals would change nothing.
+    settled: bool,
     strobes: Strobes,
     program: ProgramState,
     /// M code of the last scan.
@@ -64,12 +68,15 @@ impl LadderPlc {
             _ => None,
         };
         let written = ladder.rungs.iter().filter_map(place).collect();
+        let reads_speed = !ladder.word(PlcNumber::Signal(SignalRole::SpindleFinal)).is_empty();
         LadderPlc {
             ladder,
             wiring,
             block: None,
             written,
+            reads_speed,
             image: Image::default(),
+            settled: false,
             strobes: Strobes::default(),
             program: ProgramState::Idle,
             code: None,
@@ -117,7 +124,10 @@ impl LadderPlc {
         ];
         inputs.into_iter().for_each(|(input, on)| image.set(Bit::Input(input), on));
         image.put(PlcNumber::Signal(SignalRole::MCode), io.m_strobe.map_or(0.0, f64::from));
-        image.put(PlcNumber::Signal(SignalRole::SpindleFinal), io.spindle_command.abs().round());
+        // It changes all the time under constant surface speed: only for ladders that read it.
+        if self.reads_speed {
+            image.put(PlcNumber::Signal(SignalRole::SpindleFinal), io.spindle_command.abs().round());
+        }
         image.put(PlcNumber::Knob, self.wiring.knob.nearest(io.spindle_override));
         image.put(PlcNumber::FeedKnob, io.feed_override);
         for (&variable, &value) in &io.outputs {
@@ -220,21 +230,23 @@ impl LadderPlc {
 
 impl Plc for LadderPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
+        let rest = self.image.clone();
         self.read(t, io);
         let alarms =
             [MachineOutput::ReversalAlarm, MachineOutput::GearAlarm].map(|alarm| self.image.is_on(Bit::Output(alarm)));
         let mut wish = None;
-        for _ in 0..SCANS {
-            let before = self.image.clone();
-            self.ladder.scan(t, &mut self.image);
-            self.fall();
-            self.contacts(t);
-            if let Some(block) = &mut self.block {
-                wish = block.act(t, &mut self.image, io);
-            }
-            if self.image == before {
-                break;
-            }
+        let due = self.ladder.due(&self.image).is_some_and(|due| due <= t);
+        if !self.settled || self.image != rest || due || self.block.is_some() {
+            self.settled = (0..SCANS).any(|_| {
+                let before = self.image.clone();
+                self.ladder.scan(t, &mut self.image);
+                self.fall();
+                self.contacts(t);
+                if let Some(block) = &mut self.block {
+                    wish = block.act(t, &mut self.image, io);
+                }
+                self.image == before
+            });
         }
         self.write(t, io, alarms);
         [wish, self.again(t, io)].into_iter().flatten().reduce(f64::min)
@@ -250,7 +262,9 @@ impl Plc for LadderPlc {
             wiring: self.wiring,
             block: self.block.as_ref().map(|block| block.boxed()),
             written: self.written.clone(),
+            reads_speed: self.reads_speed,
             image: self.image.clone(),
+            settled: self.settled,
             strobes: self.strobes.clone(),
             program: self.program,
             code: self.code,

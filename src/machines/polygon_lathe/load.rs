@@ -116,7 +116,7 @@ impl Params {
         Drive { speed, motor, inertia, ramp: milliseconds / 1000.0, gain }
     }
 
-    /// Torque (Nm) that the drive gives for long at its speed, and for moments.
+    /// Continuous and short-time torque (Nm) of the drive at its speed.
     pub(super) fn torques(&self, spindle: Spindle) -> (f64, f64) {
         let drive = self.drive(spindle);
         let rated = drive.motor.torque(drive.speed);

@@ -71,7 +71,7 @@ pub(super) struct Derived {
     pub power: f64,
     pub power_available: f64,
     pub torque: f64,
-    /// Torque at the spindle that the motor gives for long at the largest diameter, Nm.
+    /// Continuous torque of the motor at the spindle at the largest diameter, Nm.
     pub torque_available: f64,
     /// The same below base speed: the most that there is.
     pub torque_most: f64,

@@ -128,7 +128,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "shortest-ramp", label: "turning.readout.shortest-ramp", unit: "s", decimals: 2, headline: false,
-        formula: "J · 2π n10 / 60 / (torque for moments at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: run_up::shortest_ramp,
+        formula: "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: run_up::shortest_ramp,
     },
     ReadoutRow {
         id: "run-up-time", label: "turning.readout.run-up-time", unit: "s", decimals: 2, headline: false,

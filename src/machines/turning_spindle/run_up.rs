@@ -44,7 +44,7 @@ impl Params {
         load::coasting(turned.inertia, rpm * RPM, turned.torque)
     }
 
-    /// The motor at the spindle for moments, in run-up and in braking.
+    /// Short-time torque of the motor at the spindle, in run-up and in braking.
     fn for_moments(&self, rated: f64) -> [MotorCurve; 2] {
         [self.motor_peak, self.motor_braking].map(|percent| self.motor(rated).share(percent / 100.0))
     }
@@ -86,7 +86,7 @@ pub(super) fn shortest_ramp(lathe: &TurningSpindle) -> f64 {
     ramp(turned(lathe), up).max(ramp(braked(lathe), down))
 }
 
-/// Seconds to the highest speed of the program with all that the motor gives for moments.
+/// Seconds to the highest speed of the program with the short-time torque of the motor.
 pub(super) fn run_up(lathe: &TurningSpindle) -> f64 {
     let (turned, [motor, _]) = (turned(lathe), lathe.p.for_moments(lathe.d.stage_speed));
     motor.seconds_to(highest(lathe), turned.inertia, turned.torque)

@@ -117,8 +117,8 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
     if view.has_tailstock() {
         d.text((RIGHT, 478.0), "end", &say("turning.scene.tailstock"), Font::Label, Paint::Dim);
     }
-    d.text((4.0, 250.0), "start", &say("turning.scene.gear"), Font::Label, Paint::Rim);
-    d.text((4.0, 274.0), "start", "", Font::Value, Paint::Rim).id = Some(node::STAGE);
+    d.text((4.0, 250.0), "start", "", Font::Label, Paint::Rim).id = Some(node::STAGE);
+    d.text((4.0, 274.0), "start", "", Font::Value, Paint::Rim).id = Some(node::STAGE_SPEED);
     if lathe.positions() {
         callout(d, "keyway-angle", (RIGHT, 112.0), "end", "turning.scene.angle", &[(Some(node::ANGLE), "")], None);
     }

@@ -340,7 +340,7 @@ pub(super) fn name(part: &Part) -> String {
     part.name().chars().take(NAME).collect()
 }
 
-/// A motor behind the inverter: torque up to its rated speed, power above; in run-up and stop their share for moments, and over both with the
+/// A motor behind the inverter: torque up to its rated speed, power above; in run-up and stop their short-time share, and over both with the
 /// work between them the rated torque.
 fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &Control) -> Candidate {
     let Ratings::Induction(of) = part.ratings else { return unknown(part) };

@@ -121,6 +121,8 @@ pub struct Report {
     pub readouts: Vec<Readout>,
     /// Findings about fields and program.
     pub diagnostics: Vec<Diagnostic>,
+    /// What exceeds its limit in the operating envelope; empty where the machine was not sized.
+    pub exceeded: Vec<Diagnostic>,
     /// Tables of the sizing: what there is to buy, what limits the machine, what happens in operation, the motors; empty where it was not sized.
     pub sizing: Vec<Sheet>,
     /// The offer, first, and the variants of the project; none where it has no variant.

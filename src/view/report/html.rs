@@ -235,7 +235,8 @@ impl Page<'_> {
     /// Errors and remarks about fields and program, then what the verdicts advise.
     fn findings(&mut self) {
         let report = self.report;
-        let told = report.diagnostics.iter().filter(|found| found.severity != Severity::Info);
+        let all = report.diagnostics.iter().chain(&report.exceeded);
+        let told = all.filter(|found| found.severity != Severity::Info);
         let mut said: Vec<String> = told.map(|found| sentence(self.language, &found.message)).collect();
         for readout in report.readouts.iter().filter(|readout| readout.verdict >= Verdict::Warn) {
             let label = self.say(readout.label);
@@ -416,5 +417,9 @@ fn conclusion(report: &Report, language: Language) -> String {
         0 => msg!("form.report.all-hold", judged.len() as u32),
         n => msg!("form.report.some-fail", n as u32, judged.len() as u32, failing.join(", ")),
     };
-    format!("{}. {}", figures.join("; "), sentence(language, &said))
+    let exceeded = match report.exceeded.len() {
+        0 => String::new(),
+        n => format!(" {}", sentence(language, &msg!("form.report.exceeded", n as u32))),
+    };
+    format!("{}. {}{exceeded}", figures.join("; "), sentence(language, &said))
 }

@@ -60,7 +60,7 @@ fn head(out: &mut String, language: Language, ids: &[&'static str]) {
 
 /// Errors and remarks, then what the verdicts advise.
 fn findings(out: &mut String, report: &Report, language: Language) {
-    for finding in &report.diagnostics {
+    for finding in report.diagnostics.iter().chain(&report.exceeded) {
         let _ = writeln!(out, "- {}", escape::markdown(&sentence(language, &finding.message)));
         for hint in &finding.hints {
             let _ = writeln!(out, "  - {}", escape::markdown(&sentence(language, hint)));

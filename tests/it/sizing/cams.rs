@@ -88,7 +88,7 @@ fn without_a_law_results_and_program_are_those_of_before() {
     };
     assert_eq!(text(&with), text(&without));
     let note = said(&result(&with, "cam-peak-speed"));
-    assert!(note[0].contains("the program that is written has one constant ratio"), "{note:?}");
+    assert!(note[0].contains("The program that is written keeps one constant ratio"), "{note:?}");
     let plain = Project::named("ribbon-line", None, None).unwrap();
     assert!(readouts(&plain).iter().all(|row| !row.id.starts_with("cam-")));
 }
@@ -205,7 +205,7 @@ fn short_blocks_are_too_short_for_the_papers_control() {
     assert_eq!(time.verdict, Verdict::Warn);
     let text = said(&time);
     assert!(text[0].contains("lasts 3.9 ms") && text[0].contains("needs 10.1 ms"), "{text:?}");
-    assert!(text[0].contains("Up to 7129 mm/min"), "{text:?}");
+    assert!(text[0].contains("up to 7129 mm/min"), "{text:?}");
 }
 
 #[test]

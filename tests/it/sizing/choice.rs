@@ -203,17 +203,17 @@ fn spindle_motor_is_chosen_by_cut_and_run_up() {
     };
     // The cut alone asks 11.6 Nm; chuck and work of 0.202 kg m² and a rotor of 0.01 take 3.3 Nm over 10 s, a rotor of 0.5 takes 11 Nm.
     assert_eq!(refused(&[("spindle-ramp", "10")]), ["", "", ""]);
-    // Over 1.5 s they ask 22.3 and 2 Nm of friction, of 22.5 Nm for moments.
+    // Over 1.5 s they ask 22.3 and 2 Nm of friction, of 22.5 Nm short-time.
     let [light, strong, heavy] = refused(&[("spindle-ramp", "1.5")]);
     assert!(light.starts_with("Too weak for the ramp: 24."), "{light}");
     assert_eq!(strong, "");
     assert!(heavy.starts_with("Too weak for the ramp: 7"), "{heavy}");
-    // A light motor for moments that do not tire it, and a short cut between long ramps: too warm.
+    // A light motor, and a short cut between long ramps: too hot.
     let [light, strong, _] = refused(&[("spindle-ramp", "1.5"), ("motor-peak", "200"), ("motor-braking", "200")]);
     assert_eq!((light.as_str(), strong.as_str()), ("", ""));
     let short = [("spindle-ramp", "1.5"), ("motor-peak", "200"), ("motor-braking", "200"), ("length", "1")];
     let [light, _, _] = refused(&short);
-    assert!(light.starts_with("Too warm: "), "{light}");
+    assert!(light.starts_with("Too hot: "), "{light}");
 }
 
 #[test]

@@ -45,6 +45,8 @@ pub(in super::super) mod node {
     pub(in crate::machines::turning_spindle) const X: u16 = 18;
     pub(in crate::machines::turning_spindle) const Z: u16 = 19;
     pub(in crate::machines::turning_spindle) const ANGLE: u16 = 20;
+    /// Speed at 10 V of the gear stage.
+    pub(in crate::machines::turning_spindle) const STAGE_SPEED: u16 = 22;
     /// The keyway as far as it is cut.
     pub(in crate::machines::turning_spindle) const GROOVE: u16 = 21;
     /// First paths of the stretches of the part, and of the jaws.
