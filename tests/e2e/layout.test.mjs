@@ -1,7 +1,7 @@
 // The one screen: machine, play and emergency stop at every size; nothing that is said moves a control; it moves at first sight.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { FIREFOX, doubleClick, openPanel, ready, saved, start, withPage } from './page.mjs';
+import { FIREFOX, PAPER, doubleClick, openPanel, ready, saved, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -119,4 +119,27 @@ test('a part of the drawing leads to its field', () =>
     const field = await part.getAttribute('data-field');
     await part.dispatchEvent('click');
     assert.equal(await page.evaluate(() => document.activeElement.id), field);
+  }));
+
+test('the first sheet of the report is whole in print, and its words are whole on a phone', () =>
+  withPage(app, {}, async ({ page, context }) => {
+    for (const name of [PAPER, 'Polygon lathe', 'Turning spindle']) {
+      await (name === PAPER ? takeExample(page, name) : page.locator('.segments button', { hasText: name }).click());
+      await page.click('#export');
+      const row = page.getByRole('row', { name: /report\.html/ });
+      const html = (await saved(page, () => row.getByRole('button').click())).toString('utf8');
+      await page.keyboard.press('Escape');
+      const report = await context.newPage();
+      await report.setContent(html);
+      await report.emulateMedia({ media: 'print' });
+      const [needed, there] = await report.locator('.sheet').evaluate((sheet) => [sheet.scrollHeight, sheet.clientHeight]);
+      assert.ok(needed <= there, `${name}: ${needed} of ${there}`);
+      assert.ok((await report.locator('.drawing').boundingBox()).height > 150, name);
+      await report.emulateMedia({ media: 'screen' });
+      await report.setViewportSize({ width: 390, height: 844 });
+      const sheet = await report.locator('.sheet').evaluate((sheet) => [sheet.scrollWidth, sheet.clientWidth]);
+      assert.ok(sheet[0] <= sheet[1], `${name}: ${sheet}`);
+      for (const cell of await report.locator('.verdicts td:nth-child(2)').all()) assert.ok((await cell.boundingBox()).width > 120, name);
+      await report.close();
+    }
   }));

@@ -25,6 +25,9 @@ const PARTS: usize = 11;
 /// Verdicts on the first sheet at least.
 const LEAST: usize = 4;
 
+/// Failing verdicts that the conclusion names.
+const NAMED: usize = 3;
+
 /// The report as HTML with its styles and pictures in it.
 pub fn html(report: &Report, language: Language) -> String {
     let mut page = Page { out: String::new(), report, language };
@@ -415,7 +418,14 @@ fn conclusion(report: &Report, language: Language) -> String {
         .collect();
     let said: Message = match failing.len() {
         0 => msg!("form.report.all-hold", judged.len() as u32),
-        n => msg!("form.report.some-fail", n as u32, judged.len() as u32, failing.join(", ")),
+        n => {
+            let names = failing.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
+            let names = match n.saturating_sub(NAMED) {
+                0 => names,
+                others => sentence(language, &msg!("form.report.and-more", names, others as u32)),
+            };
+            msg!("form.report.some-fail", n as u32, judged.len() as u32, names)
+        }
     };
     let exceeded = match report.exceeded.len() {
         0 => String::new(),
