@@ -157,14 +157,22 @@ pub enum DutyType {
     Continuous,
     /// S3: it turns and stands by turns; the cyclic duration factor, %: 15, 25, 40 or 60.
     Intermittent(u8),
+    /// S6: it turns without standstill, loaded and idle by turns; the cyclic duration factor, %: 15, 25, 40 or 60.
+    Periodic(u8),
 }
 
-/// The duty type of a drive that turns for `share` of the time, 0 to 1: the least cyclic duration factor of the standard that covers it.
-/// Source: sizing facts 2.8, from memory.
-pub fn duty_type(share: f64) -> DutyType {
-    let factors = [15, 25, 40, 60].into_iter();
-    let covering = factors.into_iter().find(|factor| share <= f64::from(*factor) / 100.0);
-    covering.map_or(DutyType::Continuous, DutyType::Intermittent)
+/// Share of the time from which a drive counts as turning without standstill: the rest is a start and a stop in each part. Our choice.
+const WITHOUT_STANDSTILL: f64 = 0.8;
+
+/// The duty type of a drive that turns for `turning` of the time and is loaded for `loaded` of it, both 0 to 1: the least cyclic duration
+/// factor of the standard that covers it. Source: sizing facts 2.8, from memory.
+pub fn duty_type(turning: f64, loaded: f64) -> DutyType {
+    let covering = |share: f64| [15, 25, 40, 60].into_iter().find(|factor| share <= f64::from(*factor) / 100.0);
+    match (covering(turning), covering(loaded)) {
+        (Some(factor), _) => DutyType::Intermittent(factor),
+        (None, Some(factor)) if turning >= WITHOUT_STANDSTILL => DutyType::Periodic(factor),
+        _ => DutyType::Continuous,
+    }
 }
 
 /// A turn in two where it changes its direction.

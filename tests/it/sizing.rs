@@ -6,6 +6,7 @@ mod cams;
 mod chance;
 mod choice;
 mod derating;
+mod dots;
 mod energy;
 mod envelope;
 mod timeline;

@@ -10,6 +10,8 @@ mod mechanics;
 
 mod resolved;
 
+mod dot_error;
+
 mod driven;
 
 mod calculated_once;
@@ -31,6 +33,8 @@ mod readouts;
 mod readouts_of_drives;
 
 mod phase;
+
+mod rules_of_dots;
 
 mod rules_of_drives;
 
@@ -136,7 +140,8 @@ impl Prepared for RibbonLine {
         let drives = readouts_of_drives::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_drives::RULES));
         let cam: &[_] = if cams::chosen(self).is_some() { cams::ROWS } else { &[] };
         let cam = cam.iter().map(|row| judge(row, self, row.unit, rules_of_cams::RULES));
-        let readouts = line.chain(drives).chain(cam).collect();
+        let dots = dot_error::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_dots::RULES));
+        let readouts = line.chain(drives).chain(dots).chain(cam).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }
 

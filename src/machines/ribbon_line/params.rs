@@ -231,6 +231,8 @@ pub(crate) struct Params {
     pub contact_length: f64,
     pub smear_limit: f64,
     pub dot_tolerance: f64,
+    pub roller_run_out: f64,
+    pub gear_backlash: f64,
     pub cam_law: CamLaw,
     pub job: Job,
     pub pitch_count: f64,
@@ -488,6 +490,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(0.001..=100.0).default(0.05).decimals(3).step(0.01),
     number("dot-tolerance", member!(Params.dot_tolerance)).group("ribbon.group.print").label("ribbon.dot-tolerance").help("ribbon.dot-tolerance.help")
         .unit("mm").range(0.001..=100.0).default(0.05).decimals(3).step(0.01),
+    number("roller-run-out", member!(Params.roller_run_out)).group("ribbon.group.print").label("ribbon.roller-run-out").help("ribbon.roller-run-out.help")
+        .unit("mm").range(0.0..=10.0).default(0.02).decimals(3).step(0.01).fact(),
+    number("gear-backlash", member!(Params.gear_backlash)).group("ribbon.group.print").label("ribbon.gear-backlash").help("ribbon.gear-backlash.help").symbol("β")
+        .unit("′").range(0.0..=600.0).default(3.0).decimals(2).step(1.0).fact(),
     choice("job", member!(Params.job: Job)).group("ribbon.group.job").label("ribbon.job").help("ribbon.job.help"),
     number("pitch-count", member!(Params.pitch_count)).group("ribbon.group.job").label("ribbon.pitch-count").help("ribbon.pitch-count.help").symbol("#120")
         .range(1.0..=10000000.0).default(500.0).decimals(0).step(1.0),

@@ -23,12 +23,14 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("cam-blocks-smear", smear, Citation::new("sizing facts 3.5", Grade::Inferred)),
 ];
 
-/// What a cam would ask of the print motor, where the rollers do not match.
-pub(super) fn advice(line: &RibbonLine) -> Message {
-    let Some((_, end)) = cams::by(line, Law::ModifiedSine) else { return msg!("ribbon.match-cam-no-time") };
+/// What a cam would ask of the print motor, where the rollers do not match; none where no ribbon speed is slow enough for it.
+pub(super) fn advice(line: &RibbonLine) -> Option<Message> {
+    let Some((_, end)) = cams::by(line, Law::ModifiedSine) else { return Some(msg!("ribbon.match-cam-no-time")) };
     let peak = (end.start_torque(), 2);
     let speed = end.speed_by_start().min(end.speed_by_heat());
-    msg!("ribbon.match-cam", peak, (end.most(), 2), (end.effective_torque(), 2), (end.most_effective(), 2), (speed, 0))
+    let effective = (end.effective_torque(), 2);
+    (speed >= 1.0)
+        .then(|| msg!("ribbon.match-cam", peak, (end.most(), 2), effective, (end.most_effective(), 2), (speed, 0)))
 }
 
 fn not_written(line: &RibbonLine) -> Option<Judgement> {

@@ -45,8 +45,10 @@ pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
                 .setting(msg!("advice.set-heads", heads), [count]),
             Advice::from(msg!("ribbon.match-pitch", (d.matching_pitch, 3)))
                 .setting(msg!("advice.set-pitch", pitch.1.as_str()), [pitch]),
-            rules_of_cams::advice(line).into(),
         ]
+        .into_iter()
+        .chain(rules_of_cams::advice(line).map(Advice::from))
+        .collect()
     };
     Some(Judgement { verdict, limit: Some(Equal(1.0)), advice })
 }

@@ -10,9 +10,8 @@ use crate::text::Message;
 use crate::view::Advice;
 use crate::view::Limit::{AtMost, Equal, Within};
 
-/// Both axes with the greater time constant and the lower gain.
-pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+/// Entries that give both axes the greater time constant and the lower gain.
+pub(super) fn equal_entries(p: &Params) -> Vec<(&'static str, String)> {
     let (slow, soft) = (p.time_constant_x.max(p.time_constant_y), p.position_gain_x.min(p.position_gain_y));
     let mut sets = Vec::new();
     for (id, value, same) in [
@@ -25,6 +24,13 @@ pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
             sets.push(near(FIELDS, id, same));
         }
     }
+    sets
+}
+
+/// Both axes with the greater time constant and the lower gain.
+pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    let sets = equal_entries(p);
     let mut advice = Vec::new();
     let mut say =
         |message: Message| advice.push(Advice::from(message).setting(msg!("advice.make-equal"), sets.clone()));

@@ -44,6 +44,8 @@ pub struct SizedAxis {
     pub field: Option<&'static str>,
     /// Share of the time of a part for which it turns, 0 to 1.
     pub turning: f64,
+    /// Share of the time of a part for which it is loaded: a spindle while it cuts, an axis while it turns.
+    pub loaded: f64,
     /// Torque of the brake at its motor that closes without current, Nm; 0 without one.
     pub brake: f64,
     /// Current of the motor that the form names for 1 Nm, A; none where the catalogue does not have it.
@@ -177,11 +179,13 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
         let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
+        let turning = share_turning(of, axis.mover);
         SizedAxis {
             id: axis.id,
             name: axis.name,
             field: axis.fields.map(|fields| fields.name),
-            turning: share_turning(of, axis.mover),
+            turning,
+            loaded: turning,
             brake: 0.0,
             ampere_per_torque: ampere_per_torque(project, &axis),
             work: Some(asked.work(axis.fitted.motor.rotor)),
@@ -194,11 +198,13 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
         let candidates = motors.map(|part| induction(part, &drive, &catalogue, control)).collect();
         let field = drive.fields.map(|(model, _)| model);
+        let turning = share_turning(of, Mover::Spindle);
         SizedAxis {
             id: drive.id,
             name: drive.name,
             field,
-            turning: share_turning(of, Mover::Spindle),
+            turning,
+            loaded: drive.cycle.map_or(turning, |cycle| turning.min(cycle.of.run / of.end)),
             brake: drive.brake,
             ampere_per_torque: None,
             work: None,

@@ -84,9 +84,10 @@ impl Sizing {
         });
         let duties = self.axes.iter().filter(|_| self.cycle.is_some()).map(|axis| {
             let share = (100.0 * axis.turning, 0);
-            let duty = match duty_type(axis.turning) {
+            let duty = match duty_type(axis.turning, axis.loaded) {
                 DutyType::Continuous => msg!("size.duty-continuous", share),
                 DutyType::Intermittent(factor) => msg!("size.duty-intermittent", f64::from(factor), share),
+                DutyType::Periodic(factor) => msg!("size.duty-periodic", f64::from(factor), (100.0 * axis.loaded, 0)),
             };
             row([format!("{}: {}", say(axis.name), say("size.duty")), sentence(Language::English, &duty)], DUTY)
         });

@@ -57,6 +57,7 @@ fn axis(axis: &SizedAxis) -> Json {
         "axis": axis.id,
         "name": say(axis.name),
         "turning": percent(axis.turning),
+        "loaded": percent(axis.loaded),
         "least": axis.least().map(Part::name),
         "asked": work,
         "candidates": axis.candidates.iter().map(candidate).collect::<Vec<_>>(),

@@ -58,6 +58,11 @@ const RARE: &[(&str, &[(&str, &str)])] = &[
             ("dwell", "0"),
         ],
     ),
+    // A gear by which the unwinder feeds more in a turn than the control takes.
+    (
+        "gsk-980tdc",
+        &[("reduction-ratio", "0.01"), ("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")],
+    ),
     // A contact that leaves a cam no time.
     ("mitsubishi-e60", &[("contact-length", "8"), ("cam-law", "modified-sine")]),
     // Cams whose roller turns back, and whose motor is too weak.

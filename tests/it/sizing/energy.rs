@@ -91,16 +91,21 @@ proptest! {
 
 #[test]
 fn duty_type_is_the_least_factor_that_covers() {
-    for (share, wanted) in [
-        (0.0, DutyType::Intermittent(15)),
-        (0.15, DutyType::Intermittent(15)),
-        (0.151, DutyType::Intermittent(25)),
-        (0.4, DutyType::Intermittent(40)),
-        (0.41, DutyType::Intermittent(60)),
-        (0.601, DutyType::Continuous),
-        (1.0, DutyType::Continuous),
+    for (turning, loaded, wanted) in [
+        (0.0, 0.0, DutyType::Intermittent(15)),
+        (0.15, 0.15, DutyType::Intermittent(15)),
+        (0.151, 0.1, DutyType::Intermittent(25)),
+        (0.4, 0.4, DutyType::Intermittent(40)),
+        (0.41, 0.41, DutyType::Intermittent(60)),
+        (0.601, 0.601, DutyType::Continuous),
+        // It stands too long for S6.
+        (0.7, 0.3, DutyType::Continuous),
+        (0.8, 0.3, DutyType::Periodic(40)),
+        (1.0, 0.6, DutyType::Periodic(60)),
+        (1.0, 0.61, DutyType::Continuous),
+        (1.0, 1.0, DutyType::Continuous),
     ] {
-        assert_eq!(duty_type(share), wanted, "{share}");
+        assert_eq!(duty_type(turning, loaded), wanted, "{turning} turning, {loaded} loaded");
     }
 }
 

@@ -1,0 +1,169 @@
+//! The error of a dot's place, in mm: lasting parts add up, parts that vary from dot to dot add as the root of the sum of their squares.
+
+use super::resolved::RibbonLine;
+use crate::machines::verdict::ReadoutRow;
+use crate::math::{self, PI};
+use crate::text::{Citation, Grade};
+
+/// Parts of the error, each in mm and without sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct DotError {
+    /// Half a pulse of both encoders.
+    pub encoders: f64,
+    /// Run-out of both rollers.
+    pub run_out: f64,
+    /// Backlash of the gears whose torque does not keep the teeth in contact.
+    pub backlash: f64,
+    /// X runs ahead of the print roller, or behind it.
+    pub lag: f64,
+    /// A pitch that was printed under tension and is shorter without it.
+    pub strain: f64,
+}
+
+impl DotError {
+    /// The parts with the line at the speed of its results.
+    pub(super) fn of(line: &RibbonLine) -> DotError {
+        let RibbonLine { p, d, mechanics, .. } = line;
+        let half_pulse = |micrometres: f64| micrometres / 2e3;
+        // Minutes of arc at the roller, where the load drives the motor or nothing loads it.
+        let play = |torque: f64, diameter: f64| {
+            let loose = torque <= 0.0;
+            if loose { p.gear_backlash / 60.0 * PI / 180.0 * diameter / 2.0 } else { 0.0 }
+        };
+        let pull = play(mechanics.pull.load.torque, p.x_roller_diameter);
+        let print = play(mechanics.print.load.torque, p.print_roller_diameter);
+        DotError {
+            encoders: math::hypot(half_pulse(d.x_resolution), half_pulse(d.y_resolution)),
+            run_out: math::hypot(p.roller_run_out / 2.0, p.roller_run_out / 2.0),
+            backlash: math::hypot(pull, print),
+            lag: d.register_error.abs(),
+            strain: p.pitch * strain(line),
+        }
+    }
+
+    /// Parts that vary from dot to dot, together.
+    pub(super) fn varying(&self) -> f64 {
+        math::hypot(math::hypot(self.encoders, self.run_out), self.backlash)
+    }
+
+    /// Parts that last, together.
+    pub(super) fn lasting(&self) -> f64 {
+        self.lag + self.strain
+    }
+
+    /// All parts together.
+    pub(super) fn total(&self) -> f64 {
+        self.lasting() + self.varying()
+    }
+
+    /// The greatest part.
+    pub(super) fn greatest(&self) -> (Part, f64) {
+        let others = [
+            (Part::Encoders, self.encoders),
+            (Part::Backlash, self.backlash),
+            (Part::Lag, self.lag),
+            (Part::Strain, self.strain),
+        ];
+        others.into_iter().fold((Part::RunOut, self.run_out), |most, part| if part.1 > most.1 { part } else { most })
+    }
+}
+
+/// A part of the error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// Pulses of the encoders.
+    Encoders,
+    /// Run-out of the rollers.
+    RunOut,
+    /// Backlash of the gears.
+    Backlash,
+    /// Difference of the servo lags.
+    Lag,
+    /// Strain of the ribbon.
+    Strain,
+}
+
+impl Part {
+    /// Catalog id of its name.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Part::Encoders => "ribbon.readout.dot-encoders",
+            Part::RunOut => "ribbon.readout.dot-run-out",
+            Part::Backlash => "ribbon.readout.dot-backlash",
+            Part::Lag => "ribbon.readout.register-error",
+            Part::Strain => "ribbon.readout.dot-strain",
+        }
+    }
+}
+
+/// Strain of the ribbon at the print contact.
+fn strain(line: &RibbonLine) -> f64 {
+    let p = &line.p;
+    p.web.tension_behind / (p.youngs_modulus * p.ribbon_width * p.ribbon_thickness)
+}
+
+const BUDGET: Citation = Citation::new("sizing facts 2.5, error budget", Grade::Inferred);
+
+/// Results of the error budget.
+pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
+    ReadoutRow {
+        id: "dot-error",
+        label: "ribbon.readout.dot-error",
+        unit: "mm",
+        decimals: 3,
+        headline: false,
+        formula: "lag + strain + SQRT[encoders² + run-out² + backlash²]",
+        cite: BUDGET,
+        value: |line| DotError::of(line).total(),
+    },
+    ReadoutRow {
+        id: "dot-encoders",
+        label: "ribbon.readout.dot-encoders",
+        unit: "mm",
+        decimals: 4,
+        headline: false,
+        formula: "SQRT[(pulse of X / 2)² + (pulse of Y / 2)²]",
+        cite: BUDGET,
+        value: |line| DotError::of(line).encoders,
+    },
+    ReadoutRow {
+        id: "dot-run-out",
+        label: "ribbon.readout.dot-run-out",
+        unit: "mm",
+        decimals: 4,
+        headline: false,
+        formula: "run-out / SQRT[2]: half of it at each roller",
+        cite: BUDGET,
+        value: |line| DotError::of(line).run_out,
+    },
+    ReadoutRow {
+        id: "dot-backlash",
+        label: "ribbon.readout.dot-backlash",
+        unit: "mm",
+        decimals: 4,
+        headline: false,
+        formula: "β · R, 0 where the torque keeps its direction",
+        cite: BUDGET,
+        value: |line| DotError::of(line).backlash,
+    },
+    ReadoutRow {
+        id: "dot-strain",
+        label: "ribbon.readout.dot-strain",
+        unit: "mm",
+        decimals: 4,
+        headline: false,
+        formula: "#107 · T2 / (E · width · thickness)",
+        cite: BUDGET,
+        value: |line| DotError::of(line).strain,
+    },
+    ReadoutRow {
+        id: "strain-per-metre",
+        label: "ribbon.readout.strain-per-metre",
+        unit: "mm/m",
+        decimals: 3,
+        headline: false,
+        formula: "1000 · T2 / (E · width · thickness)",
+        cite: BUDGET,
+        value: |line| 1e3 * strain(line),
+    },
+];

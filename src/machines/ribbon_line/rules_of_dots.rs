@@ -1,0 +1,54 @@
+//! The rule of the error budget of a dot: all parts together stay within its tolerance.
+
+use super::dot_error::{DotError, Part};
+use super::params::FIELDS;
+use super::resolved::RibbonLine;
+use super::rules_of_slack::equal_entries;
+use crate::machines::sheets::say;
+use crate::machines::verdict::{Judgement, Rule, down, ok, up, warn};
+use crate::msg;
+use crate::text::{Citation, Grade, Message};
+use crate::view::Advice;
+use crate::view::Limit::AtMost;
+
+/// The rule.
+pub(super) const RULES: &[Rule<RibbonLine>] =
+    &[Rule::new("dot-error", error, Citation::new("sizing facts 2.5, error budget", Grade::Inferred))];
+
+fn error(line: &RibbonLine) -> Option<Judgement> {
+    let (p, of) = (&line.p, DotError::of(line));
+    let limit = AtMost(p.dot_tolerance);
+    if of.total() <= p.dot_tolerance {
+        return ok(limit);
+    }
+    let (part, mm) = of.greatest();
+    // To what share the greatest part shrinks for the tolerance; half where the others alone exceed it.
+    let room = match part {
+        Part::Lag | Part::Strain => p.dot_tolerance - (of.total() - mm),
+        _ => {
+            let (room, varying) = ((p.dot_tolerance - of.lasting()).max(0.0), of.varying());
+            (room * room - (varying * varying - mm * mm)).max(0.0).sqrt()
+        }
+    };
+    let share = if room > 0.0 { room / mm } else { 0.5 };
+    let one = |button: fn(&str) -> Message, entry: (&'static str, String)| (button(&entry.1), vec![entry]);
+    let (button, entries) = match part {
+        Part::RunOut => {
+            one(|mm| msg!("advice.set-run-out", mm), down(FIELDS, "roller-run-out", p.roller_run_out * share))
+        }
+        Part::Encoders => one(
+            |pulses| msg!("advice.set-encoder", pulses),
+            up(FIELDS, "encoder-resolution", p.encoder_resolution / share),
+        ),
+        Part::Backlash => {
+            one(|minutes| msg!("advice.set-backlash", minutes), down(FIELDS, "gear-backlash", p.gear_backlash * share))
+        }
+        Part::Strain => one(
+            |newtons| msg!("advice.set-tension-behind", newtons),
+            down(FIELDS, "tension-behind", p.web.tension_behind * share),
+        ),
+        Part::Lag => (msg!("advice.make-equal"), equal_entries(p)),
+    };
+    let told = msg!("ribbon.dot-error", (of.total(), 3), (p.dot_tolerance, 3), say(part.name()), (mm, 3));
+    warn(limit, [Advice::from(told).setting(button, entries)])
+}

@@ -1,0 +1,70 @@
+//! The error budget of a dot: its parts against the formulas, and what each adds to the whole.
+
+use macroline::machines::form::Value;
+use macroline::project::Project;
+use macroline::view::{Readout, Verdict};
+use proptest::prelude::*;
+
+use super::same;
+
+fn line(entries: &[(&str, f64)]) -> Project {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    for (id, number) in entries {
+        assert!(project.machine.fields().iter().any(|field| field.id == *id), "{id}");
+        project.values.insert((*id).to_owned(), Value::Number(*number));
+    }
+    project
+}
+
+fn result(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
+}
+
+#[test]
+fn parts_of_the_dot_error_follow_the_formulas() {
+    // 6 N on 0.5 mm · 20 mm of 20 N/mm² strain it by 3 %: 0.3 mm of a pitch of 10 mm, 30 mm of a metre.
+    let stretched = line(&[("tension-behind", 6.0)]);
+    same("strain", result(&stretched, "dot-strain").value, 0.3, 1e-9);
+    same("shortening", result(&stretched, "strain-per-metre").value, 30.0, 1e-9);
+    // Half of 0.04 mm at each of two rollers.
+    same("run-out", result(&line(&[("roller-run-out", 0.04)]), "dot-run-out").value, 0.02 * 2f64.sqrt(), 1e-9);
+    let fine = line(&[("encoder-resolution", 10_000.0)]);
+    let [x, y] = ["x-resolution", "y-resolution"].map(|id| result(&fine, id).value / 2e3);
+    same("encoders", result(&fine, "dot-encoders").value, (x * x + y * y).sqrt(), 1e-9);
+}
+
+#[test]
+fn backlash_counts_only_without_a_load_on_the_teeth() {
+    // The brake in front of the pull rollers loads their gear, the force of the heads that of the print roller.
+    assert_eq!(result(&line(&[("gear-backlash", 3.0)]), "dot-backlash").value, 0.0);
+    // A pull from behind that exceeds brake and friction: 3′ at a radius of 50 mm.
+    let driven = line(&[("gear-backlash", 3.0), ("tension-behind", 200.0)]);
+    same("driven", result(&driven, "dot-backlash").value, 3.0 / 60.0 * std::f64::consts::PI / 180.0 * 50.0, 1e-9);
+}
+
+#[test]
+fn dot_error_is_judged_by_the_tolerance() {
+    assert_eq!(result(&line(&[]), "dot-error").verdict, Verdict::Ok);
+    let worn = line(&[("roller-run-out", 0.2)]);
+    let row = result(&worn, "dot-error");
+    assert_eq!(row.verdict, Verdict::Warn);
+    let sets = row.advice[0].sets.clone();
+    assert_eq!(sets[0].0, "roller-run-out");
+    assert_eq!(result(&worn.with_entries(&sets).unwrap(), "dot-error").verdict, Verdict::Ok);
+}
+
+proptest! {
+    /// Lasting parts add up, varying ones as the root of the sum of squares.
+    #[test]
+    fn dot_error_is_the_sum_of_its_parts(
+        run_out in 0.0..0.5, tension in 0.0..300.0, backlash in 0.0..30.0, pulses in 100.0f64..1e6, gain in 10.0..60.0,
+    ) {
+        let line = line(&[
+            ("roller-run-out", run_out), ("tension-behind", tension), ("gear-backlash", backlash),
+            ("encoder-resolution", pulses.round()), ("position-gain-y", gain),
+        ]);
+        let part = |id: &str| result(&line, id).value;
+        let varying = ["dot-encoders", "dot-run-out", "dot-backlash"].map(|id| part(id) * part(id)).iter().sum::<f64>().sqrt();
+        same("total", part("dot-error"), part("register-error").abs() + part("dot-strain") + varying, 1e-9);
+    }
+}
