@@ -106,11 +106,27 @@ pub struct Project {
 impl Project {
     /// A name for a file about the project, made of the project's own: plain letters, digits and dashes.
     pub fn file_name(&self, ending: &str) -> String {
-        let name = self.name.trim().to_ascii_lowercase();
-        let plain: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
-        let plain = plain.trim_matches('-');
-        format!("{}.{ending}", if plain.is_empty() { "macroline" } else { plain })
+        format!("{}.{ending}", self.plain_name())
     }
+
+    /// Name of the archive of all files that are handed over: with the revision, where there is one.
+    pub fn archive_name(&self) -> String {
+        match plain(&self.title_block.revision) {
+            revision if revision.is_empty() => self.file_name("zip"),
+            revision => format!("{}-revision-{revision}.zip", self.plain_name()),
+        }
+    }
+
+    fn plain_name(&self) -> String {
+        Some(plain(&self.name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "macroline".to_owned())
+    }
+}
+
+/// A name in small letters, digits and hyphens, which every file system takes.
+fn plain(name: &str) -> String {
+    let name = name.to_ascii_lowercase();
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("-")
 }
 
 impl PartialEq for Project {

@@ -5,7 +5,9 @@ use leptos::prelude::*;
 
 use super::dom;
 use super::dom::turns::{at_last, in_turn};
-use super::files::{EarlierDialog, ExportDialog, GalleryDialog, Header, LargeFile, LargeFileDialog, open, store};
+use super::files::{
+    EarlierDialog, ExportDialog, GalleryDialog, Header, LargeFile, LargeFileDialog, ShareDialog, open, share, store,
+};
 use super::form::Form;
 use super::form::field_help::FieldHelp;
 use super::help::{HelpDialog, keys};
@@ -29,8 +31,8 @@ use super::worker::diagnostics;
 pub struct Beginning {
     begun: Begun,
     found: Vec<Notice>,
-    /// Whether the store has a text that did not read and found no room elsewhere.
-    occupied: bool,
+    /// What the store has.
+    stored: store::Stored,
 }
 
 impl Beginning {
@@ -39,8 +41,8 @@ impl Beginning {
     pub fn in_turns(then: impl FnOnce(Option<Beginning>) + 'static) {
         let visit = store::load();
         let Some(project) = visit.project else { return then(None) };
-        let (found, occupied) = (visit.notices, visit.occupied);
-        Begun::in_turns(project, move |begun| then(Some(Beginning { begun, found, occupied })));
+        let (found, stored) = (visit.notices, visit.stored);
+        Begun::in_turns(project, move |begun| then(Some(Beginning { begun, found, stored })));
     }
 }
 
@@ -50,15 +52,16 @@ pub fn App(
     /// What it begins with.
     beginning: Beginning,
 ) -> impl IntoView {
-    let Beginning { begun, found, occupied } = beginning;
+    let Beginning { begun, found, stored } = beginning;
     let page = Page::provide(begun, found);
     let worker = Client::provide();
     let large = LargeFile::provide();
     stepping::restore(page);
-    store::keep(page, occupied);
+    store::keep(page, stored);
     diagnostics::follow(page, worker);
     keys::listen(page);
     open::listen(page, large, worker);
+    share::listen(page);
     view! { <Later><Screen /></Later> }
 }
 
@@ -83,6 +86,7 @@ fn Screen() -> impl IntoView {
             </Later>
         </main>
         <Later>
+            <ShareDialog />
             <ExportDialog />
             <GalleryDialog />
             <HelpDialog />

@@ -11,8 +11,8 @@ try {
     const width = kept(`width${column}`);
     if (width) document.documentElement.style.setProperty(column, `${width}px`);
   }
-  // The machine of a person who has one is drawn by the module alone.
-  if (kept('project')) still.querySelector('.scene').remove();
+  // The machine of a person who has one, or a link to one, is drawn by the module alone.
+  if (kept('project') || location.hash) still.querySelector('.scene').remove();
 } catch {
   // A browser without a store has kept nothing.
 }

@@ -1,6 +1,8 @@
 // Five tasks of an engineer from a blank profile, with the clicks that they take at most.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
+import { unzipSync } from 'fflate';
 import { start, withPage } from './page.mjs';
 
 let app;
@@ -41,13 +43,15 @@ test('choose a control and take its files', () =>
   within(4, async (page) => {
     await choose(page, 'FANUC 0i-MF');
     await page.click('#export');
-    const files = new Set();
-    page.on('download', (download) => files.add(download.suggestedFilename()));
     await page.locator('#save-all').waitFor();
-    const count = await page.locator('.exported tr').count();
+    const names = await page.locator('.exported th').allTextContents();
+    const download = page.waitForEvent('download');
     await page.click('#save-all');
-    for (let turn = 0; turn < 100 && files.size < count; turn++) await page.waitForTimeout(100);
-    assert.equal(files.size, count);
+    const archive = await download;
+    assert.equal(archive.suggestedFilename(), 'macroline.zip');
+    const files = unzipSync(await readFile(await archive.path()));
+    assert.deepEqual(Object.keys(files).sort(), names.sort());
+    assert.ok(names.length > 5 && Object.values(files).every((bytes) => bytes.length > 0));
   }));
 
 test('follow an advice', () =>

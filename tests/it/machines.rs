@@ -6,6 +6,7 @@ mod examples;
 mod files_drawn;
 mod ladder;
 mod lathe_stops;
+mod links;
 mod look;
 mod parts;
 mod polygon;

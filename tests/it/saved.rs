@@ -556,3 +556,13 @@ fn files_that_do_not_go_together_are_all_refused() {
         assert_eq!(opened.diagnostics.iter().map(|found| found.id()).collect::<Vec<_>>(), [reason]);
     }
 }
+
+#[test]
+fn archive_is_named_after_project_and_revision() {
+    let mut project = ribbon();
+    assert_eq!(project.archive_name(), "macroline.zip");
+    project.name = "Order 7 / Łódź".to_owned();
+    assert_eq!(project.archive_name(), "order-7-d.zip");
+    project.title_block.revision = "B.2".to_owned();
+    assert_eq!(project.archive_name(), "order-7-d-revision-b-2.zip");
+}

@@ -16,10 +16,13 @@ mod old_options;
 
 mod resolve;
 
+mod link;
+
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 pub use self::history::{steps_from_json, steps_to_json};
+pub use self::link::{MAX_LINK, is_link};
 pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
 use self::v1::{ProgramV1, ProjectV1, TitleBlockV1, VariantV1};
 use super::findings::Findings;
@@ -47,8 +50,14 @@ struct Head<'t> {
 impl Project {
     /// The project as the text of its file.
     pub fn to_json(&self) -> String {
+        // Keys are texts and writing into a text does not fail.
+        serde_json::to_string_pretty(&self.saved()).unwrap_or_default() + "\n"
+    }
+
+    /// The project as the version that is written has it.
+    fn saved(&self) -> ProjectV1<'static> {
         let program = |file: &crate::nc::File| ProgramV1 { name: file.name.clone(), text: file.text.clone() };
-        let saved = ProjectV1 {
+        ProjectV1 {
             version: VERSION,
             name: self.name.clone(),
             title_block: TitleBlockV1 {
@@ -66,9 +75,7 @@ impl Project {
             edited: self.edited.as_ref().map(|files| files.0.iter().map(program).collect()),
             parts: self.parts.iter().map(parts::entries).collect(),
             variants: self.variants.iter().map(variant).collect(),
-        };
-        // Keys are texts and writing into a text does not fail.
-        serde_json::to_string_pretty(&saved).unwrap_or_default() + "\n"
+        }
     }
 
     /// Reads a project file. Total: any text gives a project, or errors with their places.

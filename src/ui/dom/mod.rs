@@ -115,12 +115,34 @@ pub(crate) fn download(name: &str, kind: &str, bytes: &[u8]) {
     set_timeout(move || drop(Url::revoke_object_url(&url)), std::time::Duration::from_secs(20));
 }
 
-/// Puts a text on the clipboard.
-pub(crate) fn copy(text: &str) {
-    let promise = window().navigator().clipboard().write_text(text);
+/// Puts a text on the clipboard, then does `then` with whether the browser allowed it.
+pub(crate) fn copy(text: &str, then: impl FnOnce(bool) + 'static) {
+    let clipboard = window().navigator().clipboard();
+    // A page that did not come by HTTPS has none.
+    if clipboard.is_undefined() {
+        return then(false);
+    }
+    let promise = clipboard.write_text(text);
     wasm_bindgen_futures::spawn_local(async move {
-        let _ = wasm_bindgen_futures::JsFuture::from(promise).await;
+        then(wasm_bindgen_futures::JsFuture::from(promise).await.is_ok());
     });
+}
+
+/// The address of the page without its fragment, and the fragment without its `#`.
+pub(crate) fn address() -> (String, String) {
+    let address = window().location().href().unwrap_or_default();
+    match address.split_once('#') {
+        Some((page, fragment)) => (page.to_owned(), fragment.to_owned()),
+        None => (address, String::new()),
+    }
+}
+
+/// Takes the fragment off the address of the page.
+pub(crate) fn forget_fragment() {
+    let (page, _) = address();
+    if let Ok(history) = window().history() {
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&page));
+    }
 }
 
 /// Whether a media query holds.

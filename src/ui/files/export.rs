@@ -1,11 +1,16 @@
 //! The export: the files that the page runs, and the worker's documents about them.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use leptos::prelude::*;
+use leptos::wasm_bindgen;
+use leptos::wasm_bindgen::JsCast;
+use leptos::wasm_bindgen::prelude::wasm_bindgen;
+use web_sys::Window;
 
+use crate::project::Project;
 use crate::text::Place;
+use crate::ui::dom::script::{call, load, table};
 use crate::ui::dom::{self, go_to_field};
 use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
@@ -13,6 +18,17 @@ use crate::ui::words::{figure, say, t, tell};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Range, Remark, Request, Response};
 use crate::view::report::TitleBlock;
+
+/// The bundle that makes archives.
+const ARCHIVE: &str = "archive.js";
+
+/// The file that is printed.
+const REPORT: &str = "report.html";
+
+#[wasm_bindgen(module = "/src/ui/files/tab.js")]
+extern "C" {
+    fn print(tab: &Window, html: &str);
+}
 
 /// Name and text of a file.
 type NamedText = (String, String);
@@ -169,11 +185,13 @@ fn Offered(
         })
     };
     let rows = (0..export.files.len()).map(row).collect_view();
-    // Browsers drop all but the first of several downloads that begin at the same moment.
-    let all = move |_| {
-        for at in 0..export.files.len() {
-            let files = Arc::clone(&export.files);
-            set_timeout(move || save(&files, at), Duration::from_millis(200 * at as u64));
+    let page = Page::here();
+    let files = Arc::clone(&export.files);
+    let all = move |_| save_all(page, Arc::clone(&files));
+    let report = export.files.iter().find(|(name, _)| name == REPORT).map(|(_, html)| html.clone());
+    let show_report = move |_| {
+        if !report.as_ref().is_some_and(|html| show(html)) {
+            page.notices.notify("warn", t("page.no-tab").to_owned());
         }
     };
     let remarks =
@@ -182,8 +200,33 @@ fn Offered(
         <p>{t("page.export-about")}</p>
         <table class="exported"><tbody>{rows}</tbody></table>
         <ul class="remarks">{remarks.collect_view()}</ul>
-        <footer><button type="button" class="primary" id="save-all" on:click=all>{t("page.save-all")}</button></footer>
+        <footer>
+            <button type="button" id="print-report" title=t("page.print-report-about") on:click=show_report>{t("page.print-report")}</button>
+            <button type="button" class="primary" id="save-all" on:click=all>{t("page.save-all")}</button>
+        </footer>
     }
+}
+
+/// Saves all files as one archive.
+fn save_all(page: Page, files: Arc<[NamedText]>) {
+    let name = page.project.with_untracked(Project::archive_name);
+    wasm_bindgen_futures::spawn_local(async move {
+        let list = table(files.iter().map(|(name, text)| vec![name.into(), text.into()]));
+        let archive = load(ARCHIVE).await.and_then(|module| call(&module, "zip", &[&list]));
+        match archive.and_then(|archive| archive.dyn_into::<js_sys::Uint8Array>()) {
+            Ok(bytes) => dom::download(&name, "application/zip", &bytes.to_vec()),
+            Err(error) => page.notices.notify("fail", say(&crate::msg!("page.no-archive", dom::told(&error)))),
+        }
+    });
+}
+
+/// Shows a document in a tab of its own and prints it; false where the browser opens none.
+fn show(html: &str) -> bool {
+    let tab = window().open_with_url_and_target("", "_blank").ok().flatten();
+    tab.is_some_and(|tab| {
+        print(&tab, html);
+        true
+    })
 }
 
 fn save(files: &[NamedText], at: usize) {

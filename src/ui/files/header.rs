@@ -5,6 +5,7 @@ use leptos::prelude::*;
 use super::gallery::NewButton;
 use super::open::OpenButton;
 use super::set_aside::EarlierButton;
+use super::share::{self, ShareButton};
 use super::store;
 use crate::controls;
 use crate::machines;
@@ -26,10 +27,6 @@ const THEMES: [(&str, &str); 3] =
 #[component]
 pub(crate) fn Header() -> impl IntoView {
     let page = Page::here();
-    let save = move |_| {
-        let (name, text) = page.project.with_untracked(|project| (project.file_name("json"), project.to_json()));
-        dom::download(&name, "application/json", text.as_bytes());
-    };
     view! {
         <header class="top">
             <h1><Logo /> <span>"macro"<i>"line"</i></span></h1>
@@ -48,7 +45,8 @@ pub(crate) fn Header() -> impl IntoView {
                     <NewButton />
                     <OpenButton />
                     <EarlierButton />
-                    <button type="button" class="quiet" title=t("page.save-about") on:click=save>{t("page.save")}</button>
+                    <button type="button" class="quiet save" title=t("page.save-about") on:click=move |_| share::save(page)>{t("page.save")}</button>
+                    <ShareButton />
                     <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
                     <ThemeButton />
                     <IconButton glyph=Glyph::Help label=t("page.help") class="help" press=move || page.view.helping.set(true) />

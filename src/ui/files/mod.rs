@@ -14,6 +14,8 @@ mod parts;
 
 mod set_aside;
 
+pub(crate) mod share;
+
 pub(crate) mod store;
 
 pub(crate) use export::ExportDialog;
@@ -21,3 +23,4 @@ pub(crate) use gallery::GalleryDialog;
 pub(crate) use header::Header;
 pub(crate) use large::{LargeFile, LargeFileDialog};
 pub(crate) use set_aside::EarlierDialog;
+pub(crate) use share::ShareDialog;

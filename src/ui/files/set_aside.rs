@@ -30,12 +30,14 @@ pub(super) enum Reason {
     New,
     /// An opened file took its place.
     Opened,
+    /// The project of a link took its place.
+    Link,
     /// This tab took the place of another one.
     OtherTab,
 }
 
 impl Reason {
-    const ALL: [Reason; 4] = [Reason::Unread, Reason::New, Reason::Opened, Reason::OtherTab];
+    const ALL: [Reason; 5] = [Reason::Unread, Reason::New, Reason::Opened, Reason::Link, Reason::OtherTab];
 
     /// The word in the key of the store, and the catalog id of the sentence.
     fn words(self) -> (&'static str, &'static str) {
@@ -43,6 +45,7 @@ impl Reason {
             Reason::Unread => ("unread", "page.aside-unread"),
             Reason::New => ("new", "page.aside-new"),
             Reason::Opened => ("opened", "page.aside-opened"),
+            Reason::Link => ("link", "page.aside-link"),
             Reason::OtherTab => ("other-tab", "page.aside-other-tab"),
         }
     }
@@ -89,14 +92,16 @@ pub(super) fn keep(text: &str, reason: Reason) -> bool {
     kept
 }
 
+/// Sets a project aside, unless it is an untouched example; false where the store has no room for it.
+pub(super) fn keep_project(project: &Project, reason: Reason) -> bool {
+    let example = project.present_example();
+    let made = example.map(|example| Project::example(project.machine, project.control, example));
+    made.as_ref() == Some(project) || keep(&project.to_json(), reason)
+}
+
 /// Sets the present project aside, unless it is an untouched example; tells where there is no room for it.
 pub(super) fn keep_present(page: Page, reason: Reason) {
-    let text = page.project.with_untracked(|project| {
-        let example = project.present_example();
-        let made = example.map(|example| Project::example(project.machine, project.control, example));
-        (made.as_ref() != Some(project)).then(|| project.to_json())
-    });
-    if text.is_some_and(|text| !keep(&text, reason)) {
+    if !page.project.with_untracked(|project| keep_project(project, reason)) {
         page.notices.notify("warn", t("page.aside-full").to_owned());
     }
 }

@@ -7,9 +7,10 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{PageTransitionEvent, StorageEvent};
 
 use super::set_aside::{self, Reason};
+use super::share;
 use crate::machines;
 use crate::project::Project;
-use crate::project::saved::with_line;
+use crate::project::saved::{Loaded, with_line};
 use crate::ui::dom;
 use crate::ui::state::history::History;
 use crate::ui::state::notices::Notice;
@@ -48,19 +49,51 @@ pub(crate) struct Visit {
     pub project: Option<Project>,
     /// Notices about it.
     pub notices: Vec<Notice>,
-    /// Whether the store still has a text that did not read and found no room elsewhere.
+    /// What the store has.
+    pub stored: Stored,
+}
+
+/// What the browser's store has when the page begins.
+#[derive(Default)]
+pub(crate) struct Stored {
+    /// It has a text that found no room elsewhere.
     pub occupied: bool,
+    /// The project of the last visit, where that of a link took its place.
+    pub replaced: Option<Project>,
+}
+
+/// The project of the link that the page was opened with, or the state of the last visit.
+pub(crate) fn load() -> Visit {
+    match share::take_link() {
+        Some(linked) => by_link(last_visit(), linked),
+        None => last_visit(),
+    }
+}
+
+/// The project of a link in the place of the last visit's, which is set aside. A link that does not read changes nothing.
+fn by_link(last: Visit, linked: Loaded) -> Visit {
+    let mut notices = share::notices(&linked);
+    notices.extend(last.notices);
+    let Some(project) = linked.project else { return Visit { notices, ..last } };
+    let aside = last.project.as_ref().is_none_or(|before| set_aside::keep_project(before, Reason::Link));
+    if !aside {
+        notices.push(Notice { tone: "warn", text: t("page.aside-full").to_owned(), file: None });
+    }
+    let stored = Stored { occupied: last.stored.occupied || !aside, replaced: last.project };
+    Visit { project: Some(project), notices, stored }
 }
 
 /// The state of the last visit. A text that does not read is set aside; where that has no room, it stays.
-pub(crate) fn load() -> Visit {
+fn last_visit() -> Visit {
     let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
-    let Some(text) = dom::stored(KEY) else { return Visit { project: fresh(), notices: Vec::new(), occupied: false } };
+    let Some(text) = dom::stored(KEY) else {
+        return Visit { project: fresh(), notices: Vec::new(), stored: Stored::default() };
+    };
     let loaded = Project::from_json(&text);
     if let Some(project) = loaded.project {
         let notice = |found| Notice { tone: "warn", text: with_line(found, &text), file: None };
         let notices = loaded.diagnostics.iter().map(notice).collect();
-        return Visit { project: Some(project), notices, occupied: false };
+        return Visit { project: Some(project), notices, stored: Stored::default() };
     }
     let aside = set_aside::keep(&text, Reason::Unread);
     if aside {
@@ -70,7 +103,7 @@ pub(crate) fn load() -> Visit {
     let reason = loaded.diagnostics.first().map(|found| with_line(found, &text)).unwrap_or_default();
     let said = format!("{} {reason}", t(if aside { "page.set-aside" } else { "page.set-aside-full" }));
     let notice = Notice { tone: "warn", text: said, file: Some((set_aside::FILE, text)) };
-    Visit { project: fresh(), notices: vec![notice], occupied: !aside }
+    Visit { project: fresh(), notices: vec![notice], stored: Stored { occupied: !aside, replaced: None } }
 }
 
 /// Stores the project now, then its steps, and notes whether the browser has taken the project.
@@ -134,13 +167,14 @@ fn follow(page: Page) {
     set_timeout(take, Duration::from_millis(wait as u64));
 }
 
-/// Messages and stored state of another tab. A watching tab shows the project of the other one until it is edited here.
-fn hear(page: Page, key: &str, value: &str, shown: StoredValue<Option<Project>, LocalStorage>) {
+/// Messages and stored state of another tab. A watching tab shows the project of the other one until it is edited here, or from the begin
+/// that of the link by which it was opened.
+fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValue<Option<Project>, LocalStorage>) {
     let watches = page.view.kept.get_untracked() == Kept::Elsewhere;
     match (key, value.split(' ').next().unwrap_or_default()) {
         (TABS, ASKS) if !watches => say(HOLDS),
         (TABS, HOLDS) if !watches => {
-            shown.set_value(Some(page.project.get_untracked()));
+            shown.set_value((!by_link).then(|| page.project.get_untracked()));
             watch(page, "page.other-tab-open");
         }
         (TABS, TAKES) => {
@@ -162,12 +196,17 @@ fn hear(page: Page, key: &str, value: &str, shown: StoredValue<Option<Project>, 
     }
 }
 
-/// Keeps the project from now on, shortly after each change, as long as no other tab holds it.
-pub(crate) fn keep(page: Page, occupied: bool) {
+/// Keeps the project from now on, shortly after each change, as long as no other tab holds it. What a link replaced is one step back.
+pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
+    let by_link = replaced.is_some();
+    let mut steps =
+        dom::stored(STEPS).filter(|_| !occupied).map(|steps| History::from_json(&steps)).unwrap_or_default();
+    if let Some(before) = replaced {
+        steps.note(&before, "", dom::now());
+    }
+    page.take_steps(steps);
     if occupied {
         page.view.kept.set(Kept::Elsewhere);
-    } else if let Some(steps) = dom::stored(STEPS) {
-        page.take_steps(History::from_json(&steps));
     }
     let timer = StoredValue::new(None::<TimeoutHandle>);
     let save = move || {
@@ -180,7 +219,7 @@ pub(crate) fn keep(page: Page, occupied: bool) {
     };
     Effect::new(move |first: Option<()>| {
         page.project.track();
-        if first.is_none() {
+        if first.is_none() && !by_link {
             return;
         }
         if page.view.kept.get_untracked() == Kept::Elsewhere {
@@ -199,7 +238,7 @@ pub(crate) fn keep(page: Page, occupied: bool) {
         let event: &StorageEvent = event.unchecked_ref();
         // The page may be gone.
         if let (Some(key), Some(value), false) = (event.key(), event.new_value(), page.view.kept.is_disposed()) {
-            hear(page, &key, &value, shown);
+            hear(page, by_link, (&key, &value), shown);
         }
     });
     say(ASKS);
@@ -251,7 +290,7 @@ mod tests {
 
     async fn kept() -> Bench {
         let bench = mount(|| ()).await;
-        keep(bench.page, false);
+        keep(bench.page, Stored::default());
         settled().await;
         bench
     }
@@ -276,7 +315,7 @@ mod tests {
         drop(bench);
         let visit = load();
         let bench = crate::ui::testing::mount_project(visit.project.unwrap(), || ()).await;
-        keep(bench.page, visit.occupied);
+        keep(bench.page, visit.stored);
         assert_eq!(bench.page.can.get_untracked(), (true, false));
         bench.page.undo();
         assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
@@ -287,7 +326,7 @@ mod tests {
         let _bench = mount(|| ()).await;
         dom::store(KEY, "{ not a project");
         let visit = load();
-        assert!(visit.project == Some(first_project()) && !visit.occupied);
+        assert!(visit.project == Some(first_project()) && !visit.stored.occupied);
         assert!(visit.notices[0].text.contains(t("page.set-aside")));
         assert_eq!(visit.notices[0].file, Some((set_aside::FILE, "{ not a project".to_owned())));
         assert_eq!((dom::stored(KEY), set_aside::list().len()), (None, 1));
@@ -300,8 +339,8 @@ mod tests {
         let text = "{".repeat(3_000_000);
         assert!(dom::store(KEY, &text));
         let visit = load();
-        assert!(visit.occupied && visit.notices[0].text.contains(t("page.set-aside-full")));
-        keep(bench.page, visit.occupied);
+        assert!(visit.stored.occupied && visit.notices[0].text.contains(t("page.set-aside-full")));
+        keep(bench.page, visit.stored);
         bench.page.set("pitch", Value::Number(9.0));
         settled().await;
         assert_eq!(bench.page.view.kept.get_untracked(), Kept::Elsewhere);

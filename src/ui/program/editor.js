@@ -1,4 +1,4 @@
-// The editor of a program, bundled into vendor/editor.js and loaded only when somebody edits. It lives in a shadow root:
+// The editor of a program, bundled beside the page and loaded only when somebody edits. It lives in a shadow root:
 // there CodeMirror puts its styles into constructed sheets, which the content security policy allows, and not into <style>.
 import { defaultKeymap, history, historyField, historyKeymap, indentWithTab } from '@codemirror/commands';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';

@@ -164,8 +164,9 @@ fn Tools(
 ) -> impl IntoView {
     let page = Page::here();
     let copy = move |_| {
-        dom::copy(&page.program.text(page.view.file.get_untracked()));
-        page.notices.say(t("page.copied"));
+        dom::copy(&page.program.text(page.view.file.get_untracked()), move |copied| {
+            page.notices.say(t(if copied { "page.copied" } else { "page.not-copied" }));
+        });
     };
     let paper = move |_| {
         page.edit("", |project| project.edited = Some(project.listing()));

@@ -70,6 +70,8 @@ pub(crate) struct View {
     pub gallery: RwSignal<bool>,
     /// Asks for the dialog of the export.
     pub exporting: RwSignal<bool>,
+    /// Whether the dialog of the link to the project is open.
+    pub sharing: RwSignal<bool>,
     /// Whether the dialog of earlier states is open.
     pub earlier: RwSignal<bool>,
     /// Asks for the dialog of help.
@@ -92,6 +94,7 @@ impl View {
             about: RwSignal::new(None),
             gallery: RwSignal::new(false),
             exporting: RwSignal::new(false),
+            sharing: RwSignal::new(false),
             earlier: RwSignal::new(false),
             helping: RwSignal::new(false),
             kept: RwSignal::new(Kept::Yes),

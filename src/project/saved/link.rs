@@ -1,0 +1,75 @@
+//! A project as the fragment of a link: its file, compressed, with a check sum, in characters that an address may have.
+
+use base64::Engine;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use miniz_oxide::deflate::compress_to_vec_zlib;
+use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+
+use super::super::Project;
+use super::super::findings::Findings;
+use super::Loaded;
+use crate::msg;
+use crate::text::{Diagnostic, Message};
+
+/// Begin of every fragment that carries a project; the number of its form follows.
+const PROJECT: &str = "p";
+
+/// Begin of a fragment of the form that is written: the file as zlib data (RFC 1950), which end with a check sum of it, as base64url text
+/// without padding (RFC 4648, 5).
+const FORM: &str = "p1.";
+
+/// Characters of a fragment at most. Our choice: browsers take more, what passes links on takes less.
+pub const MAX_LINK: usize = 8000;
+
+/// Bytes of the file of a link at most: short texts may unpack to very long ones.
+const MAX_FILE: usize = 1_000_000;
+
+/// The most thorough compression: a link is made once, and read often.
+const LEVEL: u8 = 9;
+
+/// Whether the fragment of an address, without its `#`, is meant as a project.
+pub fn is_link(fragment: &str) -> bool {
+    let number = fragment.strip_prefix(PROJECT).and_then(|rest| rest.split_once('.'));
+    number.is_some_and(|(number, _)| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
+impl Project {
+    /// The project as the fragment of a link, without its `#`. An error where it is too long for one.
+    pub fn to_link(&self) -> Result<String, Message> {
+        // Keys are texts and writing into a text does not fail.
+        let file = serde_json::to_string(&self.saved()).unwrap_or_default();
+        let link = format!("{FORM}{}", URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(file.as_bytes(), LEVEL)));
+        if link.len() > MAX_LINK || file.len() > MAX_FILE {
+            return Err(msg!("project.link-long", link.len() as u32, MAX_LINK as u32));
+        }
+        Ok(link)
+    }
+
+    /// Reads the fragment of a link. Total: any text gives a project, or says why it gives none.
+    pub fn from_link(fragment: &str) -> Loaded {
+        let mut loaded = match unpacked(fragment) {
+            Ok(file) => Project::from_json(&file),
+            Err(message) => {
+                let mut found = Findings::new("");
+                found.error(message, "");
+                Loaded::refused(found)
+            }
+        };
+        // Nobody sees the file of a link.
+        loaded.diagnostics.iter_mut().for_each(|finding: &mut Diagnostic| finding.place = None);
+        loaded
+    }
+}
+
+/// The file in a fragment.
+fn unpacked(fragment: &str) -> Result<String, Message> {
+    if fragment.len() > MAX_LINK {
+        return Err(msg!("project.link-oversized", fragment.len() as u32, MAX_LINK as u32));
+    }
+    let Some(data) = fragment.strip_prefix(FORM) else { return Err(msg!("project.link-newer")) };
+    let file = || {
+        let packed = URL_SAFE_NO_PAD.decode(data).ok()?;
+        String::from_utf8(decompress_to_vec_zlib_with_limit(&packed, MAX_FILE).ok()?).ok()
+    };
+    file().ok_or_else(|| msg!("project.link-broken"))
+}

@@ -1,0 +1,207 @@
+//! The link that carries the project, and what happens when the page is opened with one.
+
+use leptos::html;
+use leptos::prelude::*;
+
+use super::set_aside::{self, Reason};
+use crate::project::Project;
+use crate::project::saved::{Loaded, is_link};
+use crate::ui::dom;
+use crate::ui::parts::Dialog;
+use crate::ui::state::Page;
+use crate::ui::state::notices::Notice;
+use crate::ui::state::view::Tab;
+use crate::ui::words::{figure, say, t, tell, tone};
+
+/// Characters above which the user is warned that some mail programs cut a link. Our choice.
+const LONG: usize = 2000;
+
+/// The project of the page's address, which is taken off it: a reload shows what became of the project since.
+pub(super) fn take_link() -> Option<Loaded> {
+    let (_, fragment) = dom::address();
+    is_link(&fragment).then(|| {
+        dom::forget_fragment();
+        Project::from_link(&fragment)
+    })
+}
+
+/// What is said of a link.
+pub(super) fn notices(linked: &Loaded) -> Vec<Notice> {
+    let copy = Notice { tone: "info", text: t("page.link-opened").to_owned(), file: None };
+    let found = linked.diagnostics.iter();
+    let found = found.map(|found| Notice { tone: tone(found.severity), text: tell(found), file: None });
+    linked.project.iter().map(|_| copy.clone()).chain(found).collect()
+}
+
+/// Opens the project of a link that is put into the address of the open page.
+pub(crate) fn listen(page: Page) {
+    dom::hear("hashchange", move |_| {
+        // The page may be gone.
+        if !page.view.kept.is_disposed() {
+            open(page);
+        }
+    });
+}
+
+fn open(page: Page) {
+    let Some(linked) = take_link() else { return };
+    for Notice { tone, text, .. } in notices(&linked) {
+        page.notices.notify(tone, text);
+    }
+    let Some(project) = linked.project else { return };
+    set_aside::keep_present(page, Reason::Link);
+    page.view.file.set(0);
+    page.view.tab.set(Tab::Program);
+    page.replace(project);
+}
+
+/// Saves the project as a file.
+pub(super) fn save(page: Page) {
+    let (name, text) = page.project.with_untracked(|project| (project.file_name("json"), project.to_json()));
+    dom::download(&name, "application/json", text.as_bytes());
+}
+
+/// The button of the link.
+#[component]
+pub(super) fn ShareButton() -> impl IntoView {
+    let open = Page::here().view.sharing;
+    view! {
+        <button type="button" class="quiet" id="share" title=t("page.share-about") on:click=move |_| open.set(true)>
+            {t("page.share")}
+        </button>
+    }
+}
+
+/// The dialog with the link, or with the reason why there is none.
+#[component]
+pub(crate) fn ShareDialog() -> impl IntoView {
+    let page = Page::here();
+    let open = page.view.sharing;
+    let content = move || {
+        let link = open.get().then(|| page.project.with_untracked(Project::to_link))?;
+        Some(match link {
+            Ok(fragment) => {
+                let (address, _) = dom::address();
+                view! { <Link text=format!("{address}#{fragment}") /> }.into_any()
+            }
+            Err(reason) => view! { <p class="fail">{say(&reason)}</p> }.into_any(),
+        })
+    };
+    view! {
+        <Dialog id="share-title" title=t("page.share-title") open=open close=move || open.set(false)>
+            <p>{t("page.share-about")}</p>
+            <div class="share">{content}</div>
+            <p>{t("page.share-file")} " " <button type="button" class="link" on:click=move |_| save(page)>{t("page.save-about")}</button></p>
+        </Dialog>
+    }
+}
+
+/// The link, and the button that copies it.
+#[component]
+fn Link(
+    /// The whole address.
+    text: String,
+) -> impl IntoView {
+    let page = Page::here();
+    let field: NodeRef<html::Input> = NodeRef::new();
+    let said = RwSignal::new("");
+    let select = move || field.get_untracked().iter().for_each(|field| field.select());
+    let size = say(&crate::msg!("page.link-length", figure(text.len() as f64, 0)));
+    let long = (text.len() > LONG).then(|| view! { <p class="warn">{t("page.link-long")}</p> });
+    let link = text.clone();
+    let copy = move |_| {
+        select();
+        dom::copy(&link, move |copied| {
+            let words = t(if copied { "page.link-copied" } else { "page.link-not-copied" });
+            // The dialog may be gone.
+            let _ = said.try_set(words);
+            page.notices.say(words);
+        });
+    };
+    view! {
+        <input
+            node_ref=field type="text" readonly=true spellcheck="false" aria-label=t("page.share-link") value=text
+            on:focus=move |_| select()
+        />
+        {long}
+        <footer>
+            <small>{size}</small>
+            <span class="said">{said}</span>
+            <button type="button" class="primary" id="copy-link" on:click=copy>{t("page.copy-link")}</button>
+        </footer>
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::machines::form::Value;
+    use crate::nc::Files;
+    use crate::ui::testing::{Bench, mount, project, settled};
+
+    async fn shared(project: Project) -> Bench {
+        let bench = crate::ui::testing::mount_project(project, || view! { <ShareButton /> <ShareDialog /> }).await;
+        bench.press("#share").await;
+        bench
+    }
+
+    /// Puts a fragment into the address and opens what it has.
+    async fn opened(bench: &Bench, fragment: &str) {
+        window().location().set_hash(fragment).unwrap();
+        open(bench.page);
+        settled().await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn link_of_the_dialog_carries_the_present_project() {
+        let mut order = project();
+        order.name = "Order 7".to_owned();
+        let bench = shared(order.clone()).await;
+        let link = bench.value(".share input");
+        let (_, fragment) = link.split_once('#').unwrap();
+        assert!(Project::from_link(fragment).project == Some(order));
+        assert!(!bench.has(".share .warn"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_that_is_too_long_for_a_link_says_so() {
+        let mut order = project();
+        let words = (0..4000_u32).map(|at| format!("N{at} G01 X{}.{at}\n", at * 7919 % 10_007));
+        order.edited = Some(Files::one("O1.nc", words.collect::<String>()));
+        let bench = shared(order).await;
+        assert!(!bench.has(".share input") && bench.has(".share .fail"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn link_in_the_address_of_the_open_page_is_taken() {
+        let bench = mount(|| ()).await;
+        bench.page.set("pitch", Value::Number(9.0));
+        let mut theirs = project();
+        theirs.name = "Order 7".to_owned();
+        opened(&bench, &theirs.to_link().unwrap()).await;
+        assert!(bench.page.project.get_untracked() == theirs);
+        assert_eq!(bench.notices(), [t("page.link-opened")]);
+        assert_eq!((dom::address().1.as_str(), set_aside::list().len()), ("", 1));
+        bench.page.undo();
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(9.0)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn link_that_was_cut_changes_nothing_and_is_told() {
+        let bench = mount(|| ()).await;
+        let link = project().to_link().unwrap();
+        opened(&bench, link.get(..link.len() - 5).unwrap()).await;
+        assert!(bench.page.project.get_untracked() == project());
+        assert_eq!(bench.notices().len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn other_fragments_stay() {
+        let bench = mount(|| ()).await;
+        opened(&bench, "machine").await;
+        assert_eq!((dom::address().1.as_str(), bench.notices().len()), ("machine", 0));
+        dom::forget_fragment();
+    }
+}

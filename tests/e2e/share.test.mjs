@@ -1,0 +1,109 @@
+// What is sent to others: the link that carries a project, the archive of all files, the report that is printed.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { FIREFOX, accessible, ready, start, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+const pitch = (page) => page.locator('#pitch');
+const saved = (page) => page.locator('.kept', { hasText: /^Saved$/ }).waitFor({ state: 'attached' });
+const notice = (page, text) => page.getByText(text).first().waitFor();
+
+// The link of a project with this pitch, as a person of another browser gets it.
+async function linkWith(value) {
+  let link;
+  await withPage(app, {}, async ({ page }) => {
+    await pitch(page).fill(value);
+    await page.getByRole('button', { name: 'Share' }).click();
+    link = await page.getByLabel('Link to the project').inputValue();
+  });
+  return link;
+}
+
+test('the link is shown, copied by one click, and short', () =>
+  withPage(app, {}, async ({ page, context }) => {
+    if (!FIREFOX) await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    await page.getByRole('button', { name: 'Share' }).click();
+    const link = await page.getByLabel('Link to the project').inputValue();
+    assert.ok(link.startsWith(`${app.url}`) && link.length < 2000, link);
+    await accessible(page);
+    await page.getByRole('button', { name: 'Copy link' }).click();
+    await page.locator('.share .said', { hasText: 'The link is on the clipboard.' }).waitFor();
+    if (!FIREFOX) assert.equal(await page.evaluate(() => navigator.clipboard.readText()), link);
+  }));
+
+test('a link opens a copy, and what was there before is one step back', async () => {
+  const link = await linkWith('9.5');
+  await withPage(app, {}, async ({ page }) => {
+    await pitch(page).fill('7.5');
+    await saved(page);
+    await page.goto('about:blank');
+    await page.goto(link);
+    await ready(page);
+    assert.equal(await pitch(page).inputValue(), '9.5');
+    assert.equal(new URL(page.url()).hash, '');
+    await notice(page, 'This project came by a link');
+    await saved(page);
+    await page.reload();
+    await ready(page);
+    assert.equal(await pitch(page).inputValue(), '9.5');
+    await page.getByRole('button', { name: 'Earlier' }).click();
+    await notice(page, 'Before the project of a link');
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await page.waitForFunction(() => document.getElementById('pitch').value === '7.5');
+  });
+});
+
+test('a link beside an open tab touches nothing of that tab', async () => {
+  const link = await linkWith('9.5');
+  await withPage(app, {}, async ({ page, context }) => {
+    await pitch(page).fill('7.5');
+    await saved(page);
+    const other = await context.newPage();
+    await other.goto(link);
+    await ready(other);
+    await notice(other, 'The project is open in another tab');
+    await pitch(page).fill('6.5');
+    await saved(page);
+    await other.waitForTimeout(300);
+    assert.equal(await pitch(other).inputValue(), '9.5');
+    assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('macroline.project')).values.pitch), 6.5);
+  });
+});
+
+test('a link that was cut is told and changes nothing', async () => {
+  const link = (await linkWith('9.5')).slice(0, -9);
+  await withPage(app, {}, async ({ page }) => {
+    await pitch(page).fill('7.5');
+    await saved(page);
+    await page.goto('about:blank');
+    await page.goto(link);
+    await ready(page);
+    await notice(page, 'The link is not whole');
+    assert.equal(await pitch(page).inputValue(), '7.5');
+  });
+});
+
+test('the report is printed as the export has it, in three clicks', () =>
+  withPage(app, {}, async ({ page, context }) => {
+    await context.addInitScript(() => (window.print = () => (document.title = `printed ${document.title}`)));
+    await page.click('#export');
+    const tab = context.waitForEvent('page');
+    await page.click('#print-report');
+    const report = await tab;
+    await report.waitForFunction(() => document.title.startsWith('printed '));
+    assert.match(await report.title(), /Ribbon line/);
+    const { mode, sheet } = await report.evaluate(() => ({
+      mode: document.compatMode,
+      sheet: getComputedStyle(document.querySelector('.sheet')).backgroundColor,
+    }));
+    assert.deepEqual({ mode, sheet }, { mode: 'CSS1Compat', sheet: 'rgb(255, 255, 255)' });
+    if (!FIREFOX) {
+      const pdf = (await report.pdf({ preferCSSPageSize: true })).toString('latin1');
+      const sizes = new Set([...pdf.matchAll(/\/MediaBox \[([^\]]*)\]/g)].map(([, box]) => box.split(' ').map((side) => Math.round(Number(side))).join(' ')));
+      assert.deepEqual([...sizes], ['0 0 595 842']);
+    }
+  }));

@@ -1,0 +1,167 @@
+//! Links: a project survives the way through the fragment of an address, and a link that was changed on its way opens nothing.
+
+use expect_test::{Expect, expect};
+use macroline::machines;
+use macroline::machines::form::Provenance;
+use macroline::motion::{Action, Event, Panel};
+use macroline::nc::Files;
+use macroline::project::Project;
+use macroline::project::saved::{MAX_LINK, is_link};
+use macroline::text::catalog::{Language, sentence};
+use proptest::prelude::*;
+
+use super::sweep;
+
+fn ribbon() -> Project {
+    Project::of("ribbon-line", None).unwrap()
+}
+
+/// What is said of a link, a line each.
+fn said(link: &str) -> String {
+    let loaded = Project::from_link(link);
+    let lines = loaded.diagnostics.iter().map(|found| sentence(Language::English, &found.message) + "\n");
+    lines.collect::<String>() + if loaded.project.is_some() { "a project" } else { "no project" }
+}
+
+#[track_caller]
+fn check(link: &str, expect: Expect) {
+    expect.assert_eq(&said(link));
+}
+
+#[test]
+fn a_thousand_forms_survive_the_way_through_a_link() {
+    let mut count = 0;
+    for machine in machines::ALL {
+        for control in machine.controls() {
+            for project in sweep::forms(*machine, control).into_iter().step_by(3) {
+                let link = project.to_link().unwrap();
+                let loaded = Project::from_link(&link);
+                assert!(loaded.project.as_ref() == Some(&project), "{}", project.to_json());
+                assert!(
+                    is_link(&link) && link.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte))
+                );
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 1000, "{count}");
+}
+
+#[test]
+fn all_that_a_project_has_goes_with_the_link() {
+    let mut project = ribbon();
+    project.name = "Ordnung № 7 / 订单".to_owned();
+    project.title_block.revision = "C".to_owned();
+    project.provenance.insert("pitch".to_owned(), Provenance::Measured);
+    project.panel = Panel::new([Event { t: 2.5, action: Action::SpindleOverride(80.0) }]);
+    project.edited = Some(Files::one("O1.nc", "%\nO1\nM30\n%\n"));
+    assert_eq!(project.keep_variant("A"), Some(0));
+    let loaded = Project::from_link(&project.to_link().unwrap());
+    assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
+    assert_eq!(loaded.project.unwrap().to_json(), project.to_json());
+}
+
+#[test]
+fn link_of_a_fresh_project_stays_below_two_thousand_characters() {
+    for machine in machines::ALL {
+        for control in machine.controls() {
+            let length = Project::of(machine.id(), Some(control)).unwrap().to_link().unwrap().len();
+            assert!(length < 1900, "{} on {control}: {length}", machine.id());
+        }
+    }
+}
+
+#[test]
+fn link_of_the_first_form_still_opens() {
+    let link = include_str!("../../data/saved/p1.link").trim_end();
+    let project = Project::from_link(link).project.unwrap();
+    assert_eq!(project.name, "Line 3");
+    assert_eq!(project.panel.events().len(), 1);
+}
+
+#[test]
+fn links_that_open_nothing_say_why() {
+    let link = ribbon().to_link().unwrap();
+    check(
+        &link[..link.len() - 7],
+        expect![[r#"
+        The link is not whole: it was cut or changed on its way. Ask for it once more, or for the project as a file.
+        no project"#]],
+    );
+    check(
+        "p1.",
+        expect![[r#"
+        The link is not whole: it was cut or changed on its way. Ask for it once more, or for the project as a file.
+        no project"#]],
+    );
+    check(
+        "p1.not base64!",
+        expect![[r#"
+        The link is not whole: it was cut or changed on its way. Ask for it once more, or for the project as a file.
+        no project"#]],
+    );
+    check(
+        "p2.AAAA",
+        expect![[r#"
+        The link is of a newer macroline. Load this page again; if that does not help, ask for the project as a file.
+        no project"#]],
+    );
+    check(
+        &"p1.".repeat(MAX_LINK),
+        expect![[r#"
+        The link has 24000 characters; at most 8000 are read. Ask for the project as a file.
+        no project"#]],
+    );
+    assert!(["", "machine", "p", "p.", "px.", "1.p", "#p1."].iter().all(|fragment| !is_link(fragment)));
+}
+
+#[test]
+fn short_link_to_a_very_long_file_is_refused() {
+    use base64::Engine;
+    let file = vec![b' '; 5_000_000];
+    let bytes = miniz_oxide::deflate::compress_to_vec_zlib(&file, 9);
+    check(
+        &format!("p1.{}", base64::engine::general_purpose::URL_SAFE_NO_PAD.encode(bytes)),
+        expect![[r#"
+        The link is not whole: it was cut or changed on its way. Ask for it once more, or for the project as a file.
+        no project"#]],
+    );
+}
+
+#[test]
+fn project_that_is_too_long_has_no_link() {
+    let mut project = ribbon();
+    let lines = (0..4000_u32).map(|at| format!("N{at} G01 X{}.{at}\n", at * 7919 % 10_007));
+    project.edited = Some(Files::one("O1.nc", lines.collect::<String>()));
+    expect!["The project has 43377 characters as a link; at most 8000 are possible. Edited programs and a long list of operator’s actions take most of them: save it as a file instead."].assert_eq(&sentence(Language::English, &project.to_link().unwrap_err()));
+}
+
+/// A change on the way: where, and to which character; `None` cuts the rest off.
+fn changes() -> impl Strategy<Value = Vec<(prop::sample::Index, Option<char>)>> {
+    let to = prop_oneof![9 => prop::char::range('!', '~').prop_map(Some), 1 => Just(None)];
+    prop::collection::vec((any::<prop::sample::Index>(), to), 1..4)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 10_000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn changed_link_opens_nothing_else(changes in changes()) {
+        let link = ribbon().to_link().unwrap();
+        let mut changed: Vec<char> = link.chars().collect();
+        for (at, to) in changes {
+            let at = at.index(changed.len().max(1));
+            match to {
+                Some(to) => changed[at] = to,
+                None => changed.truncate(at.max(1)),
+            }
+        }
+        let changed: String = changed.into_iter().collect();
+        let loaded = Project::from_link(&changed);
+        match loaded.project {
+            // Some bits of the last characters mean nothing.
+            Some(project) => prop_assert!(project.to_link().unwrap() == link, "{}", changed),
+            None => prop_assert_eq!(loaded.diagnostics.len(), 1),
+        }
+    }
+}
