@@ -77,6 +77,15 @@ impl DrivenAxis {
     }
 }
 
+/// The size of a product that the operator types while the machine runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProductSize {
+    /// Number of its variable.
+    pub variable: u32,
+    /// The present size, in the variable's unit.
+    pub size: f64,
+}
+
 /// What a machine asks of the motor behind its inverter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InverterDrive {

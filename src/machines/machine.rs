@@ -7,7 +7,7 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
-use super::driven::{DrivenAxis, Gauge, InverterDrive};
+use super::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize};
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
@@ -213,6 +213,10 @@ pub trait Prepared: Send + Sync {
     }
     /// The drive behind the inverter, to be sized; none where there is none, or what it is asked is not known.
     fn inverter_drive(&self) -> Option<InverterDrive> {
+        None
+    }
+    /// The size of the product, where the program takes another one while the machine runs.
+    fn product_size(&self) -> Option<ProductSize> {
         None
     }
     /// What is watched while the machine is operated: the worst values in a part of a run, looked at `points` times.

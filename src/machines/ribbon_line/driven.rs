@@ -4,7 +4,7 @@ use super::mechanics::ServoAxis;
 use super::pose::State;
 use super::resolved::RibbonLine;
 use crate::drives::web;
-use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow, InverterDrive, MotorFields};
+use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow, InverterDrive, MotorFields, ProductSize};
 use crate::math::PI;
 use crate::motion::{Mover, Snapshot};
 use crate::view::Limit;
@@ -65,6 +65,11 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         cycle: None,
         fields: Some(("unwinder-motor", "unwinder-torque-rated")),
     }
+}
+
+/// The pitch, which the program reads before each block.
+pub(super) fn pitch(line: &RibbonLine) -> ProductSize {
+    ProductSize { variable: 107, size: line.p.pitch }
 }
 
 /// What is watched: ribbon in the loop, and the tension where the loop is empty.

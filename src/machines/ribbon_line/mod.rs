@@ -66,7 +66,7 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
-use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, read};
+use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -197,6 +197,10 @@ impl Prepared for RibbonLine {
 
     fn inverter_drive(&self) -> Option<InverterDrive> {
         Some(driven::inverter(self))
+    }
+
+    fn product_size(&self) -> Option<ProductSize> {
+        Some(driven::pitch(self))
     }
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {

@@ -23,6 +23,9 @@ const POINTS: usize = 400;
 /// A tenth of the knob: what an operator turns at a time, %.
 const TURN: f64 = 10.0;
 
+/// How much another product differs from the present one, as a share of it.
+const TENTH: f64 = 0.1;
+
 /// An event of operation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OperatingEvent {
@@ -34,6 +37,8 @@ pub enum OperatingEvent {
     Knob,
     /// The knob is turned by one step, and back.
     SpeedChange,
+    /// The operator types a product a tenth larger or smaller, and then the present one again.
+    ProductChange,
     /// Feed hold, and cycle start after standstill.
     Hold,
     /// The inverter reports a fault.
@@ -46,11 +51,12 @@ pub enum OperatingEvent {
 
 impl OperatingEvent {
     /// All of them with the ids that programs read, in the order of operation.
-    pub const IDS: [(OperatingEvent, &'static str); 8] = [
+    pub const IDS: [(OperatingEvent, &'static str); 9] = [
         (OperatingEvent::Start, "start"),
         (OperatingEvent::Run, "run"),
         (OperatingEvent::Knob, "knob"),
         (OperatingEvent::SpeedChange, "speed-change"),
+        (OperatingEvent::ProductChange, "product-change"),
         (OperatingEvent::Hold, "hold"),
         (OperatingEvent::Alarm, "alarm"),
         (OperatingEvent::EmergencyStop, "estop"),
@@ -69,6 +75,7 @@ impl OperatingEvent {
             OperatingEvent::Run => "size.event.run",
             OperatingEvent::Knob => "size.event.knob",
             OperatingEvent::SpeedChange => "size.event.speed-change",
+            OperatingEvent::ProductChange => "size.event.product-change",
             OperatingEvent::Hold => "size.event.hold",
             OperatingEvent::Alarm => "size.event.alarm",
             OperatingEvent::EmergencyStop => "size.event.emergency-stop",
@@ -160,15 +167,25 @@ impl Envelope<'_> {
             }
             OperatingEvent::Knob => {
                 let Some((low, high)) = self.whole.knob else { return Vec::new() };
-                let ends = [low, high].map(|percent| self.read(event, &self.turned(&[(at, percent)]), (at, at + SPAN)));
-                worse(ends)
+                let turn = |percent| vec![(at, Action::SpindleOverride(percent))];
+                worse([low, high].map(|percent| self.handled(event, turn(percent))))
             }
             OperatingEvent::SpeedChange => {
                 let Some((low, high)) = self.whole.knob else { return Vec::new() };
                 let now = self.prepared.panel().spindle_override.unwrap_or(100.0);
                 let next = if now + TURN <= high { now + TURN } else { (now - TURN).max(low) };
-                let turned = self.turned(&[(at, next), (at + 0.5 * SPAN, now)]);
-                self.read(event, &turned, (at, at + SPAN))
+                let [there, back] = [next, now].map(Action::SpindleOverride);
+                self.handled(event, vec![(at, there), (at + 0.5 * SPAN, back)])
+            }
+            OperatingEvent::ProductChange => {
+                let Some(product) = self.prepared.product_size() else { return Vec::new() };
+                // To thousandths, as it is typed.
+                let typed = |size: f64| Action::Variable(product.variable, Some((1000.0 * size).round() / 1000.0));
+                let change = |part: f64| {
+                    let [other, present] = [part * product.size, product.size].map(typed);
+                    self.handled(event, vec![(at, other), (at + 0.5 * SPAN, present)])
+                };
+                worse([1.0 - TENTH, 1.0 + TENTH].map(change))
             }
             OperatingEvent::Hold => self.held(),
             OperatingEvent::Alarm if self.prepared.plc().watches_inverter() => {
@@ -188,15 +205,15 @@ impl Envelope<'_> {
         }
     }
 
-    /// The run with the knob turned to some percentages at some times.
-    fn turned(&self, turns: &[(f64, f64)]) -> Run {
+    /// The run with the operator's hand at some times, read from the middle on.
+    fn handled(&self, event: OperatingEvent, hand: Vec<(f64, Action)>) -> Vec<EnvelopeRow> {
         let mut run = self.whole.run.clone();
-        for (t, percent) in turns {
-            run.event(Event { t: *t, action: Action::SpindleOverride(*percent) });
+        for (t, action) in hand {
+            run.event(Event { t, action });
         }
         let until = self.middle + SPAN;
         plan(&mut run, until);
-        run
+        self.read(event, &run, (self.middle, until))
     }
 
     fn stopped(&self, event: OperatingEvent, action: Action) -> Vec<EnvelopeRow> {

@@ -119,10 +119,21 @@ fn torque_at_start_is_the_peak_torque_of_the_results() {
 }
 
 #[test]
+fn another_pitch_speeds_the_print_roller_and_leaves_the_loop() {
+    let project = line();
+    let sizing = sized(&project);
+    let at = |event, id| row(&sizing, event, id).value;
+    super::same("loop", at(OperatingEvent::ProductChange, "loop"), loop_in_the_run(&project), 0.02);
+    // The line keeps its speed: X does not accelerate, as it does when the knob is turned. Y gets a head to each shorter pitch.
+    assert!(at(OperatingEvent::ProductChange, "x-torque") < 0.7 * at(OperatingEvent::SpeedChange, "x-torque"));
+    assert!(at(OperatingEvent::ProductChange, "y-torque") > at(OperatingEvent::SpeedChange, "y-torque"));
+}
+
+#[test]
 fn every_machine_has_its_events_and_one_worst_each() {
-    use OperatingEvent::{Alarm, EmergencyStop, Hold, Knob, PowerFailure, Run, SpeedChange, Start};
+    use OperatingEvent::{Alarm, EmergencyStop, Hold, Knob, PowerFailure, ProductChange, Run, SpeedChange, Start};
     for (machine, events) in [
-        ("ribbon-line", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop, PowerFailure]),
+        ("ribbon-line", vec![Start, Run, Knob, SpeedChange, ProductChange, Hold, Alarm, EmergencyStop, PowerFailure]),
         ("turning-spindle", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop, PowerFailure]),
         ("polygon-lathe", vec![Start, Run, Hold, EmergencyStop]),
     ] {
