@@ -1,8 +1,7 @@
 // Everything answers: words have a meaning, results show their cause, numbers are dragged, the chart zooms; drawings keep their labels at every size.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { accessible, showSteps, start, withPage } from './page.mjs';
+import { accessible, saved, showSteps, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -147,11 +146,7 @@ test('the drawing is recorded as a clip, and a recording can be broken off', () 
     await begin();
     await page.getByRole('button', { name: 'Cancel', exact: true }).click();
     await page.locator('.clip').waitFor({ state: 'detached' });
-    const coming = page.waitForEvent('download', { timeout: 60_000 });
-    await begin();
-    const download = await coming;
-    assert.equal(download.suggestedFilename(), 'macroline.webm');
-    const bytes = await readFile(await download.path());
+    const bytes = await saved(page, begin);
     assert.equal(bytes.subarray(0, 4).toString('hex'), '1a45dfa3');
     assert.ok(bytes.length > 10_000, `${bytes.length} bytes`);
   }));

@@ -1,8 +1,7 @@
 // Nothing is lost and nothing is done twice: machines and tabs that are left, actions that are undone, edits that are none, remedies by one click.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, openPanel, processorTime, ready, start, takeExample, withPage } from './page.mjs';
+import { PAPER, accessible, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -102,8 +101,7 @@ test('files that are opened together are all taken or all refused', () =>
   withPage(app, {}, async ({ page }) => {
     const file = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
     await field(page, 'pitch').fill('9.5');
-    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save', exact: true }).click()]);
-    const project = await readFile(await download.path(), 'utf8');
+    const project = String(await saved(page, () => page.getByRole('button', { name: 'Save', exact: true }).click()));
     await takeExample(page, PAPER);
     await page.setInputFiles('#open', [file('O1.nc', 'M30'), file('order.json', '{ no project')]);
     await page.locator('.notice.fail').waitFor();

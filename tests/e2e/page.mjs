@@ -94,13 +94,13 @@ export async function ready(page) {
 // The content of the file that an action saves.
 export async function saved(page, act) {
   if (!FIREFOX) {
-    const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+    const [download] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), act()]);
     return readFileSync(await download.path());
   }
   const files = () => readdirSync(FOLDER).filter((name) => !name.endsWith('.part'));
   const before = files();
   await act();
-  for (let turn = 0; turn < 100; turn++) {
+  for (let turn = 0; turn < 600; turn++) {
     const name = files().find((name) => !before.includes(name));
     const content = name && readFileSync(join(FOLDER, name));
     if (content?.length > 0) return content;
