@@ -1,5 +1,7 @@
 //! Renders diagnostics: as text with the marked line, and as JSON.
 
+pub mod sarif;
+
 use serde_json::{Value as Json, json};
 
 use super::decode::{Decoded, Encoding};

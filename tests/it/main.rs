@@ -17,6 +17,7 @@ mod parts;
 mod physics;
 mod programs;
 mod rows;
+mod sarif;
 mod saved;
 mod sizing;
 mod stepping;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::output::Format;
 use clap::{Parser, Subcommand};
 use macroline::project::chance;
 
@@ -116,9 +117,12 @@ pub(crate) enum Command {
         /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
         #[arg(long, value_name = "ID")]
         silence: Vec<String>,
-        /// For programs
+        /// For programs: `--format json`
         #[arg(long)]
         json: bool,
+        /// How the diagnostics are printed
+        #[arg(long, value_enum, default_value_t, conflicts_with = "json")]
+        format: Format,
     },
     /// Runs a project or programs and prints the canonical log
     Run {

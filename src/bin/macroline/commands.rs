@@ -25,7 +25,7 @@ use serde_json::json;
 use crate::args::{Command, Line};
 use crate::findings::{Findings, Sources, list_json};
 use crate::input;
-use crate::output::{self, Failure, print, print_json, refuse, say, tell, verdict};
+use crate::output::{self, Failure, Format, print, print_json, refuse, say, tell, tell_as, verdict};
 use crate::requested::{control, known, only_project, switched, tell_silenced};
 use crate::{export, run};
 
@@ -42,8 +42,9 @@ pub(crate) fn main() -> ExitCode {
         Command::Compare { projects, json } => compare(&projects, json),
         Command::Export { project, out, date } => export(&project, &out, &date),
         Command::Draw { project, at, dark, out } => draw(&project, at, dark, &out),
-        Command::Check { files, control, switch, silence, json } => {
-            check(&files, control.as_deref(), &switch, &silence, json)
+        Command::Check { files, control, switch, silence, json, format } => {
+            let format = if json { Format::Json } else { format };
+            check(&files, control.as_deref(), &switch, &silence, format)
         }
         Command::Run { args, goes_on, no_canon, json } => {
             let at_stop = if goes_on { AtStop::CycleStart } else { AtStop::End };
@@ -194,7 +195,7 @@ fn check(
     id: Option<&str>,
     settings: &[String],
     silenced: &[String],
-    json: bool,
+    format: Format,
 ) -> Result<(), Failure> {
     let mut silenced = known(silenced)?;
     let mut all = Vec::new();
@@ -202,14 +203,16 @@ fn check(
         Some(id) => {
             let control = control(id)?;
             let switches = switched(Switches::default(), settings, control)?;
-            let mut programs = input::programs(paths, json)?;
+            let mut programs = input::programs(paths, format)?;
             let parsed = Rc::new(nc::parse_with(&programs.sources.files, control, &switches));
             programs.list.extend(review(&parsed, None, &[]));
             all.push(programs);
         }
         None => {
-            let (project, file) = input::project(only_project(paths)?)?;
-            let Some(mut project) = project else { return Err(refuse(&[file], json)) };
+            let path = only_project(paths)?;
+            let (project, mut file) = input::project(path)?;
+            file.sources.name_paths(paths, format);
+            let Some(mut project) = project else { return Err(refuse(&[file], format)) };
             project.switches = switched(project.switches, settings, project.control)?;
             let mut list = project.design().diagnostics;
             let written = project.written();
@@ -221,10 +224,8 @@ fn check(
         }
     }
     let count = all.last_mut().map_or(0, |findings| silence(&mut findings.list, &silenced));
-    if json {
-        print_json(&json!({ "diagnostics": list_json(&all) }))?;
-    } else {
-        tell(&all)?;
+    tell_as(format, &all)?;
+    if format == Format::Text {
         if all.iter().all(|findings| findings.list.is_empty()) {
             say(&(summary(&[]) + "\n"))?;
         }

@@ -12,7 +12,7 @@ use macroline::project::{Project, parts, saved};
 use macroline::text::{Diagnostic, FileId, Place, Span};
 
 use crate::findings::{Findings, Sources};
-use crate::output::{Failure, refuse};
+use crate::output::{Failure, Format, refuse};
 
 fn read(path: &Path) -> Result<Decoded, Failure> {
     let bytes = std::fs::read(path).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
@@ -72,7 +72,8 @@ pub(crate) fn panel(path: &Path) -> Result<(Panel, Findings), Failure> {
 }
 
 /// Program files, and an error for each that no control reads as it is; a file that is no text is refused.
-pub(crate) fn programs(paths: &[PathBuf], json: bool) -> Result<Findings, Failure> {
+pub(crate) fn programs(paths: &[PathBuf], format: impl Into<Format>) -> Result<Findings, Failure> {
+    let format = format.into();
     let most = usize::from(u16::MAX);
     if paths.len() > most {
         return Err(Failure::Usage(format!("{} files are given; at most {most} are read", paths.len())));
@@ -90,8 +91,10 @@ pub(crate) fn programs(paths: &[PathBuf], json: bool) -> Result<Findings, Failur
         files.push(File { name: name(path), text: file.text.clone() });
         decoded.push(file);
     }
-    let findings = Findings { sources: Sources { files: Files(files), names: told_apart(paths), read: decoded }, list };
-    if other { Err(refuse(&[findings], json)) } else { Ok(findings) }
+    let mut sources = Sources { files: Files(files), names: told_apart(paths), read: decoded };
+    sources.name_paths(paths, format);
+    let findings = Findings { sources, list };
+    if other { Err(refuse(&[findings], format)) } else { Ok(findings) }
 }
 
 /// Names of files, each with as many folders as distinguish it from the others.

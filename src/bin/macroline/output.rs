@@ -3,11 +3,12 @@
 use std::io::{self, BufWriter, StdoutLock, Write};
 use std::process::ExitCode;
 
+use clap::ValueEnum;
 use macroline::project::render::summary;
 use macroline::text::escape::terminal;
 use serde_json::{Value as Json, json};
 
-use crate::findings::{Findings, has_errors, list_json};
+use crate::findings::{Findings, has_errors, list_json, list_sarif};
 
 /// Why a command ends before its end.
 pub(crate) enum Failure {
@@ -109,10 +110,36 @@ pub(crate) fn tell(all: &[Findings]) -> Result<(), Failure> {
     if list.is_empty() { Ok(()) } else { say(&(summary(&list) + "\n")) }
 }
 
+/// How diagnostics are printed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Text for people
+    #[default]
+    Text,
+    /// An object with their list
+    Json,
+    /// SARIF 2.1.0, for code hosts and editors
+    Sarif,
+}
+
+impl From<bool> for Format {
+    fn from(json: bool) -> Format {
+        if json { Format::Json } else { Format::Text }
+    }
+}
+
+/// Prints diagnostics.
+pub(crate) fn tell_as(format: Format, all: &[Findings]) -> Result<(), Failure> {
+    match format {
+        Format::Text => tell(all),
+        Format::Json => print_json(&json!({ "diagnostics": list_json(all) })),
+        Format::Sarif => print_json(&list_sarif(all)),
+    }
+}
+
 /// Prints the errors that keep a command from doing anything.
-pub(crate) fn refuse(all: &[Findings], json: bool) -> Failure {
-    let printed = if json { print_json(&json!({ "diagnostics": list_json(all) })) } else { tell(all) };
-    printed.err().unwrap_or(Failure::Told)
+pub(crate) fn refuse(all: &[Findings], format: impl Into<Format>) -> Failure {
+    tell_as(format.into(), all).err().unwrap_or(Failure::Told)
 }
 
 /// Prints a text that is JSON already.

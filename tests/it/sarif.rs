@@ -1,0 +1,118 @@
+//! SARIF: findings that code hosts show beside the lines, with fixes that mend them.
+
+use std::path::Path;
+use std::process::{Command, Output};
+use std::rc::Rc;
+
+use macroline::controls;
+use macroline::controls::Switches;
+use macroline::nc::{self, Files};
+use macroline::project::check::review;
+use macroline::project::render::Renderer;
+use serde_json::{Value as Json, json};
+
+fn check(folder: &Path, args: &[&str]) -> Output {
+    let command = ["check", "--format", "sarif"];
+    Command::new(env!("CARGO_BIN_EXE_macroline")).current_dir(folder).args(command).args(args).output().unwrap()
+}
+
+fn folder(name: &str) -> std::path::PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sarif").join(name);
+    std::fs::create_dir_all(path.join("cut öß")).unwrap();
+    path
+}
+
+/// The byte offset of a line and a column of a region.
+fn offset(text: &str, region: &Json, [line, column]: [&str; 2]) -> usize {
+    let [line, column] = [line, column].map(|member| region[member].as_u64().unwrap() as usize);
+    let start: usize = text.split_inclusive('\n').take(line - 1).map(str::len).sum();
+    let line = &text[start..];
+    start + line.char_indices().nth(column - 1).map_or(line.len(), |(at, _)| at)
+}
+
+/// The part of a text that a region is.
+fn part(text: &str, region: &Json) -> std::ops::Range<usize> {
+    offset(text, region, ["startLine", "startColumn"])..offset(text, region, ["endLine", "endColumn"])
+}
+
+#[test]
+fn findings_have_their_file_and_their_fix_mends_it() {
+    let folder = folder("fix");
+    let name = "cut öß/O 1.nc";
+    let source = "%\nO1(Ø 20 é)\nG91 G01 X8 F100\nM30\n%\n";
+    std::fs::write(folder.join(name), source).unwrap();
+    let out = check(&folder, &[name, "--control", "mitsubishi-e60"]);
+    assert!(out.status.success());
+    let log: Json = serde_json::from_slice(&out.stdout).unwrap();
+    assert_eq!((&log["version"], &log["runs"][0]["columnKind"]), (&json!("2.1.0"), &json!("unicodeCodePoints")));
+    let results = |log: &Json| log["runs"][0]["results"].as_array().unwrap().clone();
+    let without_point = |log: &Json| results(log).into_iter().find(|result| result["ruleId"] == "lint.no-point");
+    let result = without_point(&log).unwrap();
+    assert_eq!(result["level"], "warning");
+    let place = &result["locations"][0]["physicalLocation"];
+    assert_eq!(place["artifactLocation"]["uri"], "cut%20%C3%B6%C3%9F/O%201.nc");
+    assert_eq!(&source[part(source, &place["region"])], "X8");
+    let change = &result["fixes"][0]["artifactChanges"][0];
+    assert_eq!(change["artifactLocation"], place["artifactLocation"]);
+    let replacement = &change["replacements"][0];
+    let mut mended = source.to_owned();
+    mended.replace_range(
+        part(source, &replacement["deletedRegion"]),
+        replacement["insertedContent"]["text"].as_str().unwrap(),
+    );
+    std::fs::write(folder.join(name), mended).unwrap();
+    let log: Json = serde_json::from_slice(&check(&folder, &[name, "--control", "mitsubishi-e60"]).stdout).unwrap();
+    assert_eq!((without_point(&log), results(&log).len()), (None, 1));
+}
+
+#[test]
+fn alarm_fails_the_check_and_leads_its_sentence() {
+    let folder = folder("alarm");
+    std::fs::write(folder.join("O1.nc"), "%\nO1\n#101=ROUND[2.5\nM30\n%\n").unwrap();
+    let out = check(&folder, &["O1.nc", "--control", "mitsubishi-e60"]);
+    assert_eq!(out.status.code(), Some(1));
+    let log: Json = serde_json::from_slice(&out.stdout).unwrap();
+    let result = &log["runs"][0]["results"][0];
+    assert_eq!((&result["level"], &result["ruleId"]), (&json!("error"), &json!("nc.unclosed-square")));
+    assert!(result["message"]["text"].as_str().unwrap().starts_with("[P281] "), "{result}");
+    assert_eq!(log["runs"][0]["tool"]["driver"]["rules"], json!([{ "id": "nc.unclosed-square" }]));
+}
+
+#[test]
+fn file_that_is_no_project_or_program_is_a_result_too() {
+    let folder = folder("other");
+    std::fs::write(folder.join("line.json"), "{ not a project").unwrap();
+    std::fs::write(folder.join("O1.nc"), b"PK\x03\x04\x00\x00").unwrap();
+    for args in [&["line.json"][..], &["O1.nc", "--control", "mitsubishi-e60"]] {
+        let out = check(&folder, args);
+        assert_eq!(out.status.code(), Some(1));
+        let log: Json = serde_json::from_slice(&out.stdout).unwrap();
+        let result = &log["runs"][0]["results"][0];
+        assert_eq!(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], args[0]);
+    }
+}
+
+#[test]
+fn regions_of_every_kept_program_lie_in_its_text() {
+    let mut count = 0;
+    for control in controls::ALL {
+        for kind in ["ok", "bad"] {
+            let folder = Path::new("tests/data/programs").join(control.id).join(kind);
+            for entry in std::fs::read_dir(folder).into_iter().flatten() {
+                let Ok(text) = std::fs::read_to_string(entry.unwrap().path()) else { continue };
+                let files = Files::one("O1.nc", text.as_str());
+                let parsed = Rc::new(nc::parse_with(&files, control, &Switches::default()));
+                let renderer = Renderer::new(&files);
+                for finding in review(&parsed, None, &[]) {
+                    let result = renderer.sarif(&finding);
+                    if let Some(place) = finding.place {
+                        let region = &result["locations"][0]["physicalLocation"]["region"];
+                        assert_eq!(part(&text, region), place.span.start as usize..place.span.end as usize, "{result}");
+                        count += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(count > 200, "{count}");
+}
