@@ -153,20 +153,26 @@ fn areas(a: f64, b: f64, seconds: f64) -> (f64, f64) {
 /// Duty type of an electric machine by IEC 60034-1, for a drive that turns under load or stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DutyType {
-    /// S1: it turns as good as always.
+    /// S1: continuous duty.
     Continuous,
-    /// S3: it turns and stands by turns; the cyclic duration factor, %: 15, 25, 40 or 60.
+    /// S3: periodic duty with standstill; cyclic duration factor, %: 15, 25, 40 or 60.
     Intermittent(u8),
-    /// S6: it turns without standstill, loaded and idle by turns; the cyclic duration factor, %: 15, 25, 40 or 60.
+    /// S6: periodic duty without standstill, loaded and idle by turns; cyclic duration factor, %: 15, 25, 40 or 60.
     Periodic(u8),
 }
 
-/// Share of the time from which a drive counts as turning without standstill: the rest is a start and a stop in each part. Our choice.
-const WITHOUT_STANDSTILL: f64 = 0.8;
+/// Share of the time from which a drive counts as turning without standstill. Our choice.
+const WITHOUT_STANDSTILL: f64 = 0.98;
 
-/// The duty type of a drive that turns for `turning` of the time and is loaded for `loaded` of it, both 0 to 1: the least cyclic duration
-/// factor of the standard that covers it. Source: sizing facts 2.8, from memory.
-pub fn duty_type(turning: f64, loaded: f64) -> DutyType {
+/// Longest cycle of S3 and S6, seconds.
+const LONGEST_CYCLE: f64 = 600.0;
+
+/// The duty type of a drive that turns for `turning` of a cycle and is loaded for `loaded` of it, both 0 to 1: the least cyclic duration factor
+/// of the standard that covers it. Source: sizing facts 2.8, from memory.
+pub fn duty_type(turning: f64, loaded: f64, cycle: f64) -> DutyType {
+    if cycle > LONGEST_CYCLE {
+        return DutyType::Continuous;
+    }
     let covering = |share: f64| [15, 25, 40, 60].into_iter().find(|factor| share <= f64::from(*factor) / 100.0);
     match (covering(turning), covering(loaded)) {
         (Some(factor), _) => DutyType::Intermittent(factor),

@@ -43,14 +43,14 @@ test('a link opens a copy, and what was there before is one step back', async ()
     await page.goto(link);
     await ready(page);
     assert.equal(await pitch(page).inputValue(), '9.5');
-    assert.equal(new URL(page.url()).hash, '');
-    await notice(page, 'This project came by a link');
+    await notice(page, 'This project was opened from a link');
     await saved(page);
+    assert.equal(new URL(page.url()).hash, '');
     await page.reload();
     await ready(page);
     assert.equal(await pitch(page).inputValue(), '9.5');
     await page.getByRole('button', { name: 'Earlier' }).click();
-    await notice(page, 'Before the project of a link');
+    await notice(page, 'Before a shared link was opened');
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Undo' }).click();
     await page.waitForFunction(() => document.getElementById('pitch').value === '7.5');
@@ -65,10 +65,14 @@ test('a link beside an open tab touches nothing of that tab', async () => {
     const other = await context.newPage();
     await other.goto(link);
     await ready(other);
-    await notice(other, 'The project is open in another tab');
+    await notice(other, 'Your own project is open in another tab');
     await pitch(page).fill('6.5');
     await saved(page);
     await other.waitForTimeout(300);
+    assert.equal(await pitch(other).inputValue(), '9.5');
+    // Nothing stores it: the address keeps it.
+    await other.reload();
+    await ready(other);
     assert.equal(await pitch(other).inputValue(), '9.5');
     assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('macroline.project')).values.pitch), 6.5);
   });

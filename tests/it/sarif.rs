@@ -35,6 +35,19 @@ fn part(text: &str, region: &Json) -> std::ops::Range<usize> {
     offset(text, region, ["startLine", "startColumn"])..offset(text, region, ["endLine", "endColumn"])
 }
 
+/// A text with the replacements of a fix of its one file.
+fn with_changes(text: &str, fix: &Json) -> String {
+    let mut mended = text.to_owned();
+    let [change] = &fix["artifactChanges"].as_array().unwrap()[..] else { panic!("several changes of a file: {fix}") };
+    for replacement in change["replacements"].as_array().unwrap().iter().rev() {
+        mended.replace_range(
+            part(text, &replacement["deletedRegion"]),
+            replacement["insertedContent"]["text"].as_str().unwrap(),
+        );
+    }
+    mended
+}
+
 #[test]
 fn findings_have_their_file_and_their_fix_mends_it() {
     let folder = folder("fix");
@@ -54,12 +67,7 @@ fn findings_have_their_file_and_their_fix_mends_it() {
     assert_eq!(&source[part(source, &place["region"])], "X8");
     let change = &result["fixes"][0]["artifactChanges"][0];
     assert_eq!(change["artifactLocation"], place["artifactLocation"]);
-    let replacement = &change["replacements"][0];
-    let mut mended = source.to_owned();
-    mended.replace_range(
-        part(source, &replacement["deletedRegion"]),
-        replacement["insertedContent"]["text"].as_str().unwrap(),
-    );
+    let mended = with_changes(source, &result["fixes"][0]);
     std::fs::write(folder.join(name), mended).unwrap();
     let log: Json = serde_json::from_slice(&check(&folder, &[name, "--control", "mitsubishi-e60"]).stdout).unwrap();
     assert_eq!((without_point(&log), results(&log).len()), (None, 1));
@@ -93,8 +101,23 @@ fn file_that_is_no_project_or_program_is_a_result_too() {
 }
 
 #[test]
+fn finding_about_a_field_stands_in_the_project() {
+    let folder = folder("field");
+    let project = macroline::project::Project::named("ribbon-line", None, Some("paper")).unwrap();
+    std::fs::write(folder.join("line.json"), project.to_json()).unwrap();
+    let path = folder.join("line.json");
+    let log: Json = serde_json::from_slice(&check(&folder, &[path.to_str().unwrap()]).stdout).unwrap();
+    let results = log["runs"][0]["results"].as_array().unwrap();
+    let assumed = results.iter().find(|result| result["ruleId"] == "form.assumed").unwrap();
+    let place = &assumed["locations"][0]["physicalLocation"];
+    assert_eq!(place["artifactLocation"]["uri"], format!("file://{}", path.display()));
+    assert_eq!(place["region"]["startLine"], 1);
+    assert!(results.iter().all(|result| result["locations"].is_array()));
+}
+
+#[test]
 fn regions_of_every_kept_program_lie_in_its_text() {
-    let mut count = 0;
+    let (mut count, mut fixes) = (0, 0);
     for control in controls::ALL {
         for kind in ["ok", "bad"] {
             let folder = Path::new("tests/data/programs").join(control.id).join(kind);
@@ -105,14 +128,18 @@ fn regions_of_every_kept_program_lie_in_its_text() {
                 let renderer = Renderer::new(&files);
                 for finding in review(&parsed, None, &[]) {
                     let result = renderer.sarif(&finding);
-                    if let Some(place) = finding.place {
-                        let region = &result["locations"][0]["physicalLocation"]["region"];
-                        assert_eq!(part(&text, region), place.span.start as usize..place.span.end as usize, "{result}");
-                        count += 1;
+                    let region = &result["locations"][0]["physicalLocation"]["region"];
+                    let span = finding.place.map_or(0..0, |place| place.span.start as usize..place.span.end as usize);
+                    assert_eq!(part(&text, region), span, "{result}");
+                    for (fix, wanted) in result["fixes"].as_array().into_iter().flatten().zip(&finding.fixes) {
+                        let (mended, _) = nc::fix_all(&files, [wanted]);
+                        assert_eq!(with_changes(&text, fix), mended.0[0].text, "{fix}");
+                        fixes += 1;
                     }
+                    count += 1;
                 }
             }
         }
     }
-    assert!(count > 200, "{count}");
+    assert!(count > 200 && fixes > 50, "{count} findings, {fixes} fixes");
 }

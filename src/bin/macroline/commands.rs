@@ -214,16 +214,17 @@ fn check(
             file.sources.name_paths(paths, format);
             let Some(mut project) = project else { return Err(refuse(&[file], format)) };
             project.switches = switched(project.switches, settings, project.control)?;
-            let mut list = project.design().diagnostics;
+            // Those about the form stand in the file of the project.
+            file.list.extend(project.design().diagnostics);
             let written = project.written();
-            list.extend(project.advice(&written));
+            let mut list = project.advice(&written);
             list.extend(written.diagnostics);
             Diagnostic::in_order(&mut list);
             silenced.extend(project.silenced);
             all.extend([file, Findings { sources: Sources::written(written.files), list }]);
         }
     }
-    let count = all.last_mut().map_or(0, |findings| silence(&mut findings.list, &silenced));
+    let count = all.iter_mut().map(|findings| silence(&mut findings.list, &silenced)).sum();
     tell_as(format, &all)?;
     if format == Format::Text {
         if all.iter().all(|findings| findings.list.is_empty()) {

@@ -1,5 +1,6 @@
 //! The error of a dot's place, in mm: lasting parts add up, parts that vary from dot to dot add as the root of the sum of their squares.
 
+use super::mechanics::ServoAxis;
 use super::resolved::RibbonLine;
 use crate::machines::verdict::ReadoutRow;
 use crate::math::{self, PI};
@@ -12,7 +13,7 @@ pub(super) struct DotError {
     pub encoders: f64,
     /// Run-out of both rollers.
     pub run_out: f64,
-    /// Backlash of the gears whose torque does not keep the teeth in contact.
+    /// Backlash of the gears whose torque changes its sign.
     pub backlash: f64,
     /// X runs ahead of the print roller, or behind it.
     pub lag: f64,
@@ -25,13 +26,12 @@ impl DotError {
     pub(super) fn of(line: &RibbonLine) -> DotError {
         let RibbonLine { p, d, mechanics, .. } = line;
         let half_pulse = |micrometres: f64| micrometres / 2e3;
-        // Minutes of arc at the roller, where the load drives the motor or nothing loads it.
-        let play = |torque: f64, diameter: f64| {
-            let loose = torque <= 0.0;
-            if loose { p.gear_backlash / 60.0 * PI / 180.0 * diameter / 2.0 } else { 0.0 }
+        // Minutes of arc at the roller.
+        let play = |axis: &ServoAxis, diameter: f64| {
+            if axis.reverses(p.path_mode) { p.gear_backlash / 60.0 * PI / 180.0 * diameter / 2.0 } else { 0.0 }
         };
-        let pull = play(mechanics.pull.load.torque, p.x_roller_diameter);
-        let print = play(mechanics.print.load.torque, p.print_roller_diameter);
+        let pull = play(&mechanics.pull, p.x_roller_diameter);
+        let print = play(&mechanics.print, p.print_roller_diameter);
         DotError {
             encoders: math::hypot(half_pulse(d.x_resolution), half_pulse(d.y_resolution)),
             run_out: math::hypot(p.roller_run_out / 2.0, p.roller_run_out / 2.0),
@@ -142,7 +142,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         unit: "mm",
         decimals: 4,
         headline: false,
-        formula: "β · R, 0 where the torque keeps its direction",
+        formula: "β · R where the torque at the teeth changes its sign, else 0",
         cite: BUDGET,
         value: |line| DotError::of(line).backlash,
     },

@@ -82,6 +82,18 @@ impl ServoAxis {
         self.load.shortest_ramp(self.motor.rotor, self.duty.speed * RPM, torque)
     }
 
+    /// Whether the torque at the teeth of its gear changes its sign while dots are printed: without a steady torque, and at exact stop where the
+    /// load is braked with more than that. The rotor is in front of the teeth.
+    pub(super) fn reverses(&self, path_mode: PathMode) -> bool {
+        let (load, speed) = (&self.load, self.duty.speed * RPM);
+        let driven = load.torque + load.accelerating(0.0, speed, self.ramp);
+        let braked = load.torque - load.braking(0.0, speed, self.ramp);
+        match path_mode {
+            PathMode::Continuous => load.torque == 0.0,
+            PathMode::ExactStop => driven * braked <= 0.0,
+        }
+    }
+
     /// Energy in J that a stop gives back, from its speed or from the highest one of its motor.
     pub(super) fn stop_energy(&self) -> f64 {
         let speed = self.duty.speed.min(self.motor.top_speed) * RPM;

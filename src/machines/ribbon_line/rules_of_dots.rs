@@ -22,7 +22,7 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let (part, mm) = of.greatest();
-    // To what share the greatest part shrinks for the tolerance; half where the others alone exceed it.
+    // To what share the greatest part shrinks for the tolerance; half where the others leave it almost nothing.
     let room = match part {
         Part::Lag | Part::Strain => p.dot_tolerance - (of.total() - mm),
         _ => {
@@ -30,7 +30,8 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
             (room * room - (varying * varying - mm * mm)).max(0.0).sqrt()
         }
     };
-    let share = if room > 0.0 { room / mm } else { 0.5 };
+    let alone = room >= 0.1 * mm;
+    let share = if alone { room / mm } else { 0.5 };
     let one = |button: fn(&str) -> Message, entry: (&'static str, String)| (button(&entry.1), vec![entry]);
     let (button, entries) = match part {
         Part::RunOut => {
@@ -49,6 +50,11 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
         ),
         Part::Lag => (msg!("advice.make-equal"), equal_entries(p)),
     };
-    let told = msg!("ribbon.dot-error", (of.total(), 3), (p.dot_tolerance, 3), say(part.name()), (mm, 3));
+    let values = ((of.total(), 3), (p.dot_tolerance, 3), say(part.name()), (mm, 3));
+    let told = if alone {
+        msg!("ribbon.dot-error", values.0, values.1, values.2, values.3)
+    } else {
+        msg!("ribbon.dot-error-of-several", values.0, values.1, values.2, values.3)
+    };
     warn(limit, [Advice::from(told).setting(button, entries)])
 }

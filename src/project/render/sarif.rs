@@ -1,12 +1,12 @@
 //! Diagnostics as SARIF 2.1.0 of OASIS, which code hosts and editors show beside the lines that they are about.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::{Value as Json, json};
 
 use super::Renderer;
 use crate::text::catalog::{Language, sentence};
-use crate::text::{Diagnostic, Fix, Place, Severity};
+use crate::text::{Diagnostic, FileId, Fix, Place, Severity, Span};
 
 /// Address of the schema of the form.
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
@@ -24,13 +24,15 @@ pub fn log(results: Vec<Json>) -> Json {
 }
 
 impl Renderer<'_> {
-    /// The diagnostic as a result: the alarm leads its sentence, hints follow it; each fix that can be made in the file is one of its own.
-    /// Lines and columns count from 1, the end stands behind the last character.
+    /// The diagnostic as a result: the alarm leads its sentence, hints and the field follow it; each fix that can be made in the file is one of
+    /// its own. Lines and columns count from 1, the end stands behind the last character. What has no place stands at the first line, for code
+    /// hosts refuse a result without one.
     pub fn sarif(&self, diagnostic: &Diagnostic) -> Json {
         let said = sentence(Language::English, &diagnostic.message);
         let alarm = diagnostic.alarm.iter().map(|alarm| format!("[{alarm}]"));
         let hints = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint));
-        let text: Vec<String> = alarm.chain([said]).chain(hints).collect();
+        let field = diagnostic.field.iter().map(|field| format!("Field: {field}."));
+        let text: Vec<String> = alarm.chain([said]).chain(hints).chain(field).collect();
         let mut result = json!({
             "ruleId": diagnostic.id(),
             "level": match diagnostic.severity {
@@ -40,7 +42,8 @@ impl Renderer<'_> {
             },
             "message": { "text": text.join(" ") },
         });
-        if let Some(location) = diagnostic.place.and_then(|place| self.location(place)) {
+        let start = Place { file: FileId::default(), span: Span::at(0) };
+        if let Some(location) = self.location(diagnostic.place.unwrap_or(start)) {
             result["locations"] = json!([{ "physicalLocation": location }]);
         }
         let fixes: Vec<Json> = self.fixes(diagnostic).filter_map(|fix| self.sarif_fix(fix)).collect();
@@ -63,20 +66,32 @@ impl Renderer<'_> {
     }
 
     fn sarif_fix(&self, fix: &Fix) -> Option<Json> {
-        let change = |(place, text): &(Place, String)| {
-            let replacement = json!({ "deletedRegion": self.region(*place)?, "insertedContent": { "text": text } });
-            let file = json!({ "uri": uri(self.name(place.file)?) });
-            Some(json!({ "artifactLocation": file, "replacements": [replacement] }))
+        // All edits of a file are one change: their places are those before any of them.
+        let mut edits: BTreeMap<FileId, Vec<&(Place, String)>> = BTreeMap::new();
+        fix.edits.iter().for_each(|edit| edits.entry(edit.0.file).or_default().push(edit));
+        let replacement = |(place, text): &&(Place, String)| {
+            Some(json!({ "deletedRegion": self.region(*place)?, "insertedContent": { "text": text } }))
         };
-        let changes = fix.edits.iter().map(change).collect::<Option<Vec<Json>>>()?;
+        let change = |(file, mut edits): (FileId, Vec<&(Place, String)>)| {
+            edits.sort_by_key(|edit| edit.0.span.start);
+            let replacements = edits.iter().map(replacement).collect::<Option<Vec<Json>>>()?;
+            Some(json!({ "artifactLocation": { "uri": uri(self.name(file)?) }, "replacements": replacements }))
+        };
+        let changes = edits.into_iter().map(change).collect::<Option<Vec<Json>>>()?;
         Some(json!({ "description": { "text": sentence(Language::English, &fix.title) }, "artifactChanges": changes }))
     }
 }
 
-/// A path as a reference of a URI: what is no letter, digit or `-._~/` is percent-encoded.
+/// A path as a URI, a relative one as a relative reference: what is no letter, digit or `-._~/` is percent-encoded.
 fn uri(path: &str) -> String {
-    let mut out = String::new();
-    for byte in path.replace('\\', "/").bytes() {
+    let path = if cfg!(windows) { path.replace('\\', "/") } else { path.to_owned() };
+    let path = path.trim_start_matches("./");
+    let (mut out, path) = match path.split_at_checked(2) {
+        Some((drive, rest)) if drive.ends_with(':') && rest.starts_with('/') => (format!("file:///{drive}"), rest),
+        _ if path.starts_with('/') => ("file://".to_owned(), path),
+        _ => (String::new(), path),
+    };
+    for byte in path.bytes() {
         if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {
             out.push(char::from(byte));
         } else {

@@ -11,17 +11,17 @@ use super::Loaded;
 use crate::msg;
 use crate::text::{Diagnostic, Message};
 
-/// Begin of every fragment that carries a project; the number of its form follows.
+/// Prefix of a fragment that carries a project; the number of the form follows.
 const PROJECT: &str = "p";
 
-/// Begin of a fragment of the form that is written: the file as zlib data (RFC 1950), which end with a check sum of it, as base64url text
+/// Prefix of a fragment of the form that is written: the file as zlib data (RFC 1950), which end with a check sum of it, as base64url text
 /// without padding (RFC 4648, 5).
 const FORM: &str = "p1.";
 
-/// Characters of a fragment at most. Our choice: browsers take more, what passes links on takes less.
+/// Longest fragment, in characters. Our choice: browsers take more, mail and chat programs less.
 pub const MAX_LINK: usize = 8000;
 
-/// Bytes of the file of a link at most: short texts may unpack to very long ones.
+/// Largest unpacked file, in bytes: short texts may unpack to very long ones.
 const MAX_FILE: usize = 1_000_000;
 
 /// The most thorough compression: a link is made once, and read often.
@@ -55,7 +55,7 @@ impl Project {
                 Loaded::refused(found)
             }
         };
-        // Nobody sees the file of a link.
+        // Places point into the packed file, which is never shown.
         loaded.diagnostics.iter_mut().for_each(|finding: &mut Diagnostic| finding.place = None);
         loaded
     }

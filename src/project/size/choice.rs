@@ -44,7 +44,7 @@ pub struct SizedAxis {
     pub field: Option<&'static str>,
     /// Share of the time of a part for which it turns, 0 to 1.
     pub turning: f64,
-    /// Share of the time of a part for which it is loaded: a spindle while it cuts, an axis while it turns.
+    /// Share of the time of a part for which it is loaded: a spindle while it is run up, cuts and is stopped, an axis while it turns.
     pub loaded: f64,
     /// Torque of the brake at its motor that closes without current, Nm; 0 without one.
     pub brake: f64,
@@ -204,7 +204,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             name: drive.name,
             field,
             turning,
-            loaded: drive.cycle.map_or(turning, |cycle| turning.min(cycle.of.run / of.end)),
+            loaded: drive.cycle.map_or(turning, |cycle| turning.min((cycle.of.run + 2.0 * cycle.of.ramp) / of.end)),
             brake: drive.brake,
             ampere_per_torque: None,
             work: None,

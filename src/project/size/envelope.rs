@@ -5,8 +5,8 @@
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, finish, plan};
 use crate::machines::PreparedMachine;
-use crate::machines::driven::DrivenAxis;
-use crate::motion::{Action, Event};
+use crate::machines::driven::{DrivenAxis, ProductSize};
+use crate::motion::{Action, Event, RunEnd};
 use crate::project::Project;
 use crate::project::run::Run;
 use crate::view::{Limit, Verdict};
@@ -23,7 +23,7 @@ const POINTS: usize = 400;
 /// A tenth of the knob: what an operator turns at a time, %.
 const TURN: f64 = 10.0;
 
-/// How much another product differs from the present one, as a share of it.
+/// Change of the product size that is tried, as a fraction of the present size.
 const TENTH: f64 = 0.1;
 
 /// An event of operation.
@@ -116,7 +116,8 @@ pub(super) fn envelope(project: &Project, whole: &SizingRuns, done: &mut dyn FnM
     let prepared = &*project.prepared();
     let with_current = |axis: DrivenAxis| (axis, ampere_per_torque(project, &axis));
     let axes = prepared.driven_axes().into_iter().map(with_current).collect();
-    let envelope = Envelope { prepared, whole, axes, middle: 0.5 * (whole.contact + whole.end) };
+    let product = prepared.product_size().filter(|_| project.edited.is_none());
+    let envelope = Envelope { prepared, whole, axes, product, middle: 0.5 * (whole.contact + whole.end) };
     let mut rows = Vec::new();
     for (event, _) in OperatingEvent::IDS {
         rows.extend(envelope.rows(event));
@@ -147,6 +148,8 @@ struct Envelope<'a> {
     whole: &'a SizingRuns,
     /// The axes, each with the current of its motor for 1 Nm, where it is known.
     axes: Vec<(DrivenAxis, Option<f64>)>,
+    /// The size that the operator may type; none where the program is not macroline's own.
+    product: Option<ProductSize>,
     /// Time (s) at which the operator's hand acts.
     middle: f64,
 }
@@ -178,7 +181,7 @@ impl Envelope<'_> {
                 self.handled(event, vec![(at, there), (at + 0.5 * SPAN, back)])
             }
             OperatingEvent::ProductChange => {
-                let Some(product) = self.prepared.product_size() else { return Vec::new() };
+                let Some(product) = self.product else { return Vec::new() };
                 // To thousandths, as it is typed.
                 let typed = |size: f64| Action::Variable(product.variable, Some((1000.0 * size).round() / 1000.0));
                 let change = |part: f64| {
@@ -212,8 +215,12 @@ impl Envelope<'_> {
             run.event(Event { t, action });
         }
         let until = self.middle + SPAN;
-        plan(&mut run, until);
-        self.read(event, &run, (self.middle, until))
+        let ended = plan(&mut run, until);
+        let mut rows = self.read(event, &run, (self.middle, until));
+        if let Some(RunEnd::Alarm(_)) = ended {
+            rows.push(alarmed(event));
+        }
+        rows
     }
 
     fn stopped(&self, event: OperatingEvent, action: Action) -> Vec<EnvelopeRow> {
@@ -291,6 +298,20 @@ impl Envelope<'_> {
     }
 }
 
+/// An event at which the program stops by its alarm.
+fn alarmed(event: OperatingEvent) -> EnvelopeRow {
+    EnvelopeRow {
+        id: "alarm".to_owned(),
+        label: "size.alarm",
+        value: 1.0,
+        unit: "",
+        decimals: 0,
+        limit: Some(Limit::AtMost(0.0)),
+        verdict: Verdict::Fail,
+        ..time(event, 0.0)
+    }
+}
+
 /// How long an event lasts.
 fn time(event: OperatingEvent, seconds: f64) -> EnvelopeRow {
     EnvelopeRow {
@@ -316,7 +337,13 @@ fn verdict(limit: Option<Limit>, value: f64) -> Verdict {
     }
 }
 
-/// Of two readings of the same quantities the worse row each.
-fn worse([one, other]: [Vec<EnvelopeRow>; 2]) -> Vec<EnvelopeRow> {
-    one.into_iter().zip(other).map(|(one, other)| if other.load() > one.load() { other } else { one }).collect()
+/// Of two readings the worse row of each quantity; what only one of them has stays.
+fn worse([one, mut other]: [Vec<EnvelopeRow>; 2]) -> Vec<EnvelopeRow> {
+    let mut rows = Vec::new();
+    for row in one {
+        let same = other.iter().position(|theirs| theirs.id == row.id).map(|at| other.remove(at));
+        rows.push(same.filter(|theirs| theirs.load() > row.load()).unwrap_or(row));
+    }
+    rows.extend(other);
+    rows
 }

@@ -29,9 +29,14 @@ pub struct SizingRuns {
     pub(super) knob: Option<(f64, f64)>,
 }
 
-/// Plans a run until a time (s), or to its end.
-pub(super) fn plan(run: &mut Run, until: f64) {
-    while run.timeline().end() < until && run.advance(until, SLICE).ended.is_none() {}
+/// Plans a run until a time (s), or to its end, which is returned.
+pub(super) fn plan(run: &mut Run, until: f64) -> Option<RunEnd> {
+    while run.timeline().end() < until {
+        if let Some(ended) = run.advance(until, SLICE).ended {
+            return Some(ended);
+        }
+    }
+    None
 }
 
 /// Plans a run to its end.

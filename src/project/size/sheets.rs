@@ -82,9 +82,10 @@ impl Sizing {
                 ("size.returned-on-one-bus", with_unit(cycle.returned_on_one_bus, 1, "J")),
             ]
         });
-        let duties = self.axes.iter().filter(|_| self.cycle.is_some()).map(|axis| {
+        let axes = self.cycle.iter().flat_map(|cycle| self.axes.iter().map(move |axis| (axis, cycle.seconds)));
+        let duties = axes.map(|(axis, cycle)| {
             let share = (100.0 * axis.turning, 0);
-            let duty = match duty_type(axis.turning, axis.loaded) {
+            let duty = match duty_type(axis.turning, axis.loaded, cycle) {
                 DutyType::Continuous => msg!("size.duty-continuous", share),
                 DutyType::Intermittent(factor) => msg!("size.duty-intermittent", f64::from(factor), share),
                 DutyType::Periodic(factor) => msg!("size.duty-periodic", f64::from(factor), (100.0 * axis.loaded, 0)),

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen;
-use leptos::wasm_bindgen::JsCast;
 use leptos::wasm_bindgen::prelude::wasm_bindgen;
+use leptos::wasm_bindgen::{JsCast, JsValue};
 use web_sys::Window;
 
 use crate::project::Project;
@@ -27,7 +27,8 @@ const REPORT: &str = "report.html";
 
 #[wasm_bindgen(module = "/src/ui/files/tab.js")]
 extern "C" {
-    fn print(tab: &Window, html: &str);
+    #[wasm_bindgen(catch)]
+    fn print(tab: &Window, html: &str) -> Result<(), JsValue>;
 }
 
 /// Name and text of a file.
@@ -190,8 +191,8 @@ fn Offered(
     let all = move |_| save_all(page, Arc::clone(&files));
     let report = export.files.iter().find(|(name, _)| name == REPORT).map(|(_, html)| html.clone());
     let show_report = move |_| {
-        if !report.as_ref().is_some_and(|html| show(html)) {
-            page.notices.notify("warn", t("page.no-tab").to_owned());
+        if let Some(html) = &report {
+            show(page, html);
         }
     };
     let remarks =
@@ -220,13 +221,15 @@ fn save_all(page: Page, files: Arc<[NamedText]>) {
     });
 }
 
-/// Shows a document in a tab of its own and prints it; false where the browser opens none.
-fn show(html: &str) -> bool {
-    let tab = window().open_with_url_and_target("", "_blank").ok().flatten();
-    tab.is_some_and(|tab| {
-        print(&tab, html);
-        true
-    })
+/// Shows a document in a tab of its own and prints it; tells where the browser allows neither.
+fn show(page: Page, html: &str) {
+    let Some(tab) = window().open_with_url_and_target("", "_blank").ok().flatten() else {
+        return page.notices.notify("warn", t("page.no-tab").to_owned());
+    };
+    if let Err(error) = print(&tab, html) {
+        let _ = tab.close();
+        page.notices.notify("fail", say(&crate::msg!("page.no-print", dom::told(&error))));
+    }
 }
 
 fn save(files: &[NamedText], at: usize) {

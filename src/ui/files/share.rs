@@ -16,13 +16,17 @@ use crate::ui::words::{figure, say, t, tell, tone};
 /// Characters above which the user is warned that some mail programs cut a link. Our choice.
 const LONG: usize = 2000;
 
-/// The project of the page's address, which is taken off it: a reload shows what became of the project since.
-pub(super) fn take_link() -> Option<Loaded> {
+/// The project of the page's address.
+pub(super) fn linked() -> Option<Loaded> {
     let (_, fragment) = dom::address();
-    is_link(&fragment).then(|| {
+    is_link(&fragment).then(|| Project::from_link(&fragment))
+}
+
+/// Takes the link off the address once its project is stored: a reload shows what became of the project since.
+pub(super) fn forget_link() {
+    if is_link(&dom::address().1) {
         dom::forget_fragment();
-        Project::from_link(&fragment)
-    })
+    }
 }
 
 /// What is said of a link.
@@ -44,7 +48,7 @@ pub(crate) fn listen(page: Page) {
 }
 
 fn open(page: Page) {
-    let Some(linked) = take_link() else { return };
+    let Some(linked) = linked() else { return };
     for Notice { tone, text, .. } in notices(&linked) {
         page.notices.notify(tone, text);
     }
@@ -183,7 +187,9 @@ mod tests {
         opened(&bench, &theirs.to_link().unwrap()).await;
         assert!(bench.page.project.get_untracked() == theirs);
         assert_eq!(bench.notices(), [t("page.link-opened")]);
-        assert_eq!((dom::address().1.as_str(), set_aside::list().len()), ("", 1));
+        assert_eq!(set_aside::list().len(), 1);
+        forget_link();
+        assert_eq!(dom::address().1, "");
         bench.page.undo();
         assert_eq!(bench.setting("pitch"), Some(Value::Number(9.0)));
     }
@@ -195,12 +201,14 @@ mod tests {
         opened(&bench, link.get(..link.len() - 5).unwrap()).await;
         assert!(bench.page.project.get_untracked() == project());
         assert_eq!(bench.notices().len(), 1);
+        forget_link();
     }
 
     #[wasm_bindgen_test]
     async fn other_fragments_stay() {
         let bench = mount(|| ()).await;
         opened(&bench, "machine").await;
+        forget_link();
         assert_eq!((dom::address().1.as_str(), bench.notices().len()), ("machine", 0));
         dom::forget_fragment();
     }

@@ -64,7 +64,7 @@ pub(crate) struct Stored {
 
 /// The project of the link that the page was opened with, or the state of the last visit.
 pub(crate) fn load() -> Visit {
-    match share::take_link() {
+    match share::linked() {
         Some(linked) => by_link(last_visit(), linked),
         None => last_visit(),
     }
@@ -77,7 +77,8 @@ fn by_link(last: Visit, linked: Loaded) -> Visit {
     let Some(project) = linked.project else { return Visit { notices, ..last } };
     let aside = last.project.as_ref().is_none_or(|before| set_aside::keep_project(before, Reason::Link));
     if !aside {
-        notices.push(Notice { tone: "warn", text: t("page.aside-full").to_owned(), file: None });
+        let file = last.project.as_ref().map(|before| (set_aside::FILE, before.to_json()));
+        notices.push(Notice { tone: "warn", text: t("page.aside-full").to_owned(), file });
     }
     let stored = Stored { occupied: last.stored.occupied || !aside, replaced: last.project };
     Visit { project: Some(project), notices, stored }
@@ -113,6 +114,7 @@ fn store_now(page: Page) {
     let kept = dom::store(KEY, &text) || make_room(&text);
     if kept {
         dom::store(STEPS, &page.steps());
+        share::forget_link();
     }
     page.view.kept.set(if kept { Kept::Yes } else { Kept::No });
 }
@@ -146,7 +148,9 @@ pub(crate) fn take_over(page: Page) {
     }
     say(TAKES);
     store_now(page);
-    ["page.other-tab", "page.other-tab-open"].into_iter().for_each(|words| page.notices.dismiss(t(words)));
+    ["page.other-tab", "page.other-tab-open", "page.link-other-tab"]
+        .into_iter()
+        .for_each(|words| page.notices.dismiss(t(words)));
 }
 
 /// This tab watches: nothing is stored from it.
@@ -167,15 +171,15 @@ fn follow(page: Page) {
     set_timeout(take, Duration::from_millis(wait as u64));
 }
 
-/// Messages and stored state of another tab. A watching tab shows the project of the other one until it is edited here, or from the begin
-/// that of the link by which it was opened.
+/// Handles messages and stored states of other tabs. A watching tab follows the other tab's project until it is edited here; a tab opened by
+/// a link never follows.
 fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValue<Option<Project>, LocalStorage>) {
     let watches = page.view.kept.get_untracked() == Kept::Elsewhere;
     match (key, value.split(' ').next().unwrap_or_default()) {
         (TABS, ASKS) if !watches => say(HOLDS),
         (TABS, HOLDS) if !watches => {
             shown.set_value((!by_link).then(|| page.project.get_untracked()));
-            watch(page, "page.other-tab-open");
+            watch(page, if by_link { "page.link-other-tab" } else { "page.other-tab-open" });
         }
         (TABS, TAKES) => {
             shown.set_value(Some(page.project.get_untracked()));

@@ -165,7 +165,11 @@ fn Tools(
     let page = Page::here();
     let copy = move |_| {
         dom::copy(&page.program.text(page.view.file.get_untracked()), move |copied| {
-            page.notices.say(t(if copied { "page.copied" } else { "page.not-copied" }));
+            if copied {
+                page.notices.say(t("page.copied"));
+            } else {
+                page.notices.notify("warn", t("page.not-copied").to_owned());
+            }
         });
     };
     let paper = move |_| {

@@ -103,8 +103,8 @@ fn links_that_open_nothing_say_why() {
     check(
         "p2.AAAA",
         expect![[r#"
-        The link is of a newer macroline. Load this page again; if that does not help, ask for the project as a file.
-        no project"#]],
+            The link was made by a newer macroline. Load this page again; if that does not help, ask for the project as a file.
+            no project"#]],
     );
     check(
         &"p1.".repeat(MAX_LINK),

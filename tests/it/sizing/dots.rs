@@ -34,12 +34,19 @@ fn parts_of_the_dot_error_follow_the_formulas() {
 }
 
 #[test]
-fn backlash_counts_only_without_a_load_on_the_teeth() {
+fn backlash_counts_only_where_the_torque_changes_its_sign() {
     // The brake in front of the pull rollers loads their gear, the force of the heads that of the print roller.
     assert_eq!(result(&line(&[("gear-backlash", 3.0)]), "dot-backlash").value, 0.0);
-    // A pull from behind that exceeds brake and friction: 3′ at a radius of 50 mm.
-    let driven = line(&[("gear-backlash", 3.0), ("tension-behind", 200.0)]);
-    same("driven", result(&driven, "dot-backlash").value, 3.0 / 60.0 * std::f64::consts::PI / 180.0 * 50.0, 1e-9);
+    // A pull from behind that exceeds brake and friction presses on the other flank, and keeps its direction too.
+    assert_eq!(result(&line(&[("gear-backlash", 3.0), ("tension-behind", 200.0)]), "dot-backlash").value, 0.0);
+    // Nothing loads the print roller: 3′ at its radius.
+    let play = |diameter: f64| 3.0 / 60.0 * std::f64::consts::PI / 180.0 * diameter / 2.0;
+    let idle = line(&[("gear-backlash", 3.0), ("printing-force", 0.0), ("friction-y", 0.0)]);
+    same("idle", result(&idle, "dot-backlash").value, play(114.6), 1e-9);
+    // Each exact stop brakes the heavy print roller against its load.
+    let mut stopping = line(&[("gear-backlash", 3.0), ("head-mass", 2.0)]);
+    stopping.values.insert("path-mode".to_owned(), Value::Text("exact-stop".to_owned()));
+    assert!(result(&stopping, "dot-backlash").value >= play(114.6) - 1e-9);
 }
 
 #[test]

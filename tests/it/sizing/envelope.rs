@@ -130,6 +130,20 @@ fn another_pitch_speeds_the_print_roller_and_leaves_the_loop() {
 }
 
 #[test]
+fn pitch_that_the_program_refuses_is_an_alarm_of_the_event() {
+    let mut project = line();
+    assert!(sized(&project).envelope.iter().all(|row| row.id != "alarm"));
+    // A tenth less pitch at the same speed asks for more than this F.
+    let limit = (1.03 * result(&project, "vector-feed")).round();
+    project.values.insert("feed-limit".to_owned(), Value::Number(limit));
+    let sizing = sized(&project);
+    assert_eq!(row(&sizing, OperatingEvent::ProductChange, "alarm").verdict, Verdict::Fail);
+    // A program of somebody else may mean anything by that variable.
+    project.edited = Some(macroline::nc::Files::one("O1.NC", "%\nO1\nM30\n%\n"));
+    assert!(sized(&project).envelope.iter().all(|row| row.event != OperatingEvent::ProductChange));
+}
+
+#[test]
 fn every_machine_has_its_events_and_one_worst_each() {
     use OperatingEvent::{Alarm, EmergencyStop, Hold, Knob, PowerFailure, ProductChange, Run, SpeedChange, Start};
     for (machine, events) in [
