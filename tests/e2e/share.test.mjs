@@ -22,6 +22,15 @@ async function linkWith(value) {
   return link;
 }
 
+// Opens a link in a browser that has a project with a pitch of 7.5.
+async function openOver(page, link) {
+  await pitch(page).fill('7.5');
+  await saved(page);
+  await page.goto('about:blank');
+  await page.goto(link);
+  await ready(page);
+}
+
 test('the link is shown, copied by one click, and short', () =>
   withPage(app, {}, async ({ page, context }) => {
     if (!FIREFOX) await context.grantPermissions(['clipboard-read', 'clipboard-write']);
@@ -37,11 +46,7 @@ test('the link is shown, copied by one click, and short', () =>
 test('a link opens a copy, and what was there before is one step back', async () => {
   const link = await linkWith('9.5');
   await withPage(app, {}, async ({ page }) => {
-    await pitch(page).fill('7.5');
-    await saved(page);
-    await page.goto('about:blank');
-    await page.goto(link);
-    await ready(page);
+    await openOver(page, link);
     assert.equal(await pitch(page).inputValue(), '9.5');
     await notice(page, 'This project was opened from a link');
     await saved(page);
@@ -81,11 +86,7 @@ test('a link beside an open tab touches nothing of that tab', async () => {
 test('a link that was cut is told and changes nothing', async () => {
   const link = (await linkWith('9.5')).slice(0, -9);
   await withPage(app, {}, async ({ page }) => {
-    await pitch(page).fill('7.5');
-    await saved(page);
-    await page.goto('about:blank');
-    await page.goto(link);
-    await ready(page);
+    await openOver(page, link);
     await notice(page, 'The link is not whole');
     assert.equal(await pitch(page).inputValue(), '7.5');
   });

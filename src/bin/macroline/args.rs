@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use crate::output::Format;
 use clap::{Parser, Subcommand};
 use macroline::project::chance;
+
+use crate::output::Format;
 
 /// Sizes special CNC machines, writes their macro programs and runs that very text.
 #[derive(Parser)]

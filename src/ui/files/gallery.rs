@@ -6,7 +6,7 @@ use super::set_aside::{self, Reason};
 use crate::machines::AnyMachine;
 use crate::machines::examples::{Example, Fault};
 use crate::project::Project;
-use crate::ui::parts::Dialog;
+use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
 use crate::ui::words::{say, t};
 use crate::view::Readout;
@@ -14,12 +14,7 @@ use crate::view::Readout;
 /// The button of the gallery.
 #[component]
 pub(super) fn NewButton() -> impl IntoView {
-    let open = Page::here().view.gallery;
-    view! {
-        <button type="button" class="quiet" id="new" title=t("page.gallery-about") on:click=move |_| open.set(true)>
-            {t("page.new")}
-        </button>
-    }
+    view! { <DialogButton id="new" label="page.new" about="page.gallery-about" open=Page::here().view.gallery /> }
 }
 
 /// The dialog with the examples of the present machine.

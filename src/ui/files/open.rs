@@ -10,6 +10,7 @@ use super::large::{LargeFile, Source, check};
 use super::parts;
 use super::set_aside::{self, Reason};
 use crate::nc;
+use crate::project::Project;
 use crate::project::decode::Decoded;
 use crate::project::import::{MAX_PROGRAM, open};
 use crate::project::parts::is_table;
@@ -76,10 +77,15 @@ fn read_programs(page: Page, files: &[nc::File]) {
     } else {
         set_aside::keep_present(page, Reason::Opened);
     }
+    show(page, project);
+    page.notices.say(t("page.opened"));
+}
+
+/// Puts a project in the place of the present one and shows its first program.
+pub(super) fn show(page: Page, project: Project) {
     page.view.file.set(0);
     page.view.tab.set(Tab::Program);
     page.replace(project);
-    page.notices.say(t("page.opened"));
 }
 
 fn files_of(list: Option<FileList>) -> Vec<File> {
@@ -155,7 +161,6 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::project::Project;
     use crate::ui::testing::{Bench, mount, project, settled};
 
     async fn opened(name: &str, text: &str) -> Bench {

@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::project::Project;
 use crate::project::saved::with_line;
 use crate::ui::dom;
-use crate::ui::parts::Dialog;
+use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
@@ -182,12 +182,7 @@ fn EarlierState(
 /// The button of the dialog.
 #[component]
 pub(super) fn EarlierButton() -> impl IntoView {
-    let open = Page::here().view.earlier;
-    view! {
-        <button type="button" class="quiet" id="earlier" title=t("page.earlier-about") on:click=move |_| open.set(true)>
-            {t("page.earlier")}
-        </button>
-    }
+    view! { <DialogButton id="earlier" label="page.earlier" about="page.earlier-about" open=Page::here().view.earlier /> }
 }
 
 #[cfg(test)]
@@ -258,6 +253,8 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn untouched_project_is_not_set_aside() {
+        // What another test has set aside is none of this one's.
+        dom::storage().unwrap().clear().unwrap();
         let bench = mount_project(first_project(), || ()).await;
         keep_present(bench.page, Reason::New);
         assert!(list().is_empty());

@@ -3,14 +3,14 @@
 use leptos::html;
 use leptos::prelude::*;
 
+use super::open::show;
 use super::set_aside::{self, Reason};
 use crate::project::Project;
 use crate::project::saved::{Loaded, is_link};
 use crate::ui::dom;
-use crate::ui::parts::Dialog;
+use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
 use crate::ui::state::notices::Notice;
-use crate::ui::state::view::Tab;
 use crate::ui::words::{figure, say, t, tell, tone};
 
 /// Characters above which the user is warned that some mail programs cut a link. Our choice.
@@ -34,7 +34,7 @@ pub(super) fn notices(linked: &Loaded) -> Vec<Notice> {
     let copy = Notice { tone: "info", text: t("page.link-opened").to_owned(), file: None };
     let found = linked.diagnostics.iter();
     let found = found.map(|found| Notice { tone: tone(found.severity), text: tell(found), file: None });
-    linked.project.iter().map(|_| copy.clone()).chain(found).collect()
+    linked.project.is_some().then_some(copy).into_iter().chain(found).collect()
 }
 
 /// Opens the project of a link that is put into the address of the open page.
@@ -54,9 +54,7 @@ fn open(page: Page) {
     }
     let Some(project) = linked.project else { return };
     set_aside::keep_present(page, Reason::Link);
-    page.view.file.set(0);
-    page.view.tab.set(Tab::Program);
-    page.replace(project);
+    show(page, project);
 }
 
 /// Saves the project as a file.
@@ -68,12 +66,7 @@ pub(super) fn save(page: Page) {
 /// The button of the link.
 #[component]
 pub(super) fn ShareButton() -> impl IntoView {
-    let open = Page::here().view.sharing;
-    view! {
-        <button type="button" class="quiet" id="share" title=t("page.share-about") on:click=move |_| open.set(true)>
-            {t("page.share")}
-        </button>
-    }
+    view! { <DialogButton id="share" label="page.share" about="page.share-about" open=Page::here().view.sharing /> }
 }
 
 /// The dialog with the link, or with the reason why there is none.

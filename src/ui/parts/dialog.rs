@@ -46,6 +46,21 @@ pub(crate) fn Dialog(
     }
 }
 
+/// A button of the header that opens a dialog.
+#[component]
+pub(crate) fn DialogButton(
+    /// Its id.
+    id: &'static str,
+    /// Catalog id of its name.
+    label: &'static str,
+    /// Catalog id of what is said about the dialog.
+    about: &'static str,
+    /// Whether the dialog is open.
+    open: RwSignal<bool>,
+) -> impl IntoView {
+    view! { <button type="button" class="quiet" id=id title=t(about) on:click=move |_| open.set(true)>{t(label)}</button> }
+}
+
 #[cfg(test)]
 mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;

@@ -22,6 +22,6 @@ pub(crate) mod sheet_view;
 
 pub(crate) mod verdict;
 
-pub(crate) use dialog::Dialog;
+pub(crate) use dialog::{Dialog, DialogButton};
 pub(crate) use icon::{Glyph, Icon, IconButton};
 pub(crate) use later::Later;
