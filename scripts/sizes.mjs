@@ -15,7 +15,7 @@ export function firstLoad(folder) {
   const found = new Set(['index.html']);
   for (const name of found) {
     const text = ['.html', '.js'].includes(extname(name)) ? readFileSync(join(folder, name), 'utf8') : '';
-    const names = name.endsWith('.html') ? /(?:href|src|data-js|data-wasm)="([^"]+)"/g : /^(?:import|export)\b[^;'"(]*['"]([^'"]+)['"]/gm;
+    const names = name.endsWith('.html') ? /(?:href|src|data-js|data-wasm|data-words)="([^"]+)"/g : /^(?:import|export)\b[^;'"(]*['"]([^'"]+)['"]/gm;
     for (const [, at] of text.matchAll(names)) {
       const path = new URL(at, `http://site/${name}`).pathname.slice(1);
       if (path !== '') found.add(path);

@@ -19,7 +19,7 @@ use crate::math;
 use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Visit};
 use crate::msg;
 use crate::nc::{Deck, File};
-use crate::text::{Diagnostic, DiagnosticKind, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Severity, listed};
 use crate::view::{Advice, Chart, DrawnPart, Explorer, Pose, Readout, Scene, Sheet, Verdict};
 
 /// The control that a machine is on, with its open points as they are set.
@@ -400,7 +400,7 @@ impl PreparedMachine {
         design.diagnostics.splice(0..0, self.invalid.iter().cloned());
         let assumed = assumed(&self.facts, origins);
         if !assumed.is_empty() {
-            let message = msg!("form.assumed", assumed.len() as u32, assumed.join(", "));
+            let message = msg!("form.assumed", assumed.len() as u32, listed(&assumed));
             design.diagnostics.push(Diagnostic::info(message).kind(DiagnosticKind::AssumedFacts));
         }
         design

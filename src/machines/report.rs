@@ -4,8 +4,8 @@ use super::form::{FieldInfo, KindInfo, Origins, Provenance, Value, Values};
 use super::machine::{AnyMachine, ControlContext, PreparedMachine};
 use crate::controls::options::SwitchOption;
 use crate::controls::{Control, Switch, Switches};
-use crate::text::catalog::{Language, number_text, words};
-use crate::text::{Citation, Diagnostic, Grade};
+use crate::text::catalog::{number_text, words};
+use crate::text::{Citation, Diagnostic, Grade, headed, listed};
 use crate::view::DrawnPart;
 use crate::view::report::{Input, ListedPart, Open, Report, RunReport, TitleBlock};
 
@@ -22,9 +22,9 @@ pub fn report(
     let ControlContext { control, switches } = on;
     let design = prepared.design(origins);
     let inputs = inputs(machine, prepared, values, origins);
-    let title = [words(Language::English, machine.name()), control.name, name];
+    let title = [words(machine.name()), control.name, name];
     Report {
-        title: title.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
+        title: listed(title.into_iter().filter(|part| !part.is_empty())),
         project: name.to_owned(),
         customer: customer(values),
         block: TitleBlock::default(),
@@ -70,9 +70,15 @@ fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
             all if all == data.len() => Some("form.report.assumed"),
             _ => Some("form.report.partly"),
         };
-        // A length by a width is one datum.
-        let data = data.into_iter().map(|(text, _)| text).collect::<Vec<_>>().join(", ").replace(", ×", " ×");
-        ListedPart { name: part.name, quantity: part.quantity, data, origin }
+        let mut shown: Vec<String> = Vec::new();
+        for (text, _) in data {
+            match shown.last_mut() {
+                // A length by a width is one datum.
+                Some(length) if text.starts_with('×') => *length += &format!(" {text}"),
+                _ => shown.push(text),
+            }
+        }
+        ListedPart { name: part.name, quantity: part.quantity, data: listed(shown), origin }
     };
     prepared.parts().into_iter().map(part).collect()
 }
@@ -90,11 +96,9 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
         (KindInfo::Number { unit, decimals, .. }, Value::Number(number)) => (number_text(number, *decimals), *unit),
         (KindInfo::Choice(options), Value::Text(id)) => {
             let label = options.iter().find(|(option, _)| *option == id).map(|(_, label)| *label);
-            (label.map_or(id, |label| words(Language::English, label).to_owned()), "")
+            (label.map_or(id, |label| words(label).to_owned()), "")
         }
-        (_, Value::Flag(flag)) => {
-            (words(Language::English, if flag { "form.report.yes" } else { "form.report.no" }).to_owned(), "")
-        }
+        (_, Value::Flag(flag)) => (words(if flag { "form.report.yes" } else { "form.report.no" }).to_owned(), ""),
         (_, Value::Number(number)) => (number_text(number, 6), ""),
         (_, Value::Text(text)) => (text, ""),
     };
@@ -140,7 +144,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
             .into_iter()
             .chain(control.zero_return.map(|cite| (cite, "form.open.zero-return")))
             .filter(|(cite, _)| doubtful(cite))
-            .map(|(cite, what)| format!("{} ({})", words(Language::English, what), cite.source))
+            .map(|(cite, what)| format!("{} ({})", words(what), cite.source))
             .collect(),
         ),
         (
@@ -168,14 +172,14 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
 
 /// A switch as it is set, with its options.
 fn open_switch(row: &Switch, set: &str) -> String {
-    let label = row.text(Language::English);
+    let label = row.text();
     if row.is_text() {
-        return format!("{label}: \"{set}\"");
+        return headed(label, format!("\"{set}\""));
     }
     let options = row.options();
-    let name = |option: &SwitchOption| words(Language::English, option.label);
+    let name = |option: &SwitchOption| words(option.label);
     let chosen = options.iter().find(|option| option.id == set).map_or(set, name);
-    format!("{label}: {chosen} ({})", options.iter().map(name).collect::<Vec<_>>().join(" | "))
+    headed(label, format!("{chosen} ({})", options.iter().map(name).collect::<Vec<_>>().join(" | ")))
 }
 
 /// Ranges of variables as words; those that touch are one.

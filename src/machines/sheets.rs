@@ -2,12 +2,12 @@
 
 use crate::controls::{Control, ParamDef, ParamRole};
 use crate::text::Citation;
-use crate::text::catalog::{Language, number_text, words};
+use crate::text::catalog::{number_text, words};
 use crate::view::{Row, Sheet};
 
 /// A sentence of the catalog, for cells and drawings.
 pub fn say(id: &'static str) -> String {
-    words(Language::English, id).to_owned()
+    words(id).to_owned()
 }
 
 /// A row with its evidence.
@@ -82,7 +82,7 @@ fn parameter(axes: &AxisUnits, def: &ParamDef, axis: &str, value: &ParamValue) -
         }
         _ => def.unit.to_owned(),
     };
-    Some(row([def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit, def.text.to_owned()], def.cite))
+    Some(row([def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit, def.text.to_string()], def.cite))
 }
 
 /// Units of a parameter per unit of the form.

@@ -2,7 +2,7 @@
 
 use super::sheets::{row, say};
 use crate::motion::ProgramState;
-use crate::text::catalog::{Language, sentence};
+use crate::text::catalog::sentence;
 use crate::text::{Citation, Message};
 use crate::view::Sheet;
 
@@ -104,7 +104,7 @@ pub struct Reaction {
 
 /// The table as a sheet.
 pub fn sheet(reactions: &[Reaction]) -> Sheet {
-    let text = |message: &Message| sentence(Language::English, message);
+    let text = |message: &Message| sentence(message);
     let line = |reaction: &Reaction| {
         let cells = [
             say(reaction.at.name()),

@@ -1,8 +1,8 @@
 //! Results as rows, and the rules that judge them.
 
 use super::form::{Field, Kind};
-use crate::text::Citation;
 use crate::text::catalog::number_text;
+use crate::text::{Citation, Phrase};
 use crate::view::{Advice, Limit, Readout, Verdict};
 
 /// A result of a machine `M` before it is judged.
@@ -106,7 +106,7 @@ pub fn judge<M>(row: &ReadoutRow<M>, machine: &M, unit: &'static str, rules: &[R
         limit: None,
         verdict: Verdict::None,
         advice: Vec::new(),
-        formula: row.formula,
+        formula: Phrase::new(row.formula),
         cite: row.cite,
         headline: row.headline,
     };

@@ -7,6 +7,7 @@ use crate::controls::{Alarm, Control, VarKind, VarRange};
 use crate::drives::Positioning;
 use crate::drives::speed::STAGES;
 use crate::interp::canon::AXES;
+use crate::text::Phrase;
 
 /// Farthest home position of an axis from its zero, in mm or °.
 const HOME: f64 = 1e6;
@@ -32,11 +33,11 @@ pub(super) struct CheckedPlant {
     /// Seconds from the end of the unfiltered path to standstill of the slowest axis.
     pub(super) standstill: f64,
     pub(super) limits: Budget,
-    pub(super) emergency: Option<(&'static str, &'static str)>,
-    pub(super) no_positioning: Option<(&'static str, &'static str)>,
-    pub(super) reversal: Option<(&'static str, &'static str)>,
-    pub(super) gear_timeout: Option<(&'static str, &'static str)>,
-    pub(super) inverter_fault: Option<(&'static str, &'static str)>,
+    pub(super) emergency: Option<(&'static str, Phrase)>,
+    pub(super) no_positioning: Option<(&'static str, Phrase)>,
+    pub(super) reversal: Option<(&'static str, Phrase)>,
+    pub(super) gear_timeout: Option<(&'static str, Phrase)>,
+    pub(super) inverter_fault: Option<(&'static str, Phrase)>,
     /// From this time (s) on there is no supply.
     pub(super) power_fails: f64,
     /// The control has program zero return.

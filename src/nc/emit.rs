@@ -67,9 +67,16 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
             w.comment(program.title, false);
             w.text.push_str(eol);
         }
+        let body = w.text.len();
         for index in program.first as usize..program.end as usize {
             let Some(block) = low.blocks.get(index) else { continue };
             w.block(block);
+            let first = w.text.as_bytes().get(body).filter(|_| w.start == body && program.number != 0);
+            if first.is_some_and(|letter| control.syntax.program_letters.contains(letter)) {
+                // At the head of a line of its own it would begin another program: `O2L1` of the E60.
+                w.start = body - eol.len();
+                w.text.replace_range(w.start..body, "");
+            }
             let place = Place { file, span: Span::new(w.start as u32, w.text.len() as u32) };
             let written = w.text.len() - w.start;
             let block_diagnostic = if matches!(block.stmt, Stmt::Bad(_)) {

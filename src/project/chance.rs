@@ -7,7 +7,7 @@ use super::sensitivity::{assumed_numbers, changed};
 use crate::machines::form::Value;
 use crate::machines::sheets::{row, say};
 use crate::msg;
-use crate::text::catalog::{Language, sentence};
+use crate::text::catalog::sentence;
 use crate::text::{Citation, Grade};
 use crate::view::{Readout, Sheet, Verdict};
 
@@ -87,10 +87,11 @@ impl Chance {
     pub fn sheet(&self) -> Sheet {
         let cite = Citation::new("assumed facts drawn evenly within a tenth", Grade::Inferred);
         let told = msg!("chance.hold", (self.share(self.hold), 1), self.draws, self.facts);
-        let first = row([sentence(Language::English, &told), String::new()], cite);
-        let fails = self.failing.iter().map(|(_, label, count)| {
-            row([say(label), sentence(Language::English, &msg!("chance.share", (self.share(*count), 1)))], cite)
-        });
+        let first = row([sentence(&told), String::new()], cite);
+        let fails = self
+            .failing
+            .iter()
+            .map(|(_, label, count)| row([say(label), sentence(&msg!("chance.share", (self.share(*count), 1)))], cite));
         Sheet {
             id: "chance",
             title: "sheet.chance",

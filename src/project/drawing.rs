@@ -4,7 +4,7 @@ use super::Project;
 use super::run::{RunOptions, of_project};
 use crate::machines::{ALL, Frame};
 use crate::motion::{Budget, Retention};
-use crate::text::catalog::{Language, words};
+use crate::text::catalog::words;
 use crate::view::{Pose, Scene, svg};
 
 /// Blocks that are run at most on the way to the moment.
@@ -27,5 +27,5 @@ pub fn at(project: &Project, at: f64) -> (Scene, Pose) {
 pub fn still() -> Option<String> {
     let project = Project::of(ALL.first()?.id(), None)?;
     let (scene, pose) = at(&project, 0.0);
-    Some(svg::page(&scene, Some(&pose), words(Language::English, scene.alt)) + "\n")
+    Some(svg::page(&scene, Some(&pose), words(scene.alt)) + "\n")
 }

@@ -9,7 +9,6 @@ use super::suppress::silence;
 use crate::machines::PreparedMachine;
 use crate::msg;
 use crate::nc::{File, Files};
-use crate::text::catalog::Language;
 use crate::text::{Diagnostic, Severity};
 use crate::view::{self, report};
 
@@ -90,13 +89,13 @@ impl Project {
         let file = |name: &str, text| File { name: name.to_owned(), text };
         let told = self.report(prepared, written, options);
         let mut files = vec![
-            file("report.html", report::html(&told, Language::English)),
-            file("report.md", report::markdown(&told, Language::English)),
+            file("report.html", report::html(&told)),
+            file("report.md", report::markdown(&told)),
             file("drawing.svg", told.run.drawing.clone()),
         ];
         let of_sizing = options.sizing.map(|sizing| [sizing.bill_sheet(), sizing.terminal_sheet()]);
         for sheet in of_sizing.iter().flatten().chain(&prepared.sheets()) {
-            files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet, Language::English) });
+            files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet) });
             if !sheet.drawing.is_empty() {
                 files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });
             }

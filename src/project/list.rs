@@ -6,22 +6,22 @@ use crate::controls;
 use crate::controls::options::SwitchOption;
 use crate::machines;
 use crate::machines::examples::Example;
-use crate::text::catalog::{Language, number_text, sentence, words};
+use crate::text::catalog::{number_text, sentence, words};
 use crate::text::number::Fixed;
 use crate::view::{Limit, Readout, Verdict};
 
 /// Machines with their controls, controls with their bench plant and their open points, as an object.
 pub fn json() -> Json {
-    let say = |id| words(Language::English, id);
+    let say = |id| words(id);
     let example = |e: &Example| json!({ "id": e.id, "name": say(e.name), "about": say(e.about), "fails": e.faults.iter().map(|fault| fault.result).collect::<Vec<_>>() });
     let machine = |m: &&dyn machines::AnyMachine| {
         let examples: Vec<Json> = m.examples().iter().map(example).collect();
         json!({ "id": m.id(), "name": say(m.name()), "controls": m.controls(), "examples": examples })
     };
     let switch = |s: &controls::Switch| {
-        let option = |o: &SwitchOption| json!({ "id": o.id, "label": words(Language::English, o.label) });
+        let option = |o: &SwitchOption| json!({ "id": o.id, "label": words(o.label) });
         let options: Vec<Json> = s.options().iter().map(option).collect();
-        json!({ "id": s.id(), "text": s.text(Language::English), "default": s.default(), "options": options })
+        json!({ "id": s.id(), "text": s.text(), "default": s.default(), "options": options })
     };
     let control = |c: &&controls::Control| {
         let axes: Vec<Json> = c
@@ -50,11 +50,11 @@ fn rotary(control: &controls::Control, letter: controls::Address) -> bool {
 pub fn text() -> String {
     let mut out = String::from("machines\n");
     for machine in machines::ALL {
-        let name = words(Language::English, machine.name());
+        let name = words(machine.name());
         out += &format!("  {:<20} {name}; controls: {}\n", machine.id(), machine.controls().join(", "));
         out += &format!("  {:<20} examples, the first that of a new project:\n", "");
         for example in machine.examples() {
-            out += &format!("  {:<20}   {:<15} {}\n", "", example.id, words(Language::English, example.about));
+            out += &format!("  {:<20}   {:<15} {}\n", "", example.id, words(example.about));
         }
     }
     out += "controls\n";
@@ -75,9 +75,9 @@ pub fn text() -> String {
         );
         out += &format!("  {:<20} switches, each with the ids of its settings, the default first:\n", "");
         for switch in control.switches {
-            out += &format!("  {:<20}   {:<23} {}\n", "", switch.id(), switch.text(Language::English));
+            out += &format!("  {:<20}   {:<23} {}\n", "", switch.id(), switch.text());
             for option in switch.options() {
-                out += &format!("  {:<20}     {:<21} {}\n", "", option.id, words(Language::English, option.label));
+                out += &format!("  {:<20}     {:<21} {}\n", "", option.id, words(option.label));
             }
         }
     }
@@ -105,7 +105,7 @@ pub fn verdict_word(verdict: Verdict) -> &'static str {
 /// Results as a list of objects.
 pub fn readouts_json(readouts: &[Readout]) -> Json {
     let readout = |r: &Readout| {
-        let advice: Vec<String> = r.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
+        let advice: Vec<String> = r.advice.iter().map(|advice| sentence(&advice.message)).collect();
         json!({
             "id": r.id, "value": r.value, "unit": r.unit,
             "limit": r.limit.map(Limit::value), "bound": r.limit.map(Limit::bound),
@@ -119,11 +119,11 @@ pub fn readouts_json(readouts: &[Readout]) -> Json {
 pub fn readouts_text(readouts: &[Readout]) -> String {
     let mut out = String::new();
     for r in readouts {
-        let label = words(Language::English, r.label);
+        let label = words(r.label);
         let value = Fixed(r.value, r.decimals).to_string();
         let limit = r.limit.map_or(String::new(), |limit| {
             let shown = number_text(limit.value(), r.decimals.max(3));
-            format!("  ({})", sentence(Language::English, &limit.message(shown)))
+            format!("  ({})", sentence(&limit.message(shown)))
         });
         let sign = match r.verdict {
             Verdict::None => "   -",
@@ -133,7 +133,7 @@ pub fn readouts_text(readouts: &[Readout]) -> String {
         };
         out += &format!("{sign}  {label:<38} {value:>14} {}{limit}\n", r.unit);
         for advice in &r.advice {
-            out += &format!("        {}\n", sentence(Language::English, &advice.message));
+            out += &format!("        {}\n", sentence(&advice.message));
         }
     }
     out

@@ -7,7 +7,7 @@ use crate::controls::{Address, Code, CodeId, CodeNumber, Control, Group, VarKind
 use crate::motion::Action;
 use crate::msg;
 use crate::nc::{TokenKind, tokens};
-use crate::text::{Citation, Message, Span};
+use crate::text::{Citation, Message, Phrase, Span};
 
 /// The table that a word is looked up in. Numbers repeat between them: `#3001` is a variable of a program and a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,7 +108,7 @@ pub fn of(project: &Project, word: &str, table: Table) -> Option<Meaning> {
 }
 
 /// The text of a row as a sentence.
-fn told(text: &'static str) -> Message {
+fn told(text: Phrase) -> Message {
     msg!("meaning.row", text)
 }
 

@@ -7,7 +7,7 @@ use super::list::verdict_word;
 use super::sensitivity::{Flip, Sensitivity};
 use crate::machines::form::fill::assumed;
 use crate::machines::report::inputs;
-use crate::text::catalog::{Language, words};
+use crate::text::catalog::words;
 use crate::view::report::Input;
 
 /// Origin of a value.
@@ -32,8 +32,8 @@ impl Origin {
             Origin::Entered => "entered",
             Origin::Default => "default",
             Origin::Example => "example",
-            Origin::Assumed => words(Language::English, "form.report.assumed"),
-            Origin::Known(source) => words(Language::English, source),
+            Origin::Assumed => words("form.report.assumed"),
+            Origin::Known(source) => words(source),
         }
     }
 }
@@ -72,9 +72,7 @@ pub fn json(project: &Project) -> Json {
     let others = assumed_facts(project).into_iter().filter(|id| !first.contains(id));
     let others = others.map(|id| json!({ "field": id, "flips": null }));
     let faults = project.faults();
-    let faults = faults
-        .iter()
-        .map(|(readout, fault)| json!({ "readout": readout.id, "reason": words(Language::English, fault.reason) }));
+    let faults = faults.iter().map(|(readout, fault)| json!({ "readout": readout.id, "reason": words(fault.reason) }));
     json!({
         "example": project.present_example().map(|example| example.id),
         "faults": faults.collect::<Vec<_>>(),
@@ -87,7 +85,7 @@ pub fn json(project: &Project) -> Json {
 /// The same for people.
 pub fn text(project: &Project) -> String {
     let all = values(project);
-    let label = |input: &Input| [words(Language::English, input.label), input.symbol].join(" ").trim_end().to_owned();
+    let label = |input: &Input| [words(input.label), input.symbol].join(" ").trim_end().to_owned();
     let named =
         |id: &str| all.iter().find(|(input, _)| input.id == id).map_or(String::new(), |(input, _)| label(input));
     let mut out = "\nvalues and their origin; default: as a new project has it\n".to_owned();
@@ -103,7 +101,7 @@ pub fn text(project: &Project) -> String {
     }
     for flip in &found {
         let result = readouts.iter().find(|readout| readout.id == flip.readout);
-        let result = result.map_or(flip.readout, |readout| words(Language::English, readout.label));
+        let result = result.map_or(flip.readout, |readout| words(readout.label));
         let change = if flip.factor < 1.0 { "a tenth less" } else { "a tenth more" };
         let (from, to) = (verdict_word(flip.from), verdict_word(flip.to));
         out += &format!("  {:<44} {change}: {result}, {from} to {to}\n", named(flip.field));
@@ -118,7 +116,7 @@ pub fn text(project: &Project) -> String {
 
 /// The example that the values are and the reason of each fault; nothing where there is no fault.
 pub fn faults_text(project: &Project) -> String {
-    let say = |id| words(Language::English, id);
+    let say = |id| words(id);
     let faults = project.faults();
     let Some(example) = project.present_example().filter(|_| !faults.is_empty()) else { return String::new() };
     let mut out = format!("{}: {}\n", say(example.name), say(example.about));

@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 use super::decode::{Decoded, Encoding};
 use crate::msg;
 use crate::nc::{self, Files};
-use crate::text::catalog::{Language, sentence};
+use crate::text::catalog::sentence;
 use crate::text::escape::{is_obeyed, terminal};
 use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span};
 
@@ -69,14 +69,14 @@ impl<'f> Renderer<'f> {
             out += &format!("{:width$}--> field {field}\n", "");
         }
         if let (Some(alarm), Some(wording)) = (diagnostic.alarm.as_deref(), diagnostic.wording) {
-            let shown = sentence(Language::English, &msg!("project.control-shows", alarm, wording));
+            let shown = sentence(&msg!("project.control-shows", alarm, wording));
             out += &format!("{:width$} = {shown}\n", "");
         }
         for hint in &diagnostic.hints {
-            out += &format!("{:width$} = {}\n", "", sentence(Language::English, hint));
+            out += &format!("{:width$} = {}\n", "", sentence(hint));
         }
         for (fix, mended) in fixes.iter().zip(&mended) {
-            out += &format!("help: {}\n", sentence(Language::English, &fix.title));
+            out += &format!("help: {}\n", sentence(&fix.title));
             let Some((first, lines)) = mended else { continue };
             out += &format!("{:width$} |\n", "");
             for (line, number) in lines.iter().zip(*first..) {
@@ -136,14 +136,14 @@ impl<'f> Renderer<'f> {
     /// The diagnostic as an object with severity, alarm, its wording, id, message, file, line, column, field, hints and fixes, each a
     /// title and its edits; what does not apply is null. An edit replaces the bytes of a file from start to end, counted in the file.
     pub fn json(&self, diagnostic: &Diagnostic) -> Json {
-        let hints: Vec<String> = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint)).collect();
+        let hints: Vec<String> = diagnostic.hints.iter().map(sentence).collect();
         let edit = |(place, text): &(Place, String)| {
             let [start, end] = [place.span.start, place.span.end].map(|at| self.offset(place.file, at));
             json!({ "file": self.name(place.file), "start": start, "end": end, "text": text })
         };
         let fix = |fix: &Fix| {
             let edits: Vec<Json> = fix.edits.iter().map(edit).collect();
-            json!({ "title": sentence(Language::English, &fix.title), "edits": edits })
+            json!({ "title": sentence(&fix.title), "edits": edits })
         };
         let fixes: Vec<Json> = self.fixes(diagnostic).map(fix).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
@@ -152,7 +152,7 @@ impl<'f> Renderer<'f> {
             "alarm": diagnostic.alarm,
             "wording": diagnostic.wording,
             "id": diagnostic.id(),
-            "message": sentence(Language::English, &diagnostic.message),
+            "message": sentence(&diagnostic.message),
             "file": place.map(|(file, _, _)| file),
             "line": place.map(|(_, line, _)| line),
             "column": place.map(|(_, _, column)| column),
@@ -183,7 +183,7 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
         (Severity::Error, None) => String::new(),
         (_, None) => format!("[{}]", diagnostic.id()),
     };
-    format!("{}{tag}: {}", word(diagnostic.severity), sentence(Language::English, &diagnostic.message))
+    format!("{}{tag}: {}", word(diagnostic.severity), sentence(&diagnostic.message))
 }
 
 /// The severity as it is written.

@@ -12,8 +12,9 @@ use crate::motion::{Budget, Retention, RunEnd};
 use crate::msg;
 use crate::nc::File;
 use crate::text::Message;
-use crate::text::catalog::{Language, words};
+use crate::text::catalog::words;
 use crate::text::lines::line_end;
+use crate::text::listed;
 use crate::view::balloons::balloons;
 use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
 use crate::view::{Theme, svg};
@@ -50,7 +51,7 @@ impl Project {
             loading: self.loading(written),
             exceeded: options.sizing.map(Sizing::findings).unwrap_or_default(),
             sizing: options.sizing.map(Sizing::offer).unwrap_or_default(),
-            variants: self.compared_variants(words(Language::English, "variants.offer")),
+            variants: self.compared_variants(words("variants.offer")),
             ..report
         }
     }
@@ -94,7 +95,7 @@ impl Project {
         };
         let locked = |name: &&str| program_number(name).is_some_and(|number| (9000..=9999).contains(&number));
         let locked = names.iter().any(locked).then(|| msg!("form.report.locked"));
-        let first = [msg!("form.report.load", names.join(", "))].into_iter().chain(locked);
+        let first = [msg!("form.report.load", listed(names))].into_iter().chain(locked);
         let line_ends = msg!("form.report.line-ends", if ends == "\n" { "LF" } else { "CR LF" });
         first.chain([percent, line_ends, msg!("form.report.transfer")]).collect()
     }

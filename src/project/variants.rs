@@ -7,7 +7,7 @@ use super::list::verdict_word;
 use super::origins::values;
 use super::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::controls::Switch;
-use crate::text::catalog::{Language, words};
+use crate::text::catalog::words;
 use crate::text::number::Fixed;
 use crate::view::{ComparedRow, Comparison, Readout, VariantCell, Verdict};
 
@@ -80,7 +80,7 @@ pub fn compare(variants: &[(String, Project)]) -> Comparison {
     switches.retain(|row| row.differs && variants.iter().any(|(_, project)| is_chosen(project, row.id)));
     let cells: Vec<_> =
         variants.iter().map(|(_, project)| Some((project.control.name.to_owned(), Verdict::None))).collect();
-    let label = words(Language::English, "variants.control").to_owned();
+    let label = words("variants.control").to_owned();
     let differs = differ(&cells);
     Comparison {
         names: variants.iter().map(|(name, _)| name.clone()).collect(),
@@ -92,7 +92,7 @@ pub fn compare(variants: &[(String, Project)]) -> Comparison {
 }
 
 fn named(id: &'static str) -> String {
-    words(Language::English, id).to_owned()
+    words(id).to_owned()
 }
 
 fn entries(project: &Project) -> Vec<Listed> {
@@ -112,7 +112,7 @@ fn switches(project: &Project) -> Vec<Listed> {
         let setting = project.switches.setting(switch);
         let option = switch.options().into_iter().find(|option| option.id == setting);
         let words = option.map_or_else(|| setting.to_owned(), |option| named(option.label));
-        (switch.id(), switch.text(Language::English), "", (words, Verdict::None))
+        (switch.id(), switch.text(), "", (words, Verdict::None))
     };
     project.control.switches.iter().map(row).collect()
 }
@@ -172,10 +172,10 @@ impl Comparison {
         let mut out = line("", "", self.names.iter().map(String::as_str));
         let groups = self.differences();
         if groups.is_empty() {
-            out += &format!("\n{}\n", words(Language::English, "variants.same"));
+            out += &format!("\n{}\n", words("variants.same"));
         }
         for (title, rows) in groups {
-            out += &format!("\n{}\n", words(Language::English, title));
+            out += &format!("\n{}\n", words(title));
             for row in rows {
                 out += &line(&row.label, row.unit, row.marked().iter().map(String::as_str));
             }

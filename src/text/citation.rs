@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::Phrase;
+
 /// How well a fact is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -22,7 +24,7 @@ pub enum Grade {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Citation {
     /// Manual, page, header line; short enough for a table cell. Word for word a line of `docs/reference/sources.md`.
-    pub source: &'static str,
+    pub source: Phrase,
     /// How far it carries.
     pub grade: Grade,
 }
@@ -30,6 +32,6 @@ pub struct Citation {
 impl Citation {
     /// A citation.
     pub const fn new(source: &'static str, grade: Grade) -> Citation {
-        Citation { source, grade }
+        Citation { source: Phrase::new(source), grade }
     }
 }

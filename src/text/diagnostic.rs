@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 
-use super::{Message, Place};
+use super::{Message, Phrase, Place};
 
 /// Defines an enum together with the list of its variants.
 macro_rules! listed {
@@ -92,7 +92,7 @@ pub struct Diagnostic {
     /// The number that this control would show, for instance `P283`.
     pub alarm: Option<Cow<'static, str>>,
     /// The control's text of the alarm.
-    pub wording: Option<&'static str>,
+    pub wording: Option<Phrase>,
     /// Id of the form field concerned.
     pub field: Option<&'static str>,
     /// Advice in words.
@@ -165,7 +165,7 @@ impl Diagnostic {
     }
 
     /// The same with the control's alarm: its number and its wording.
-    pub fn alarm(mut self, alarm: Option<(&'static str, &'static str)>) -> Diagnostic {
+    pub fn alarm(mut self, alarm: Option<(&'static str, Phrase)>) -> Diagnostic {
         self.alarm = alarm.map(|(number, _)| Cow::Borrowed(number));
         self.wording = alarm.map(|(_, wording)| wording).filter(|wording| !wording.is_empty());
         self

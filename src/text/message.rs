@@ -10,7 +10,7 @@ pub enum MessageValue {
     Number(f64, u8),
     /// Text that is the same in every language: a word of a program, a name, a unit.
     Text(String),
-    /// A label by its id in the catalog, within another sentence.
+    /// A label or a phrase of a row by its key in the catalog, within another sentence.
     Label(&'static str),
 }
 

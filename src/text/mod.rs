@@ -12,12 +12,21 @@ pub mod message;
 
 pub mod catalog;
 
+pub mod phrase;
+
+pub mod list;
+
+pub mod columns;
+
 pub mod citation;
 
 pub mod diagnostic;
 
 pub use citation::{Citation, Grade};
+pub use columns::columns;
 pub use diagnostic::{Diagnostic, DiagnosticKind, Fix, Severity};
 pub use lines::{LineIndex, Position};
+pub use list::{clauses, either, headed, listed, sentences};
 pub use message::{Message, MessageValue};
+pub use phrase::Phrase;
 pub use span::{FileId, Place, Span};

@@ -1,21 +1,33 @@
-// Shows the still as the last visit left the page, then loads and starts the page's module. It is a file of its own because the content
-// security policy allows no script inside the page.
+// Shows the still as the last visit left the page, then loads and starts the page's module in the reader's language. It is a file of its own
+// because the content security policy allows no script inside the page.
 const still = document.getElementById('still');
 const notice = document.getElementById('boot');
 const data = document.querySelector('script[data-wasm]').dataset;
 
+const root = document.documentElement;
+// A file of sentences for each (`text/catalog`). The language that was chosen, or the first of the browser's that there is.
+const languages = ['en', 'zh'];
+let chosen = null;
+let own = false;
+
 try {
   const kept = (key) => localStorage.getItem(`macroline.${key}`);
-  document.documentElement.dataset.theme = kept('theme') ?? '';
+  chosen = kept('language');
+  root.dataset.theme = kept('theme') ?? '';
   for (const column of ['--left', '--right']) {
     const width = kept(`width${column}`);
-    if (width) document.documentElement.style.setProperty(column, `${width}px`);
+    if (width) root.style.setProperty(column, `${width}px`);
   }
-  // The machine of a person who has one, or a link to one, is drawn by the module alone.
-  if (kept('project') || location.hash) still.querySelector('.scene').remove();
+  own = Boolean(kept('project'));
 } catch {
   // A browser without a store has kept nothing.
 }
+
+const asked = [chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
+root.lang = asked.find((code) => languages.includes(code)) ?? languages[0];
+data.words = data.words.replace(`${languages[0]}.properties`, `${root.lang}.properties`);
+// The machine of a person who has one, or a link to one, is drawn by the module alone; so is one with other than English names.
+if (own || location.hash || root.lang !== languages[0]) still.querySelector('.scene').remove();
 
 // Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Names
 // have room everywhere; values wait for the page, which finds places for them. The drawing is not laid out before its scale is known
@@ -45,6 +57,7 @@ try {
 } catch (error) {
   still.remove();
   document.body.append(notice);
-  notice.textContent = `macroline could not start in this browser: ${error.message}`;
+  const told = { en: 'macroline could not start in this browser', zh: 'macroline 无法在此浏览器中启动' };
+  notice.textContent = `${told[root.lang]}: ${error.message}`;
   throw error;
 }

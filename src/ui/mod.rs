@@ -35,9 +35,9 @@ use crate::text::catalog;
 pub use app::{App, Beginning};
 pub use worker::server::work;
 
-/// Opens the page with the sentences of its language ([`catalog::load`]) in place of the still in its HTML. A panic is reported in its place.
+/// Opens the page with the sentences of its language ([`catalog::speak`]) in place of the still in its HTML. A panic is reported in its place.
 pub fn open(sentences: String) {
-    catalog::load(sentences);
+    catalog::speak(sentences.leak());
     std::panic::set_hook(Box::new(|panic| {
         web_sys::console::error_1(&panic.to_string().into());
         broken(&panic.to_string());

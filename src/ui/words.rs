@@ -2,29 +2,24 @@
 
 use crate::controls::Control;
 use crate::motion::{Mode, RunEnd};
-use crate::text::catalog::{self, Language};
+use crate::text::catalog;
 use crate::text::number;
-use crate::text::{Diagnostic, Grade, Message, Severity};
+use crate::text::{Diagnostic, Grade, Message, Phrase, Severity, sentences};
 use crate::view::{Limit, Readout, Verdict};
 
 /// The words of a catalog id.
 pub(crate) fn t(id: &'static str) -> &'static str {
-    catalog::words(Language::English, id)
+    catalog::words(id)
 }
 
 /// A message as a sentence.
 pub(crate) fn say(message: &Message) -> String {
-    catalog::sentence(Language::English, message)
+    catalog::sentence(message)
 }
 
 /// What is wrong and what is allowed, in one line.
 pub(crate) fn tell(diagnostic: &Diagnostic) -> String {
-    let mut text = say(&diagnostic.message);
-    for hint in &diagnostic.hints {
-        text.push(' ');
-        text.push_str(&say(hint));
-    }
-    text
+    sentences([&diagnostic.message].into_iter().chain(&diagnostic.hints).map(say))
 }
 
 /// The class of a severity.
@@ -60,7 +55,7 @@ pub(crate) fn sign(tone: &str) -> &'static str {
 
 /// The same behind the alarm that the control shows.
 pub(crate) fn tell_alarm(diagnostic: &Diagnostic) -> String {
-    let alarm = diagnostic.alarm.iter().map(|number| number.as_ref()).chain(diagnostic.wording);
+    let alarm = diagnostic.alarm.iter().map(|number| number.as_ref()).chain(diagnostic.wording.map(Phrase::words));
     alarm.map(|part| format!("{part} ")).collect::<String>() + &tell(diagnostic)
 }
 

@@ -6,6 +6,7 @@ use super::drawing::crosses;
 use super::parts::DrawnPart;
 use super::scene::{Font, LETTER, LINE, Node, Placement, Pose, Scene, SceneGroup, Shape};
 use crate::math::{self, PI};
+use crate::text::columns;
 use crate::text::number::fill;
 
 /// Radius of a balloon, of the dot at the end of its leader, and the least gap to labels and to other balloons, in sizes of the letters.
@@ -94,7 +95,7 @@ fn point(scene: &Scene, pose: &Pose, group: u16, at: (f64, f64)) -> ((f64, f64),
 fn text_area(scene: &Scene, pose: &Pose, node: &Node) -> Option<Area> {
     let Shape::Text { x, y, anchor, text, line, font } = &node.shape else { return None };
     let posed = pose.texts.iter().find(|(id, _)| Some(*id) == node.id).map(|(_, text)| text);
-    let count = posed.unwrap_or(text).chars().count();
+    let count = columns(posed.unwrap_or(text));
     let ((x, y), scale, seen) = point(scene, pose, node.group, (*x, *y));
     let size = match font {
         Font::Engraved(size) => size * scale,

@@ -3,7 +3,7 @@
 use core::fmt::Write;
 
 use super::{Chart, Sheet};
-use crate::text::catalog::{Language, words};
+use crate::text::catalog::words;
 use crate::text::number::Fixed;
 
 /// The lines of all charts over time side by side; the heads carry units. Empty where there is no line.
@@ -13,7 +13,7 @@ pub fn charts(charts: &[Chart]) -> String {
     let (Some(first), Some((_, line))) = (charts.first(), lines.first()) else { return String::new() };
     let mut out = format!("t [{}]", first.x_unit);
     for (unit, line) in &lines {
-        let _ = write!(out, ",{}", quoted(&format!("{} [{unit}]", words(Language::English, line.label))));
+        let _ = write!(out, ",{}", quoted(&format!("{} [{unit}]", words(line.label))));
     }
     out.push_str("\r\n");
     for (row, (x, _)) in line.points.iter().enumerate() {
@@ -32,8 +32,8 @@ pub fn charts(charts: &[Chart]) -> String {
 }
 
 /// A sheet: heads, then rows.
-pub fn sheet(sheet: &Sheet, language: Language) -> String {
-    let heads = sheet.columns.iter().map(|id| quoted(words(language, id))).collect::<Vec<_>>().join(",");
+pub fn sheet(sheet: &Sheet) -> String {
+    let heads = sheet.columns.iter().map(|id| quoted(words(id))).collect::<Vec<_>>().join(",");
     let rows = sheet.rows.iter().map(|row| row.cells.iter().map(|cell| quoted(cell)).collect::<Vec<_>>().join(","));
     core::iter::once(heads).chain(rows).map(|line| line + "\r\n").collect()
 }

@@ -3,6 +3,7 @@
 use super::look::{Gradient, Look, Paint};
 use super::scene::{Font, LETTER, LINE, Node, Scene, SceneGroup, Shape};
 use crate::math::{self, PI};
+use crate::text::columns;
 use crate::text::number::{fill, filled};
 
 /// Collects the nodes of a drawing. A node goes into the group and shows the field that were named last.
@@ -175,7 +176,7 @@ impl Drawing {
         if let Some((x, y)) = part {
             // From the edge of the text that is nearest to the part.
             let below = if y > at.1 { values.len() as f64 * LINE + 0.5 } else { -1.1 };
-            let longest = values.iter().map(|(_, text)| text.chars().count()).chain([name.chars().count()]).max();
+            let longest = values.iter().map(|(_, text)| columns(text)).chain([columns(name)]).max();
             let wide = 0.45 * letter * longest.unwrap_or(0) as f64;
             let (left, right) = match anchor {
                 "end" => (at.0 - wide, at.0 - 0.5 * letter),
@@ -198,7 +199,7 @@ impl Drawing {
     fn text_box(&self, node: &Node) -> Option<(u16, [f64; 4])> {
         let Shape::Text { x, y, anchor, text, line, .. } = &node.shape else { return None };
         let letter = LETTER * self.unit;
-        let count = if node.id.is_some() { text.chars().count().max(VALUE_LETTERS) } else { text.chars().count() };
+        let count = if node.id.is_some() { columns(text).max(VALUE_LETTERS) } else { columns(text) };
         let [wide, top, foot] = LETTER_BOX;
         let width = wide * letter * count as f64;
         let left = match *anchor {

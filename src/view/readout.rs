@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::msg;
-use crate::text::{Citation, Message, MessageValue};
+use crate::text::{Citation, Message, MessageValue, Phrase};
 
 /// Engineering judgement of a result. It never keeps a program from being exported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -140,7 +140,7 @@ pub struct Readout {
     /// Faults and remedies, the best first.
     pub advice: Vec<Advice>,
     /// The formula with the form's symbols.
-    pub formula: &'static str,
+    pub formula: Phrase,
     /// Where formula and limit come from.
     pub cite: Citation,
     /// Whether it belongs to the few that stand above the drawing.

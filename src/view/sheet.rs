@@ -1,6 +1,6 @@
 //! A table for people: parameters, interface, ladder list.
 
-use crate::text::Grade;
+use crate::text::{Grade, Phrase};
 
 /// A row of a sheet.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,7 +10,7 @@ pub struct Row {
     /// How well it is known.
     pub grade: Grade,
     /// Where it comes from.
-    pub source: &'static str,
+    pub source: Phrase,
     /// What it sets in the form: id of a field, and what is typed there. A row that is no choice sets nothing.
     pub sets: Vec<(&'static str, String)>,
 }

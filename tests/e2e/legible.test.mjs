@@ -1,14 +1,18 @@
-// What is said can be read: no word and no figure is cut off, none lies on another, at every size.
+// What is said can be read: no word and no figure is cut off, none lies on another, at every size, in every language.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PAPER, openPanel, start, takeExample, withPage } from './page.mjs';
+import { words } from './words.mjs';
 
 let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
-const SIZES = [[1440, 900], [1366, 768], [1280, 720], [1024, 768], [720, 450], [390, 844], [320, 640]];
-const MACHINES = ['Ribbon line', 'Turning spindle', 'Polygon lathe'];
+const SIZES = {
+  en: [[1440, 900], [1366, 768], [1280, 720], [1024, 768], [720, 450], [390, 844], [320, 640]],
+  zh: [[1366, 768], [1024, 768], [390, 844], [320, 640]],
+};
+const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 
 // Words that reach beyond what clips them: boxes, buttons, the window. The running block and the name of the project may be longer than their
 // places, the title of a chart stands on its chip too, and what scrolls sideways is read by scrolling.
@@ -86,11 +90,11 @@ const atEnd = async (page) => {
   });
 };
 
-for (const [width, height] of SIZES) {
-  test(`no word and no figure is cut off or covered (${width} × ${height})`, () =>
-    withPage(app, { viewport: { width, height } }, async ({ page }) => {
-      for (const name of MACHINES) {
-        await page.getByRole('button', { name }).click();
+for (const [locale, [width, height]] of Object.entries(SIZES).flatMap(([locale, sizes]) => sizes.map((size) => [locale, size]))) {
+  test(`no word and no figure is cut off or covered (${locale}, ${width} × ${height})`, () =>
+    withPage(app, { viewport: { width, height }, locale }, async ({ page }) => {
+      for (const name of MACHINES.map(words(locale))) {
+        await page.getByRole('button', { name, exact: true }).click();
         await legible(page, name);
         await atEnd(page);
         await legible(page, `${name} at the end`);

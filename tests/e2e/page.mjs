@@ -10,6 +10,7 @@ import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { chromium, firefox } from 'playwright-core';
 import { serve } from '../../scripts/serve.mjs';
+import { words } from './words.mjs';
 
 export const DIST = process.env.DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -49,7 +50,7 @@ export async function start({ packed = null, args = [] } = {}) {
 // Opens the page in a fresh profile and waits until the app is there, gives it to `act`, and then holds that the browser
 // had nothing to complain about: `withPage(app, { viewport: … }, async ({ page, requests }) => …)`.
 export async function withPage(app, options, act) {
-  const context = await app.browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...options });
+  const context = await app.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en', acceptDownloads: true, reducedMotion: 'reduce', ...options });
   const complaints = [];
   const requests = [];
   try {
@@ -157,7 +158,7 @@ export async function openPanel(page) {
 }
 
 // Shows the commands that step through the program.
-export const showSteps = (page) => page.getByRole('button', { name: 'Step', exact: true }).click();
+export const showSteps = (page, say = words('en')) => page.getByRole('button', { name: say('page.walk-short'), exact: true }).click();
 
 // Unfolds all groups of the form.
 export const openGroups = (page) => page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));

@@ -1,4 +1,4 @@
-// Pictures of every view in its sizes and themes: taken into target/pictures and compared with the last accepted ones in .pictures, which are
+// Pictures of every view in its sizes, themes and languages: taken into target/pictures and compared with the last accepted ones in .pictures, which are
 // those of this machine, for fonts and browsers draw differently. What differs is listed and marked in NAME.diff.png; the status is then 1.
 // `node tests/e2e/pictures.mjs` (make pictures); `--accept` puts the new ones in the place of the old (make accept-pictures); a part of a name
 // takes only the pictures that hold it.
@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import pixelmatch from 'pixelmatch';
 import { PNG } from 'pngjs';
 import { openGroups, openPanel, showSteps, start, withPage } from './page.mjs';
+import { words } from './words.mjs';
 
 const folder = (path) => fileURLToPath(new URL(`../../${path}/`, import.meta.url));
 const TAKEN = folder('target/pictures');
@@ -14,42 +15,44 @@ const ACCEPTED = folder('.pictures');
 
 const LARGE = { width: 1440, height: 900 };
 const PHONE = { width: 390, height: 844 };
+const LOOKS = ['light', 'dark'].flatMap((theme) => ['en', 'zh'].map((language) => [theme, language]));
 const SIZES = [LARGE, { width: 1366, height: 768 }, { width: 1920, height: 1080 }, { width: 1024, height: 768 }, PHONE];
 
-const machine = (name) => (page) => page.locator('.segments button', { hasText: name }).click();
+// Acts get the page, and the sentences of its language by their ids.
+const machine = (id) => (page, say) => page.getByRole('button', { name: say(id), exact: true }).click();
 const tab = (id) => (page) => page.click(`#tab-${id}`);
-const button = (name) => (page) => page.getByRole('button', { name, exact: true }).click();
+const button = (id) => (page, say) => page.getByRole('button', { name: say(id), exact: true }).click();
 // Some way into the run, where something has been made.
-const later = (act, seconds) => async (page) => {
-  await act(page);
+const later = (act, seconds) => async (page, say) => {
+  await act(page, say);
   const ms = 1000 * seconds;
   await page.waitForFunction((ms) => Number(document.getElementById('head').max) >= ms, ms);
   await page.locator('#head').fill(String(ms));
 };
-const errors = async (page) => {
-  await page.getByRole('button', { name: 'Paper’s listing' }).click();
-  await page.locator('.mode', { hasText: 'Program error' }).waitFor();
+const errors = async (page, say) => {
+  await button('page.paper')(page, say);
+  await page.locator('.mode', { hasText: say('page.mode-errors') }).waitFor();
 };
 
-// The machines in every size, what lies over and beside them in two. Each in both themes.
+// The machines in every size, what lies over and beside them in two. Each in both themes and languages.
 const VIEWS = [
   ['ribbon', SIZES, later(() => {}, 3)],
-  ['turning', SIZES, later(machine('Turning spindle'), 8)],
-  ['polygon', SIZES, later(machine('Polygon lathe'), 4)],
+  ['turning', SIZES, later(machine('turning.name'), 8)],
+  ['polygon', SIZES, later(machine('polygon.name'), 4)],
   ['machine-data', [LARGE, PHONE], openGroups],
   ['panel', [LARGE, PHONE], openPanel],
   ['results', [LARGE, PHONE], tab('results')],
   ['sizing', [LARGE, PHONE], async (page) => (await tab('sizing')(page), await page.locator('.sizing .sheet').first().waitFor())],
-  ['ways', [LARGE, PHONE], async (page) => (await machine('Polygon lathe')(page), await tab('explore')(page))],
+  ['ways', [LARGE, PHONE], async (page, say) => (await machine('polygon.name')(page, say), await tab('explore')(page))],
   ['variables', [LARGE, PHONE], tab('variables')],
   ['parameters', [LARGE, PHONE], tab('parameters')],
   ['plc', [LARGE, PHONE], tab('plc')],
   ['stepping', [LARGE, PHONE], showSteps],
-  ['editor', [LARGE, PHONE], button('Edit')],
+  ['editor', [LARGE, PHONE], button('page.edit')],
   ['errors', [LARGE, PHONE], errors],
-  ['gallery', [LARGE, PHONE], button('New')],
+  ['gallery', [LARGE, PHONE], button('page.new')],
   ['export', [LARGE, PHONE], (page) => page.click('#export')],
-  ['help', [LARGE, PHONE], button('Help and keys')],
+  ['help', [LARGE, PHONE], button('page.help')],
 ];
 
 // Takes the pictures whose names hold `part`; gives the names.
@@ -60,11 +63,11 @@ async function take(part) {
   const app = await start();
   for (const [view, sizes, act] of VIEWS) {
     for (const viewport of sizes) {
-      for (const colorScheme of ['light', 'dark']) {
-        const name = `${view}-${viewport.width}-${colorScheme}.png`;
+      for (const [colorScheme, locale] of LOOKS) {
+        const name = `${view}-${viewport.width}-${colorScheme}-${locale}.png`;
         if (!name.includes(part)) continue;
-        await withPage(app, { viewport, colorScheme }, async ({ page }) => {
-          await act(page);
+        await withPage(app, { viewport, colorScheme, locale }, async ({ page }) => {
+          await act(page, words(locale));
           await page.waitForLoadState('networkidle');
           await page.waitForTimeout(500);
           await page.screenshot({ path: TAKEN + name, animations: 'disabled', caret: 'hide' });

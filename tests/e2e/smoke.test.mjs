@@ -37,7 +37,7 @@ test('a host without the type of wasm will do', async () => {
   await assert.rejects(withPage(app, {}, foreign), remarked);
 });
 
-for (const [what, address] of [['a module', /\.wasm/], ['a catalog of sentences', /en\.txt/]]) {
+for (const [what, address] of [['a module', /\.wasm/], ['a catalog of sentences', /en\.properties/]]) {
   test(`${what} that does not load is reported in its place`, async () => {
     const broken = async ({ page }) => {
       await page.route(address, (route) => route.fulfill({ status: 404, body: '' }));

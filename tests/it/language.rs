@@ -11,7 +11,7 @@ mod trees;
 use expect_test::{Expect, expect};
 use macroline::controls::{Control, find};
 use macroline::nc::{Expr, Files, Parsed, parse};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::text::{LineIndex, Severity};
 
 fn e60() -> &'static Control {
@@ -38,13 +38,13 @@ fn findings(parsed: &Parsed) -> String {
         };
         let place = d.place.map_or(String::new(), |place| at(place.span.start));
         let kind = format!("{:?}", d.severity).to_lowercase();
-        let message = sentence(Language::English, &d.message);
+        let message = sentence(&d.message);
         out += &format!("{place} {kind} {} {message}\n", d.alarm.as_deref().unwrap_or("-"));
         for hint in &d.hints {
-            out += &format!("    = {}\n", sentence(Language::English, hint));
+            out += &format!("    = {}\n", sentence(hint));
         }
         for fix in &d.fixes {
-            out += &format!("    {}:", sentence(Language::English, &fix.title));
+            out += &format!("    {}:", sentence(&fix.title));
             for (place, new) in &fix.edits {
                 out += &format!(" {} {:?}→{new:?}", at(place.span.start), place.span.of(text));
             }

@@ -10,7 +10,7 @@ use macroline::project::dependence::fields_by_result;
 use macroline::project::meaning::{self, Meaning, Subject, Table};
 use macroline::project::run::{self, RunOptions};
 use macroline::project::{Project, run::Run};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 
 fn projects() -> impl Iterator<Item = Project> {
     machines::ALL
@@ -23,7 +23,7 @@ fn ribbon() -> Project {
 }
 
 fn text(meaning: &Meaning) -> String {
-    meaning.says.iter().map(|message| sentence(Language::English, message)).collect::<Vec<_>>().join(" ")
+    meaning.says.iter().map(sentence).collect::<Vec<_>>().join(" ")
 }
 
 #[track_caller]
@@ -52,7 +52,7 @@ fn code_has_the_text_and_source_of_its_row() {
     let found = program("G01");
     let row = ribbon().control.code(CodeId::g(1)).unwrap();
     assert_eq!((found.word.as_str(), found.subject, found.cite), ("G1", Subject::Code(row.id), Some(row.cite)));
-    assert!(text(&found).starts_with(row.text), "{}", text(&found));
+    assert!(text(&found).starts_with(row.text.english), "{}", text(&found));
     assert!(text(&found).contains("In force"), "{}", text(&found));
     assert!(text(&program("g4")).contains("its own block"));
 }
@@ -63,7 +63,7 @@ fn variable_has_the_meaning_that_the_machine_gives_it() {
     let (number, id, unit) = project.prepared().variables()[0];
     let found = program(&format!("#{number}"));
     assert_eq!((found.subject, found.unit), (Subject::Variable(number), unit));
-    let own = macroline::text::catalog::words(Language::English, id);
+    let own = macroline::text::catalog::words(id);
     assert!(text(&found).starts_with(own), "{}", text(&found));
     assert_eq!(found.cite, Some(project.control.var(number).unwrap().cite));
 }

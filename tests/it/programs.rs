@@ -17,7 +17,7 @@ use macroline::controls::{self, Control, Switches};
 use macroline::interp::world::Still;
 use macroline::interp::{self, End, Interp, StartProgram};
 use macroline::nc::{self, Files};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::text::{Diagnostic, LineIndex, Severity};
 
 /// Blocks after which a test program counts as endless.
@@ -79,30 +79,22 @@ fn alarm_and_place(source: &str, diagnostic: &Diagnostic) -> String {
 fn log_of(source: &str, interp: &mut Interp) -> String {
     let mut log = String::new();
     for finding in interp.parsed().diagnostics().iter().filter(|finding| finding.severity == Severity::Error) {
-        writeln!(log, "({} {})", alarm_and_place(source, finding), sentence(Language::English, &finding.message))
-            .unwrap();
+        writeln!(log, "({} {})", alarm_and_place(source, finding), sentence(&finding.message)).unwrap();
     }
     let names = interp.names();
     let mut world = world();
     let end = interp::run(interp, &mut world, BUDGET, |canon, _| writeln!(log, "{}", canon.line(names)).unwrap());
     world.remarks.dedup();
     for remark in &world.remarks {
-        writeln!(log, "({} {})", alarm_and_place(source, remark), sentence(Language::English, &remark.message))
-            .unwrap();
+        writeln!(log, "({} {})", alarm_and_place(source, remark), sentence(&remark.message)).unwrap();
     }
     match end {
         None => log.push_str("= budget\n"),
         Some(End::Program) => {}
         Some(End::Alarm(diagnostic)) => {
-            writeln!(
-                log,
-                "= {} {}",
-                alarm_and_place(source, &diagnostic),
-                sentence(Language::English, &diagnostic.message)
-            )
-            .unwrap();
+            writeln!(log, "= {} {}", alarm_and_place(source, &diagnostic), sentence(&diagnostic.message)).unwrap();
             for hint in &diagnostic.hints {
-                writeln!(log, "  {}", sentence(Language::English, hint)).unwrap();
+                writeln!(log, "  {}", sentence(hint)).unwrap();
             }
         }
     }

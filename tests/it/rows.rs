@@ -73,7 +73,7 @@ fn unusual_codes(control: &Control) -> Vec<String> {
     for row in control.codes {
         let as_family = |one: &CodeDef| (one.id, one.code, one.group) == (row.id, row.code, row.group);
         let said = format!("{} is {:?} {:?}", control.code_name(row.id), row.code, row.group);
-        if !listed.remove(&(said.clone(), row.cite.source)) && !family.iter().any(as_family) {
+        if !listed.remove(&(said.clone(), row.cite.source.english)) && !family.iter().any(as_family) {
             broken.push(format!("{}: {said} by `{}`", control.id, row.cite.source));
         }
     }
@@ -178,7 +178,7 @@ fn wrong_registers(control: &Control) -> Vec<String> {
         if expected != Some((letter.to_owned(), number)) {
             broken.push(format!("{}: {} is #{variable}, which has {expected:?}", control.id, row.device));
         }
-        if !row.text.contains(&format!("#{variable}")) {
+        if !row.text.english.contains(&format!("#{variable}")) {
             broken.push(format!("{}: {} names another variable than #{variable}", control.id, row.device));
         }
         if row.plc_writes == written {
@@ -264,7 +264,7 @@ fn wrong_parameters(control: &Control) -> Vec<String> {
         let role = ROLES.iter().find(|(id, _)| *id == row.id()).and_then(|(_, role)| control.param(*role));
         let of_family =
             family.iter().find(|one| one.id() == row.id()).is_some_and(|one| one.parameter == row.parameter);
-        let own = (control.id, row.id(), row.parameter, row.cite.source);
+        let own = (control.id, row.id(), row.parameter, row.cite.source.english);
         let right = match role {
             Some(param) => row.parameter.split(' ').any(|word| word == param.number),
             None => of_family || OWN_PARAMETERS.contains(&own),

@@ -8,7 +8,7 @@ use macroline::project::render::Renderer;
 use macroline::project::saved::{MAX_PROGRAM, panel_from_json, steps_from_json, steps_to_json};
 use macroline::project::{Project, import};
 use macroline::text::Severity;
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use proptest::prelude::*;
 
 fn ribbon() -> Project {
@@ -273,7 +273,7 @@ fn first_100_findings_are_listed_and_the_rest_counted() {
     let loaded = Project::from_json(&with(&format!("\"values\": {{ {} }}", keys.join(", "))));
     assert_eq!(loaded.diagnostics.len(), 101);
     let last = loaded.diagnostics.last().unwrap();
-    assert_eq!(sentence(Language::English, &last.message), "99900 more findings about this file are not listed.");
+    assert_eq!(sentence(&last.message), "99900 more findings about this file are not listed.");
     assert_eq!(last.severity, Severity::Error);
 }
 

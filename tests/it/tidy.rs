@@ -1,5 +1,6 @@
 //! The laws of the house (src/README.md) that can be read from the sources, one test each.
 
+mod catalog;
 mod citations;
 mod imports;
 mod links;
@@ -10,14 +11,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use imports::Imports;
-use source::{Source, Token, TokenKind};
+use source::{Source, TokenKind};
 
 /// The modules in the order of the flow: each names only itself and those before it. The order of `lib.rs`.
 const ORDER: [&str; 11] =
     ["math", "text", "drives", "controls", "nc", "interp", "motion", "view", "machines", "project", "ui"];
-
-/// The sentences.
-const CATALOG: &str = "src/text/catalog/en.txt";
 
 /// Fails with every place that breaks a law, and with what to do about it.
 #[track_caller]
@@ -264,105 +262,6 @@ fn serialize_is_only_on_json_types() {
         "build the JSON in src/project/ or give the view a plain type",
         broken,
     );
-}
-
-#[test]
-fn catalog_and_code_name_the_same_sentences() {
-    let file = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(CATALOG)).unwrap();
-    let lines: Vec<&str> = file.lines().skip(1).collect();
-    let mut broken = Vec::new();
-    for pair in lines.windows(2).filter(|pair| pair[0] >= pair[1]) {
-        broken.push(format!("{CATALOG}: out of order: {}", pair[1]));
-    }
-    let mut rows: BTreeMap<&str, &str> = BTreeMap::new();
-    for line in lines {
-        match line.split_once(' ') {
-            Some((id, sentence)) if sentence.trim() == sentence && !sentence.is_empty() => {
-                if rows.insert(id, sentence).is_some() {
-                    broken.push(format!("{CATALOG}: {id} stands there twice"));
-                }
-            }
-            _ => broken.push(format!("{CATALOG}: no id, space and sentence: {line:?}")),
-        }
-    }
-    let areas: BTreeSet<&str> = rows.keys().filter_map(|id| id.split_once('.')).map(|(area, _)| area).collect();
-    let looks_like_id = |text: &str| {
-        let (area, subject) = text.split_once('.').unwrap_or_default();
-        let file = [".json", ".csv", ".svg", ".txt", ".nc"].iter().any(|kind| text.ends_with(kind));
-        areas.contains(area)
-            && !file
-            && !subject.is_empty()
-            && subject.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c))
-    };
-    let mut used = BTreeSet::new();
-    // Labels of switches and options are named by the table of the switches.
-    for row in macroline::controls::ALL.iter().flat_map(|control| control.switches) {
-        for label in [row.label].into_iter().chain(row.options().iter().map(|option| option.label)) {
-            used.insert(label);
-            if !rows.contains_key(label) {
-                broken.push(format!("{label} of the switch {} is not in the catalog", row.id()));
-            }
-        }
-    }
-    for source in sources() {
-        for literal in source.literals() {
-            if let Some((id, _)) = rows.get_key_value(literal.text.as_str()) {
-                used.insert(*id);
-            } else if looks_like_id(&literal.text) {
-                broken.push(format!("{}: \"{}\" is not in the catalog", source.place(literal.line), literal.text));
-            }
-        }
-        for (line, id, values) in messages(source) {
-            match rows.get(id) {
-                None if !looks_like_id(id) => {
-                    broken.push(format!("{}: \"{id}\" is not in the catalog", source.place(line)))
-                }
-                None => {}
-                Some(sentence) if places(sentence) != (0..values).collect() => {
-                    broken.push(format!(
-                        "{}: \"{id}\" gets {values} values, its sentence is “{sentence}”",
-                        source.place(line)
-                    ));
-                }
-                Some(_) => {}
-            }
-        }
-    }
-    broken.extend(rows.keys().filter(|id| !used.contains(*id)).map(|id| format!("{id}: no code says this sentence")));
-    let mend = "one line per id in src/text/catalog/en.txt, sorted, with a place {0}, {1} … for each value of `msg!`; no line without a use";
-    hold("Every sentence stands once in the catalog, and is said.", mend, broken);
-}
-
-/// The numbers of the places `{0}`, `{1}`, `{1|one|many}` … of a sentence.
-fn places(sentence: &str) -> BTreeSet<usize> {
-    let places = sentence.split('{').skip(1).filter_map(|tail| Some(tail.split_once('}')?.0));
-    places.filter_map(|place| place.split('|').next()?.parse().ok()).collect()
-}
-
-/// Every `msg!("id", value, …)`: its line, the id, and how many values.
-fn messages(source: &Source) -> Vec<(usize, &str, usize)> {
-    let mut found = Vec::new();
-    for (at, part) in source.shipped().windows(4).enumerate() {
-        let [name, mark, open, id] = part else { continue };
-        if (&*name.text, &*mark.text, &*open.text) != ("msg", "!", "(") || id.kind != TokenKind::Text {
-            continue; // the macro's own definition has no id
-        }
-        let (mut depth, mut commas, mut last) = (0, 0, None);
-        for token in source.shipped().iter().skip(at + 3) {
-            match (token.kind, token.text.as_str()) {
-                (TokenKind::Text, _) => {}
-                (_, "(" | "[" | "{") => depth += 1,
-                (_, ")") if depth == 0 => break,
-                (_, ")" | "]" | "}") => depth -= 1,
-                (_, ",") if depth == 0 => commas += 1,
-                _ => {}
-            }
-            last = Some(token);
-        }
-        let ends_with_comma = last.is_some_and(|token: &Token| token.text == ",");
-        found.push((name.line, id.text.as_str(), commas - usize::from(ends_with_comma)));
-    }
-    found
 }
 
 #[test]

@@ -8,7 +8,7 @@ use expect_test::{Expect, expect};
 use macroline::controls::{Switches, find};
 use macroline::nc::{self, Files};
 use macroline::project::check::review;
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::text::{Diagnostic, LineIndex};
 
 /// Control, settings, start program and variables that the operator has set.
@@ -47,12 +47,12 @@ impl Case<'_> {
             let at = LineIndex::new(&text).position(&text, place.span.start);
             let kind = format!("{:?}", d.severity).to_lowercase();
             out += &format!("{}:{} “{}” {kind} {}\n", at.line, at.column, place.span.of(&text), d.message.id);
-            out += &format!("    {}\n", sentence(Language::English, &d.message));
+            out += &format!("    {}\n", sentence(&d.message));
             for hint in &d.hints {
-                out += &format!("    = {}\n", sentence(Language::English, hint));
+                out += &format!("    = {}\n", sentence(hint));
             }
             for fix in &d.fixes {
-                out += &format!("    {}:", sentence(Language::English, &fix.title));
+                out += &format!("    {}:", sentence(&fix.title));
                 for (place, new) in &fix.edits {
                     out += &format!(" {}→{new}", place.span.of(&text));
                 }
@@ -66,7 +66,7 @@ impl Case<'_> {
     #[track_caller]
     fn quiet(&self, text: &str) {
         let (_, found) = self.review(text);
-        let said = |d: &Diagnostic| format!("{}: {}", d.message.id, sentence(Language::English, &d.message));
+        let said = |d: &Diagnostic| format!("{}: {}", d.message.id, sentence(&d.message));
         assert!(found.is_empty(), "{text}\n{:#?}", found.iter().map(said).collect::<Vec<_>>());
     }
 }

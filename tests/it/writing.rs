@@ -8,7 +8,7 @@ use macroline::nc::build::*;
 use macroline::nc::{
     Dec, Deck, Files, Newline, Op, TokenKind, emit, emit_parsed, emit_with, fix, lower, parse, parse_with, tokens,
 };
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::text::{Place, Severity, Span};
 use proptest::prelude::*;
 
@@ -29,9 +29,17 @@ fn check(write: impl FnOnce(&mut Builder), expected: Expect) {
     for d in &out.diagnostics {
         let place = d.place.unwrap();
         let at = place.span.of(&out.files.get(place.file).unwrap().text);
-        text += &format!("{:?}: {} at {at}\n", d.severity, sentence(Language::English, &d.message));
+        text += &format!("{:?}: {} at {at}\n", d.severity, sentence(&d.message));
     }
     expected.assert_eq(&text);
+}
+
+#[test]
+fn word_that_could_name_a_program_stays_behind_its_number() {
+    let files = Files::one("O2.nc", "%\nO2L1\nG04 P1\nM99\n%\n");
+    let out = emit(parse(&files, e60()).deck(), e60());
+    assert_eq!(out.files.0[0].text, "%\nO2L1\nG04 P1\nM99\n%\n");
+    assert_eq!(out.places[0].span.of(&out.files.0[0].text), "L1");
 }
 
 #[test]

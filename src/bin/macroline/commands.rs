@@ -17,7 +17,7 @@ use macroline::project::size::tell::sheet_text;
 use macroline::project::suppress::silence;
 use macroline::project::{Project, drawing, list, origins, parts, size, variants};
 use macroline::text::Diagnostic;
-use macroline::text::catalog::{Language, words};
+use macroline::text::catalog::words;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
 use serde_json::json;
@@ -146,7 +146,7 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
         variants.push((if project.name.is_empty() { file } else { project.name.clone() }, project));
     }
     let comparison = match variants.as_slice() {
-        [(_, alone)] => alone.compared_variants(words(Language::English, "variants.now")).ok_or_else(|| {
+        [(_, alone)] => alone.compared_variants(words("variants.now")).ok_or_else(|| {
             Failure::Usage("compare takes two or more projects, or one that keeps variants".to_owned())
         })?,
         _ => variants::compare(&variants),

@@ -1,7 +1,7 @@
 //! The alarms that macroline can raise, and the number and wording each control has for them.
 
 use super::table::{Key, single};
-use crate::text::Citation;
+use crate::text::{Citation, Phrase};
 
 /// Why a control stops, independent of its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -204,7 +204,7 @@ pub struct AlarmDef {
     /// Number, for instance `P283`.
     pub number: &'static str,
     /// The control's wording.
-    pub text: &'static str,
+    pub text: Phrase,
     /// Source and grade.
     pub cite: Citation,
 }
@@ -216,7 +216,7 @@ pub(in crate::controls) const fn alarm(
     text: &'static str,
     cite: Citation,
 ) -> AlarmDef {
-    AlarmDef { kind, number, text, cite }
+    AlarmDef { kind, number, text: Phrase::new(text), cite }
 }
 
 impl Alarm {

@@ -3,7 +3,7 @@
 use super::table::{Key, digits, divided, range_ends, single};
 use core::fmt;
 
-use crate::text::Citation;
+use crate::text::{Citation, Phrase};
 
 /// What a code does, in the words of the trade; the interpreter knows these and no numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -336,7 +336,7 @@ pub struct CodeDef {
     /// Its modal group.
     pub group: Group,
     /// What it is, as the control's manual calls it.
-    pub text: &'static str,
+    pub text: Phrase,
     /// Source and grade.
     pub cite: Citation,
 }
@@ -349,7 +349,7 @@ pub(in crate::controls) const fn g(
     text: &'static str,
     cite: Citation,
 ) -> CodeDef {
-    CodeDef { id: CodeId::g(number), code, group, text, cite }
+    CodeDef { id: CodeId::g(number), code, group, text: Phrase::new(text), cite }
 }
 
 /// A row of a G code with one decimal: `g_dot(5, 1, …)` is G05.1.
@@ -361,7 +361,7 @@ pub(in crate::controls) const fn g_dot(
     text: &'static str,
     cite: Citation,
 ) -> CodeDef {
-    CodeDef { id: CodeId::g_dot(whole, tenth), code, group, text, cite }
+    CodeDef { id: CodeId::g_dot(whole, tenth), code, group, text: Phrase::new(text), cite }
 }
 
 /// A row of an M code: `m(3, …)` is M03.
@@ -377,7 +377,7 @@ pub(in crate::controls) const fn mg(
     text: &'static str,
     cite: Citation,
 ) -> CodeDef {
-    CodeDef { id: CodeId::M(number), code, group, text, cite }
+    CodeDef { id: CodeId::M(number), code, group, text: Phrase::new(text), cite }
 }
 
 /// A row of a code that is a name: the `place`-th of its control's names.
@@ -388,7 +388,7 @@ pub(in crate::controls) const fn named(
     text: &'static str,
     cite: Citation,
 ) -> CodeDef {
-    CodeDef { id: CodeId::Named(place), code, group, text, cite }
+    CodeDef { id: CodeId::Named(place), code, group, text: Phrase::new(text), cite }
 }
 
 impl CodeDef {

@@ -7,7 +7,7 @@ use super::{
     SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
 };
 use crate::msg;
-use crate::text::{Citation, Grade, Message};
+use crate::text::{Citation, Grade, Message, Phrase, either};
 
 /// Everything that is known of one control.
 #[derive(Debug)]
@@ -96,10 +96,11 @@ impl Control {
     }
 
     /// The number and the wording that the control shows for an alarm; no wording where it is the simulation that stops.
-    pub fn alarm_shown(&self, kind: Alarm) -> Option<(&'static str, &'static str)> {
+    pub fn alarm_shown(&self, kind: Alarm) -> Option<(&'static str, Phrase)> {
         let own =
             |row: &AlarmDef| row.cite.grade != Grade::Open || row.number.bytes().any(|byte| byte.is_ascii_digit());
-        self.alarm(kind).map(|row| (row.number, if kind != Alarm::Budget && own(row) { row.text } else { "" }))
+        self.alarm(kind)
+            .map(|row| (row.number, if kind != Alarm::Budget && own(row) { row.text } else { Phrase::NONE }))
     }
 
     /// The number the control shows for an alarm.
@@ -196,7 +197,7 @@ impl Control {
         }
     }
 
-    /// The codes that end a program, as a list for a sentence.
+    /// The codes that end a program, as a choice for a sentence.
     pub fn program_ends(&self) -> String {
         let ends = |row: &&CodeDef| matches!(row.code, Code::End | Code::EndRewind | Code::SubEnd | Code::Return);
         let digits = if self.syntax.names().is_some() { 1 } else { 2 };
@@ -204,9 +205,7 @@ impl Control {
             CodeId::M(number) => format!("M{number:0digits$}"),
             id => self.code_name(id),
         };
-        let mut names: Vec<String> = self.codes.iter().filter(ends).map(name).collect();
-        let last = names.pop().unwrap_or_default();
-        format!("{} or {last}", names.join(", "))
+        either(&self.codes.iter().filter(ends).map(name).collect::<Vec<_>>())
     }
 
     /// Index of an axis letter in `axes`.

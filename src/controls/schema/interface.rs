@@ -1,7 +1,7 @@
 //! Registers and signals between the PLC and the control.
 
 use super::table::{Key, text_key};
-use crate::text::Citation;
+use crate::text::{Citation, Phrase};
 
 /// Instruction set of a control's PLC.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -105,7 +105,7 @@ pub struct Signal {
     /// Unit or range.
     pub unit: &'static str,
     /// What it carries.
-    pub text: &'static str,
+    pub text: Phrase,
     /// Source and grade.
     pub cite: Citation,
 }
@@ -118,7 +118,7 @@ pub(in crate::controls) const fn from_plc(
     text: &'static str,
     cite: Citation,
 ) -> Signal {
-    Signal { role, device, plc_writes: true, unit, text, cite }
+    Signal { role, device, plc_writes: true, unit, text: Phrase::new(text), cite }
 }
 
 /// A row of a register that the control writes.
@@ -129,7 +129,7 @@ pub(in crate::controls) const fn to_plc(
     text: &'static str,
     cite: Citation,
 ) -> Signal {
-    Signal { role, device, plc_writes: false, unit, text, cite }
+    Signal { role, device, plc_writes: false, unit, text: Phrase::new(text), cite }
 }
 
 impl Signal {

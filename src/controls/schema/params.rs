@@ -1,7 +1,7 @@
 //! Parameters of a control that a machine has to set.
 
 use super::table::{Key, text_key};
-use crate::text::Citation;
+use crate::text::{Citation, Phrase};
 
 /// What a parameter is for, independent of its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -144,7 +144,7 @@ pub struct ParamDef {
     /// Unit, or empty.
     pub unit: &'static str,
     /// What it does.
-    pub text: &'static str,
+    pub text: Phrase,
     /// Where it answers a question: what is written for yes and for no.
     pub answers: (&'static str, &'static str),
     /// For an axis whose words count diameters its value does so, too.
@@ -179,7 +179,7 @@ pub(in crate::controls) const fn param(
     text: &'static str,
     cite: Citation,
 ) -> ParamDef {
-    ParamDef { role, number, name, unit, text, answers: ("1", "0"), diameter: false, cite }
+    ParamDef { role, number, name, unit, text: Phrase::new(text), answers: ("1", "0"), diameter: false, cite }
 }
 
 impl ParamDef {

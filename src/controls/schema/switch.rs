@@ -3,7 +3,7 @@
 use super::options::{SwitchKind, SwitchOption};
 use super::table::{Key, text_key};
 use crate::text::Citation;
-use crate::text::catalog::{Language, words};
+use crate::text::catalog::words;
 
 /// A point of a control that is not known for certain; the user may set it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,10 +44,10 @@ impl Switch {
         self.kind.id()
     }
 
-    /// Its label in a language, with the control's own parameter.
-    pub fn text(&self, language: Language) -> String {
-        let label = words(language, self.label);
-        if self.parameter.is_empty() { label.to_owned() } else { format!("{label} ({})", self.parameter) }
+    /// Its label, with the control's own parameter.
+    pub fn text(&self) -> String {
+        let label = words(self.label);
+        if self.parameter.is_empty() { label.to_owned() } else { format!("{label} ({})", words(self.parameter)) }
     }
 
     /// Options by id and catalog id of their label, the default first; none where the setting is free text.

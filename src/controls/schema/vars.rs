@@ -2,7 +2,7 @@
 
 use super::table::{Key, digits, range_ends};
 use super::{Address, Group};
-use crate::text::Citation;
+use crate::text::{Citation, Phrase};
 
 /// What a range of variables is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -127,7 +127,7 @@ pub struct VarRange {
     /// Device behind it, for instance `R74`, or empty.
     pub device: &'static str,
     /// What it is, in a few words.
-    pub text: &'static str,
+    pub text: Phrase,
     /// Source and grade.
     pub cite: Citation,
 }
@@ -141,7 +141,7 @@ pub(in crate::controls) const fn range(
     text: &'static str,
     cite: Citation,
 ) -> VarRange {
-    VarRange { first, last, kind, device, text, cite }
+    VarRange { first, last, kind, device, text: Phrase::new(text), cite }
 }
 
 impl VarRange {

@@ -2,6 +2,7 @@
 
 use super::{FieldInfo, KindInfo, Value};
 use crate::msg;
+use crate::text::listed;
 use crate::text::{Diagnostic, catalog::number_text, number};
 
 impl FieldInfo {
@@ -64,7 +65,7 @@ fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
             if options.iter().any(|(option, _)| option == id) {
                 return Ok(());
             }
-            msg!("form.no-such-choice", clip(id), options.iter().map(|(id, _)| *id).collect::<Vec<_>>().join(", "))
+            msg!("form.no-such-choice", clip(id), listed(options.iter().map(|(id, _)| *id)))
         }
         (KindInfo::Text(max), Value::Text(text)) => {
             if text.chars().count() <= *max {

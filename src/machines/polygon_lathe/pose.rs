@@ -8,7 +8,7 @@ use crate::machines::machine::{Frame, Samples};
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::motion::snapshot::Mode;
-use crate::text::catalog::{Language, words};
+use crate::text::catalog::words;
 use crate::text::number::figure;
 use crate::view::Pose;
 use crate::view::scene::Placement;
@@ -123,7 +123,7 @@ fn texts(
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
         (node::APART, format!("{} mm", figure(0.5 * across_flats + polygon.p.tip_radius, 2))),
         (node::ALONG, format!("Z {}", figure(z, 3))),
-        (node::STATE, words(Language::English, state).to_owned()),
+        (node::STATE, words(state).to_owned()),
         (node::FORM, form),
         (node::FLATNESS, flatness),
         (node::SCALES, scales),

@@ -5,6 +5,7 @@ use super::readouts::ROWS;
 use super::resolved::PolygonLathe;
 use super::rules::RULES;
 use crate::machines::verdict::judge;
+use crate::text::Phrase;
 use crate::view::{Advice, Readout};
 
 /// Results of the first polygon, and ids and labels of the same of the others.
@@ -80,7 +81,7 @@ pub(super) fn results(lathe: &PolygonLathe) -> Vec<Readout> {
             if *first == ANGLE {
                 let pitch = 360.0 / other.d.sides.max(1.0);
                 readout.value = (other.d.orientation - lathe.d.orientation).rem_euclid(pitch);
-                readout.formula = "E/k - A, less that of the first polygon";
+                readout.formula = Phrase::new("E/k - A, less that of the first polygon");
             }
             all.push(readout);
         }

@@ -13,7 +13,7 @@ use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::machines::stops;
 use crate::math::PI;
 use crate::text::catalog::number_text as show;
-use crate::text::{Citation, Grade};
+use crate::text::{Citation, Grade, clauses};
 use crate::view::{Row, Sheet};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
@@ -88,7 +88,7 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
             ratio,
             show(way.radius, 3),
             show(way.flatness(), 4),
-            if excluded.is_empty() { say("polygon.limit.none") } else { excluded.join("; ") },
+            if excluded.is_empty() { say("polygon.limit.none") } else { clauses(excluded) },
             show(way.deviation.0, 4),
             show(way.deviation.1, 4),
             show(way.relief * 180.0 / PI, 2),

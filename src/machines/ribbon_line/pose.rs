@@ -12,7 +12,7 @@ use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::msg;
-use crate::text::catalog::{Language, number_text as show, sentence};
+use crate::text::catalog::{number_text as show, sentence};
 use crate::text::number::figure;
 use crate::view::{Paint, Placement, Pose};
 
@@ -254,6 +254,6 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
         (node::PULL_POSITION, format!("{} mm", figure(state.pulled, 1))),
         (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),
         (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),
-        (node::DOT_COUNT, sentence(Language::English, &msg!("ribbon.scene.dots", printed))),
+        (node::DOT_COUNT, sentence(&msg!("ribbon.scene.dots", printed))),
     ]
 }

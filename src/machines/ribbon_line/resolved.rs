@@ -12,6 +12,7 @@ use crate::controls::{Control, Dialect};
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
 use crate::math::PI;
+use crate::text::columns;
 
 /// Override (%) to which the line's ladder limits the knob.
 pub(super) const GREATEST: f64 = 200.0;
@@ -79,8 +80,8 @@ impl RibbonLine {
     /// Positions and sizes in the drawing.
     pub(super) fn layout(&self) -> &Layout {
         self.layout.get_or_init(|| {
-            let [unwinder, pull, print] = names(&self.p).map(|name| name.chars().count());
-            Layout::new(&self.p, [unwinder, pull, print, distance(&self.p).chars().count()])
+            let [unwinder, pull, print] = names(&self.p).map(|name| columns(&name));
+            Layout::new(&self.p, [unwinder, pull, print, columns(&distance(&self.p))])
         })
     }
 

@@ -9,6 +9,7 @@ use crate::machines::verdict::{Judgement, down, fail, ok, warn};
 use crate::math::PI;
 use crate::msg;
 use crate::text::Diagnostic;
+use crate::text::listed;
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Verdict};
 
@@ -53,7 +54,7 @@ pub(super) fn range_time(line: &RibbonLine) -> f64 {
 /// Numbers of the parameters that let the coordinates of an axis roll over.
 fn roll_parameters(line: &RibbonLine) -> String {
     let roles = [ParamRole::AxisRotary, ParamRole::AxisRollOver, ParamRole::AxisTurn];
-    roles.into_iter().filter_map(|role| line.control.param(role)).map(|row| row.number).collect::<Vec<_>>().join(", ")
+    listed(roles.into_iter().filter_map(|role| line.control.param(role)).map(|row| row.number))
 }
 
 /// Remedies of a line whose axes leave the range: parameters, or the program where the control has no such parameters.

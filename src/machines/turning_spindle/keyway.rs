@@ -8,7 +8,7 @@ use crate::machines::machine::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::msg;
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, Phrase};
 
 /// Errors and warnings about the angle of the spindle and the keyway.
 pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
@@ -65,7 +65,7 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         let code = code as u32;
         let known = lathe.control.codes.iter().find(|row| row.id == CodeId::M(code));
         // M99 ends a subprogram on every control, listed or not.
-        let meaning = known.map(|row| row.text).or((code == 99).then_some("subprogram return"));
+        let meaning = known.map(|row| row.text).or((code == 99).then_some(Phrase::new("subprogram return")));
         if let Some(meaning) = meaning {
             found.push(Diagnostic::error(msg!("turning.lock-is-taken", code, meaning)).about(field));
         }

@@ -26,6 +26,7 @@ use super::resolved::TurningSpindle;
 use crate::machines::sheets::say;
 use crate::math;
 use crate::text::catalog::number_text as show;
+use crate::text::columns;
 use crate::text::number::filled;
 use crate::view::Scene;
 use crate::view::drawing::{Callout, Drawing};
@@ -158,7 +159,7 @@ fn length(d: &mut Drawing, p: &Params, view: &View) {
         let ends = filled("M# #V#M# #V#", &[left, top + 4.0, y + 5.0, right, top + 4.0, y + 5.0]);
         d.path([arrows, ends].concat(), Look::LEAD);
         let text = format!("{} {} mm", say(id), show(to - from, 3));
-        let width = 0.6 * LETTER * UNIT * text.chars().count() as f64;
+        let width = 0.6 * LETTER * UNIT * columns(&text) as f64;
         let room = lens::LENS.0 - lens::LENS.2 - right - 34.0;
         let (at, anchor) = if right - left > width + 20.0 {
             ((0.5 * (left + right), y - 6.0), "middle")

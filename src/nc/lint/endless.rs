@@ -8,6 +8,7 @@ use super::flow::{ANY, Flow};
 use super::roles::{CALL, END, RETURN, STOP, SUB};
 use super::vars::visit;
 use crate::controls::VarKind;
+use crate::text::listed;
 
 /// Visits of blocks per block of the text: inner loops are visited again.
 const BUDGET: usize = 4;
@@ -38,7 +39,7 @@ pub(super) fn endless(lint: &mut Lint, flow: &Flow) {
         if stays(flow, (start, at), &names) {
             let names: Vec<String> = names.iter().map(|&number| flow.control.variable(number)).collect();
             let span = lint.part(place + flow.base, cond);
-            lint.say(place + flow.base, span, "lint.endless-loop", &[&names.join(", ")], "");
+            lint.say(place + flow.base, span, "lint.endless-loop", &[&listed(names)], "");
         }
     }
 }

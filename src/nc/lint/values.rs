@@ -216,7 +216,7 @@ impl Vars<'_> {
                     }
                 }
                 VarKind::Kept if var.scratch && var.used => {
-                    lint.say(block, lint.part(block, id), "lint.kept-as-scratch", &[row.text], "");
+                    lint.say(block, lint.part(block, id), "lint.kept-as-scratch", &[row.text.words()], "");
                 }
                 // Safeguards that are switched off, and nothing that switches them on again.
                 VarKind::SuppressSingleBlock | VarKind::SuppressOverride if !ends && var.nonzero && block != NONE => {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::{Value as Json, json};
 
 use super::Renderer;
-use crate::text::catalog::{Language, sentence};
+use crate::text::catalog::sentence;
 use crate::text::{Diagnostic, FileId, Fix, Place, Severity, Span};
 
 /// Address of the schema of the form.
@@ -28,9 +28,9 @@ impl Renderer<'_> {
     /// its own. Lines and columns count from 1, the end stands behind the last character. What has no place stands at the first line, for code
     /// hosts refuse a result without one.
     pub fn sarif(&self, diagnostic: &Diagnostic) -> Json {
-        let said = sentence(Language::English, &diagnostic.message);
+        let said = sentence(&diagnostic.message);
         let alarm = diagnostic.alarm.iter().map(|alarm| format!("[{alarm}]"));
-        let hints = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint));
+        let hints = diagnostic.hints.iter().map(sentence);
         let field = diagnostic.field.iter().map(|field| format!("Field: {field}."));
         let text: Vec<String> = alarm.chain([said]).chain(hints).chain(field).collect();
         let mut result = json!({
@@ -78,7 +78,7 @@ impl Renderer<'_> {
             Some(json!({ "artifactLocation": { "uri": uri(self.name(file)?) }, "replacements": replacements }))
         };
         let changes = edits.into_iter().map(change).collect::<Option<Vec<Json>>>()?;
-        Some(json!({ "description": { "text": sentence(Language::English, &fix.title) }, "artifactChanges": changes }))
+        Some(json!({ "description": { "text": sentence(&fix.title) }, "artifactChanges": changes }))
     }
 }
 

@@ -34,7 +34,7 @@ use crate::machines::form::{Value, Values};
 use crate::machines::{self, AnyMachine};
 use crate::motion::Panel;
 use crate::msg;
-use crate::text::catalog::{Language, sentence};
+use crate::text::catalog::sentence;
 use crate::text::{Diagnostic, LineIndex, Message};
 
 /// Version that is written.
@@ -185,12 +185,12 @@ pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
 
 /// The sentence of a finding about a file, with its line where there is no excerpt beside it.
 pub fn with_line(finding: &Diagnostic, text: &str) -> String {
-    let said = sentence(Language::English, &finding.message);
+    let said = sentence(&finding.message);
     match finding.place {
         None => said,
         Some(place) => {
             let at = LineIndex::new(text).position(text, place.span.start);
-            sentence(Language::English, &msg!("project.at-line", at.line, at.column, said))
+            sentence(&msg!("project.at-line", at.line, at.column, said))
         }
     }
 }

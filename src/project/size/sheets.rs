@@ -9,8 +9,8 @@ use crate::drives::parts::PartGrade;
 use crate::machines::sheets::{row, say};
 use crate::math::{self, RPM};
 use crate::msg;
-use crate::text::catalog::{Language, number_text, sentence};
-use crate::text::{Citation, Diagnostic, Grade};
+use crate::text::catalog::{number_text, sentence};
+use crate::text::{Citation, Diagnostic, Grade, headed};
 use crate::view::{Limit, Row, Sheet, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
@@ -44,7 +44,7 @@ impl Sizing {
     pub fn bill_sheet(&self) -> Sheet {
         let cells = |of: &BillRow| {
             let item = match of.axis {
-                Some(axis) => format!("{}: {}", say(axis), say(of.item)),
+                Some(axis) => headed(say(axis), say(of.item)),
                 None => say(of.item),
             };
             row([item, of.part.clone(), of.quantity.to_string()], Citation { grade: known(of.grade), ..CATALOGUE })
@@ -90,7 +90,7 @@ impl Sizing {
                 DutyType::Intermittent(factor) => msg!("size.duty-intermittent", f64::from(factor), share),
                 DutyType::Periodic(factor) => msg!("size.duty-periodic", f64::from(factor), (100.0 * axis.loaded, 0)),
             };
-            row([format!("{}: {}", say(axis.name), say("size.duty")), sentence(Language::English, &duty)], DUTY)
+            row([headed(say(axis.name), say("size.duty")), sentence(&duty)], DUTY)
         });
         let cells = cells.into_iter().flatten().map(|(label, value)| row([say(label), value], RUNS));
         Sheet {
@@ -109,12 +109,12 @@ impl Sizing {
             row([say(of.label), with_unit(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
         };
         let least = self.axes.iter().filter_map(|axis| {
-            let label = format!("{}: {}", say("size.least"), say(axis.name));
+            let label = headed(say("size.least"), say(axis.name));
             Some(row([label, axis.least()?.name(), String::new(), String::new()], RUNS))
         });
         let fastest = self.fastest.as_ref().map(|fastest| {
             let speed = with_unit(fastest.value.0, fastest.decimals, fastest.value.1);
-            let label = format!("{}: {}", say("size.fastest"), say(fastest.result.1));
+            let label = headed(say("size.fastest"), say(fastest.result.1));
             let cells = [label, speed, String::new(), say(fastest.binding.1)];
             Row { sets: vec![fastest.entry.clone()], ..row(cells, RUNS_OF_FORM) }
         });
@@ -316,7 +316,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
 /// Whether a motor goes: with which amplifier, and what its brake resistor gets; else the reason.
 fn answer(of: &Candidate) -> String {
     if let Some(refusal) = &of.refusal {
-        return sentence(Language::English, &refusal.message);
+        return sentence(&refusal.message);
     }
     let told = match (&of.amplifier, of.regenerative) {
         (Some(amplifier), Some(share)) => {
@@ -325,5 +325,5 @@ fn answer(of: &Candidate) -> String {
         (Some(amplifier), None) => msg!("size.passes-with", amplifier.model.as_str()),
         (None, _) => msg!("size.passes"),
     };
-    sentence(Language::English, &told)
+    sentence(&told)
 }

@@ -8,11 +8,11 @@ use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tor
 use crate::drives::parts::{Part, PartGrade};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
-use crate::text::catalog::{Language, number_text, sentence, words};
+use crate::text::catalog::{number_text, sentence, words};
 use crate::view::{Limit, Sheet};
 
 fn say(id: &'static str) -> &'static str {
-    words(Language::English, id)
+    words(id)
 }
 
 /// A grade of a part as a table of parts has it.
@@ -71,7 +71,7 @@ fn candidate(candidate: &Candidate) -> Json {
         "maker": part.maker,
         "model": part.model,
         "passes": candidate.refusal.is_none(),
-        "reason": candidate.refusal.as_ref().map(|refusal| sentence(Language::English, &refusal.message)),
+        "reason": candidate.refusal.as_ref().map(|refusal| sentence(&refusal.message)),
         "effective_load": shares.map(|shares| percent(shares.effective)),
         "peak_load": shares.map(|shares| percent(shares.peak)),
         "regenerative_load": candidate.regenerative.map(percent),

@@ -5,7 +5,7 @@ use super::SizedAxis;
 use crate::machines::PreparedMachine;
 use crate::machines::ladder::{Bit, MachineOutput};
 use crate::machines::sheets::say;
-use crate::text::{Citation, Grade};
+use crate::text::{Citation, Grade, headed};
 
 /// A wire at a terminal.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,7 +47,7 @@ pub(super) fn terminals(prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<T
     });
     let drive = prepared.inverter_drive();
     let analog = drive.iter().flat_map(|drive| {
-        let inverter = format!("{}: {}", say(drive.name), say("size.item.inverter"));
+        let inverter = headed(say(drive.name), say("size.item.inverter"));
         ["size.terminal.set-speed", "size.terminal.common", "size.terminal.screen"]
             .map(|signal| (say(signal), say("size.terminal.analog-output"), inverter.clone(), STRIPS))
     });
@@ -59,7 +59,7 @@ type Wire = (String, String, String, Citation);
 
 /// The wires of a motor, and of the brake at it.
 fn motor_wires(axis: &SizedAxis) -> Vec<Wire> {
-    let end = |item| format!("{}: {}", say(axis.name), say(item));
+    let end = |item| headed(say(axis.name), say(item));
     let amplifier = end(if axis.work.is_some() { "size.item.amplifier" } else { "size.item.inverter" });
     let phase = |phase: &str| (phase.to_owned(), amplifier.clone(), end("size.item.motor"), STRIPS);
     let brake = ["size.terminal.brake-plus", "size.terminal.brake-minus"]

@@ -1,77 +1,127 @@
 //! Catalog of sentences, one file per language: turns message ids and values into text.
 //!
-//! A line is an id, a space and its sentence; `{0}`, `{1}` … are the places of the values, `{0|head|heads}` is the word that goes with the
-//! number of a place: the first for one, the second for all others. Another language is another file of the same ids.
+//! The files are Java properties (`key=sentence`), which the tools of translators read, with the places of ICU messages: `{0}`, `{1}` … are
+//! values, `{0, plural, one {head} other {heads}}` is the word that goes with the number of a place. Keys are the ids of messages and labels. The
+//! rows of controls stand in English where they are ([`Phrase`](super::Phrase)); a file of another language has them as keys too.
 //!
-//! The command line carries the files with it. The browser loads that of one language beside the page's module ([`load`]).
+//! One language is spoken at a time ([`speak`]). The command line carries all files with it; the browser loads one beside the page's module.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
-use std::sync::OnceLock;
 
 use super::message::{Message, MessageValue};
 use super::number::Plain;
 
 /// A language of the sentences.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Language {
     /// English.
-    #[default]
     English,
-}
-
-/// The file that comes with the program: none with the page, which loads its own.
-const CARRIED: &str = if cfg!(all(feature = "web", not(test))) { "" } else { include_str!("en.txt") };
-
-static LOADED: OnceLock<String> = OnceLock::new();
-
-/// Takes the file of the page's language, once. Until then a sentence of the page is its id.
-pub fn load(file: String) {
-    let _ = LOADED.set(file);
+    /// Chinese in simplified characters.
+    Chinese,
 }
 
 impl Language {
-    /// The file of the language.
-    fn file(self) -> &'static str {
+    /// Every language.
+    pub const ALL: [Language; 2] = [Language::English, Language::Chinese];
+
+    /// Its code after BCP 47, for `lang` and the names of files.
+    pub fn code(self) -> &'static str {
         match self {
-            Language::English => LOADED.get().map_or(CARRIED, String::as_str),
+            Language::English => "en",
+            Language::Chinese => "zh",
+        }
+    }
+
+    /// Its own name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Language::English => "English",
+            Language::Chinese => "中文",
+        }
+    }
+
+    /// Its file. The page carries none: it loads the one that it needs.
+    #[cfg(any(not(feature = "web"), test))]
+    pub fn sentences(self) -> &'static str {
+        match self {
+            Language::English => include_str!("en.properties"),
+            Language::Chinese => include_str!("zh.properties"),
         }
     }
 }
 
-/// The line of an id, in halves: the lines are sorted.
-fn row(language: Language, id: &str) -> Option<(&'static str, &'static str)> {
-    let mut rest = language.file();
+/// The file that is spoken at first.
+const FIRST: &str = if cfg!(all(feature = "web", not(test))) { "" } else { include_str!("en.properties") };
+
+thread_local! {
+    static SPOKEN: Cell<&'static str> = const { Cell::new(FIRST) };
+}
+
+/// Takes the sentences of a file from now on, in this thread.
+pub fn speak(sentences: &'static str) {
+    SPOKEN.set(sentences);
+}
+
+/// The language that is spoken. A file tells it in its row `language`.
+pub fn spoken() -> Language {
+    let code = words("language");
+    Language::ALL.into_iter().find(|language| language.code() == code).unwrap_or(Language::English)
+}
+
+/// The line of a key, in halves: the lines are sorted.
+fn row(key: &str) -> Option<(&'static str, &'static str)> {
+    let mut rest = SPOKEN.get();
     loop {
         let (before, behind) = rest.as_bytes().split_at_checked(rest.len() / 2)?;
         let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
         let end = before.len() + behind.iter().position(|byte| *byte == b'\n')?;
-        let (key, sentence) = rest.get(start..end)?.split_once(' ')?;
-        rest = match key.cmp(id) {
+        let line = rest.get(start..end)?;
+        rest = match unescaped(line).cmp(key.bytes()) {
             Ordering::Less => rest.get(end + 1..)?,
-            Ordering::Equal => return Some((key, sentence)),
+            Ordering::Equal => {
+                return line
+                    .split_at_checked(key_length(line))
+                    .map(|(key, rest)| (key, rest.get(1..).unwrap_or_default()));
+            }
             Ordering::Greater => rest.get(..start)?,
         };
     }
 }
 
-/// The sentence of an id without values (labels, help, titles); the id itself where the catalog lacks it.
-pub fn words(language: Language, id: &'static str) -> &'static str {
-    row(language, id).map_or(id, |(_, sentence)| sentence)
+/// How many bytes of a line are its key: up to the first `=` without a backslash before it.
+fn key_length(line: &str) -> usize {
+    let mut escaped = false;
+    let end = line.bytes().position(|byte| {
+        let ends = byte == b'=' && !escaped;
+        escaped = byte == b'\\';
+        ends
+    });
+    end.unwrap_or(line.len())
+}
+
+/// The key of a line without the backslashes before its spaces, colons and equals signs. No key has a backslash of its own.
+fn unescaped(line: &str) -> impl Iterator<Item = u8> {
+    line.bytes().take(key_length(line)).filter(|byte| *byte != b'\\')
+}
+
+/// The sentence of a key without values (labels, help, titles); the key itself where the catalog lacks it.
+pub fn words(key: &'static str) -> &'static str {
+    row(key).map_or(key, |(_, sentence)| sentence)
 }
 
 /// The id that reads so, where the catalog has it.
 pub fn id(text: &str) -> Option<&'static str> {
-    row(Language::default(), text).map(|(id, _)| id)
+    row(text).map(|(id, _)| id)
 }
 
 /// The message as a sentence.
-pub fn sentence(language: Language, message: &Message) -> String {
+pub fn sentence(message: &Message) -> String {
     let mut out = String::new();
-    let mut rest = words(language, message.id);
+    let mut rest = words(message.id);
     while let Some((before, tail)) = rest.split_once('{') {
         out.push_str(before);
-        let value = tail.split_once('}').and_then(|(place, behind)| Some((fill(language, message, place)?, behind)));
-        rest = match value {
+        rest = match filled(message, tail) {
             Some((text, behind)) => {
                 out.push_str(&text);
                 behind
@@ -86,17 +136,20 @@ pub fn sentence(language: Language, message: &Message) -> String {
     out
 }
 
-/// The text of a place, `0` or `0|head|heads`.
-fn fill(language: Language, message: &Message, place: &str) -> Option<String> {
-    let (at, forms) = place.split_once('|').map_or((place, None), |(at, forms)| (at, Some(forms)));
+/// The text of a place that begins here, behind its bracket, and what follows it.
+fn filled<'s>(message: &Message, place: &'s str) -> Option<(String, &'s str)> {
+    let (at, behind) = place.split_at_checked(place.find(|c: char| !c.is_ascii_digit())?)?;
     let value = match message.values.get(at.parse::<usize>().ok()?)? {
         MessageValue::Number(number, decimals) => number_text(*number, *decimals),
         MessageValue::Text(text) => text.clone(),
-        MessageValue::Label(id) => words(language, id).to_owned(),
+        MessageValue::Label(key) => words(key).to_owned(),
     };
-    let Some(forms) = forms else { return Some(value) };
-    let (one, many) = forms.split_once('|')?;
-    Some(if value == "1" { one } else { many }.to_owned())
+    if let Some(behind) = behind.strip_prefix('}') {
+        return Some((value, behind));
+    }
+    let (one, behind) = behind.strip_prefix(", plural, one {")?.split_once("} other {")?;
+    let (other, behind) = behind.split_once("}}")?;
+    Some((if value == "1" { one } else { other }.to_owned(), behind))
 }
 
 /// A number with at most `decimals` decimals as text; see [`Plain`].

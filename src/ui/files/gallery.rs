@@ -6,6 +6,7 @@ use super::set_aside::{self, Reason};
 use crate::machines::AnyMachine;
 use crate::machines::examples::{Example, Fault};
 use crate::project::Project;
+use crate::text::listed;
 use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
 use crate::ui::words::{say, t};
@@ -51,7 +52,7 @@ fn ExampleRow(
     let page = Page::here();
     let made = move || Project::example(machine, page.project.with_untracked(|project| project.control), example);
     let faults = if example.faults.is_empty() { Vec::new() } else { made().faults() };
-    let failed = faults.iter().map(|(readout, _)| t(readout.label)).collect::<Vec<_>>().join(", ");
+    let failed = listed(faults.iter().map(|(readout, _)| t(readout.label)));
     let take = move |_| {
         set_aside::keep_present(page, Reason::New);
         page.replace(made());

@@ -11,7 +11,7 @@ use crate::controls;
 use crate::machines;
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
-use crate::ui::parts::{Glyph, Icon, IconButton, Later};
+use crate::ui::parts::{Glyph, Icon, IconButton, LanguageButtons, Later};
 use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
 use crate::ui::words::t;
@@ -48,6 +48,7 @@ pub(crate) fn Header() -> impl IntoView {
                     <button type="button" class="quiet save" title=t("page.save-about") on:click=move |_| share::save(page)>{t("page.save")}</button>
                     <ShareButton />
                     <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
+                    <LanguageButtons />
                     <ThemeButton />
                     <IconButton glyph=Glyph::Help label=t("page.help") class="help" press=move || page.view.helping.set(true) />
                 </div>

@@ -11,7 +11,7 @@ use super::slider::Slider;
 use super::value::{shown, value_of};
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
 use crate::math;
-use crate::text::Severity;
+use crate::text::{Severity, headed};
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
 use crate::ui::state::Page;
@@ -80,7 +80,7 @@ pub(super) fn FormField(
                     class="about"
                     popovertarget="about"
                     tabindex="-1"
-                    aria-label=format!("{}: {}", t("page.about"), t(info.label))
+                    aria-label=headed(t("page.about"), t(info.label))
                     data-from=from
                     on:click=move |_| page.view.about.set(Some(id))
                 >

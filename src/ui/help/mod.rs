@@ -4,8 +4,8 @@ pub(crate) mod keys;
 
 use leptos::prelude::*;
 
-use crate::ui::parts::Dialog;
 use crate::ui::parts::input::CheckMark;
+use crate::ui::parts::{Dialog, LanguageButtons};
 use crate::ui::state::Page;
 use crate::ui::state::stepping::COMMANDS;
 use crate::ui::words::t;
@@ -43,6 +43,7 @@ pub(crate) fn HelpDialog() -> impl IntoView {
             <p>{t("page.help-program")}</p>
             <p>{t("page.help-hand")}</p>
             <p>{t("page.help-walk")}</p>
+            <p>{t("page.language")} <LanguageButtons /></p>
             <h3>{t("page.keys")}</h3>
             <table class="shortcuts"><tbody>{rows}</tbody></table>
             <CheckMark label=t("page.keys-on") on=keys_on set=turn />

@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::motion::RunEnd;
 use crate::project::check::reported;
 use crate::project::run;
-use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Place};
+use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Phrase, Place};
 use crate::ui::state::Page;
 use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{say, t, tell, value_of};
@@ -68,7 +68,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
         Some(MessageValue::Text(text)) if alarm.kind == DiagnosticKind::ProgramAlarm => Some(text.as_str()),
         _ => None,
     };
-    let parts = alarm.alarm.as_deref().into_iter().chain(alarm.wording).chain(own);
+    let parts = alarm.alarm.as_deref().into_iter().chain(alarm.wording.map(Phrase::words)).chain(own);
     let meaning = match alarm.kind {
         DiagnosticKind::ProgramAlarm if at_once => t("page.own-alarm-at-once").to_owned(),
         DiagnosticKind::ProgramAlarm => t("page.own-alarm").to_owned(),

@@ -5,6 +5,7 @@ use leptos::prelude::*;
 
 use crate::controls::Control;
 use crate::motion::{Milestone, Mode};
+use crate::text::columns;
 use crate::text::number::filled;
 use crate::ui::dom;
 use crate::ui::state::operator::name;
@@ -97,7 +98,7 @@ fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) 
     order.sort_by_key(|at| core::cmp::Reverse(marks.get(*at).map_or(0, |mark| mark.1.weight)));
     for at in order {
         let Some((x, row)) = marks.get(at) else { continue };
-        let wide = ROOM + LETTER * row.words.chars().count() as f64;
+        let wide = ROOM + LETTER * columns(&row.words) as f64;
         let areas = [(Side::Right, (*x, x + wide)), (Side::Left, (x - wide, *x))];
         let free =
             |(_, (a, b)): &&(Side, (f64, f64))| *a >= 0.0 && *b <= width && taken.iter().all(|(c, d)| b <= c || d <= a);

@@ -6,6 +6,7 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement};
 
 use super::labels::untangle;
+use crate::text::columns;
 use crate::text::number::filled;
 use crate::ui::dom;
 use crate::view::svg::{paint_name, transform};
@@ -141,7 +142,7 @@ impl Drawn {
             if let Some(part) = self.parts.get_mut(at).filter(|part| part.text != *words) {
                 part.element.set_text_content(Some(words));
                 part.text.clone_from(words);
-                let letters = words.chars().count();
+                let letters = columns(words);
                 longer |= letters > part.longest;
                 part.longest = part.longest.max(letters);
             }

@@ -121,7 +121,7 @@ fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
         let _ = write!(out, "<b data-means=\"alarms\">{alarm}</b> ");
         if let Some(wording) = diagnostic.wording {
             out.push_str("<q>");
-            escape(out, wording);
+            escape(out, wording.words());
             out.push_str("</q> ");
         }
     }

@@ -14,6 +14,7 @@ use web_sys::{DomRect, Element, Event};
 
 use crate::project::Project;
 use crate::project::meaning::{self, Meaning, Table};
+use crate::text::{headed, sentences};
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::words::{four_digits, grade, say, t, value_of};
@@ -93,7 +94,7 @@ fn of_list(project: &Project, list: &Element) -> Vec<Word> {
 /// A meaning as a sentence for screen readers.
 fn sentence(meaning: &Meaning) -> String {
     let says: Vec<String> = meaning.says.iter().map(say).collect();
-    format!("{}: {}", meaning.word, says.join(" "))
+    headed(&meaning.word, sentences(says))
 }
 
 /// What is shown, and when it changes.
@@ -253,7 +254,8 @@ fn Content(
         Some(view! { <span class="hidden">{t("meaning.live")}</span> <b>{text} " "</b> <small>{live.unit}</small> })
     };
     let says: Vec<_> = meaning.says.iter().map(|message| view! { <p>{say(message)}</p> }).collect();
-    let source = meaning.cite.map(|cite| view! { <p class="source">{cite.source} " · " {grade(cite.grade)}</p> });
+    let source =
+        meaning.cite.map(|cite| view! { <p class="source">{cite.source.words()} " · " {grade(cite.grade)}</p> });
     view! {
         <h3><code>{meaning.word}</code> <span class="live">{live}</span></h3>
         {says}
@@ -330,7 +332,7 @@ mod tests {
         let cite = bench.page.project.with_untracked(|project| project.control.spindle.cite);
         assert_eq!(bench.text("#meaning .live b"), four_digits(speed, 3));
         assert_eq!(bench.text("#meaning .live small"), "r/min");
-        assert!(bench.text("#meaning .source").starts_with(cite.source));
+        assert!(bench.text("#meaning .source").starts_with(cite.source.words()));
         bench.seek(0.0).await;
         assert_ne!(bench.text("#meaning .live b"), four_digits(speed, 3));
     }

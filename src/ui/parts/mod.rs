@@ -10,6 +10,8 @@ pub(crate) mod icon;
 
 pub(crate) mod input;
 
+pub(crate) mod language;
+
 pub(crate) mod later;
 
 pub(crate) mod listing;
@@ -24,4 +26,5 @@ pub(crate) mod verdict;
 
 pub(crate) use dialog::{Dialog, DialogButton};
 pub(crate) use icon::{Glyph, Icon, IconButton};
+pub(crate) use language::LanguageButtons;
 pub(crate) use later::Later;

@@ -4,7 +4,6 @@ use leptos::prelude::*;
 
 use crate::controls::Switch;
 use crate::text::Grade;
-use crate::text::catalog::Language;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::Page;
@@ -48,7 +47,7 @@ fn SwitchRow(
 ) -> impl IntoView {
     let page = Page::here();
     let set = move || page.project.with(|project| project.switches.setting(switch).to_owned());
-    let text = switch.text(Language::English);
+    let text = switch.text();
     let take = move |chosen: String| {
         let chosen = chosen.trim().to_owned();
         if switch.takes(&chosen) {
@@ -76,7 +75,7 @@ fn SwitchRow(
         <tr>
             <td>{text}</td>
             <td>{input}</td>
-            <td class=class title=switch.cite.source>{grade(switch.cite.grade)}</td>
+            <td class=class title=switch.cite.source.words()>{grade(switch.cite.grade)}</td>
         </tr>
     }
 }

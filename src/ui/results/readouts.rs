@@ -75,7 +75,7 @@ fn Row(
     let tone = verdict_tone(readout.verdict);
     let limit = limit_text(&readout).map(|limit| view! { <p class="limit">{limit}</p> });
     let formula = (!readout.formula.is_empty())
-        .then(|| view! { <p class="formula"><code>{page.spelled(readout.formula)}</code></p> });
+        .then(|| view! { <p class="formula"><code>{page.spelled(readout.formula.words())}</code></p> });
     let advice = (!readout.advice.is_empty()).then(|| {
         let rows = readout.advice.iter().map(|advice| view! { <li>{say(&advice.message)}</li> });
         view! { <ul>{rows.collect_view()}</ul> }
@@ -94,7 +94,7 @@ fn Row(
             {limit}
             {formula}
             {advice}
-            <p class="source">{readout.cite.source}</p>
+            <p class="source">{readout.cite.source.words()}</p>
         </article>
     }
 }
@@ -120,7 +120,7 @@ mod tests {
             let row = format!("#result-{}", readout.id);
             assert!(bench.has(&format!("{row}.{}", verdict_tone(readout.verdict))), "{row}");
             assert!(bench.text(&format!("{row} .v")).starts_with(&figure(readout.value, readout.decimals)), "{row}");
-            assert_eq!(bench.text(&format!("{row} .source")), readout.cite.source.trim());
+            assert_eq!(bench.text(&format!("{row} .source")), readout.cite.source.words().trim());
         }
     }
 

@@ -8,6 +8,7 @@ use crate::drives::speed::SpeedLimit;
 use crate::motion::{Action, Event};
 use crate::project::run;
 use crate::text::catalog::number_text;
+use crate::text::listed;
 use crate::ui::dom;
 use crate::ui::words::{clock, short, t, value_of};
 
@@ -32,7 +33,7 @@ pub(crate) fn act(page: Page, action: Action) {
                 changes.push(format!("{name} {old} → {new}"));
             }
         }
-        let effect = if changes.is_empty() { t("page.no-change").to_owned() } else { changes.join(", ") };
+        let effect = if changes.is_empty() { t("page.no-change").to_owned() } else { listed(changes) };
         let done = page.project.with_untracked(|project| name(&event.action, project.control));
         player.changed.set(format!("{} s: {done} · {effect}", clock(event.t)));
         dom::mark("knob-answered");

@@ -12,7 +12,7 @@ use super::walk::Walk;
 use crate::math;
 use crate::project::breakpoints::Location;
 use crate::project::debug::{Debugger, Goal, Stop};
-use crate::text::Place;
+use crate::text::{Place, headed};
 use crate::ui::dom;
 use crate::ui::words::{end_words, t, tell};
 
@@ -95,7 +95,7 @@ impl Player {
             let next = walk.stopped().map_or_else(String::new, |debugger| {
                 debugger.run().program().parsed().text(debugger.place().unwrap_or_default()).to_owned()
             });
-            let words = |id: &'static str, what: String| format!("{}: {what}", t(id));
+            let words = |id: &'static str, what: String| headed(t(id), what);
             walk.why = match stop {
                 Stop::Reached => words("page.walk-next", next),
                 Stop::Breakpoint(_) => words("page.walk-breakpoint", next),

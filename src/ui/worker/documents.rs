@@ -8,7 +8,7 @@ use crate::project::meaning::{self, Subject, Table};
 use crate::project::parts;
 use crate::project::saved::with_line;
 use crate::project::size::{size, size_telling};
-use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity, columns};
 use crate::ui::words::{grade, say, sign, t, tell, tone, verdict_tone, verdict_words};
 use crate::view::svg::escape;
 use crate::view::{Row, Sheet, VariantCell, Verdict};
@@ -204,10 +204,10 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
 fn graded(out: &mut String, tag: &str, row: &Row) {
     let open = if row.grade == Grade::Open { " open" } else { "" };
     out.push_str(&format!("<{tag} class=\"grade{open}\" title=\""));
-    escape(out, row.source);
+    escape(out, row.source.words());
     out.push_str("\">");
     if tag == "p" {
-        escape(out, row.source);
+        escape(out, row.source.words());
         out.push_str(": ");
     }
     escape(out, grade(row.grade));
@@ -219,7 +219,7 @@ const SENTENCE: usize = 24;
 
 /// Characters of the longest cell of a column.
 fn longest(sheet: &Sheet, at: usize) -> usize {
-    sheet.rows.iter().filter_map(|row| Some(row.cells.get(at)?.chars().count())).max().unwrap_or(0)
+    sheet.rows.iter().filter_map(|row| Some(columns(row.cells.get(at)?))).max().unwrap_or(0)
 }
 
 /// A cell whose registers and variables have their meaning: `MOV R148 R74`.

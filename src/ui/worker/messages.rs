@@ -197,7 +197,7 @@ impl From<&Diagnostic> for Finding {
             severity: found.severity as u8,
             kind: found.kind as u8,
             alarm: found.alarm.as_deref().map(str::to_owned),
-            wording: found.wording.map(str::to_owned),
+            wording: found.wording.map(|wording| wording.english.to_owned()),
             place: found.place.map(Range::from),
             hints: found.hints.iter().map(Sentence::from).collect(),
             fixes: found.fixes.iter().map(|fix| ((&fix.title).into(), edits(fix))).collect(),
@@ -214,7 +214,8 @@ impl Finding {
         found.severity = *Severity::ALL.get(severity)?;
         found.place = self.place.map(Place::from);
         found.alarm = self.alarm.map(Into::into);
-        found.wording = control.alarms.iter().map(|row| row.text).find(|text| self.wording.as_deref() == Some(text));
+        found.wording =
+            control.alarms.iter().map(|row| row.text).find(|text| self.wording.as_deref() == Some(text.english));
         found.hints.extend(self.hints.into_iter().filter_map(Sentence::message));
         for (title, edits) in self.fixes {
             let Some(title) = title.message() else { continue };

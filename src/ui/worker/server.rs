@@ -22,9 +22,9 @@ const ROWS: usize = 200;
 /// Bytes of a large text that are read between two reports of progress.
 const PIECE: f64 = 4_000_000.0;
 
-/// Answers the questions of the page in the language of the sentences ([`catalog::load`]) as long as the worker lives.
+/// Answers the questions of the page in the language of the sentences ([`catalog::speak`]) as long as the worker lives.
 pub fn work(sentences: String) {
-    catalog::load(sentences);
+    catalog::speak(sentences.leak());
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
     let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
     let page = scope.clone();

@@ -2,16 +2,16 @@
 
 use super::document::{Figure, Input, ListedPart, Report};
 use crate::text::Grade;
-use crate::text::catalog::{Language, number_text, sentence, words};
+use crate::text::catalog::{number_text, sentence, words};
 use crate::view::{Limit, Readout, Row, Verdict};
 
 /// A judgement in a word or two.
-pub(super) fn verdict(verdict: Verdict, language: Language) -> &'static str {
+pub(super) fn verdict(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "",
-        Verdict::Ok => words(language, "form.report.ok"),
-        Verdict::Warn => words(language, "form.report.warn"),
-        Verdict::Fail => words(language, "form.report.fail"),
+        Verdict::Ok => words("form.report.ok"),
+        Verdict::Warn => words("form.report.warn"),
+        Verdict::Fail => words("form.report.fail"),
     }
 }
 
@@ -34,9 +34,9 @@ pub(super) const PART_COLUMNS: [&str; 5] =
     ["form.report.item", "form.report.quantity", "form.report.part", "form.report.data", "form.report.origin"];
 
 /// A row of the parts list.
-pub(super) fn cells_of_part(item: u32, part: &ListedPart, language: Language) -> [String; 5] {
-    let origin = part.origin.map_or("", |id| words(language, id));
-    let name = words(language, part.name);
+pub(super) fn cells_of_part(item: u32, part: &ListedPart) -> [String; 5] {
+    let origin = part.origin.map_or("", |id| words(id));
+    let name = words(part.name);
     [item.to_string(), part.quantity.to_string(), name.to_owned(), part.data.clone(), origin.to_owned()]
 }
 
@@ -61,35 +61,35 @@ impl Figure {
 }
 
 /// A limit as a phrase with its unit.
-fn limit_words(readout: &Readout, limit: Limit, language: Language) -> String {
-    sentence(language, &limit.message(shown(limit.value(), readout.decimals, readout.unit)))
+fn limit_words(readout: &Readout, limit: Limit) -> String {
+    sentence(&limit.message(shown(limit.value(), readout.decimals, readout.unit)))
 }
 
 /// The cells of a result.
-pub(super) fn cells_of_result(report: &Report, readout: &Readout, language: Language) -> [String; 6] {
+pub(super) fn cells_of_result(report: &Report, readout: &Readout) -> [String; 6] {
     [
-        words(language, readout.label).to_owned(),
+        words(readout.label).to_owned(),
         shown(readout.value, readout.decimals, readout.unit),
-        readout.limit.map_or(String::new(), |limit| limit_words(readout, limit, language)),
-        verdict(readout.verdict, language).to_owned(),
-        with_variable(report, readout.formula),
-        readout.cite.source.to_owned(),
+        readout.limit.map_or(String::new(), |limit| limit_words(readout, limit)),
+        verdict(readout.verdict).to_owned(),
+        with_variable(report, readout.formula.words()),
+        readout.cite.source.to_string(),
     ]
 }
 
 /// The cells of an input.
-pub(super) fn cells_of_input(report: &Report, input: &Input, language: Language) -> [String; 5] {
+pub(super) fn cells_of_input(report: &Report, input: &Input) -> [String; 5] {
     [
-        words(language, input.group).to_owned(),
-        words(language, input.label).to_owned(),
+        words(input.group).to_owned(),
+        words(input.label).to_owned(),
         with_variable(report, input.symbol),
         format!("{} {}", input.value, input.unit).trim_end().to_owned(),
-        input.origin.map_or(String::new(), |id| words(language, id).to_owned()),
+        input.origin.map_or(String::new(), |id| words(id).to_owned()),
     ]
 }
 
 /// The cells of a row of a sheet, with its source at last.
-pub(super) fn cells_of_row(row: &Row, language: Language) -> Vec<String> {
-    let doubt = if row.grade == Grade::Open { words(language, "form.report.unconfirmed") } else { "" };
+pub(super) fn cells_of_row(row: &Row) -> Vec<String> {
+    let doubt = if row.grade == Grade::Open { words("form.report.unconfirmed") } else { "" };
     row.cells.iter().cloned().chain([format!("{} {doubt}", row.source).trim_end().to_owned()]).collect()
 }

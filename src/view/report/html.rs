@@ -6,9 +6,12 @@ use super::cells::{
 };
 use super::document::Report;
 use crate::msg;
-use crate::text::catalog::{Language, sentence, words};
+use crate::text::catalog::{sentence, spoken, words};
+use crate::text::headed;
 use crate::text::number::{decimals_of_four, filled, four_digits, short};
-use crate::text::{Message, Severity};
+use crate::text::{
+    Message, Severity, {clauses, listed, sentences},
+};
 use crate::view::svg::escape;
 use crate::view::{Chart, ComparedRow, Readout, Sheet, Verdict, plot};
 
@@ -29,8 +32,8 @@ const LEAST: usize = 4;
 const NAMED: usize = 3;
 
 /// The report as HTML with its styles and pictures in it.
-pub fn html(report: &Report, language: Language) -> String {
-    let mut page = Page { out: String::new(), report, language };
+pub fn html(report: &Report) -> String {
+    let mut page = Page { out: String::new(), report };
     page.whole();
     page.out
 }
@@ -38,7 +41,6 @@ pub fn html(report: &Report, language: Language) -> String {
 struct Page<'r> {
     out: String,
     report: &'r Report,
-    language: Language,
 }
 
 impl Page<'_> {
@@ -47,7 +49,7 @@ impl Page<'_> {
     }
 
     fn say(&self, id: &'static str) -> &'static str {
-        words(self.language, id)
+        words(id)
     }
 
     /// An element with a text.
@@ -76,7 +78,7 @@ impl Page<'_> {
 
     fn whole(&mut self) {
         let report = self.report;
-        self.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>");
+        self.raw(&format!("<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"/>", spoken().code()));
         self.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
         self.text("title", "", &report.title);
         self.raw("<style>");
@@ -90,18 +92,18 @@ impl Page<'_> {
         }
         self.variants();
         self.title("form.report.results");
-        let results: Vec<_> = report.readouts.iter().map(|row| cells_of_result(report, row, self.language)).collect();
+        let results: Vec<_> = report.readouts.iter().map(|row| cells_of_result(report, row)).collect();
         self.table("results", &RESULT_COLUMNS, &results);
         self.run();
         self.title("form.report.inputs");
-        let inputs: Vec<_> = report.inputs.iter().map(|row| cells_of_input(report, row, self.language)).collect();
+        let inputs: Vec<_> = report.inputs.iter().map(|row| cells_of_input(report, row)).collect();
         self.table("inputs", &INPUT_COLUMNS, &inputs);
         for sheet in &report.sheets {
             self.sheet(sheet);
         }
         self.programs();
         self.title("form.report.open");
-        let open = report.open.iter().map(|open| format!("{}: {}", self.say(open.kind), open.facts.join("; ")));
+        let open = report.open.iter().map(|open| headed(self.say(open.kind), clauses(&open.facts)));
         let open: Vec<_> = open.collect();
         self.list(open);
         self.raw("</main></body></html>\n");
@@ -114,7 +116,7 @@ impl Page<'_> {
         self.text("h1", "", &report.title);
         self.text("p", "dim", self.say("form.report.about"));
         self.raw("</div><b class=\"maker\">macroline</b></header>");
-        let conclusion = conclusion(report, self.language);
+        let conclusion = conclusion(report);
         self.text("p", "conclusion", &conclusion);
         self.raw("<figure class=\"drawing\">");
         self.raw(&report.run.drawing);
@@ -176,11 +178,11 @@ impl Page<'_> {
         self.raw("</td>");
         let limit = readout.limit.map_or(String::new(), |limit| {
             let decimals = decimals_of_four(limit.value(), readout.decimals);
-            sentence(self.language, &limit.message(short(limit.value(), decimals)))
+            sentence(&limit.message(short(limit.value(), decimals)))
         });
         self.text("td", "", &limit);
         let repair = readout.advice.iter().find_map(|advice| advice.button.as_ref());
-        let repair = repair.map_or(String::new(), |button| sentence(self.language, button));
+        let repair = repair.map_or(String::new(), sentence);
         self.text("td", "", &repair);
         self.raw("</tr>");
     }
@@ -191,8 +193,7 @@ impl Page<'_> {
             return;
         }
         self.title("form.report.parts");
-        let rows: Vec<_> =
-            (1..).zip(&self.report.parts).map(|(item, part)| cells_of_part(item, part, self.language)).collect();
+        let rows: Vec<_> = (1..).zip(&self.report.parts).map(|(item, part)| cells_of_part(item, part)).collect();
         self.table("parts", &PART_COLUMNS, &rows);
     }
 
@@ -203,7 +204,7 @@ impl Page<'_> {
             (all + 1, assumed + u32::from(origin == "form.report.assumed"))
         });
         if assumed > 0 {
-            self.text("p", "assumed", &sentence(self.language, &msg!("form.report.assumed-facts", assumed, all)));
+            self.text("p", "assumed", &sentence(&msg!("form.report.assumed-facts", assumed, all)));
         } else {
             self.raw("<p></p>");
         }
@@ -240,12 +241,10 @@ impl Page<'_> {
         let report = self.report;
         let all = report.diagnostics.iter().chain(&report.exceeded);
         let told = all.filter(|found| found.severity != Severity::Info);
-        let mut said: Vec<String> = told.map(|found| sentence(self.language, &found.message)).collect();
+        let mut said: Vec<String> = told.map(|found| sentence(&found.message)).collect();
         for readout in report.readouts.iter().filter(|readout| readout.verdict >= Verdict::Warn) {
             let label = self.say(readout.label);
-            said.extend(
-                readout.advice.iter().map(|advice| format!("{label}: {}", sentence(self.language, &advice.message))),
-            );
+            said.extend(readout.advice.iter().map(|advice| headed(label, sentence(&advice.message))));
         }
         if !said.is_empty() {
             self.title("form.report.findings");
@@ -277,7 +276,7 @@ impl Page<'_> {
             return;
         }
         self.title("form.report.run");
-        let figures = report.run.figures.iter().map(|row| format!("{}: {}", self.say(row.label), row.shown()));
+        let figures = report.run.figures.iter().map(|row| headed(self.say(row.label), row.shown()));
         let figures: Vec<_> = figures.collect();
         self.list(figures);
         for chart in &report.run.charts {
@@ -308,13 +307,13 @@ impl Page<'_> {
         }
         self.head(&columns, None);
         for row in &sheet.rows {
-            let mut cells = cells_of_row(row, self.language);
+            let mut cells = cells_of_row(row);
             cells.truncate(columns.len());
             self.row(&cells);
         }
         self.raw("</table>");
         if let Some(row) = common {
-            let source = cells_of_row(row, self.language).pop().unwrap_or_default();
+            let source = cells_of_row(row).pop().unwrap_or_default();
             self.text("p", "dim source", &source);
         }
         if !sheet.drawing.is_empty() {
@@ -373,7 +372,7 @@ impl Page<'_> {
     fn programs(&mut self) {
         let report = self.report;
         self.title("form.report.programs");
-        let loading: Vec<_> = report.loading.iter().map(|told| sentence(self.language, told)).collect();
+        let loading: Vec<_> = report.loading.iter().map(sentence).collect();
         self.list(loading);
         for program in &report.programs {
             self.raw("<h3>");
@@ -395,41 +394,34 @@ fn first_rows(report: &Report) -> Vec<&Readout> {
 }
 
 /// What a reader takes along: the figures above the drawing, how long a run takes, and whether the verdicts hold.
-fn conclusion(report: &Report, language: Language) -> String {
+fn conclusion(report: &Report) -> String {
     let figures = report.readouts.iter().filter(|readout| readout.headline).take(3);
     let figures: Vec<String> = figures
         .map(|readout| {
-            format!(
-                "{} {} {}",
-                words(language, readout.label),
-                four_digits(readout.value, readout.decimals),
-                readout.unit
-            )
-            .trim_end()
-            .to_owned()
+            format!("{} {} {}", words(readout.label), four_digits(readout.value, readout.decimals), readout.unit)
+                .trim_end()
+                .to_owned()
         })
-        .chain(report.run.figures.iter().map(|row| format!("{} {}", words(language, row.label), row.shown())))
+        .chain(report.run.figures.iter().map(|row| format!("{} {}", words(row.label), row.shown())))
         .collect();
     let judged: Vec<&Readout> = report.readouts.iter().filter(|readout| readout.verdict != Verdict::None).collect();
-    let failing: Vec<&str> = judged
-        .iter()
-        .filter(|readout| readout.verdict == Verdict::Fail)
-        .map(|readout| words(language, readout.label))
-        .collect();
+    let failing: Vec<&str> =
+        judged.iter().filter(|readout| readout.verdict == Verdict::Fail).map(|readout| words(readout.label)).collect();
     let said: Message = match failing.len() {
         0 => msg!("form.report.all-hold", judged.len() as u32),
         n => {
-            let names = failing.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
+            let names = listed(failing.iter().take(NAMED));
             let names = match n.saturating_sub(NAMED) {
                 0 => names,
-                others => sentence(language, &msg!("form.report.and-more", names, others as u32)),
+                others => sentence(&msg!("form.report.and-more", names, others as u32)),
             };
             msg!("form.report.some-fail", n as u32, judged.len() as u32, names)
         }
     };
     let exceeded = match report.exceeded.len() {
-        0 => String::new(),
-        n => format!(" {}", sentence(language, &msg!("form.report.exceeded", n as u32))),
+        0 => None,
+        n => Some(msg!("form.report.exceeded", n as u32)),
     };
-    format!("{}. {}{exceeded}", figures.join("; "), sentence(language, &said))
+    let first = msg!("form.report.figures", clauses(figures));
+    sentences([Some(first), Some(said), exceeded].iter().flatten().map(sentence))
 }

@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use macroline::controls::{Control, Switches, find};
 use macroline::nc::build::*;
 use macroline::nc::{self, Files, emit, fix, parse, parse_with, tokens};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::text::{Diagnostic, Severity};
 
 use super::trees::tree;
@@ -548,9 +548,9 @@ fn check_warnings(text: &str, expected: Expect) {
     let parsed = read_on(control(), text);
     let found = nc::warnings(&parsed, None, &[]);
     let said = |d: &Diagnostic| {
-        let hints = d.hints.iter().map(|hint| format!(" = {}", sentence(Language::English, hint)));
+        let hints = d.hints.iter().map(|hint| format!(" = {}", sentence(hint)));
         let place = parsed.text(d.place.unwrap());
-        format!("{place}: {}{}\n", sentence(Language::English, &d.message), hints.collect::<String>())
+        format!("{place}: {}{}\n", sentence(&d.message), hints.collect::<String>())
     };
     expected.assert_eq(&found.iter().map(said).collect::<String>());
 }

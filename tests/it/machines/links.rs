@@ -7,7 +7,7 @@ use macroline::motion::{Action, Event, Panel};
 use macroline::nc::Files;
 use macroline::project::Project;
 use macroline::project::saved::{MAX_LINK, is_link};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use proptest::prelude::*;
 
 use super::sweep;
@@ -19,7 +19,7 @@ fn ribbon() -> Project {
 /// What is said of a link, a line each.
 fn said(link: &str) -> String {
     let loaded = Project::from_link(link);
-    let lines = loaded.diagnostics.iter().map(|found| sentence(Language::English, &found.message) + "\n");
+    let lines = loaded.diagnostics.iter().map(|found| sentence(&found.message) + "\n");
     lines.collect::<String>() + if loaded.project.is_some() { "a project" } else { "no project" }
 }
 
@@ -133,7 +133,7 @@ fn project_that_is_too_long_has_no_link() {
     let mut project = ribbon();
     let lines = (0..4000_u32).map(|at| format!("N{at} G01 X{}.{at}\n", at * 7919 % 10_007));
     project.edited = Some(Files::one("O1.nc", lines.collect::<String>()));
-    expect!["The project has 43377 characters as a link; at most 8000 are possible. Edited programs and a long list of operator’s actions take most of them: save it as a file instead."].assert_eq(&sentence(Language::English, &project.to_link().unwrap_err()));
+    expect!["The project has 43377 characters as a link; at most 8000 are possible. Edited programs and a long list of operator’s actions take most of them: save it as a file instead."].assert_eq(&sentence(&project.to_link().unwrap_err()));
 }
 
 /// A change on the way: where, and to which character; `None` cuts the rest off.

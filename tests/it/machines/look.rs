@@ -8,7 +8,6 @@ use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{ControlContext, Frame, Samples, report};
 use macroline::math;
 use macroline::motion::{Snapshot, Visit};
-use macroline::text::catalog::Language;
 use macroline::view::look::{Gradient, Ramp};
 use macroline::view::{
     self, Callout, Chart, Drawing, Look, Paint, Placement, Pose, Scene, SceneGroup, Series, Shape, Theme, csv, plot,
@@ -629,7 +628,7 @@ fn report_has_inputs_with_origin_verdicts_and_open_points() {
     let on = ControlContext { control: control(), switches: &switches };
     let prepared = machine().prepare(&values, on);
     let report = report::report(machine(), &prepared, "ribbon 8 mm", (&values, &origins), on, &[]);
-    let text = view::report::markdown(&report, Language::English);
+    let text = view::report::markdown(&report);
     for part in [
         "# Ribbon line, Mitsubishi E60, ribbon 8 mm\n",
         "- Roller : ribbon speed: fails\n",

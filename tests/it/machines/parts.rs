@@ -84,7 +84,7 @@ fn report_lists_the_items_of_its_drawing() {
             let markdown = exported(&project, "report.md");
             for (item, part) in (1..).zip(&parts) {
                 assert!(balloons.contains(&format!(">{item}</text>")), "{}: {item}", example.id);
-                let name = macroline::text::catalog::words(macroline::text::catalog::Language::English, part.name);
+                let name = macroline::text::catalog::words(part.name);
                 let row = format!("<td>{item}</td><td>{}</td><td>{name}</td>", part.quantity);
                 assert!(table.contains(&row), "{}: {row} {table}", example.id);
                 assert!(markdown.contains(&format!("| {item} | {} | {name} |", part.quantity)), "{markdown}");

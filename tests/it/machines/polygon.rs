@@ -13,7 +13,7 @@ use macroline::nc::{self, File, Files};
 use macroline::project::run::{self, RunOptions};
 use macroline::project::{Project, import};
 use macroline::text::Severity;
-use macroline::text::catalog::{Language, number_text, sentence};
+use macroline::text::catalog::{number_text, sentence};
 use macroline::view::{Theme, Verdict, svg};
 
 use super::drawn::area;
@@ -227,11 +227,7 @@ fn wrong_g512_arguments_raise_alarms() {
         let mut planner = planned(&project);
         match planner.advance(f64::INFINITY, usize::MAX).ended {
             Some(RunEnd::Alarm(alarm)) => {
-                format!(
-                    "{}: {}",
-                    alarm.alarm.as_ref().map_or("", |number| number),
-                    sentence(Language::English, &alarm.message)
-                )
+                format!("{}: {}", alarm.alarm.as_ref().map_or("", |number| number), sentence(&alarm.message))
             }
             other => format!("{other:?}"),
         }
@@ -459,13 +455,11 @@ fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
         let design = machine().prepare(&values(changes), project(&[]).on()).design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
-            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
+            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(&advice.message)).collect();
             format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))
         });
         let errors = design.diagnostics.iter().filter(|d| d.severity != Severity::Info);
-        let errors = errors.map(|d| {
-            format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(Language::English, &d.message))
-        });
+        let errors = errors.map(|d| format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(&d.message)));
         verdicts.chain(errors).collect::<String>()
     };
     expect![[""]].assert_eq(&said(&[]));

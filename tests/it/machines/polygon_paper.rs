@@ -11,7 +11,7 @@ use macroline::nc::{self, File, Files};
 use macroline::project::Project;
 use macroline::project::run::{self, AtStop, RunOptions, RunSummary, to_end};
 use macroline::text::Severity;
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 
 /// The lathe with another part program.
 fn with_part(text: &str) -> Project {
@@ -94,7 +94,7 @@ fn printed_remarks_become_comments_by_their_fixes() {
     // A character in a word is no remark.
     let word = read("O3000\nG0X2啟\nM30\n");
     let found = word.diagnostics().iter().find(|found| found.severity == Severity::Error).unwrap();
-    let _ = sentence(Language::English, &found.message);
+    let _ = sentence(&found.message);
 }
 
 #[test]

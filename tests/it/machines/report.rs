@@ -50,8 +50,7 @@ fn offer_has_motors_envelope_and_bill() {
             );
         }
         for finding in sizing.findings() {
-            let told =
-                macroline::text::catalog::sentence(macroline::text::catalog::Language::English, &finding.message);
+            let told = macroline::text::catalog::sentence(&finding.message);
             assert!(report.contains(&told), "{}: {told}", machine.id());
         }
         let exceeded = sizing.findings().len();

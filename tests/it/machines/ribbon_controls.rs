@@ -8,7 +8,7 @@ use macroline::machines::form::{Origins, Values};
 use macroline::motion::{Action, Budget, Event, Panel, Planner, Retention, RunEnd};
 use macroline::project::run::{self, RunOptions};
 use macroline::project::{Project, import};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::text::{Diagnostic, Severity};
 use macroline::view::{Limit, Verdict};
 
@@ -63,7 +63,7 @@ fn axes(project: &Project, print: Address) -> [usize; 2] {
 }
 
 fn said(found: &[Diagnostic]) -> Vec<String> {
-    found.iter().map(|d| sentence(Language::English, &d.message)).collect()
+    found.iter().map(|d| sentence(&d.message)).collect()
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn feed_above_control_range_names_the_possible_speed() {
     let design = fast.design();
     let feed = design.readouts.iter().find(|row| row.id == "vector-feed").unwrap();
     assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(Limit::AtMost(15_000.0 / 1.2))));
-    let advice: Vec<_> = feed.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
+    let advice: Vec<_> = feed.advice.iter().map(|advice| sentence(&advice.message)).collect();
     assert_eq!(
         advice,
         [
@@ -135,10 +135,7 @@ fn feed_above_control_range_names_the_possible_speed() {
     assert!(said(&export.diagnostics).iter().any(|text| text.starts_with("The vector feed would be 119391.393")));
     let mut stopped = over_time(&fast, vec![]);
     let RunEnd::Alarm(alarm) = ended(&mut stopped) else { panic!("it stops") };
-    assert_eq!(
-        sentence(Language::English, &alarm.message),
-        "The program raises its alarm 20: FEED #115 ABOVE LIMIT #119"
-    );
+    assert_eq!(sentence(&alarm.message), "The program raises its alarm 20: FEED #115 ABOVE LIMIT #119");
     assert_eq!(stopped.timeline().at(stopped.timeline().end()).spindle.command, 0.0);
     // As fast as it says, it runs.
     let mut slow = over_time(&project("gsk-980tdc", &[("spindle-speed", "150"), ("pitch-count", "5")]), vec![]);
@@ -163,8 +160,7 @@ fn f_range_on_the_802d_is_reported_with_its_numbers() {
         let mut planner = over_time(&project, vec![]);
         assert_eq!(ended(&mut planner) == RunEnd::ProgramEnd, fits, "{rpm}");
         if rpm == "1200" {
-            let advice: Vec<_> =
-                feed.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
+            let advice: Vec<_> = feed.advice.iter().map(|advice| sentence(&advice.message)).collect();
             expect![[r#"
                 the control takes 99999.999: at most 1005 r/min
                 The vector feed would be 119391.393 mm/min, the control takes 99999.999 at most.
@@ -713,7 +709,7 @@ fn operator_notes_of_each_control_match() {
             .design(&Origins::new());
         let infos =
             design.diagnostics.iter().filter(|d| d.severity == Severity::Info && d.message.id != "form.assumed");
-        infos.map(|d| sentence(Language::English, &d.message) + "\n").collect()
+        infos.map(|d| sentence(&d.message) + "\n").collect()
     };
     expect![[""]].assert_eq(&told("mitsubishi-e60"));
     expect![[r#"

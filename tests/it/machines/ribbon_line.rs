@@ -5,7 +5,7 @@ use macroline::drives::web;
 use macroline::machines::form::{Origins, Provenance, Value, Values};
 use macroline::machines::{self, AnyMachine, ControlContext, Design};
 use macroline::text::Severity;
-use macroline::text::catalog::{Language, sentence, words};
+use macroline::text::catalog::{sentence, words};
 use macroline::view::{Limit, Readout, Verdict};
 
 pub(super) fn machine() -> &'static dyn AnyMachine {
@@ -63,7 +63,7 @@ fn check(changes: &[(&str, &str)], tolerance: f64, expected: &[(&str, f64)]) {
 }
 
 fn advice(readout: &Readout) -> Vec<String> {
-    readout.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect()
+    readout.advice.iter().map(|advice| sentence(&advice.message)).collect()
 }
 
 #[test]
@@ -295,10 +295,7 @@ fn feed_above_a_clamp_is_an_error_with_the_possible_speed() {
         panic!("one error: {:?}", slow.diagnostics)
     };
     assert_eq!(error.field, Some("clamp-y"));
-    assert_eq!(
-        sentence(Language::English, &error.hints[0]),
-        "At most 1013 r/min of the unwinder keep within all limits."
-    );
+    assert_eq!(sentence(&error.hints[0]), "At most 1013 r/min of the unwinder keep within all limits.");
     let share = design(&[("clamp-y", "100000"), ("spindle-speed", "1013")]);
     assert!(share.diagnostics.iter().all(|d| d.severity != Severity::Error));
 }
@@ -307,7 +304,7 @@ fn feed_above_a_clamp_is_an_error_with_the_possible_speed() {
 fn blocks_too_long_for_the_control_are_errors() {
     let errors = |changes: &[(&str, &str)]| -> Vec<String> {
         let found = design(changes).diagnostics.into_iter().filter(|d| d.severity == Severity::Error);
-        found.map(|d| sentence(Language::English, &d.message)).collect()
+        found.map(|d| sentence(&d.message)).collect()
     };
     let long = [("pitch", "10000"), ("pitches-per-block", "11"), ("heads", "47")];
     assert_eq!(errors(&long), ["X would move by 110000 in one block; a word of the control has 99999.999 at most."]);
@@ -332,7 +329,7 @@ fn labels_contain_no_placeholders() {
     let readouts = design(&[]).readouts.into_iter().map(|readout| readout.label);
     let variables = machine().prepare(&Values::new(), on()).variables().into_iter().map(|(_, meaning, _)| meaning);
     for label in fields.chain(readouts).chain(variables) {
-        let said = words(Language::English, label);
+        let said = words(label);
         assert!(!said.is_empty() && !said.contains('{'), "{label}: {said}");
     }
 }
@@ -368,7 +365,7 @@ fn values_without_origin_are_listed_as_assumed() {
     let count = |origins: &Origins| {
         let design = machine().prepare(&Values::new(), on()).design(origins);
         let infos = design.diagnostics.into_iter().filter(|d| d.severity == Severity::Info);
-        infos.map(|d| sentence(Language::English, &d.message)).collect::<String>()
+        infos.map(|d| sentence(&d.message)).collect::<String>()
     };
     assert!(count(&Origins::new()).contains("inverter-ramp"));
     let measured = Origins::from_iter([("inverter-ramp".to_owned(), Provenance::Measured)]);

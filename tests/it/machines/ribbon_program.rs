@@ -17,7 +17,7 @@ use macroline::motion::{Action, Budget, Event, Mode, Panel, Planner, Retention, 
 use macroline::nc::{self, Emitted, Parsed};
 use macroline::project::check::review;
 use macroline::text::Severity;
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 use proptest::prelude::*;
 
@@ -33,7 +33,7 @@ pub(super) fn parsed(on: ControlContext<'static>, values: &Values) -> (MachinePr
     let parsed = Rc::new(nc::parse(&emitted.files, on.control));
     let review = review(&parsed, Some(plan.main), &[]);
     let findings: Vec<_> = emitted.diagnostics.iter().chain(&review).collect();
-    let said = |d: &&macroline::text::Diagnostic| format!("{:?}: {}", d.place, sentence(Language::English, &d.message));
+    let said = |d: &&macroline::text::Diagnostic| format!("{:?}: {}", d.place, sentence(&d.message));
     assert!(findings.is_empty(), "{:#?}", findings.iter().map(said).collect::<Vec<_>>());
     (plan, parsed)
 }
@@ -309,7 +309,7 @@ fn impossible_entries_raise_the_user_alarm_with_message() {
             }) {
                 Some(End::Alarm(alarm)) => {
                     assert_eq!(alarm.alarm.as_deref(), Some("P277"));
-                    let said = sentence(Language::English, &alarm.message);
+                    let said = sentence(&alarm.message);
                     assert!(said.contains(text), "{said}");
                 }
                 other => panic!("#{number}: {other:?}"),

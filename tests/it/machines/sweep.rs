@@ -5,7 +5,7 @@ use macroline::machines::{self, AnyMachine};
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
-use macroline::text::catalog::{Language, number_text, sentence};
+use macroline::text::catalog::{number_text, sentence};
 use macroline::text::{Message, Severity};
 use macroline::view::{Readout, Verdict};
 
@@ -101,7 +101,7 @@ pub(super) fn forms(machine: &dyn AnyMachine, control: &str) -> Vec<Project> {
 }
 
 fn english(message: &Message) -> String {
-    sentence(Language::English, message)
+    sentence(message)
 }
 
 /// A sentence with a number that is none, or that asks for nothing.

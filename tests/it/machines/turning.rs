@@ -12,7 +12,7 @@ use macroline::motion::{Action, Budget, Event, Planner, Retention};
 use macroline::project::run::{self, RunOptions};
 use macroline::project::{Project, import};
 use macroline::text::Severity;
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::drawn::area;
@@ -215,13 +215,11 @@ fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
         let design = machine().prepare(&values(changes), project("gsk-980tdc", &[]).on()).design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
-            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
+            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(&advice.message)).collect();
             format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))
         });
         let errors = design.diagnostics.iter().filter(|d| d.severity != Severity::Info);
-        let errors = errors.map(|d| {
-            format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(Language::English, &d.message))
-        });
+        let errors = errors.map(|d| format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(&d.message)));
         verdicts.chain(errors).collect::<String>()
     };
     expect![[""]].assert_eq(&said(&[("spindle-ramp", "1"), ("motor-power", "22")]));
@@ -409,8 +407,7 @@ fn findings(control: &str, changes: &[(&str, &str)]) -> String {
     let project = project(control, changes);
     let design = project.prepared().design(&Origins::default());
     let all = design.diagnostics.iter().filter(|d| !d.message.id.starts_with("form."));
-    all.map(|d| format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(Language::English, &d.message)))
-        .collect()
+    all.map(|d| format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(&d.message))).collect()
 }
 
 #[test]

@@ -7,7 +7,7 @@ use macroline::controls::options::{OverrideOrder, SwitchChoice};
 use macroline::machines::form::Value;
 use macroline::machines::{self, Design};
 use macroline::project::{Project, list};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::text::{MessageValue, Severity};
 use macroline::view::{Advice, Limit, Readout, Verdict};
 
@@ -234,7 +234,7 @@ fn every_advice_has_a_button_that_improves_its_verdict() {
             for (at, advice) in readout.advice.iter().enumerate() {
                 assert_eq!(advice.button.is_none(), advice.sets.is_empty(), "{}: {about}", readout.id);
                 if advice.sets.is_empty() {
-                    let text = || format!("{}: {}", readout.id, sentence(Language::English, &advice.message));
+                    let text = || format!("{}: {}", readout.id, sentence(&advice.message));
                     without.entry(advice.message.id).or_insert_with(text);
                     continue;
                 }
@@ -280,7 +280,7 @@ fn readout(project: &Project, id: &str) -> Readout {
 /// Words of the buttons of a result, with their entries.
 fn buttons(project: &Project, id: &str) -> Vec<String> {
     let written = |advice: &Advice| {
-        let button = sentence(Language::English, advice.button.as_ref()?);
+        let button = sentence(advice.button.as_ref()?);
         let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| format!("{id}={typed}")).collect();
         Some(format!("{button}: {}", sets.join(" ")))
     };
@@ -382,6 +382,6 @@ fn limits_are_written_with_their_direction() {
 
 #[test]
 fn buttons_count_one_in_the_singular() {
-    let heads = |count: f64| sentence(Language::English, &macroline::msg!("advice.set-heads", count));
+    let heads = |count: f64| sentence(&macroline::msg!("advice.set-heads", count));
     assert_eq!([1.0, 2.0, 0.0].map(heads), ["Set 1 head", "Set 2 heads", "Set 0 heads"]);
 }

@@ -3,7 +3,7 @@
 use macroline::machines::form::{KindInfo, Value};
 use macroline::machines::{self, AnyMachine};
 use macroline::project::Project;
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 
 /// Programs that are looked at for each machine and control at most; choices beyond are passed over in even steps.
 const MOST: usize = 2000;
@@ -34,9 +34,7 @@ fn written_programs_have_no_findings() {
                 }
                 let written = project.written();
                 let found: Vec<_> = written.diagnostics.iter().cloned().chain(project.advice(&written)).collect();
-                let said = |d: &macroline::text::Diagnostic| {
-                    format!("{}: {}", d.message.id, sentence(Language::English, &d.message))
-                };
+                let said = |d: &macroline::text::Diagnostic| format!("{}: {}", d.message.id, sentence(&d.message));
                 let said: Vec<String> = found.iter().map(said).collect();
                 assert!(said.is_empty(), "{} on {control}, {:?}: {said:#?}", machine.id(), project.values);
             }

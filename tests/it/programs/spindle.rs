@@ -7,7 +7,7 @@ use macroline::controls::switch::switch;
 use macroline::controls::{
     self, Alarm, AlarmDef, Code, CodeDef, CodeId, Control, Dialect, Group, Switch, Switches, gsk_980tdc,
 };
-use macroline::text::{Citation, Grade};
+use macroline::text::{Citation, Grade, Phrase};
 
 use super::{log_of, start_on};
 
@@ -26,7 +26,8 @@ const SWITCHES: &[Switch] = &[
 /// limit stands behind G25 and G26, surface speed has a range and needs a first S.
 fn one_group() -> &'static Control {
     let base = &gsk_980tdc::CONTROL;
-    let limit = |number, code| CodeDef { id: CodeId::g(number), code, group: Group::OneShot, text: "", cite: MADE };
+    let limit =
+        |number, code| CodeDef { id: CodeId::g(number), code, group: Group::OneShot, text: Phrase::NONE, cite: MADE };
     let mut codes: Vec<CodeDef> = base.codes.to_vec();
     codes.extend([limit(25, Code::LowerLimits), limit(26, Code::UpperLimits)]);
     let orient = CodeDef { id: CodeId::M(19), group: Group::Other, ..limit(19, Code::SpindleOrient) };
@@ -37,7 +38,7 @@ fn one_group() -> &'static Control {
         }
     }
     codes.sort_by_key(|row| row.id);
-    let alarm = |kind, number| AlarmDef { kind, number, text: "", cite: MADE };
+    let alarm = |kind, number| AlarmDef { kind, number, text: Phrase::NONE, cite: MADE };
     let mut alarms = base.alarms.to_vec();
     alarms.extend([alarm(Alarm::NoSurfaceSpeed, "10900"), alarm(Alarm::SurfaceRange, "14840")]);
     let spindle = SpindleRules {

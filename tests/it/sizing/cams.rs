@@ -5,7 +5,7 @@ use macroline::drives::cam::{Correction, Law};
 use macroline::machines::form::Value;
 use macroline::math::{self, PI};
 use macroline::project::Project;
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Readout, Verdict};
 use proptest::prelude::*;
 
@@ -42,7 +42,7 @@ fn value(project: &Project, id: &str) -> f64 {
 }
 
 fn said(readout: &Readout) -> Vec<String> {
-    readout.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect()
+    readout.advice.iter().map(|advice| sentence(&advice.message)).collect()
 }
 
 #[test]

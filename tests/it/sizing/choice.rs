@@ -6,7 +6,7 @@ use macroline::machines::form::Value;
 use macroline::machines::ladder::Bit;
 use macroline::project::size::{Candidate, Sizing, size};
 use macroline::project::{Project, parts};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 fn sized(project: &Project) -> Sizing {
@@ -24,7 +24,7 @@ fn candidates<'a>(sizing: &'a Sizing, axis: &str) -> &'a [Candidate] {
 }
 
 fn reason(candidate: &Candidate) -> String {
-    candidate.refusal.as_ref().map_or(String::new(), |refusal| sentence(Language::English, &refusal.message))
+    candidate.refusal.as_ref().map_or(String::new(), |refusal| sentence(&refusal.message))
 }
 
 /// A table of one servo motor of the user.

@@ -5,7 +5,7 @@ use macroline::drives::servo::{Acceptance, Servo};
 use macroline::machines::form::Value;
 use macroline::project::size::{Candidate, SizedAxis, size};
 use macroline::project::{Project, parts};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Readout, Verdict};
 use proptest::prelude::*;
 
@@ -102,7 +102,7 @@ fn derated_limit_of_the_effective_torque_is_exact() {
     let small = with(0.01, 2000.0);
     let Some(Limit::AtMost(limit)) = small.limit else { panic!("{small:?}") };
     near(limit, 0.93 * 0.8 * 0.01);
-    let text = sentence(Language::English, &small.advice[0].message);
+    let text = sentence(&small.advice[0].message);
     assert!(text.contains("74.4 % of the stall torque"), "{text}");
     // The peak torque is not derated.
     let peak = |height: f64| result(&line(&[("site-height", height)]), "y-peak-torque").limit;
@@ -137,7 +137,7 @@ fn choice_of_motors_counts_with_the_site() {
     let (low, own) = sized(stall, 4000.0);
     assert_eq!(own.refusal, None);
     let (high, own) = sized(stall, 5000.0);
-    let text = sentence(Language::English, &own.refusal.unwrap().message);
+    let text = sentence(&own.refusal.unwrap().message);
     assert!(text.starts_with("Too warm") && text.contains("54.4 %"), "{text}");
     // The chart has what is left.
     let continuous = |axis: SizedAxis| axis.chart.unwrap().continuous[0].1;

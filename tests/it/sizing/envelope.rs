@@ -5,7 +5,7 @@ use macroline::motion::{Budget, Retention};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
 use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, size};
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 fn sized(project: &Project) -> Sizing {
@@ -86,9 +86,8 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     assert_eq!(row(&sizing, OperatingEvent::PowerFailure, "loop").verdict, Verdict::Fail);
     let sheet = sizing.sheets().into_iter().find(|sheet| sheet.id == "envelope").unwrap();
     let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.sets).collect();
-    let told = |sizing: &Sizing| -> Vec<String> {
-        sizing.findings().iter().map(|found| sentence(Language::English, &found.message)).collect()
-    };
+    let told =
+        |sizing: &Sizing| -> Vec<String> { sizing.findings().iter().map(|found| sentence(&found.message)).collect() };
     let lines = told(&sizing);
     assert_eq!(lines.len(), 2, "{lines:?}");
     for (line, event) in lines.iter().zip(["Inverter fault", "Power failure"]) {

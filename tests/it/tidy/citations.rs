@@ -13,7 +13,7 @@ const GRADES: [&str; 5] = ["Manual", "Sister", "Measured", "Inferred", "Open"];
 const CALL: [&str; 5] = ["Citation", ":", ":", "new", "("];
 
 /// The source texts that have a line.
-fn listed() -> BTreeSet<String> {
+pub(super) fn listed() -> BTreeSet<String> {
     let page = std::fs::read_to_string(format!("{}/{SOURCES}", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let cell = |line: &str| Some(line.strip_prefix("| `")?.split_once("` | ")?.0.to_owned());
     let texts: Vec<String> = page.lines().filter_map(cell).collect();
@@ -73,7 +73,7 @@ fn results_of_every_machine_cite_listed_sources() {
         for control in machine.controls() {
             let project = macroline::project::Project::of(machine.id(), Some(control)).unwrap();
             for readout in project.design().readouts {
-                if !listed.contains(readout.cite.source) {
+                if !listed.contains(readout.cite.source.english) {
                     let row = format!("{} {}: `{}`", machine.id(), readout.id, readout.cite.source);
                     broken.insert(row, ());
                 }

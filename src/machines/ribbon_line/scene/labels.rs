@@ -6,6 +6,7 @@ use crate::machines::ribbon_line::params::Params;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
 use crate::text::catalog::number_text as show;
+use crate::text::columns;
 use crate::text::number::{figure, filled};
 use crate::view::scene::{LETTER, LINE};
 use crate::view::{Callout, Drawing, Font, Look, Paint, SceneGroup};
@@ -84,7 +85,7 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let unit = layout.unit;
     let left = layout.view[0];
     let (y, gap) = (layout.floor + 18.0 * unit, 8.0 * unit);
-    let wide = |text: &str| LETTER_WIDTH * LETTER * unit * text.chars().count() as f64;
+    let wide = |text: &str| LETTER_WIDTH * LETTER * unit * columns(text) as f64;
     let long = round_step(45.0 * unit);
     let (x, bar) = (left + 12.0 * unit, y - 4.0 * unit);
     let (top, bottom) = (bar - 4.0 * unit, bar + 4.0 * unit);
@@ -153,7 +154,7 @@ pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
         let factor = 1.0 / layout.slack.share;
         limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));
     }
-    let (half, y) = (0.5 * LETTER_WIDTH * LETTER * unit * limit.chars().count() as f64, layout.full + 15.0 * unit);
+    let (half, y) = (0.5 * LETTER_WIDTH * LETTER * unit * columns(&limit) as f64, layout.full + 15.0 * unit);
     let plate = [middle - half - 3.0 * unit, y - 12.0 * unit, 2.0 * half + 6.0 * unit, 16.0 * unit, 4.0 * unit];
     drawing.rect(plate, Look::fill(Paint::Page).faint(0.8));
     drawing.text((middle, y), "middle", &limit, Font::Label, Paint::Dim);

@@ -1,0 +1,244 @@
+//! Laws of the catalog: code and English name the same sentences; every other language says all of them, and the phrases of the rows.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use macroline::controls;
+use macroline::machines::{self, AnyMachine};
+use macroline::project::Project;
+use macroline::text::Phrase;
+use macroline::text::catalog::{self, Language};
+
+use super::source::{Source, Token, TokenKind};
+use super::{citations, hold, sources};
+
+/// The sentences of a language: keys without their backslashes, in the order of the file.
+struct Sentences {
+    file: String,
+    rows: Vec<(String, String)>,
+}
+
+impl Sentences {
+    fn of(language: Language) -> Sentences {
+        let file = format!("src/text/catalog/{}.properties", language.code());
+        let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(&file)).unwrap();
+        let row = |line: &str| {
+            let plain = line.replace("\\=", "\u{0}");
+            let (key, sentence) = plain.split_once('=').unwrap_or((&plain, ""));
+            (key.replace('\u{0}', "=").replace('\\', ""), sentence.to_owned())
+        };
+        Sentences { rows: text.lines().skip(1).map(row).collect(), file }
+    }
+
+    /// The rows by key, with what is wrong with the file: its order, a key that stands there twice, a row without key and sentence.
+    fn checked(&self, broken: &mut Vec<String>) -> BTreeMap<&str, &str> {
+        for pair in self.rows.windows(2).filter(|pair| pair[0].0 >= pair[1].0) {
+            broken.push(format!("{}: out of order or twice: {}", self.file, pair[1].0));
+        }
+        for (key, sentence) in &self.rows {
+            if key.is_empty() || sentence.is_empty() || sentence.trim() != sentence {
+                broken.push(format!("{}: no key, equals sign and sentence: {key:?}", self.file));
+            }
+        }
+        self.rows.iter().map(|(key, sentence)| (key.as_str(), sentence.as_str())).collect()
+    }
+}
+
+#[test]
+fn code_and_english_name_the_same_sentences() {
+    let english = Sentences::of(Language::English);
+    let mut broken = Vec::new();
+    let rows = english.checked(&mut broken);
+    let areas: BTreeSet<&str> = rows.keys().filter_map(|id| id.split_once('.')).map(|(area, _)| area).collect();
+    let looks_like_id = |text: &str| {
+        let (area, subject) = text.split_once('.').unwrap_or_default();
+        let file = [".json", ".csv", ".svg", ".txt", ".nc"].iter().any(|kind| text.ends_with(kind));
+        areas.contains(area)
+            && !file
+            && !subject.is_empty()
+            && subject.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c))
+    };
+    let mut used = BTreeSet::new();
+    // Labels of switches and options are named by the table of the switches.
+    for row in macroline::controls::ALL.iter().flat_map(|control| control.switches) {
+        for label in [row.label].into_iter().chain(row.options().iter().map(|option| option.label)) {
+            used.insert(label);
+            if !rows.contains_key(label) {
+                broken.push(format!("{label} of the switch {} is not in the catalog", row.id()));
+            }
+        }
+    }
+    for source in sources() {
+        for literal in source.literals() {
+            if let Some((id, _)) = rows.get_key_value(literal.text.as_str()) {
+                used.insert(*id);
+            } else if looks_like_id(&literal.text) {
+                broken.push(format!("{}: \"{}\" is not in the catalog", source.place(literal.line), literal.text));
+            }
+        }
+        for (line, id, values) in messages(source) {
+            match rows.get(id) {
+                None if !looks_like_id(id) => {
+                    broken.push(format!("{}: \"{id}\" is not in the catalog", source.place(line)))
+                }
+                None => {}
+                Some(sentence) if places(sentence) != (0..values).collect() => {
+                    broken.push(format!(
+                        "{}: \"{id}\" gets {values} values, its sentence is “{sentence}”",
+                        source.place(line)
+                    ));
+                }
+                Some(_) => {}
+            }
+        }
+    }
+    broken.extend(rows.keys().filter(|id| !used.contains(*id)).map(|id| format!("{id}: no code says this sentence")));
+    let mend = "one line per id in src/text/catalog/en.properties, sorted by id, with a place {0}, {1} … for each value of `msg!`; no line without a use";
+    hold("Every sentence stands once in the catalog, and is said.", mend, broken);
+}
+
+/// The places `{0}` and `{0, plural, …` of a sentence.
+fn places(sentence: &str) -> BTreeSet<usize> {
+    let number = |tail: &str| tail.split(['}', ',']).next()?.parse().ok();
+    sentence.split('{').skip(1).filter_map(number).collect()
+}
+
+/// Every `msg!("id", value, …)`: its line, the id, and how many values.
+fn messages(source: &Source) -> Vec<(usize, &str, usize)> {
+    let mut found = Vec::new();
+    for (at, part) in source.shipped().windows(4).enumerate() {
+        let [name, mark, open, id] = part else { continue };
+        if (&*name.text, &*mark.text, &*open.text) != ("msg", "!", "(") || id.kind != TokenKind::Text {
+            continue; // the macro's own definition has no id
+        }
+        let (mut depth, mut commas, mut last) = (0, 0, None);
+        for token in source.shipped().iter().skip(at + 3) {
+            match (token.kind, token.text.as_str()) {
+                (TokenKind::Text, _) => {}
+                (_, "(" | "[" | "{") => depth += 1,
+                (_, ")") if depth == 0 => break,
+                (_, ")" | "]" | "}") => depth -= 1,
+                (_, ",") if depth == 0 => commas += 1,
+                _ => {}
+            }
+            last = Some(token);
+        }
+        let ends_with_comma = last.is_some_and(|token: &Token| token.text == ",");
+        found.push((name.line, id.text.as_str(), commas - usize::from(ends_with_comma)));
+    }
+    found
+}
+
+/// The phrases that rows state, with the table that each stands in.
+fn phrases() -> BTreeMap<String, &'static str> {
+    let mut all = BTreeMap::new();
+    let mut add = |phrase: Phrase, table| {
+        if !phrase.is_empty() {
+            all.insert(phrase.english.to_owned(), table);
+        }
+    };
+    for control in controls::ALL {
+        control.codes.iter().for_each(|row| add(row.text, "code"));
+        control.vars.iter().for_each(|row| add(row.text, "variable"));
+        control.alarms.iter().for_each(|row| add(row.text, "alarm"));
+        control.params.iter().for_each(|row| add(row.text, "parameter"));
+        control.interface.iter().for_each(|row| add(row.text, "signal"));
+    }
+    all.extend(citations::listed().into_iter().map(|source| (source, "citation")));
+    all
+}
+
+/// The formulas of results that say something in words.
+fn formulas() -> BTreeSet<String> {
+    let in_words = |formula: &str| {
+        let words = formula.split(|c: char| !c.is_ascii_alphabetic()).filter(|word| word.len() > 2);
+        words.filter(|word| !["SQRT", "atan", "gcd", "min", "max"].contains(word)).count() > 0
+    };
+    let of = |machine: &&'static dyn AnyMachine| {
+        let projects = machine.examples().iter().flat_map(|example| {
+            machine.controls().iter().map(|id| Project::example(*machine, controls::find(id).unwrap(), example))
+        });
+        projects
+            .flat_map(|project| project.design().readouts)
+            .map(|readout| readout.formula.english.to_owned())
+            .collect::<Vec<_>>()
+    };
+    machines::ALL.iter().flat_map(of).filter(|formula| in_words(formula)).collect()
+}
+
+#[test]
+fn other_languages_say_everything() {
+    let english = Sentences::of(Language::English);
+    let mut broken = Vec::new();
+    let sentences = english.checked(&mut broken);
+    let (phrases, formulas) = (phrases(), formulas());
+    let literals: BTreeSet<&str> =
+        sources().flat_map(|source| source.literals()).map(|literal| literal.text.as_str()).collect();
+    for language in Language::ALL.into_iter().filter(|language| *language != Language::English) {
+        let other = Sentences::of(language);
+        let rows = other.checked(&mut broken);
+        let file = &other.file;
+        broken
+            .extend(sentences.keys().filter(|id| !rows.contains_key(*id)).map(|id| format!("{file}: {id} is missing")));
+        let missing = phrases.iter().filter(|(phrase, _)| !rows.contains_key(phrase.as_str()));
+        broken.extend(missing.map(|(phrase, table)| format!("{file}: the phrase of a {table} is missing: {phrase}")));
+        let missing = formulas.iter().filter(|formula| !rows.contains_key(formula.as_str()));
+        broken.extend(missing.map(|formula| format!("{file}: the formula of a result is missing: {formula}")));
+        for (key, sentence) in &rows {
+            match sentences.get(key) {
+                Some(said) if places(said) != places(sentence) => {
+                    broken.push(format!("{file}: {key} has not the places of “{said}”: {sentence}"));
+                }
+                None if !phrases.contains_key(*key) && !literals.contains(key) => {
+                    broken.push(format!("{file}: nothing says “{key}”"));
+                }
+                _ => {}
+            }
+        }
+        // The reader of the program finds each of them.
+        catalog::speak(language.sentences());
+        let lost = rows.iter().filter(|(key, sentence)| catalog::words(key.to_string().leak()) != **sentence);
+        broken.extend(lost.map(|(key, _)| format!("{file}: “{key}” is not found")));
+        assert_eq!(catalog::spoken(), language);
+        catalog::speak(Language::English.sentences());
+    }
+    let mend = "one row per id of en.properties and per phrase of a row (`\\ ` for a space, `\\:`, `\\=` in keys), sorted by key";
+    hold("Every language says every sentence, with the same places.", mend, broken);
+}
+
+/// Words that the glossary bars, and the term in their place.
+const BARRED: [(&str, &str); 9] = [
+    ("控制器", "系统 or 数控系统"),
+    ("告警", "报警"),
+    ("警报", "报警"),
+    ("挡", "档"),
+    ("您", "no address of the reader"),
+    ("我们", "no address of the reader"),
+    ("单节", "程序段"),
+    ("刀片", "车刀"),
+    ("程序块", "程序段"),
+];
+
+#[test]
+fn chinese_follows_its_glossary() {
+    let chinese = |c: char| ('\u{4e00}'..='\u{9fff}').contains(&c);
+    let full = |c: char| "，。：；？！（）“”、".contains(c);
+    let mut broken = Vec::new();
+    for (key, sentence) in Sentences::of(Language::Chinese).rows {
+        let mut add = |fault: &str| broken.push(format!("{key}: {fault}: {sentence}"));
+        for (word, instead) in BARRED.iter().filter(|(word, _)| sentence.contains(word)) {
+            add(&format!("{word} is {instead}"));
+        }
+        let text: Vec<char> = sentence.chars().collect();
+        for pair in text.windows(2) {
+            match *pair {
+                [a, b] if chinese(a) && ",;:?!".contains(b) => add("half-width mark"),
+                [a, b] if (full(a) && b == ' ') || (a == ' ' && full(b)) => add("space beside a full-width mark"),
+                [a, b] if chinese(a) && (b.is_ascii_alphanumeric() || b == '{') => add("no space before Latin letters"),
+                [a, b] if (a.is_ascii_alphanumeric() || a == '}') && chinese(b) => add("no space behind Latin letters"),
+                _ => {}
+            }
+        }
+    }
+    hold("Chinese follows docs/glossary.md.", "see its rules of style", broken);
+}
