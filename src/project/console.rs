@@ -9,38 +9,56 @@ use crate::controls::{Control, Dialect};
 use crate::interp::Counts;
 use crate::interp::inspect::{Change, Entered, Level, What};
 use crate::motion::{Action, Event, Panel, RunEnd};
+use crate::msg;
 use crate::nc::Parsed;
-use crate::text::catalog::number_text;
-use crate::text::{Diagnostic, Place};
+use crate::text::catalog::{number_text, sentence, words};
+use crate::text::{Diagnostic, Message, Place};
 
-/// The text of `help`: each command with its abbreviation.
-const HELP: &str = "\
-into, i             to the next block, into calls
-over, o             to the next block, over calls
-out                 to the block after the call
-to PLACE            to a block
-continue, c         to a breakpoint or the end
-back                to the block before
-break PLACE [if CONDITION]
-                    a breakpoint; PLACE is N40, O9101, O9101 N40, 12 (line) or O9101.nc:12
-breaks              all breakpoints
-on N, off N         switches a breakpoint on or off
-clear [N]           removes a breakpoint, or all
-watch EXPRESSION    shows a value at every stop: #115, #100*#1033/100, #[#100+1], #120 LE 3
-watches             all watches
-unwatch [N]         removes a watch, or all
-print, p EXPRESSION a value now
-where, w            the next block, and the executing one
-stack               call stack, with the local variables of each level
-locals              the local variables of the present level
-changed             values and codes that the last step changed
-set VAR=VALUE       sets a variable or an input, as the operator does
-start               cycle start, after a stop
-reset               reset, after an alarm or a stop
-fault, fault off    the inverter of the spindle reports a fault, or no longer
-zero                program zero return: the axes go to the program's reference point, on controls that have it
-quit, q             ends
-";
+/// The commands with their abbreviations, as `help` lists them, each with the id of what it does.
+const COMMANDS: [(&str, &str); 24] = [
+    ("into, i", "console.help.into"),
+    ("over, o", "console.help.over"),
+    ("out", "console.help.out"),
+    ("to PLACE", "console.help.to"),
+    ("continue, c", "console.help.continue"),
+    ("back", "console.help.back"),
+    ("break PLACE [if CONDITION]", "console.help.break"),
+    ("breaks", "console.help.breaks"),
+    ("on N, off N", "console.help.on-off"),
+    ("clear [N]", "console.help.clear"),
+    ("watch EXPRESSION", "console.help.watch"),
+    ("watches", "console.help.watches"),
+    ("unwatch [N]", "console.help.unwatch"),
+    ("print, p EXPRESSION", "console.help.print"),
+    ("where, w", "console.help.where"),
+    ("stack", "console.help.stack"),
+    ("locals", "console.help.locals"),
+    ("changed", "console.help.changed"),
+    ("set VAR=VALUE", "console.help.set"),
+    ("start", "console.help.start"),
+    ("reset", "console.help.reset"),
+    ("fault, fault off", "console.help.fault"),
+    ("zero", "console.help.zero"),
+    ("quit, q", "console.help.quit"),
+];
+
+/// Columns of a command in `help`; a longer one has a line of its own.
+const COMMAND_WIDTH: usize = 20;
+
+/// The text of `help`.
+fn help() -> String {
+    let row = |(command, id): &(&str, &'static str)| {
+        let own_line = if command.len() < COMMAND_WIDTH { String::new() } else { format!("{command}\n") };
+        let command = if own_line.is_empty() { command } else { "" };
+        format!("{own_line}{command:<COMMAND_WIDTH$}{}\n", words(id))
+    };
+    COMMANDS.iter().map(row).collect()
+}
+
+/// A sentence as a line.
+fn line(message: &Message) -> String {
+    sentence(message) + "\n"
+}
 
 /// Events of the machine that are planned before the goal is checked again.
 const SLICE: usize = 4096;
@@ -77,7 +95,7 @@ pub struct Console<'f> {
 
 fn value_text(value: Option<f64>, control: &Control) -> String {
     match value {
-        None if control.has_vacant() => "vacant".to_owned(),
+        None if control.has_vacant() => words("console.vacant").to_owned(),
         value => number_text(value.unwrap_or_default(), DECIMALS),
     }
 }
@@ -86,7 +104,7 @@ fn value_text(value: Option<f64>, control: &Control) -> String {
 fn change_text(change: &Change, control: &Control) -> String {
     let side = |value: Option<f64>| match (change.what, value) {
         (What::Variable(_) | What::Local(_), value) => value_text(value, control),
-        (_, None) => "none".to_owned(),
+        (_, None) => words("console.none").to_owned(),
         (What::Code, value) => format!("G{}", value_text(value, control)),
         (What::Feed, value) => format!("F{}", value_text(value, control)),
     };
@@ -132,9 +150,9 @@ impl<'f> Console<'f> {
     }
 
     /// Carries out a line and returns its answer.
-    pub fn line(&mut self, line: &str) -> (Outcome, String) {
-        let line = line.trim();
-        let (command, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+    pub fn line(&mut self, text: &str) -> (Outcome, String) {
+        let text = text.trim();
+        let (command, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
         let rest = rest.trim();
         let answer = match command {
             "into" | "i" => Ok(self.go(Goal::Into)),
@@ -162,13 +180,13 @@ impl<'f> Console<'f> {
             "fault" => match rest {
                 "" | "on" => Ok(self.press(Action::InverterFault(true))),
                 "off" => Ok(self.press(Action::InverterFault(false))),
-                _ => Err("“fault” takes nothing or “off”.\n".to_owned()),
+                _ => Err(line(&msg!("console.fault-off"))),
             },
             "zero" => Ok(self.press(Action::ProgramZeroReturn)),
-            "help" | "h" | "?" => Ok(HELP.to_owned()),
+            "help" | "h" | "?" => Ok(help()),
             "quit" | "q" => return (Outcome::Quit, String::new()),
             "" => Ok(String::new()),
-            _ => Err(format!("There is no command “{command}”; “help” lists them.\n")),
+            _ => Err(line(&msg!("console.no-command", command))),
         };
         match answer {
             Ok(text) => (Outcome::Done, text),
@@ -181,9 +199,9 @@ impl<'f> Console<'f> {
         let levels = self.debugger.levels();
         let Some(now) = levels.first() else { return String::new() };
         let mut out = self.renderer.excerpt(now.place).unwrap_or_default();
-        out += &format!("  = {}, {} s\n", self.level(now), number_text(self.debugger.t(), 4));
+        out += &format!("  = {}", line(&msg!("console.now", self.level(now), (self.debugger.t(), 4))));
         if let Some(place) = self.debugger.executing().filter(|place| *place != now.place) {
-            out += &format!("  = executing: {}\n", self.renderer.block(place));
+            out += &format!("  = {}", line(&msg!("console.executing", self.renderer.block(place))));
         }
         out
     }
@@ -191,19 +209,18 @@ impl<'f> Console<'f> {
     /// Name of a program by its number.
     fn program(&self, number: u32) -> String {
         let letter = self.control().syntax.program_letters.first().copied().map_or('O', char::from);
-        if number == 0 { "program without number".to_owned() } else { format!("{letter}{number}") }
+        if number == 0 { words("console.unnumbered").to_owned() } else { format!("{letter}{number}") }
     }
 
     /// A program and how it was entered: `O9101, macro at level 1`.
     fn level(&self, level: &Level) -> String {
         let program = if level.name.is_empty() { self.program(level.program) } else { level.name.clone() };
         let entered = match level.entered {
-            Entered::Start => String::new(),
-            Entered::Subprogram => ", subprogram".to_owned(),
-            Entered::Macro => format!(", macro at level {}", level.level),
+            Entered::Start => program,
+            Entered::Subprogram => sentence(&msg!("console.subprogram", program)),
+            Entered::Macro => sentence(&msg!("console.macro", program, level.level as u32)),
         };
-        let again = if level.again == 0 { String::new() } else { format!(", {} more to run", level.again) };
-        format!("{program}{entered}{again}")
+        if level.again == 0 { entered } else { sentence(&msg!("console.again", entered, level.again)) }
     }
 
     fn go(&mut self, goal: Goal) -> String {
@@ -228,14 +245,12 @@ impl<'f> Console<'f> {
         self.over = over;
         let mut out = match &stop {
             Stop::Reached => String::new(),
-            Stop::Breakpoint(number) => format!("breakpoint {number}\n"),
-            Stop::Condition(number, why) => {
-                format!("breakpoint {number}: its condition has no value here\n{}", self.renderer.text(why))
-            }
-            Stop::Ended(RunEnd::ProgramEnd) => "the program is over\n".to_owned(),
-            Stop::Ended(RunEnd::Stop) => "the control waits for the operator: “start” goes on\n".to_owned(),
-            Stop::Ended(RunEnd::Alarm(_)) => "the control stops with an alarm\n".to_owned(),
-            Stop::Ended(RunEnd::Blocks | RunEnd::Seconds) => "the run is given up here\n".to_owned(),
+            Stop::Breakpoint(number) => line(&msg!("console.breakpoint", *number)),
+            Stop::Condition(number, why) => line(&msg!("console.no-condition", *number)) + &self.renderer.text(why),
+            Stop::Ended(RunEnd::ProgramEnd) => line(&msg!("console.program-end")),
+            Stop::Ended(RunEnd::Stop) => line(&msg!("console.waits")),
+            Stop::Ended(RunEnd::Alarm(_)) => line(&msg!("console.alarm")),
+            Stop::Ended(RunEnd::Blocks | RunEnd::Seconds) => line(&msg!("console.given-up")),
         };
         if !again {
             out += &self.changed();
@@ -256,12 +271,13 @@ impl<'f> Console<'f> {
         out + &self.watches()
     }
 
-    /// An expression with its value, or the reason why it has none.
-    fn shown(&self, lead: &str, text: &str) -> String {
-        match self.debugger.evaluate(text) {
-            Ok(value) => format!("{lead}{text} = {}\n", value_text(value, self.control())),
-            Err(why) => format!("{lead}{text}: {}\n", headline(&why)),
-        }
+    /// A watch: its expression with its value, or the reason why it has none.
+    fn shown(&self, number: u32, text: &str) -> String {
+        let told = match self.debugger.evaluate(text) {
+            Ok(value) => format!("{text} = {}", value_text(value, self.control())),
+            Err(why) => sentence(&msg!("project.headline", text, headline(&why))),
+        };
+        line(&msg!("console.watch", number, told))
     }
 
     fn changed(&self) -> String {
@@ -271,9 +287,10 @@ impl<'f> Console<'f> {
         }
         let (earlier, newest) = self.debugger.run().given();
         let names = self.main.program().names();
-        let newest: Vec<String> = newest.map(|canon| format!("  gives {}\n", canon.line(names))).collect();
+        let newest: Vec<String> =
+            newest.map(|canon| format!("  {}", line(&msg!("console.gives", canon.line(names).to_string())))).collect();
         if earlier > 0 {
-            out += &format!("  gives {} commands, the last of them:\n", earlier + newest.len());
+            out += &format!("  {}", line(&msg!("console.gives-many", (earlier + newest.len()) as u32)));
         }
         out + &newest.concat()
     }
@@ -297,16 +314,19 @@ impl<'f> Console<'f> {
             return String::new();
         };
         let locals = locals_text(level);
-        format!("level {}:{}\n", level.level, if locals.is_empty() { " all vacant" } else { &locals })
+        let number = level.level as u32;
+        if locals.is_empty() {
+            line(&msg!("console.locals-vacant", number))
+        } else {
+            format!("{}{locals}\n", sentence(&msg!("console.locals", number)))
+        }
     }
 
     fn location(&self, text: &str) -> Result<(Location, Place), String> {
         let here = self.debugger.place().unwrap_or_default();
         let location = Location::read(text, self.parsed(), here);
         let found = location.and_then(|location| location.place(self.parsed()).map(|place| (location, place)));
-        found.ok_or_else(|| {
-            format!("There is no block “{text}”; a place is N40, O9101, O9101 N40, 12 (line) or O9101.nc:12.\n")
-        })
+        found.ok_or_else(|| line(&msg!("console.no-block", text)))
     }
 
     fn set_break(&mut self, rest: &str) -> Result<String, String> {
@@ -318,7 +338,7 @@ impl<'f> Console<'f> {
         let (location, at) = self.location(place)?;
         let added = self.points.add(location, condition, self.main.program().parsed());
         let number = added.map_err(|why| expression_error(condition.trim(), &why))?;
-        Ok(format!("breakpoint {number}: {}\n", self.renderer.block(at)))
+        Ok(line(&msg!("console.breakpoint-set", number, self.renderer.block(at))))
     }
 
     fn breaks(&self) -> String {
@@ -326,10 +346,11 @@ impl<'f> Console<'f> {
         for point in self.points.list() {
             let condition = if point.condition.is_empty() { String::new() } else { format!(" if {}", point.condition) };
             let block = point.place.map_or_else(String::new, |place| self.renderer.block(place));
-            let off = if point.on { "" } else { ", off" };
-            out += &format!("{}  {block}{condition}, hit {}{off}\n", point.number, point.hits);
+            let hits = sentence(&msg!("console.hits", format!("{block}{condition}"), point.hits));
+            let told = if point.on { hits } else { sentence(&msg!("console.off", hits)) };
+            out += &format!("{}  {told}\n", point.number);
         }
-        if out.is_empty() { "no breakpoints\n".to_owned() } else { out }
+        if out.is_empty() { line(&msg!("console.no-breakpoints")) } else { out }
     }
 
     fn switch(&mut self, rest: &str, on: bool) -> Result<String, String> {
@@ -349,11 +370,11 @@ impl<'f> Console<'f> {
         crate::nc::formula(text, self.parsed()).map_err(|why| expression_error(text, &why))?;
         self.watched += 1;
         self.watches.push((self.watched, text.to_owned()));
-        Ok(self.shown(&format!("watch {}: ", self.watched), text))
+        Ok(self.shown(self.watched, text))
     }
 
     fn watches(&self) -> String {
-        self.watches.iter().map(|(number, text)| self.shown(&format!("watch {number}: "), text)).collect()
+        self.watches.iter().map(|(number, text)| self.shown(*number, text)).collect()
     }
 
     fn unwatch(&mut self, rest: &str) -> Result<String, String> {
@@ -376,17 +397,13 @@ impl<'f> Console<'f> {
             }
         }
         drop(self.main.take_log());
-        if self.debugger.back(&self.main) {
-            Ok(self.walk())
-        } else {
-            Err("There is no block before this one.\n".to_owned())
-        }
+        if self.debugger.back(&self.main) { Ok(self.walk()) } else { Err(line(&msg!("console.no-block-before"))) }
     }
 
     fn set(&mut self, rest: &str) -> Result<String, String> {
         let action = Setting::read(rest).and_then(|setting| setting.action(self.control(), self.dialect()));
         let Some(action) = action else {
-            return Err("“set” takes a variable or an input that can be set, and a number: set #107=8\n".to_owned());
+            return Err(line(&msg!("console.set")));
         };
         let event = Event { t: self.debugger.t(), action };
         for event in io_names::panel(&Panel::new([event]), self.control(), self.dialect()).events() {
@@ -414,7 +431,7 @@ fn number(text: &str) -> Option<u32> {
 }
 
 fn no_such(number: &str, list: &str) -> String {
-    format!("There is no number {number}; “{list}” lists them.\n")
+    line(&msg!("console.no-such", number, list))
 }
 
 fn locals_text(level: &Level) -> String {

@@ -8,6 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 use serde_json::value::RawValue;
 
+use crate::text::catalog::words;
 use crate::text::{FileId, LineIndex, Place, Span};
 
 /// A value and the part of the text that it was read from; empty for a value that is to be written.
@@ -74,7 +75,7 @@ impl<'de: 't, 't> Deserialize<'de> for Entries<'t> {
             type Value = Entries<'de>;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("an object { \"id\": value, … }")
+                f.write_str(words("project.json.entries"))
             }
 
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries<'de>, A::Error> {
@@ -140,11 +141,11 @@ pub(super) fn reason(error: &serde_json::Error) -> String {
 /// The kind of a JSON value, in words.
 pub(super) fn kind_word(json: &Value) -> &'static str {
     match json {
-        Value::Null => "null",
-        Value::Bool(_) => "true or false",
-        Value::Number(_) => "a number",
-        Value::String(_) => "text",
-        Value::Array(_) => "a list",
-        Value::Object(_) => "an object",
+        Value::Null => words("project.json.null"),
+        Value::Bool(_) => words("project.json.flag"),
+        Value::Number(_) => words("project.json.number"),
+        Value::String(_) => words("project.json.text"),
+        Value::Array(_) => words("project.json.list"),
+        Value::Object(_) => words("project.json.object"),
     }
 }

@@ -6,7 +6,10 @@ use crate::controls;
 use crate::controls::options::SwitchOption;
 use crate::machines;
 use crate::machines::examples::Example;
+use crate::msg;
 use crate::text::catalog::{number_text, sentence, words};
+use crate::text::columns::{columns, left, right};
+use crate::text::listed;
 use crate::text::number::Fixed;
 use crate::view::{Limit, Readout, Verdict};
 
@@ -48,32 +51,27 @@ fn rotary(control: &controls::Control, letter: controls::Address) -> bool {
 
 /// The same for people.
 pub fn text() -> String {
-    let mut out = String::from("machines\n");
+    let mut out = format!("{}\n", words("project.list.machines"));
     for machine in machines::ALL {
-        let name = words(machine.name());
-        out += &format!("  {:<20} {name}; controls: {}\n", machine.id(), machine.controls().join(", "));
-        out += &format!("  {:<20} examples, the first that of a new project:\n", "");
+        let about = msg!("project.list.machine", words(machine.name()), listed(machine.controls()));
+        out += &format!("  {:<20} {}\n", machine.id(), sentence(&about));
+        out += &format!("  {:<20} {}\n", "", words("project.list.examples"));
         for example in machine.examples() {
             out += &format!("  {:<20}   {:<15} {}\n", "", example.id, words(example.about));
         }
     }
-    out += "controls\n";
+    out += &format!("{}\n", words("project.list.controls"));
     for control in controls::ALL {
         let bench = &control.bench;
         out += &format!("  {:<20} {}\n", control.id, control.name);
         let axes = bench.axes.iter().map(|a| {
             let unit = if rotary(control, a.letter) { "°/min" } else { "mm/min" };
-            format!("{} to {} {unit}", a.letter, number_text(a.clamp, 3))
+            sentence(&msg!("project.list.axis", a.letter.to_string(), a.clamp, unit))
         });
-        out += &format!(
-            "  {:<20} bench: {}; spindle {} r/min at {} V, ramp {} s\n",
-            "",
-            axes.collect::<Vec<_>>().join(", "),
-            number_text(bench.gears.first().copied().unwrap_or(0.0), 3),
-            number_text(bench.volts_full, 3),
-            number_text(bench.ramp, 3),
-        );
-        out += &format!("  {:<20} switches, each with the ids of its settings, the default first:\n", "");
+        let full = bench.gears.first().copied().unwrap_or(0.0);
+        let told = msg!("project.list.bench", listed(axes), full, bench.volts_full, bench.ramp);
+        out += &format!("  {:<20} {}\n", "", sentence(&told));
+        out += &format!("  {:<20} {}\n", "", words("project.list.switches"));
         for switch in control.switches {
             out += &format!("  {:<20}   {:<23} {}\n", "", switch.id(), switch.text());
             for option in switch.options() {
@@ -87,18 +85,28 @@ pub fn text() -> String {
 /// Ids of the settings of a switch, the default first.
 pub fn switch_values(switch: &controls::Switch) -> String {
     if switch.is_text() {
-        return "any text".to_owned();
+        return words("project.any-text").to_owned();
     }
     switch.options().iter().map(|option| option.id).collect::<Vec<_>>().join(" | ")
 }
 
-/// A verdict as it is written.
+/// A verdict as programs read it.
 pub fn verdict_word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "none",
         Verdict::Ok => "ok",
         Verdict::Warn => "warn",
         Verdict::Fail => "fail",
+    }
+}
+
+/// A verdict in a word of the language that is spoken.
+pub fn verdict_text(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::None => words("project.verdict.none"),
+        Verdict::Ok => words("project.verdict.ok"),
+        Verdict::Warn => words("project.verdict.warn"),
+        Verdict::Fail => words("project.verdict.fail"),
     }
 }
 
@@ -118,22 +126,24 @@ pub fn readouts_json(readouts: &[Readout]) -> Json {
 /// Results as lines: verdict, label, value, unit, limit, advice.
 pub fn readouts_text(readouts: &[Readout]) -> String {
     let mut out = String::new();
+    let signs = [verdict_text(Verdict::Ok), verdict_text(Verdict::Warn), words("project.verdict.sign-fail")];
+    let signs = signs.into_iter().map(columns).max().unwrap_or(0);
     for r in readouts {
         let label = words(r.label);
         let value = Fixed(r.value, r.decimals).to_string();
         let limit = r.limit.map_or(String::new(), |limit| {
             let shown = number_text(limit.value(), r.decimals.max(3));
-            format!("  ({})", sentence(&limit.message(shown)))
+            format!("  {}", sentence(&msg!("project.list.limit", sentence(&limit.message(shown)))))
         });
         let sign = match r.verdict {
-            Verdict::None => "   -",
-            Verdict::Ok => "  ok",
-            Verdict::Warn => "warn",
-            Verdict::Fail => "FAIL",
+            Verdict::None => "-",
+            Verdict::Fail => words("project.verdict.sign-fail"),
+            verdict => verdict_text(verdict),
         };
-        out += &format!("{sign}  {label:<38} {value:>14} {}{limit}\n", r.unit);
+        let (sign, label) = (right(sign, signs), left(label, 38));
+        out += &format!("{sign}  {label} {value:>14} {}{limit}\n", r.unit);
         for advice in &r.advice {
-            out += &format!("        {}\n", sentence(&advice.message));
+            out += &format!("{:signs$}    {}\n", "", sentence(&advice.message));
         }
     }
     out

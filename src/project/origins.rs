@@ -3,11 +3,14 @@
 use serde_json::{Value as Json, json};
 
 use super::Project;
-use super::list::verdict_word;
+use super::list::{verdict_text, verdict_word};
 use super::sensitivity::{Flip, Sensitivity};
 use crate::machines::form::fill::assumed;
 use crate::machines::report::inputs;
-use crate::text::catalog::words;
+use crate::msg;
+use crate::text::catalog::{sentence, words};
+use crate::text::columns::left;
+use crate::text::listed;
 use crate::view::report::Input;
 
 /// Origin of a value.
@@ -26,12 +29,24 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// The origin in a word or two.
-    fn words(self) -> &'static str {
+    /// The origin as programs read it.
+    fn id(self) -> &'static str {
         match self {
             Origin::Entered => "entered",
             Origin::Default => "default",
             Origin::Example => "example",
+            Origin::Assumed => "assumed",
+            Origin::Known("form.report.measured") => "measured",
+            Origin::Known(_) => "data sheet",
+        }
+    }
+
+    /// The origin in a word or two.
+    fn words(self) -> &'static str {
+        match self {
+            Origin::Entered => words("project.origin.entered"),
+            Origin::Default => words("project.origin.default"),
+            Origin::Example => words("project.origin.example"),
             Origin::Assumed => words("form.report.assumed"),
             Origin::Known(source) => words(source),
         }
@@ -62,7 +77,7 @@ fn assumed_facts(project: &Project) -> Vec<&'static str> {
 
 /// Values with origins, the example that they are, and the assumed facts: first those that flip a verdict.
 pub fn json(project: &Project) -> Json {
-    let value = |(input, origin): &(Input, Origin)| json!({ "id": input.id, "value": input.value, "unit": input.unit, "origin": origin.words() });
+    let value = |(input, origin): &(Input, Origin)| json!({ "id": input.id, "value": input.value, "unit": input.unit, "origin": origin.id() });
     let flip = |flip: &Flip| {
         let to = json!({ "readout": flip.readout, "factor": flip.factor, "from": verdict_word(flip.from), "to": verdict_word(flip.to) });
         json!({ "field": flip.field, "flips": to })
@@ -88,28 +103,29 @@ pub fn text(project: &Project) -> String {
     let label = |input: &Input| [words(input.label), input.symbol].join(" ").trim_end().to_owned();
     let named =
         |id: &str| all.iter().find(|(input, _)| input.id == id).map_or(String::new(), |(input, _)| label(input));
-    let mut out = "\nvalues and their origin; default: as a new project has it\n".to_owned();
+    let mut out = format!("\n{}\n", words("project.origin.title"));
     for (input, origin) in &all {
-        out += &format!("{:<12} {:<44} {} {}", origin.words(), label(input), input.value, input.unit);
+        let (origin, label) = (left(origin.words(), 12), left(&label(input), 44));
+        out += &format!("{origin} {label} {} {}", input.value, input.unit);
         out.truncate(out.trim_end().len());
         out.push('\n');
     }
     let readouts = project.design().readouts;
     let found = Sensitivity::new(project).flips();
     if !found.is_empty() {
-        out += "\nassumed facts to measure first: a tenth more or less changes a verdict\n";
+        out += &format!("\n{}\n", words("project.flip.title"));
     }
     for flip in &found {
         let result = readouts.iter().find(|readout| readout.id == flip.readout);
         let result = result.map_or(flip.readout, |readout| words(readout.label));
-        let change = if flip.factor < 1.0 { "a tenth less" } else { "a tenth more" };
-        let (from, to) = (verdict_word(flip.from), verdict_word(flip.to));
-        out += &format!("  {:<44} {change}: {result}, {from} to {to}\n", named(flip.field));
+        let change = words(if flip.factor < 1.0 { "project.flip.less" } else { "project.flip.more" });
+        let change = msg!("project.flip", change, result, verdict_text(flip.from), verdict_text(flip.to));
+        out += &format!("  {} {}\n", left(&named(flip.field), 44), sentence(&change));
     }
     let others = assumed_facts(project).into_iter().filter(|id| found.iter().all(|flip| flip.field != *id));
     let others: Vec<String> = others.map(named).collect();
     if !others.is_empty() {
-        out += &format!("\nassumed as well: {}\n", others.join(", "));
+        out += &format!("\n{}\n", sentence(&msg!("project.assumed-as-well", listed(others))));
     }
     out
 }
@@ -119,9 +135,10 @@ pub fn faults_text(project: &Project) -> String {
     let say = |id| words(id);
     let faults = project.faults();
     let Some(example) = project.present_example().filter(|_| !faults.is_empty()) else { return String::new() };
-    let mut out = format!("{}: {}\n", say(example.name), say(example.about));
+    let mut out = sentence(&msg!("project.headline", say(example.name), say(example.about))) + "\n";
     for (readout, fault) in faults {
-        out += &format!("FAIL  {}: {}\n", say(readout.label), say(fault.reason));
+        let fault = msg!("project.headline", say(readout.label), say(fault.reason));
+        out += &format!("{}  {}\n", words("project.verdict.sign-fail"), sentence(&fault));
     }
     out
 }

@@ -7,9 +7,10 @@ use serde_json::{Value as Json, json};
 use super::decode::{Decoded, Encoding};
 use crate::msg;
 use crate::nc::{self, Files};
-use crate::text::catalog::sentence;
+use crate::text::catalog::{sentence, words};
+use crate::text::columns::of_char;
 use crate::text::escape::{is_obeyed, terminal};
-use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span};
+use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span, listed};
 
 /// Writes diagnostics about a set of files. It reads each file's lines once.
 pub struct Renderer<'f> {
@@ -66,7 +67,7 @@ impl<'f> Renderer<'f> {
         if let Some(excerpt) = diagnostic.place.and_then(|place| self.aligned(place, width)) {
             out += &excerpt;
         } else if let Some(field) = diagnostic.field {
-            out += &format!("{:width$}--> field {field}\n", "");
+            out += &format!("{:width$}--> {}\n", "", sentence(&msg!("project.field", field)));
         }
         if let (Some(alarm), Some(wording)) = (diagnostic.alarm.as_deref(), diagnostic.wording) {
             let shown = sentence(&msg!("project.control-shows", alarm, wording));
@@ -76,7 +77,7 @@ impl<'f> Renderer<'f> {
             out += &format!("{:width$} = {}\n", "", sentence(hint));
         }
         for (fix, mended) in fixes.iter().zip(&mended) {
-            out += &format!("help: {}\n", sentence(&fix.title));
+            out += &format!("{}\n", sentence(&msg!("project.help", sentence(&fix.title))));
             let Some((first, lines)) = mended else { continue };
             out += &format!("{:width$} |\n", "");
             for (line, number) in lines.iter().zip(*first..) {
@@ -183,11 +184,16 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
         (Severity::Error, None) => String::new(),
         (_, None) => format!("[{}]", diagnostic.id()),
     };
-    format!("{}{tag}: {}", word(diagnostic.severity), sentence(&diagnostic.message))
+    let severity = match diagnostic.severity {
+        Severity::Error => words("project.severity.error"),
+        Severity::Warning => words("project.severity.warning"),
+        Severity::Info => words("project.severity.info"),
+    };
+    sentence(&msg!("project.headline", severity.to_owned() + &tag, sentence(&diagnostic.message)))
 }
 
-/// The severity as it is written.
-pub fn word(severity: Severity) -> &'static str {
+/// The severity as programs read it.
+fn word(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "error",
         Severity::Warning => "warning",
@@ -197,14 +203,15 @@ pub fn word(severity: Severity) -> &'static str {
 
 /// How many there are of each severity: `2 errors, 1 warning`.
 pub fn summary(diagnostics: &[Diagnostic]) -> String {
-    let count = |severity, one: &str| match diagnostics.iter().filter(|d| d.severity == severity).count() {
-        0 => None,
-        1 => Some(format!("1 {one}")),
-        many => Some(format!("{many} {one}s")),
-    };
-    let counts = [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Info, "remark")];
-    let counts: Vec<String> = counts.into_iter().filter_map(|(severity, one)| count(severity, one)).collect();
-    if counts.is_empty() { "nothing to say".to_owned() } else { counts.join(", ") }
+    let count = |severity| diagnostics.iter().filter(|d| d.severity == severity).count() as u32;
+    let counts = [
+        (count(Severity::Error), msg!("project.errors", count(Severity::Error))),
+        (count(Severity::Warning), msg!("project.warnings", count(Severity::Warning))),
+        (count(Severity::Info), msg!("project.remarks", count(Severity::Info))),
+    ];
+    let counts: Vec<String> =
+        counts.into_iter().filter(|(count, _)| *count > 0).map(|(_, told)| sentence(&told)).collect();
+    if counts.is_empty() { words("project.nothing-to-say").to_owned() } else { listed(counts) }
 }
 
 /// Columns of a line that are shown at most.
@@ -234,7 +241,7 @@ impl Shown {
         let mut shown = Shown { text: String::new(), column: 0, width: 0 };
         let mut column = 0;
         for (index, c) in line.chars().enumerate().skip(skipped) {
-            let wide = if c == '\t' { TAB - column % TAB } else { columns(c) };
+            let wide = if c == '\t' { TAB - column % TAB } else { of_char(c) };
             if column + wide > SHOWN {
                 break;
             }
@@ -251,23 +258,5 @@ impl Shown {
             }
         }
         shown
-    }
-}
-
-/// Columns of a character: 2 for those of East Asian width and pictures, 0 for marks on the one before.
-fn columns(c: char) -> usize {
-    match c {
-        c if is_obeyed(c) => 1,
-        '\u{300}'..='\u{36f}' | '\u{200b}'..='\u{200f}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' => 0,
-        '\u{1100}'..='\u{115f}'
-        | '\u{2e80}'..='\u{a4cf}'
-        | '\u{ac00}'..='\u{d7a3}'
-        | '\u{f900}'..='\u{faff}'
-        | '\u{fe30}'..='\u{fe6f}'
-        | '\u{ff00}'..='\u{ff60}'
-        | '\u{ffe0}'..='\u{ffe6}'
-        | '\u{1f300}'..='\u{1faff}'
-        | '\u{20000}'..='\u{3fffd}' => 2,
-        _ => 1,
     }
 }

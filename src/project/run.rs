@@ -17,9 +17,10 @@ use crate::motion::{
     Action, AxisPlant, AxisState, BenchPlc, Budget, Event, GearShift, PMC_AXES, Panel, Planner, Plant, Plc, Retention,
     RunEnd, Setup, SpindlePlant,
 };
+use crate::msg;
 use crate::nc::Parsed;
-use crate::text::Diagnostic;
-use crate::text::catalog::number_text;
+use crate::text::catalog::{number_text, sentence, words};
+use crate::text::{Diagnostic, clauses};
 
 /// A planned run of the interpreter.
 pub type Run = Planner<Interp>;
@@ -271,7 +272,7 @@ impl RunSummary {
         self
     }
 
-    /// Reason of the end as one word.
+    /// Reason of the end as programs read it.
     pub fn word(&self) -> &'static str {
         match self.ended {
             RunEnd::ProgramEnd => "program-end",
@@ -318,11 +319,17 @@ impl RunSummary {
     /// The end as one line for people.
     pub fn text(&self) -> String {
         let axes: Vec<String> = self.axes.iter().map(|(axis, at)| format!("{axis}{}", number_text(*at, 3))).collect();
-        let turned = self.turned.iter().map(|axis| {
-            format!("; {} {} r/min at {}°", axis.name, number_text(axis.rpm, 1), number_text(axis.angle, 3))
-        });
-        let end = format!("{} after {} blocks, {:.3} s; {}", self.word(), self.blocks, self.time, axes.join(" "));
-        end + &turned.collect::<String>()
+        let turned =
+            self.turned.iter().map(|axis| msg!("project.run.turned", words(axis.name), (axis.rpm, 1), axis.angle));
+        let ended = match self.ended {
+            RunEnd::ProgramEnd => words("project.run.program-end"),
+            RunEnd::Stop => words("project.run.stop"),
+            RunEnd::Alarm(_) => words("project.run.alarm"),
+            RunEnd::Blocks => words("project.run.blocks"),
+            RunEnd::Seconds => words("project.run.seconds"),
+        };
+        let end = msg!("project.run.end", ended, self.blocks.to_string(), format!("{:.3}", self.time));
+        clauses([sentence(&end), axes.join(" ")].into_iter().chain(turned.map(|axis| sentence(&axis))))
     }
 }
 

@@ -8,6 +8,7 @@ use super::origins::values;
 use super::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::controls::Switch;
 use crate::text::catalog::words;
+use crate::text::columns::{left, right};
 use crate::text::number::Fixed;
 use crate::view::{ComparedRow, Comparison, Readout, VariantCell, Verdict};
 
@@ -184,14 +185,14 @@ impl Comparison {
     }
 }
 
-/// Characters of the first column, and of each further one.
+/// Columns of a terminal for the first column, and of each further one.
 const WIDTHS: (usize, usize) = (44, 18);
 
 /// A line of the comparison.
 fn line<'c>(label: &str, unit: &str, cells: impl Iterator<Item = &'c str>) -> String {
     let name = [label, unit].join(" ");
-    let mut out = format!("  {:<1$}", name.trim_end(), WIDTHS.0);
-    cells.for_each(|cell| out += &format!(" {cell:>0$}", WIDTHS.1));
+    let mut out = format!("  {}", left(name.trim_end(), WIDTHS.0));
+    cells.for_each(|cell| out += &format!(" {}", right(cell, WIDTHS.1)));
     out.truncate(out.trim_end().len());
     out.push('\n');
     out

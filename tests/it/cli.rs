@@ -2,9 +2,11 @@
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 use serde_json::{Value as Json, json};
+
+use super::command;
 
 /// A folder of its own for one test, emptied first.
 fn folder(name: &str) -> PathBuf {
@@ -15,7 +17,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 fn macroline(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_macroline")).args(args).output().unwrap()
+    command::macroline().args(args).output().unwrap()
 }
 
 fn text(path: &Path) -> String {
@@ -380,8 +382,8 @@ fn run_prints_its_log_while_it_runs() {
     let program = folder("streams").join("endless.nc");
     std::fs::write(&program, "%\nO1\nG91G01F119391.393\nDO1\nX8.Y62.832\nX-8.Y-62.832\nEND1\n%\n").unwrap();
     let run = "ulimit -v 32000 && exec \"$0\" run \"$1\" --control mitsubishi-e60 --seconds 1e9 --blocks 3000000";
-    let out = Command::new("sh")
-        .args(["-c", run, env!("CARGO_BIN_EXE_macroline"), &text(&program)])
+    let out = command::in_english("sh")
+        .args(["-c", run, command::MACROLINE, &text(&program)])
         .stdout(std::process::Stdio::null())
         .output()
         .unwrap();
@@ -392,7 +394,7 @@ fn run_prints_its_log_while_it_runs() {
 /// Steps through a program with a script of commands: exit status, answers, and what was said beside them.
 #[track_caller]
 fn step(args: &[&str], script: &str) -> (i32, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_macroline"));
+    let mut command = command::macroline();
     command.arg("step").args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     child.stdin.take().unwrap().write_all(script.as_bytes()).unwrap();

@@ -2,11 +2,11 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 use serde_json::{Value as Json, json};
 
-const MACROLINE: &str = env!("CARGO_BIN_EXE_macroline");
+use super::command;
 
 /// A folder of its own for one test, emptied first.
 fn folder(name: &str) -> PathBuf {
@@ -17,7 +17,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 fn macroline(args: &[&str]) -> Output {
-    Command::new(MACROLINE).args(args).output().unwrap()
+    command::macroline().args(args).output().unwrap()
 }
 
 fn text(path: &Path) -> &str {
@@ -149,7 +149,7 @@ fn concurrent_exports_do_not_mix() {
         })
         .collect();
     let start = |at: usize| {
-        let mut command = Command::new(MACROLINE);
+        let mut command = command::macroline();
         command.args(["export", text(&alone[at % 2].0), "--out", text(&out)]);
         command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
     };
@@ -180,7 +180,7 @@ fn names_that_would_be_one_file_are_an_error() {
 /// Runs a line of the shell; `$0` is macroline and `$1` the argument.
 #[cfg(unix)]
 fn shell(line: &str, argument: &str) -> Output {
-    Command::new("sh").args(["-c", line, MACROLINE, argument]).output().unwrap()
+    command::in_english("sh").args(["-c", line, command::MACROLINE, argument]).output().unwrap()
 }
 
 #[cfg(unix)]

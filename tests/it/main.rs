@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::string_slice)]
 
 mod cli;
+mod cli_language;
+mod command;
 mod control_differences;
 mod controls;
 mod diagnostic_text;

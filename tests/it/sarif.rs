@@ -1,7 +1,7 @@
 //! SARIF: findings that code hosts show beside the lines, with fixes that mend them.
 
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 use std::rc::Rc;
 
 use macroline::controls;
@@ -11,9 +11,11 @@ use macroline::project::check::review;
 use macroline::project::render::Renderer;
 use serde_json::{Value as Json, json};
 
+use super::command;
+
 fn check(folder: &Path, args: &[&str]) -> Output {
     let command = ["check", "--format", "sarif"];
-    Command::new(env!("CARGO_BIN_EXE_macroline")).current_dir(folder).args(command).args(args).output().unwrap()
+    command::macroline().current_dir(folder).args(command).args(args).output().unwrap()
 }
 
 fn folder(name: &str) -> std::path::PathBuf {

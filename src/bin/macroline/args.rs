@@ -1,11 +1,9 @@
-//! The arguments of the command line.
+//! The arguments of the command line. Each doc comment is a text of its help, and a key of the catalogs of other languages.
 
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand};
+use clap::{Parser, Subcommand, ValueEnum};
 use macroline::project::chance;
-
-use crate::output::Format;
 
 /// Sizes special CNC machines, writes their macro programs and runs that very text.
 #[derive(Parser)]
@@ -175,4 +173,22 @@ pub(crate) struct RunArgs {
     /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
     #[arg(long, value_name = "ID")]
     pub(crate) silence: Vec<String>,
+}
+
+/// How the diagnostics are printed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Text for people
+    #[default]
+    Text,
+    /// An object with their list
+    Json,
+    /// SARIF 2.1.0, for code hosts and editors
+    Sarif,
+}
+
+impl From<bool> for Format {
+    fn from(json: bool) -> Format {
+        if json { Format::Json } else { Format::Text }
+    }
 }

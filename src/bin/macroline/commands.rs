@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::rc::Rc;
 
-use clap::Parser;
 use macroline::controls::Switches;
+use macroline::msg;
 use macroline::nc;
 use macroline::project::chance::chance;
 use macroline::project::check::review;
@@ -16,21 +16,26 @@ use macroline::project::run::AtStop;
 use macroline::project::size::tell::sheet_text;
 use macroline::project::suppress::silence;
 use macroline::project::{Project, drawing, list, origins, parts, size, variants};
-use macroline::text::Diagnostic;
 use macroline::text::catalog::words;
+use macroline::text::{Diagnostic, listed};
 use macroline::view::Theme;
 use macroline::view::svg::picture;
 use serde_json::json;
 
-use crate::args::{Command, Line};
+use crate::args::{Command, Format};
 use crate::findings::{Findings, Sources, list_json};
 use crate::input;
-use crate::output::{self, Failure, Format, print, print_json, refuse, say, tell, tell_as, verdict};
+use crate::language::{self, failed};
+use crate::output::{self, Failure, print, print_json, refuse, say, tell, tell_as, verdict};
 use crate::requested::{control, known, only_project, switched, tell_silenced};
 use crate::{export, run};
 
 pub(crate) fn main() -> ExitCode {
-    output::status(match Line::parse().command {
+    let line = match language::line() {
+        Ok(line) => line,
+        Err(status) => return status,
+    };
+    output::status(match line.command {
         Command::List { json: true } => print_json(&list::json()),
         Command::List { json: false } => print(&list::text()),
         Command::Parts { table, control, add_to, json } => {
@@ -82,12 +87,12 @@ fn parts(table: Option<&Path>, id: Option<&str>, into: Option<&Path>, json: bool
 
 fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<(), Failure> {
     let project = Project::named(machine, control, example).map_err(|unknown| {
-        let name = match unknown.kind {
-            NameKind::Machine => format!("no machine “{machine}”"),
-            NameKind::Control => format!("{machine} does not go with the control “{}”", control.unwrap_or_default()),
-            NameKind::Example => format!("{machine} has no example “{}”", example.unwrap_or_default()),
-        };
-        Failure::Usage(format!("{name}; there are: {}", unknown.known.join(", ")))
+        let known = listed(unknown.known);
+        Failure::usage(&match unknown.kind {
+            NameKind::Machine => msg!("cli.no-machine", machine, known),
+            NameKind::Control => msg!("cli.wrong-control", machine, control.unwrap_or_default(), known),
+            NameKind::Example => msg!("cli.no-example", machine, example.unwrap_or_default(), known),
+        })
     })?;
     output::print_data(&project.to_json())?;
     say(&origins::faults_text(&project))
@@ -146,9 +151,9 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
         variants.push((if project.name.is_empty() { file } else { project.name.clone() }, project));
     }
     let comparison = match variants.as_slice() {
-        [(_, alone)] => alone.compared_variants(words("variants.now")).ok_or_else(|| {
-            Failure::Usage("compare takes two or more projects, or one that keeps variants".to_owned())
-        })?,
+        [(_, alone)] => {
+            alone.compared_variants(words("variants.now")).ok_or_else(|| Failure::usage(&msg!("cli.compare")))?
+        }
         _ => variants::compare(&variants),
     };
     if json {
@@ -179,15 +184,14 @@ fn export(path: &Path, folder: &Path, date: &str) -> Result<(), Failure> {
 
 fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {
     if at.is_nan() || at < 0.0 {
-        return Err(Failure::Usage("--at takes 0 or more".to_owned()));
+        return Err(Failure::usage(&msg!("cli.at")));
     }
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
     tell(&[file])?;
     let (scene, pose) = drawing::at(&project, at);
     let theme = if dark { Theme::Dark } else { Theme::Light };
-    let failed = |error| Failure::Outside(format!("{}: {error}", out.display()));
-    std::fs::write(out, picture(&scene, &pose, theme)).map_err(failed)
+    std::fs::write(out, picture(&scene, &pose, theme)).map_err(|error| Failure::Outside(failed(out, &error)))
 }
 
 fn check(

@@ -7,7 +7,11 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use macroline::msg;
 use macroline::nc::File;
+use macroline::text::catalog::sentence;
+
+use crate::language::failed;
 
 /// Why an export failed, and the path that it failed at.
 type Failed = String;
@@ -30,10 +34,6 @@ pub(crate) fn write(folder: &Path, files: &[File]) -> Result<(), Failed> {
         }
     }
     done
-}
-
-fn failed(path: &Path, error: &io::Error) -> Failed {
-    format!("{}: {error}", path.display())
 }
 
 /// Makes a folder; returns it and those above it that were missing, the outermost first.
@@ -99,7 +99,7 @@ impl Change<'_> {
         for at in 0..self.files.len() {
             let target = self.target(at);
             if fs::symlink_metadata(&target).is_ok_and(|there| there.is_dir()) {
-                return Err(format!("{}: a folder has this name", target.display()));
+                return Err(sentence(&msg!("cli.folder-in-the-way", target.display().to_string())));
             }
         }
         for at in 0..self.files.len() {

@@ -8,7 +8,7 @@ use macroline::project::render::{Renderer, sarif};
 use macroline::text::{Diagnostic, Severity};
 use serde_json::Value as Json;
 
-use crate::output::Format;
+use crate::args::Format;
 
 /// Files that diagnostics are about.
 #[derive(Default)]

@@ -11,13 +11,15 @@ use macroline::project::decode::{Decoded, Encoding};
 use macroline::project::{Project, parts, saved};
 use macroline::text::{Diagnostic, FileId, Place, Span};
 
+use crate::args::Format;
 use crate::findings::{Findings, Sources};
-use crate::output::{Failure, Format, refuse};
+use crate::language::failed;
+use crate::output::{Failure, refuse};
 
 fn read(path: &Path) -> Result<Decoded, Failure> {
-    let bytes = std::fs::read(path).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
+    let bytes = std::fs::read(path).map_err(|error| Failure::Usage(failed(path, &error)))?;
     if u32::try_from(bytes.len()).is_err() {
-        return Err(Failure::Usage(format!("{}: files of 4 GB and more are not read", path.display())));
+        return Err(Failure::usage(&msg!("cli.file-too-large", path.display().to_string())));
     }
     Ok(Decoded::new(bytes))
 }
@@ -76,7 +78,7 @@ pub(crate) fn programs(paths: &[PathBuf], format: impl Into<Format>) -> Result<F
     let format = format.into();
     let most = usize::from(u16::MAX);
     if paths.len() > most {
-        return Err(Failure::Usage(format!("{} files are given; at most {most} are read", paths.len())));
+        return Err(Failure::usage(&msg!("cli.too-many-files", paths.len() as u32, most as u32)));
     }
     let (mut files, mut decoded, mut list, mut other) = (Vec::new(), Vec::new(), Vec::new(), false);
     for (path, id) in paths.iter().zip(0..) {

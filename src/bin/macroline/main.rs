@@ -15,6 +15,9 @@ mod input;
 mod args;
 
 #[cfg(not(target_arch = "wasm32"))]
+mod language;
+
+#[cfg(not(target_arch = "wasm32"))]
 mod requested;
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -3,11 +3,13 @@
 use std::io::{self, BufWriter, StdoutLock, Write};
 use std::process::ExitCode;
 
-use clap::ValueEnum;
 use macroline::project::render::summary;
+use macroline::text::Message;
+use macroline::text::catalog::sentence;
 use macroline::text::escape::terminal;
 use serde_json::{Value as Json, json};
 
+use crate::args::Format;
 use crate::findings::{Findings, has_errors, list_json, list_sarif};
 
 /// Why a command ends before its end.
@@ -24,6 +26,13 @@ pub(crate) enum Failure {
     Waits,
     /// The reader of the output has gone away: a quiet end.
     Closed,
+}
+
+impl Failure {
+    /// Wrong usage, as a sentence tells it.
+    pub(crate) fn usage(message: &Message) -> Failure {
+        Failure::Usage(sentence(message))
+    }
 }
 
 impl From<io::Error> for Failure {
@@ -108,24 +117,6 @@ pub(crate) fn tell(all: &[Findings]) -> Result<(), Failure> {
         list.extend(findings.list.iter().cloned());
     }
     if list.is_empty() { Ok(()) } else { say(&(summary(&list) + "\n")) }
-}
-
-/// How diagnostics are printed.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    /// Text for people
-    #[default]
-    Text,
-    /// An object with their list
-    Json,
-    /// SARIF 2.1.0, for code hosts and editors
-    Sarif,
-}
-
-impl From<bool> for Format {
-    fn from(json: bool) -> Format {
-        if json { Format::Json } else { Format::Text }
-    }
 }
 
 /// Prints diagnostics.

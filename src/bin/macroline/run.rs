@@ -6,6 +6,7 @@ use std::rc::Rc;
 use macroline::controls::{Control, Dialect, Switches};
 use macroline::interp::StartProgram;
 use macroline::motion::{Budget, Panel, Retention, RunEnd};
+use macroline::msg;
 use macroline::nc;
 use macroline::project::check::{not_reached, review, with_run};
 use macroline::project::console::{Console, Outcome};
@@ -38,10 +39,7 @@ struct Prepared {
 /// Variables and inputs that can be set on this control.
 fn settable(settings: &[Setting], control: &Control, dialect: &Dialect) -> Result<(), Failure> {
     match settings.iter().find(|setting| setting.action(control, dialect).is_none()) {
-        Some(setting) => {
-            let name = &setting.name;
-            Err(Failure::Usage(format!("--set: the control has no variable and no input “{name}” that can be set")))
-        }
+        Some(setting) => Err(Failure::usage(&msg!("cli.not-settable", setting.name.as_str()))),
         None => Ok(()),
     }
 }
@@ -60,8 +58,7 @@ impl Request<'_> {
     fn start(&self, parsed: &nc::Parsed) -> Result<Option<StartProgram>, Failure> {
         let Some(name) = self.args.start.as_deref() else { return Ok(None) };
         let meant = run::program_meant(name, parsed);
-        let usage = || Failure::Usage(format!("--start takes a program, for instance O9101, not “{name}”"));
-        meant.map(Some).ok_or_else(usage)
+        meant.map(Some).ok_or_else(|| Failure::usage(&msg!("cli.start", name)))
     }
 
     fn options(&self, start: Option<StartProgram>) -> RunOptions<'_> {
@@ -128,7 +125,7 @@ impl Request<'_> {
 
 fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Failure> {
     if args.seconds.is_nan() || args.seconds < 0.0 {
-        return Err(Failure::Usage("--seconds takes 0 or more".to_owned()));
+        return Err(Failure::usage(&msg!("cli.seconds")));
     }
     let silenced = known(&args.silence)?;
     let mut files = Vec::new();
@@ -142,7 +139,7 @@ fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Fail
     };
     let settings = args.set.iter().map(|text| Setting::read(text)).collect::<Option<Vec<_>>>();
     let Some(settings) = settings else {
-        return Err(Failure::Usage("--set takes a variable and a number, for instance --set '#107=8'".to_owned()));
+        return Err(Failure::usage(&msg!("cli.set")));
     };
     let request = Request { args, panel, settings, keep, json };
     match &args.control {
@@ -212,7 +209,7 @@ pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
     let Some(program) = files.last() else { return Ok(()) };
     let mut console = Console::new(run, program.sources.renderer());
     let mut out = Printer::new();
-    let mut wrong = 0;
+    let mut wrong: u32 = 0;
     let mut last = String::new();
     out.text(&console.place())?;
     out.flush()?;
@@ -232,7 +229,7 @@ pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
     }
     let found = Findings { sources: Sources::default(), list: console.diagnostics().to_vec() };
     if wrong > 0 && !terminal {
-        return Err(Failure::Usage(format!("{wrong} of the commands could not be carried out")));
+        return Err(Failure::usage(&msg!("cli.commands-failed", wrong)));
     }
     files.push(found);
     verdict(&files)

@@ -11,7 +11,7 @@ use crate::drives::parts::Part;
 use crate::msg;
 use crate::project::findings::clip;
 use crate::project::json::{self, Entries};
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, listed};
 
 /// Unknown names that are told at most.
 const LISTED: usize = 20;
@@ -48,7 +48,7 @@ pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) 
         for entry in &entries.0 {
             let Some(column) = columns::column(&entry.key) else {
                 if unknown.len() < LISTED && unknown.insert(entry.key.as_str()) {
-                    let message = msg!("parts.unknown-column", clip(&entry.key), COLUMNS.join(", "));
+                    let message = msg!("parts.unknown-column", clip(&entry.key), listed(COLUMNS));
                     rows.found.error(message, entry.source);
                 }
                 continue;

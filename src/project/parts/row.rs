@@ -7,7 +7,7 @@ use super::columns::{self, KINDS, OVERLOAD, REQUIRED, SHARES};
 use crate::drives::parts::{Evidence, Part, PartGrade, Ratings, Status};
 use crate::msg;
 use crate::project::findings::{Findings, clip};
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, listed};
 
 /// Parts of a table at most.
 pub const MAX_PARTS: usize = 10_000;
@@ -98,7 +98,7 @@ impl<'t> Rows<'t> {
         let allowed = columns::of_kind(&ratings);
         for cell in cells.iter().filter(|cell| columns::is_number(cell.column) || cell.column == OVERLOAD) {
             if !allowed.contains(&cell.column) {
-                self.found.error(msg!("parts.kind-lacks", kind, cell.column, allowed.join(", ")), cell.source);
+                self.found.error(msg!("parts.kind-lacks", kind, cell.column, listed(&allowed)), cell.source);
                 sound = false;
             }
         }
@@ -145,7 +145,7 @@ impl<'t> Rows<'t> {
         let plain = cell.text.trim().to_lowercase().replace(['-', '_'], " ");
         let word = words.iter().find(|(word, _)| *word == plain).map(|(_, means)| *means);
         if word.is_none() {
-            let known = words.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", ");
+            let known = listed(words.iter().map(|(word, _)| *word));
             self.found.error(msg!("parts.unknown-word", clip(&cell.text), cell.column, known), cell.source);
         }
         word

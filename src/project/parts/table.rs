@@ -5,7 +5,7 @@ use super::row::{Cell, Decimals, MAX_PARTS, PAIRS, Rows};
 use crate::drives::parts::{Part, PartGrade, Status};
 use crate::msg;
 use crate::project::findings::clip;
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, listed};
 
 /// Cells of a row that are looked at.
 const MAX_CELLS: usize = 256;
@@ -23,7 +23,7 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     let mut records = records(plain, delimiter);
     let mut rows = Rows::new(text, Decimals::default());
     if records.is_empty() {
-        rows.found.error(msg!("parts.empty", COLUMNS.join(", ")), "");
+        rows.found.error(msg!("parts.empty", listed(COLUMNS)), "");
         return rows.finish();
     }
     let head = records.remove(0);
@@ -99,7 +99,7 @@ fn head_line<'t>(head: &Record<'t>, delimiter: u8, rows: &mut Rows<'t>) -> Optio
     for (name, source) in head.cells.iter().zip(cell_sources(head.source, delimiter)) {
         let column = columns::column(name);
         if column.is_none() && !name.is_empty() {
-            rows.found.error(msg!("parts.unknown-column", clip(name), COLUMNS.join(", ")), source);
+            rows.found.error(msg!("parts.unknown-column", clip(name), listed(COLUMNS)), source);
         }
         if column.is_some() && columns.contains(&column) {
             rows.found.error(msg!("parts.column-twice", clip(name)), source);
@@ -109,7 +109,7 @@ fn head_line<'t>(head: &Record<'t>, delimiter: u8, rows: &mut Rows<'t>) -> Optio
     }
     let missing: Vec<&str> = REQUIRED.into_iter().filter(|column| !columns.contains(&Some(*column))).collect();
     if !missing.is_empty() {
-        rows.found.error(msg!("parts.missing-column", missing.join(", ")), head.source);
+        rows.found.error(msg!("parts.missing-column", listed(missing)), head.source);
         return None;
     }
     Some(columns)

@@ -5,8 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::{Value as Json, json};
 
 use super::Renderer;
+use crate::msg;
 use crate::text::catalog::sentence;
-use crate::text::{Diagnostic, FileId, Fix, Place, Severity, Span};
+use crate::text::{Diagnostic, FileId, Fix, Place, Severity, Span, sentences};
 
 /// Address of the schema of the form.
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
@@ -31,8 +32,8 @@ impl Renderer<'_> {
         let said = sentence(&diagnostic.message);
         let alarm = diagnostic.alarm.iter().map(|alarm| format!("[{alarm}]"));
         let hints = diagnostic.hints.iter().map(sentence);
-        let field = diagnostic.field.iter().map(|field| format!("Field: {field}."));
-        let text: Vec<String> = alarm.chain([said]).chain(hints).chain(field).collect();
+        let field = diagnostic.field.iter().map(|field| sentence(&msg!("project.sarif-field", *field)));
+        let text = sentences(alarm.chain([said]).chain(hints).chain(field));
         let mut result = json!({
             "ruleId": diagnostic.id(),
             "level": match diagnostic.severity {
@@ -40,7 +41,7 @@ impl Renderer<'_> {
                 Severity::Warning => "warning",
                 Severity::Info => "note",
             },
-            "message": { "text": text.join(" ") },
+            "message": { "text": text },
         });
         let start = Place { file: FileId::default(), span: Span::at(0) };
         if let Some(location) = self.location(diagnostic.place.unwrap_or(start)) {

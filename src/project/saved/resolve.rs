@@ -16,7 +16,7 @@ use crate::project::findings::{Findings, clip};
 use crate::project::json::{Entries, Located, kind_word};
 use crate::project::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::project::{Project, parts};
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, listed};
 use crate::view::report::TitleBlock;
 
 /// Characters of a project's name, and of an entry of its title block, at most.
@@ -36,12 +36,12 @@ pub(super) fn project<'t>(
     let part = |id: &Option<Located<'t>>| id.as_ref().map_or("", |id| id.source);
     let named = saved.machine.as_ref().and_then(|id| id.as_str());
     let Some(machine) = named.and_then(|id| machines.iter().copied().find(|machine| machine.id() == id)) else {
-        let known = machines.iter().map(|machine| machine.id()).collect::<Vec<_>>().join(", ");
+        let known = listed(machines.iter().map(|machine| machine.id()));
         found.error(msg!("project.no-machine", known), part(&saved.machine));
         return Loaded::refused(found);
     };
     let Some(control) = saved.control.as_ref().and_then(|id| control_of(machine, id)) else {
-        found.error(msg!("project.no-control", machine.controls().join(", ")), part(&saved.control));
+        found.error(msg!("project.no-control", listed(machine.controls())), part(&saved.control));
         return Loaded::refused(found);
     };
     let Some(saved_values) = &saved.values else {
@@ -92,7 +92,7 @@ fn variants<'t>(saved: &[VariantV1<'t>], machine: &'static dyn AnyMachine, found
             continue;
         };
         let Some(control) = control_of(machine, &row.control) else {
-            found.error(msg!("project.variant-control", name, machine.controls().join(", ")), row.control.source);
+            found.error(msg!("project.variant-control", name, listed(machine.controls())), row.control.source);
             continue;
         };
         let mut own = Project::of_form(machine, control).values;

@@ -1,7 +1,6 @@
 //! What the paper on polygon turning says beside its codes: half axes, letters, printed remarks, time against milling; and what a run tells.
 
-use std::process::Command;
-
+use super::super::command;
 use super::drawn::area;
 use super::polygon::{project, result};
 use macroline::machines;
@@ -116,11 +115,7 @@ fn run_tells_speed_and_angle_of_work_and_tool() {
     std::fs::create_dir_all(&folder).unwrap();
     let file = folder.join("lathe.json");
     std::fs::write(&file, project(&[]).to_json()).unwrap();
-    let run = Command::new(env!("CARGO_BIN_EXE_macroline"))
-        .args(["run", "--json", "--seconds", "5"])
-        .arg(&file)
-        .output()
-        .unwrap();
+    let run = command::macroline().args(["run", "--json", "--seconds", "5"]).arg(&file).output().unwrap();
     let said: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     assert_eq!(said["turned"]["work"]["rpm"], 200.0);
     std::fs::remove_dir_all(&folder).unwrap();

@@ -148,6 +148,14 @@ fn phrases() -> BTreeMap<String, &'static str> {
     all
 }
 
+/// The texts of the command line's help: the doc comments of its arguments, as clap shows them.
+fn help() -> BTreeSet<String> {
+    let arguments = sources().find(|source| source.path == "src/bin/macroline/args.rs").unwrap();
+    let docs: Vec<&str> = arguments.text.lines().map(|line| line.trim().strip_prefix("///").unwrap_or("")).collect();
+    let texts = docs.split(|line| line.is_empty()).filter(|lines| !lines.is_empty());
+    texts.map(|lines| lines.concat().trim().trim_end_matches('.').to_owned()).collect()
+}
+
 /// The formulas of results that say something in words.
 fn formulas() -> BTreeSet<String> {
     let in_words = |formula: &str| {
@@ -171,7 +179,7 @@ fn other_languages_say_everything() {
     let english = Sentences::of(Language::English);
     let mut broken = Vec::new();
     let sentences = english.checked(&mut broken);
-    let (phrases, formulas) = (phrases(), formulas());
+    let (phrases, formulas, help) = (phrases(), formulas(), help());
     let literals: BTreeSet<&str> =
         sources().flat_map(|source| source.literals()).map(|literal| literal.text.as_str()).collect();
     for language in Language::ALL.into_iter().filter(|language| *language != Language::English) {
@@ -184,13 +192,18 @@ fn other_languages_say_everything() {
         broken.extend(missing.map(|(phrase, table)| format!("{file}: the phrase of a {table} is missing: {phrase}")));
         let missing = formulas.iter().filter(|formula| !rows.contains_key(formula.as_str()));
         broken.extend(missing.map(|formula| format!("{file}: the formula of a result is missing: {formula}")));
+        let missing = help.iter().filter(|text| !rows.contains_key(text.as_str()));
+        broken.extend(missing.map(|text| format!("{file}: a text of the command line's help is missing: {text}")));
         for (key, sentence) in &rows {
             match sentences.get(key) {
                 Some(said) if places(said) != places(sentence) => {
                     broken.push(format!("{file}: {key} has not the places of “{said}”: {sentence}"));
                 }
-                None if !phrases.contains_key(*key) && !literals.contains(key) => {
+                None if !phrases.contains_key(*key) && !literals.contains(key) && !help.contains(*key) => {
                     broken.push(format!("{file}: nothing says “{key}”"));
+                }
+                None if places(key) != places(sentence) => {
+                    broken.push(format!("{file}: “{key}” has other places than {sentence}"));
                 }
                 _ => {}
             }

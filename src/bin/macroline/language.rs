@@ -1,0 +1,201 @@
+//! The language of the command line's texts: known before clap reads the arguments, because clap's help and errors are texts too.
+//!
+//! clap writes its help and its errors in English. Another language has the texts of its help by their English in its catalog, and a sentence for
+//! each kind of error.
+
+use std::ffi::OsString;
+use std::io;
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::builder::PossibleValuesParser;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command, CommandFactory, Error, FromArgMatches};
+use macroline::msg;
+use macroline::text::catalog::{self, Language, sentence, words};
+use macroline::text::{Message, clauses, listed};
+
+use crate::args::Line;
+use crate::output::say;
+
+/// Name of the option.
+const OPTION: &str = "language";
+
+/// The arguments, read in the language that they or the system choose. The exit status where they ask for help, or are wrong.
+pub(crate) fn line() -> Result<Line, ExitCode> {
+    catalog::speak(chosen(std::env::args_os().skip(1)).unwrap_or_else(of_system).sentences());
+    let mut command = translated(Line::command().arg(option()));
+    let read = command.try_get_matches_from_mut(std::env::args_os());
+    read.and_then(|matches| Line::from_arg_matches(&matches)).map_err(|error| refused(error.format(&mut command)))
+}
+
+/// The option that chooses the language.
+fn option() -> Arg {
+    Arg::new(OPTION)
+        .long(OPTION)
+        .global(true)
+        .value_name("LANGUAGE")
+        .value_parser(PossibleValuesParser::new(Language::ALL.map(Language::code)))
+        .help("Language of texts; without it that of the system")
+}
+
+/// The language that arguments choose: `--language zh` or `--language=zh`.
+fn chosen(arguments: impl Iterator<Item = OsString>) -> Option<Language> {
+    let mut arguments = arguments.take_while(|argument| argument != "--");
+    let code = loop {
+        let argument = arguments.next()?;
+        let Some(option) = argument.to_str().and_then(|text| text.strip_prefix("--")?.strip_prefix(OPTION)) else {
+            continue;
+        };
+        if option.is_empty() {
+            break arguments.next()?.to_string_lossy().into_owned();
+        }
+        if let Some(code) = option.strip_prefix('=') {
+            break code.to_owned();
+        }
+    };
+    Language::ALL.into_iter().find(|language| language.code() == code)
+}
+
+/// The language of the system's texts: Chinese where its locale is Chinese, else English.
+fn of_system() -> Language {
+    let locale = sys_locale::get_locale().unwrap_or_default().to_lowercase();
+    let is_chinese = locale.split(['-', '_', '.']).next() == Some(Language::Chinese.code());
+    if is_chinese { Language::Chinese } else { Language::English }
+}
+
+/// The command with its help in the language that is spoken.
+fn translated(mut command: Command) -> Command {
+    if catalog::spoken() == Language::English {
+        return command;
+    }
+    // Adds clap's own options and `help` to each command.
+    command.build();
+    command_in_words(command)
+}
+
+/// A text of the help by its English.
+fn help_words(english: impl ToString) -> &'static str {
+    words(english.to_string().leak())
+}
+
+/// A usage without clap's heading.
+fn without_heading(usage: &str) -> &str {
+    usage.trim().trim_start_matches("Usage:").trim_start()
+}
+
+/// A command, built by clap, with its own texts, those of its arguments and those of its commands.
+fn command_in_words(mut command: Command) -> Command {
+    let usage = command.render_usage().to_string();
+    let usage = ["[OPTIONS]", "<COMMAND>", "[COMMAND]"]
+        .into_iter()
+        .fold(without_heading(&usage).to_owned(), |usage, placeholder| usage.replace(placeholder, words(placeholder)));
+    let command = command.mut_args(argument_in_words).mut_subcommands(command_in_words);
+    let about = match command.get_name() {
+        "help" => Some(words("Print this message or the help of the given subcommand(s)")),
+        _ => command.get_about().map(help_words),
+    };
+    let command = about.into_iter().fold(command, Command::about);
+    let mut template = "{about}".to_owned();
+    let mut section = |heading: &str, between: &str, rows: &str| template += &format!("\n\n{heading}{between}{rows}");
+    section(words("Usage:"), "", "{usage}");
+    if command.has_subcommands() {
+        section(words("Commands:"), "\n", "{subcommands}");
+    }
+    if command.get_positionals().next().is_some() {
+        section(words("Arguments:"), "\n", "{positionals}");
+    }
+    section(words("Options:"), "\n", "{options}");
+    command.override_usage(usage).help_template(template)
+}
+
+/// An argument with its help, which also tells its default and its possible values.
+fn argument_in_words(argument: Arg) -> Arg {
+    let mut told = match argument.get_id().as_str() {
+        "help" => words("Print help").to_owned(),
+        "version" => words("Print version").to_owned(),
+        _ => argument.get_help().map(help_words).unwrap_or_default().to_owned(),
+    };
+    if argument.get_action().takes_values() {
+        let values = argument.get_possible_values();
+        let value = |value: &clap::builder::PossibleValue| match value.get_help() {
+            Some(help) => sentence(&msg!("project.headline", value.get_name(), help_words(help))),
+            None => value.get_name().to_owned(),
+        };
+        if !values.is_empty() {
+            told += &sentence(&msg!("cli.possible-values", clauses(values.iter().map(value))));
+        }
+        let default: Vec<_> = argument.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
+        if default.iter().any(|value| !value.is_empty()) {
+            told += &sentence(&msg!("cli.default", listed(default)));
+        }
+    }
+    argument.help(told.clone()).long_help(told).hide_default_value(true).hide_possible_values(true)
+}
+
+/// Prints the help that was asked for, or what is wrong with the arguments; the exit status.
+fn refused(error: Error) -> ExitCode {
+    let status = u8::try_from(error.exit_code()).unwrap_or(2);
+    let is_help = matches!(
+        error.kind(),
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+    );
+    // Where the outputs are closed the status is all that is left to say.
+    let _ = if catalog::spoken() == Language::English || is_help {
+        error.print().map_err(Into::into)
+    } else {
+        say(&error_text(&error))
+    };
+    ExitCode::from(status)
+}
+
+/// An error of clap in the language that is spoken: what is wrong, what is like it, and the usage.
+fn error_text(error: &Error) -> String {
+    let mut lines = vec![sentence(&msg!("cli.error", sentence(&error_message(error))))];
+    let known = told(error, ContextKind::ValidValue);
+    if !known.is_empty() {
+        lines.push(format!("  {}", sentence(&msg!("cli.possible-values", known)).trim_start()));
+    }
+    let similar = [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue];
+    for similar in similar.map(|kind| told(error, kind)).iter().filter(|similar| !similar.is_empty()) {
+        lines.push(format!("\n  {}", sentence(&msg!("cli.similar", similar.as_str()))));
+    }
+    let usage = told(error, ContextKind::Usage);
+    if !usage.is_empty() {
+        lines.push(format!("\n{}{}", words("Usage:"), without_heading(&usage)));
+    }
+    lines.push(format!("\n{}\n", words("For more information, try '--help'.")));
+    lines.join("\n")
+}
+
+/// A part of what an error tells; empty where it does not tell it.
+fn told(error: &Error, kind: ContextKind) -> String {
+    match error.get(kind) {
+        Some(ContextValue::Strings(list)) => listed(list),
+        Some(value) => value.to_string(),
+        None => String::new(),
+    }
+}
+
+/// What is wrong with the arguments.
+fn error_message(error: &Error) -> Message {
+    let told = |kind| told(error, kind);
+    let (argument, value) = (told(ContextKind::InvalidArg), told(ContextKind::InvalidValue));
+    match error.kind() {
+        ErrorKind::ArgumentConflict if told(ContextKind::PriorArg) == argument => msg!("cli.error.repeated", argument),
+        ErrorKind::ArgumentConflict => msg!("cli.error.conflict", argument, told(ContextKind::PriorArg)),
+        ErrorKind::InvalidValue if value.is_empty() => msg!("cli.error.no-value", argument),
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => msg!("cli.error.invalid-value", value, argument),
+        ErrorKind::InvalidSubcommand => msg!("cli.error.no-command", told(ContextKind::InvalidSubcommand)),
+        ErrorKind::MissingRequiredArgument => msg!("cli.error.missing", argument),
+        ErrorKind::MissingSubcommand => msg!("cli.error.missing-command", told(ContextKind::InvalidSubcommand)),
+        ErrorKind::TooManyValues => msg!("cli.error.unexpected-value", value, argument),
+        ErrorKind::UnknownArgument => msg!("cli.error.unexpected", argument),
+        _ => msg!("cli.error.unreadable"),
+    }
+}
+
+/// What failed at a path, and why.
+pub(crate) fn failed(path: &Path, error: &io::Error) -> String {
+    sentence(&msg!("project.headline", path.display().to_string(), error.to_string()))
+}

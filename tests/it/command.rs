@@ -1,0 +1,18 @@
+//! The command line as tests run it: in English, whatever the language of the machine.
+
+use std::process::Command;
+
+/// Path of the program.
+pub(crate) const MACROLINE: &str = env!("CARGO_BIN_EXE_macroline");
+
+/// A call of the program.
+pub(crate) fn macroline() -> Command {
+    in_english(MACROLINE)
+}
+
+/// A call of a program that takes the locale for English.
+pub(crate) fn in_english(program: &str) -> Command {
+    let mut command = Command::new(program);
+    command.env("LC_ALL", "C").env("LANGUAGE", "");
+    command
+}
