@@ -104,14 +104,13 @@ pub struct Reaction {
 
 /// The table as a sheet.
 pub fn sheet(reactions: &[Reaction]) -> Sheet {
-    let text = |message: &Message| sentence(message);
     let line = |reaction: &Reaction| {
         let cells = [
             say(reaction.at.name()),
             say(reaction.spindle.text()),
-            text(&reaction.axes),
-            text(&reaction.material),
-            text(&reaction.operator),
+            sentence(&reaction.axes),
+            sentence(&reaction.material),
+            sentence(&reaction.operator),
         ];
         row(cells, reaction.cite)
     };

@@ -12,7 +12,7 @@ use crate::motion::{Action, Event, Panel, RunEnd};
 use crate::msg;
 use crate::nc::Parsed;
 use crate::text::catalog::{number_text, sentence, words};
-use crate::text::{Diagnostic, Message, Place};
+use crate::text::{Diagnostic, Message, Place, headed};
 
 /// The commands with their abbreviations, as `help` lists them, each with the id of what it does.
 const COMMANDS: [(&str, &str); 24] = [
@@ -275,7 +275,7 @@ impl<'f> Console<'f> {
     fn shown(&self, number: u32, text: &str) -> String {
         let told = match self.debugger.evaluate(text) {
             Ok(value) => format!("{text} = {}", value_text(value, self.control())),
-            Err(why) => sentence(&msg!("project.headline", text, headline(&why))),
+            Err(why) => headed(text, headline(&why)),
         };
         line(&msg!("console.watch", number, told))
     }

@@ -10,7 +10,7 @@ use crate::machines::report::inputs;
 use crate::msg;
 use crate::text::catalog::{sentence, words};
 use crate::text::columns::left;
-use crate::text::listed;
+use crate::text::{headed, listed};
 use crate::view::report::Input;
 
 /// Origin of a value.
@@ -135,10 +135,10 @@ pub fn faults_text(project: &Project) -> String {
     let say = |id| words(id);
     let faults = project.faults();
     let Some(example) = project.present_example().filter(|_| !faults.is_empty()) else { return String::new() };
-    let mut out = sentence(&msg!("project.headline", say(example.name), say(example.about))) + "\n";
+    let mut out = headed(say(example.name), say(example.about)) + "\n";
     for (readout, fault) in faults {
-        let fault = msg!("project.headline", say(readout.label), say(fault.reason));
-        out += &format!("{}  {}\n", words("project.verdict.sign-fail"), sentence(&fault));
+        let fault = headed(say(readout.label), say(fault.reason));
+        out += &format!("{}  {}\n", words("project.verdict.sign-fail"), fault);
     }
     out
 }

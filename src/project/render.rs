@@ -10,7 +10,7 @@ use crate::nc::{self, Files};
 use crate::text::catalog::{sentence, words};
 use crate::text::columns::of_char;
 use crate::text::escape::{is_obeyed, terminal};
-use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span, listed};
+use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span, headed, listed};
 
 /// Writes diagnostics about a set of files. It reads each file's lines once.
 pub struct Renderer<'f> {
@@ -189,7 +189,7 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
         Severity::Warning => words("project.severity.warning"),
         Severity::Info => words("project.severity.info"),
     };
-    sentence(&msg!("project.headline", severity.to_owned() + &tag, sentence(&diagnostic.message)))
+    headed(severity.to_owned() + &tag, sentence(&diagnostic.message))
 }
 
 /// The severity as programs read it.

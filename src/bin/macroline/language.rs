@@ -13,7 +13,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, Error, FromArgMatches};
 use macroline::msg;
 use macroline::text::catalog::{self, Language, sentence, words};
-use macroline::text::{Message, clauses, listed};
+use macroline::text::{Message, clauses, headed, listed};
 
 use crate::args::Line;
 use crate::output::say;
@@ -54,14 +54,13 @@ fn chosen(arguments: impl Iterator<Item = OsString>) -> Option<Language> {
             break code.to_owned();
         }
     };
-    Language::ALL.into_iter().find(|language| language.code() == code)
+    Language::of_code(&code)
 }
 
-/// The language of the system's texts: Chinese where its locale is Chinese, else English.
+/// The language of the system's texts; English where there is no file of it.
 fn of_system() -> Language {
     let locale = sys_locale::get_locale().unwrap_or_default().to_lowercase();
-    let is_chinese = locale.split(['-', '_', '.']).next() == Some(Language::Chinese.code());
-    if is_chinese { Language::Chinese } else { Language::English }
+    locale.split(['-', '_', '.']).next().and_then(Language::of_code).unwrap_or(Language::English)
 }
 
 /// The command with its help in the language that is spoken.
@@ -119,7 +118,7 @@ fn argument_in_words(argument: Arg) -> Arg {
     if argument.get_action().takes_values() {
         let values = argument.get_possible_values();
         let value = |value: &clap::builder::PossibleValue| match value.get_help() {
-            Some(help) => sentence(&msg!("project.headline", value.get_name(), help_words(help))),
+            Some(help) => headed(value.get_name(), help_words(help)),
             None => value.get_name().to_owned(),
         };
         if !values.is_empty() {
@@ -197,5 +196,5 @@ fn error_message(error: &Error) -> Message {
 
 /// What failed at a path, and why.
 pub(crate) fn failed(path: &Path, error: &io::Error) -> String {
-    sentence(&msg!("project.headline", path.display().to_string(), error.to_string()))
+    headed(path.display().to_string(), error.to_string())
 }

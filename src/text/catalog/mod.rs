@@ -33,6 +33,11 @@ impl Language {
         }
     }
 
+    /// The language with this code.
+    pub fn of_code(code: &str) -> Option<Language> {
+        Language::ALL.into_iter().find(|language| language.code() == code)
+    }
+
     /// Its own name.
     pub fn name(self) -> &'static str {
         match self {
@@ -65,8 +70,7 @@ pub fn speak(sentences: &'static str) {
 
 /// The language that is spoken. A file tells it in its row `language`.
 pub fn spoken() -> Language {
-    let code = words("language");
-    Language::ALL.into_iter().find(|language| language.code() == code).unwrap_or(Language::English)
+    Language::of_code(words("language")).unwrap_or(Language::English)
 }
 
 /// The line of a key, in halves: the lines are sorted.
