@@ -20,6 +20,8 @@ pub mod program;
 
 mod io_names;
 
+mod checksum;
+
 pub mod check;
 
 pub mod setting;
