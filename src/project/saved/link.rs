@@ -2,10 +2,11 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
-use miniz_oxide::deflate::compress_to_vec_zlib;
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use miniz_oxide::deflate::compress_to_vec;
+use miniz_oxide::inflate::{decompress_to_vec_with_limit, decompress_to_vec_zlib_with_limit};
 
 use super::super::Project;
+use super::super::checksum::crc32;
 use super::super::findings::Findings;
 use super::Loaded;
 use crate::msg;
@@ -14,9 +15,13 @@ use crate::text::{Diagnostic, Message};
 /// Prefix of a fragment that carries a project; the number of the form follows.
 const PROJECT: &str = "p";
 
-/// Prefix of a fragment of the form that is written: the file as zlib data (RFC 1950), which end with a check sum of it, as base64url text
-/// without padding (RFC 4648, 5).
-const FORM: &str = "p1.";
+/// Prefix of a fragment of the form that is written: CRC-32 of what follows it (4 bytes, the highest first), then the file as a deflate
+/// stream (RFC 1951); both as base64url text without padding (RFC 4648, 5).
+const FORM: &str = "p2.";
+
+/// Prefix of the first form, which is still read: the file as zlib data (RFC 1950). Their check sum, Adler-32, misses some changes of one
+/// character: a changed code of the compression changes the same two letters wherever they are next to each other.
+const FIRST_FORM: &str = "p1.";
 
 /// Longest fragment, in characters. Our choice: browsers take more, mail and chat programs less.
 pub const MAX_LINK: usize = 8000;
@@ -38,7 +43,7 @@ impl Project {
     pub fn to_link(&self) -> Result<String, Message> {
         // Keys are texts and writing into a text does not fail.
         let file = serde_json::to_string(&self.saved()).unwrap_or_default();
-        let link = format!("{FORM}{}", URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(file.as_bytes(), LEVEL)));
+        let link = format!("{FORM}{}", packed(&file));
         if link.len() > MAX_LINK || file.len() > MAX_FILE {
             return Err(msg!("project.link-long", link.len() as u32, MAX_LINK as u32));
         }
@@ -61,15 +66,37 @@ impl Project {
     }
 }
 
+/// A file in the form that is written, without the prefix.
+fn packed(file: &str) -> String {
+    let deflated = compress_to_vec(file.as_bytes(), LEVEL);
+    let check_sum = crc32(&deflated).to_be_bytes();
+    URL_SAFE_NO_PAD.encode([&check_sum, deflated.as_slice()].concat())
+}
+
 /// The file in a fragment.
 fn unpacked(fragment: &str) -> Result<String, Message> {
     if fragment.len() > MAX_LINK {
         return Err(msg!("project.link-oversized", fragment.len() as u32, MAX_LINK as u32));
     }
-    let Some(data) = fragment.strip_prefix(FORM) else { return Err(msg!("project.link-newer")) };
-    let file = || {
-        let packed = URL_SAFE_NO_PAD.decode(data).ok()?;
-        String::from_utf8(decompress_to_vec_zlib_with_limit(&packed, MAX_FILE).ok()?).ok()
+    let file = if let Some(data) = fragment.strip_prefix(FORM) {
+        file_of(data, inflated)
+    } else if let Some(data) = fragment.strip_prefix(FIRST_FORM) {
+        file_of(data, |packed| decompress_to_vec_zlib_with_limit(packed, MAX_FILE).ok())
+    } else {
+        return Err(msg!("project.link-newer"));
     };
-    file().ok_or_else(|| msg!("project.link-broken"))
+    file.ok_or_else(|| msg!("project.link-broken"))
+}
+
+/// The file in the data behind a prefix.
+fn file_of(data: &str, unpack: impl FnOnce(&[u8]) -> Option<Vec<u8>>) -> Option<String> {
+    let packed = URL_SAFE_NO_PAD.decode(data).ok()?;
+    String::from_utf8(unpack(&packed)?).ok()
+}
+
+/// The bytes of a deflate stream behind its check sum.
+fn inflated(packed: &[u8]) -> Option<Vec<u8>> {
+    let (check_sum, deflated) = packed.split_first_chunk()?;
+    let is_whole = crc32(deflated) == u32::from_be_bytes(*check_sum);
+    is_whole.then(|| decompress_to_vec_with_limit(deflated, MAX_FILE).ok())?
 }

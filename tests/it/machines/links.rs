@@ -80,6 +80,14 @@ fn link_of_the_first_form_still_opens() {
 }
 
 #[test]
+fn link_of_the_second_form_still_opens() {
+    let link = include_str!("../../data/saved/p2.link").trim_end();
+    let project = Project::from_link(link).project.unwrap();
+    assert_eq!(project.name, "Line 3");
+    assert_eq!(project.panel.events().len(), 1);
+}
+
+#[test]
 fn links_that_open_nothing_say_why() {
     let link = ribbon().to_link().unwrap();
     check(
@@ -103,6 +111,12 @@ fn links_that_open_nothing_say_why() {
     check(
         "p2.AAAA",
         expect![[r#"
+        The link is not whole: it was cut or changed on its way. Ask for it once more, or for the project as a file.
+        no project"#]],
+    );
+    check(
+        "p3.AAAA",
+        expect![[r#"
             The link was made by a newer macroline. Load this page again; if that does not help, ask for the project as a file.
             no project"#]],
     );
@@ -119,13 +133,18 @@ fn links_that_open_nothing_say_why() {
 fn short_link_to_a_very_long_file_is_refused() {
     use base64::Engine;
     let file = vec![b' '; 5_000_000];
-    let bytes = miniz_oxide::deflate::compress_to_vec_zlib(&file, 9);
-    check(
-        &format!("p1.{}", base64::engine::general_purpose::URL_SAFE_NO_PAD.encode(bytes)),
-        expect![[r#"
+    let zlib = miniz_oxide::deflate::compress_to_vec_zlib(&file, 9);
+    let deflated = miniz_oxide::deflate::compress_to_vec(&file, 9);
+    let check_sum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(&deflated);
+    let with_check_sum = [&check_sum.to_be_bytes(), deflated.as_slice()].concat();
+    for (form, bytes) in [("p1.", zlib), ("p2.", with_check_sum)] {
+        check(
+            &(form.to_owned() + &base64::engine::general_purpose::URL_SAFE_NO_PAD.encode(bytes)),
+            expect![[r#"
         The link is not whole: it was cut or changed on its way. Ask for it once more, or for the project as a file.
         no project"#]],
-    );
+        );
+    }
 }
 
 #[test]
@@ -133,7 +152,7 @@ fn project_that_is_too_long_has_no_link() {
     let mut project = ribbon();
     let lines = (0..4000_u32).map(|at| format!("N{at} G01 X{}.{at}\n", at * 7919 % 10_007));
     project.edited = Some(Files::one("O1.nc", lines.collect::<String>()));
-    expect!["The project has 43377 characters as a link; at most 8000 are possible. Edited programs and a long list of operator’s actions take most of them: save it as a file instead."].assert_eq(&sentence(&project.to_link().unwrap_err()));
+    expect!["The project has 43374 characters as a link; at most 8000 are possible. Edited programs and a long list of operator’s actions take most of them: save it as a file instead."].assert_eq(&sentence(&project.to_link().unwrap_err()));
 }
 
 /// A change on the way: where, and to which character; `None` cuts the rest off.
