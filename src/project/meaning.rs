@@ -3,7 +3,7 @@
 use super::Project;
 use super::run::{self, Run};
 use crate::controls::interface::SignalRole;
-use crate::controls::{Address, Code, CodeId, CodeNumber, Control, Group, VarKind};
+use crate::controls::{Address, Code, CodeDef, CodeId, CodeNumber, Control, Group, Signal, VarKind, VarRange};
 use crate::motion::Action;
 use crate::msg;
 use crate::nc::{TokenKind, tokens};
@@ -152,12 +152,8 @@ fn code_named(control: &Control, text: &str) -> Option<CodeId> {
     }
 }
 
-fn of_code(control: &Control, text: &str) -> Option<Meaning> {
-    let id = code_named(control, text)?;
-    let Some(row) = control.code(id) else {
-        let (word, says) = (control.code_name(id), vec![msg!("meaning.no-row", control.name)]);
-        return Some(Meaning { word, subject: Subject::Code(id), says, unit: "", cite: None });
-    };
+/// What the row of a code says.
+pub(super) fn code_says(row: &CodeDef) -> Vec<Message> {
     let mut says = vec![told(row.text)];
     says.extend(match (row.code, row.group) {
         (Code::Auxiliary, _) => Some(msg!("meaning.to-plc")),
@@ -166,7 +162,29 @@ fn of_code(control: &Control, text: &str) -> Option<Meaning> {
         (_, Group::Other | Group::Flow) => None,
         _ => Some(msg!("meaning.in-force")),
     });
+    says
+}
+
+fn of_code(control: &Control, text: &str) -> Option<Meaning> {
+    let id = code_named(control, text)?;
+    let Some(row) = control.code(id) else {
+        let (word, says) = (control.code_name(id), vec![msg!("meaning.no-row", control.name)]);
+        return Some(Meaning { word, subject: Subject::Code(id), says, unit: "", cite: None });
+    };
+    let says = code_says(row);
     Some(meaning(control.code_name(row.id), Subject::Code(row.id), says, "", row.cite))
+}
+
+/// What the row of a range of variables says.
+pub(super) fn variable_says(row: &VarRange) -> Vec<Message> {
+    let mut says = vec![told(row.text)];
+    if !row.device.is_empty() {
+        says.push(msg!("meaning.register", row.device));
+    }
+    if !row.kind.writable() {
+        says.push(msg!("meaning.read-only"));
+    }
+    says
 }
 
 fn of_variable(project: &Project, number: u32) -> Option<Meaning> {
@@ -174,13 +192,7 @@ fn of_variable(project: &Project, number: u32) -> Option<Meaning> {
     let row = control.var(number)?;
     let own = project.prepared().variables().into_iter().find(|own| own.0 == number);
     let mut says: Vec<Message> = own.iter().map(|own| Message { id: own.1, values: Vec::new() }).collect();
-    says.push(told(row.text));
-    if !row.device.is_empty() {
-        says.push(msg!("meaning.register", row.device));
-    }
-    if !row.kind.writable() {
-        says.push(msg!("meaning.read-only"));
-    }
+    says.extend(variable_says(row));
     Some(meaning(control.variable(number), Subject::Variable(number), says, own.map_or("", |own| own.2), row.cite))
 }
 
@@ -245,15 +257,21 @@ fn address_words(address: Address) -> Option<Message> {
     })
 }
 
+/// What the row of a register says.
+pub(super) fn signal_says(control: &Control, row: &Signal) -> Vec<Message> {
+    let mut says = vec![told(row.text)];
+    says.push(if row.plc_writes { msg!("meaning.plc-writes") } else { msg!("meaning.control-writes") });
+    if let Some(variable) = variable_of(row.role) {
+        says.push(msg!("meaning.as-variable", control.variable(variable)));
+    }
+    says
+}
+
 fn of_register(project: &Project, device: &str) -> Option<Meaning> {
     let (control, dialect) = (project.control, project.on().dialect());
     let role = dialect.role(control, device)?;
     let row = control.interface.iter().find(|row| row.role == role)?;
-    let mut says = vec![told(row.text)];
-    says.push(if row.plc_writes { msg!("meaning.plc-writes") } else { msg!("meaning.control-writes") });
-    if let Some(variable) = variable_of(role) {
-        says.push(msg!("meaning.as-variable", control.variable(variable)));
-    }
+    let says = signal_says(control, row);
     Some(meaning(device, Subject::Signal(role), says, row.unit, row.cite))
 }
 
@@ -268,6 +286,19 @@ fn variable_of(role: SignalRole) -> Option<u32> {
 }
 
 impl Meaning {
+    /// Id of its entry in the help, where that has one.
+    pub fn help(&self) -> Option<String> {
+        let kind = match self.subject {
+            Subject::Code(_) => "code",
+            Subject::Variable(number) => return Some(format!("var.{number}")),
+            Subject::Signal(_) => "signal",
+            Subject::Parameter => "param",
+            Subject::Alarm => "alarm",
+            Subject::Axis(_) | Subject::Address(_) | Subject::Sequence => return None,
+        };
+        self.cite.map(|_| format!("{kind}.{}", self.word))
+    }
+
     /// The value of what the word names at time `t` (s) of a run of the project; `None` where a run does not tell.
     pub fn live(&self, project: &Project, run: &Run, t: f64) -> Option<Live> {
         let now = run.timeline().at(t);

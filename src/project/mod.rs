@@ -64,6 +64,8 @@ pub mod meaning;
 
 pub mod dependence;
 
+pub mod help;
+
 use std::sync::Arc;
 
 use self::variant::Variant;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::Phrase;
+use super::{Phrase, catalog};
 
 /// How well a fact is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -18,6 +18,19 @@ pub enum Grade {
     Inferred,
     /// Known from memory or not at all: shown to the user as open.
     Open,
+}
+
+impl Grade {
+    /// In the language that is spoken.
+    pub fn words(self) -> &'static str {
+        match self {
+            Grade::Manual => catalog::words("page.grade-manual"),
+            Grade::Sister => catalog::words("page.grade-sister"),
+            Grade::Measured => catalog::words("page.grade-measured"),
+            Grade::Inferred => catalog::words("page.grade-inferred"),
+            Grade::Open => catalog::words("page.grade-open"),
+        }
+    }
 }
 
 /// Source and grade of one row of a table.

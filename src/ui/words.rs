@@ -4,7 +4,7 @@ use crate::controls::Control;
 use crate::motion::{Mode, RunEnd};
 use crate::text::catalog;
 use crate::text::number;
-use crate::text::{Diagnostic, Grade, Message, Phrase, Severity, sentences};
+use crate::text::{Diagnostic, Message, Phrase, Severity, sentences};
 use crate::view::{Limit, Readout, Verdict};
 
 /// The words of a catalog id.
@@ -28,17 +28,6 @@ pub(crate) fn tone(severity: Severity) -> &'static str {
         Severity::Error => "fail",
         Severity::Warning => "warn",
         Severity::Info => "info",
-    }
-}
-
-/// How well a fact is known.
-pub(crate) fn grade(grade: Grade) -> &'static str {
-    match grade {
-        Grade::Manual => t("page.grade-manual"),
-        Grade::Sister => t("page.grade-sister"),
-        Grade::Measured => t("page.grade-measured"),
-        Grade::Inferred => t("page.grade-inferred"),
-        Grade::Open => t("page.grade-open"),
     }
 }
 

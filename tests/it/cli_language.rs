@@ -9,7 +9,8 @@ use serde_json::Value as Json;
 use super::command;
 
 /// Every command.
-const COMMANDS: [&str; 10] = ["list", "parts", "new", "design", "size", "compare", "export", "draw", "check", "run"];
+const COMMANDS: [&str; 11] =
+    ["list", "parts", "new", "design", "size", "compare", "export", "draw", "check", "explain", "run"];
 
 /// A folder of its own for one test, emptied first.
 fn folder(name: &str) -> PathBuf {

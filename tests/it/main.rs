@@ -10,6 +10,7 @@ mod diagnostic_text;
 mod edges;
 mod figures;
 mod generated;
+mod help;
 mod language;
 mod machines;
 mod meaning;

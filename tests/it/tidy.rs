@@ -1,6 +1,6 @@
 //! The laws of the house (src/README.md) that can be read from the sources, one test each.
 
-mod catalog;
+pub(crate) mod catalog;
 mod citations;
 mod imports;
 mod links;

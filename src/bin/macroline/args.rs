@@ -123,6 +123,19 @@ pub(crate) enum Command {
         #[arg(long, value_enum, default_value_t, conflicts_with = "json")]
         format: Format,
     },
+    /// Meaning of an alarm, code, variable, parameter, field or term, from the help of the page
+    Explain {
+        /// Number or word, for instance P62, G96, '#107' or slack; or an id of the help, for instance field.pitch
+        word: String,
+        /// Project file: its machine and control come first
+        project: Option<PathBuf>,
+        /// Control that comes first
+        #[arg(long, value_name = "ID", conflicts_with = "project")]
+        control: Option<String>,
+        /// For programs
+        #[arg(long)]
+        json: bool,
+    },
     /// Runs a project or programs and prints the canonical log
     Run {
         #[command(flatten)]

@@ -5,18 +5,21 @@ use std::process::ExitCode;
 use std::rc::Rc;
 
 use macroline::controls::Switches;
+use macroline::machines;
 use macroline::msg;
 use macroline::nc;
 use macroline::project::chance::chance;
 use macroline::project::check::review;
 use macroline::project::examples::NameKind;
 use macroline::project::export::ExportOptions;
+use macroline::project::help::texts::Texts;
+use macroline::project::help::{Help, explain, pages};
 use macroline::project::render::summary;
 use macroline::project::run::AtStop;
 use macroline::project::size::tell::sheet_text;
 use macroline::project::suppress::silence;
 use macroline::project::{Project, drawing, list, origins, parts, size, variants};
-use macroline::text::catalog::words;
+use macroline::text::catalog::{self, words};
 use macroline::text::{Diagnostic, listed};
 use macroline::view::Theme;
 use macroline::view::svg::picture;
@@ -50,6 +53,9 @@ pub(crate) fn main() -> ExitCode {
         Command::Check { files, control, switch, silence, json, format } => {
             let format = if json { Format::Json } else { format };
             check(&files, control.as_deref(), &switch, &silence, format)
+        }
+        Command::Explain { word, project, control, json } => {
+            explain(&word, project.as_deref(), control.as_deref(), json)
         }
         Command::Run { args, goes_on, no_canon, json } => {
             let at_stop = if goes_on { AtStop::CycleStart } else { AtStop::End };
@@ -180,6 +186,28 @@ fn export(path: &Path, folder: &Path, date: &str) -> Result<(), Failure> {
     export::write(folder, &export.files).map_err(Failure::Outside)?;
     let paths = export.files.iter().map(|file| format!("{}\n", folder.join(&file.name).display()));
     print(&paths.collect::<String>())
+}
+
+fn explain(word: &str, path: Option<&Path>, id: Option<&str>, json: bool) -> Result<(), Failure> {
+    let project = match (path, id) {
+        (Some(path), _) => {
+            let (project, file) = input::project(path)?;
+            let Some(project) = project else { return Err(refuse(&[file], json)) };
+            project
+        }
+        (None, id) => {
+            let control = id.map(control).transpose()?;
+            let machine = control.map_or_else(|| machines::ALL.first().copied(), pages::machine_on);
+            let project = machine.and_then(|machine| Project::of(machine.id(), control.map(|control| control.id)));
+            project.ok_or_else(|| Failure::usage(&msg!("cli.no-control", id.unwrap_or_default(), "")))?
+        }
+    };
+    let help = Help::new(project.machine, project.control, &Texts::shipped(catalog::spoken()));
+    let found = explain::found(&help, word);
+    if found.is_empty() {
+        return Err(Failure::Outside(catalog::sentence(&msg!("help.nothing", word))));
+    }
+    if json { print_json(&explain::json(&found)) } else { print(&explain::text(&found)) }
 }
 
 fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {

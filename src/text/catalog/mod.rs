@@ -73,9 +73,25 @@ pub fn spoken() -> Language {
     Language::of_code(words("language")).unwrap_or(Language::English)
 }
 
-/// The line of a key, in halves: the lines are sorted.
+/// The line of a key in the sentences that are spoken.
 fn row(key: &str) -> Option<(&'static str, &'static str)> {
-    let mut rest = SPOKEN.get();
+    row_of(SPOKEN.get(), key)
+}
+
+/// The sentence of a key in a file of this format that is not the one spoken.
+pub fn words_of(sentences: &'static str, key: &str) -> Option<&'static str> {
+    row_of(sentences, key).map(|(_, sentence)| sentence)
+}
+
+/// The ids of sentences that begin so, in their order.
+pub fn ids(start: &str) -> impl Iterator<Item = &'static str> {
+    let lines = SPOKEN.get().lines().filter(move |line| line.starts_with(start));
+    lines.filter_map(|line| line.get(..key_length(line)))
+}
+
+/// The line of a key, in halves: the lines are sorted.
+fn row_of(sentences: &'static str, key: &str) -> Option<(&'static str, &'static str)> {
+    let mut rest = sentences;
     loop {
         let (before, behind) = rest.as_bytes().split_at_checked(rest.len() / 2)?;
         let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);

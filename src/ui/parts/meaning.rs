@@ -17,7 +17,7 @@ use crate::project::meaning::{self, Meaning, Table};
 use crate::text::{headed, sentences};
 use crate::ui::dom;
 use crate::ui::state::Page;
-use crate::ui::words::{four_digits, grade, say, t, value_of};
+use crate::ui::words::{four_digits, say, t, value_of};
 
 /// How long the pointer rests on a word before its meaning appears, and how long it stays away before the meaning goes.
 const REST: Duration = Duration::from_millis(350);
@@ -255,7 +255,7 @@ fn Content(
     };
     let says: Vec<_> = meaning.says.iter().map(|message| view! { <p>{say(message)}</p> }).collect();
     let source =
-        meaning.cite.map(|cite| view! { <p class="source">{cite.source.words()} " · " {grade(cite.grade)}</p> });
+        meaning.cite.map(|cite| view! { <p class="source">{cite.source.words()} " · " {cite.grade.words()}</p> });
     view! {
         <h3><code>{meaning.word}</code> <span class="live">{live}</span></h3>
         {says}

@@ -7,7 +7,7 @@ use crate::text::Grade;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::Page;
-use crate::ui::words::{grade, t};
+use crate::ui::words::t;
 
 /// The parameters tab.
 #[component]
@@ -75,7 +75,7 @@ fn SwitchRow(
         <tr>
             <td>{text}</td>
             <td>{input}</td>
-            <td class=class title=switch.cite.source.words()>{grade(switch.cite.grade)}</td>
+            <td class=class title=switch.cite.source.words()>{switch.cite.grade.words()}</td>
         </tr>
     }
 }
@@ -102,7 +102,7 @@ mod tests {
         let switches = bench.page.project.with_untracked(|project| project.control.switches);
         assert_eq!(bench.all(".switches tr").len(), switches.len());
         let grades: Vec<String> = bench.all(".switches .grade").iter().filter_map(|cell| cell.text_content()).collect();
-        assert_eq!(grades, switches.iter().map(|switch| grade(switch.cite.grade)).collect::<Vec<_>>());
+        assert_eq!(grades, switches.iter().map(|switch| switch.cite.grade.words()).collect::<Vec<_>>());
     }
 
     #[wasm_bindgen_test]

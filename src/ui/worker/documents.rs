@@ -9,7 +9,7 @@ use crate::project::parts;
 use crate::project::saved::with_line;
 use crate::project::size::{size, size_telling};
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity, columns};
-use crate::ui::words::{grade, say, sign, t, tell, tone, verdict_tone, verdict_words};
+use crate::ui::words::{say, sign, t, tell, tone, verdict_tone, verdict_words};
 use crate::view::svg::escape;
 use crate::view::{Row, Sheet, VariantCell, Verdict};
 
@@ -210,7 +210,7 @@ fn graded(out: &mut String, tag: &str, row: &Row) {
         escape(out, row.source.words());
         out.push_str(": ");
     }
-    escape(out, grade(row.grade));
+    escape(out, row.grade.words());
     out.push_str(&format!("</{tag}>"));
 }
 

@@ -13,14 +13,22 @@ use super::source::{Source, Token, TokenKind};
 use super::{citations, hold, sources};
 
 /// The sentences of a language: keys without their backslashes, in the order of the file.
-struct Sentences {
+pub(crate) struct Sentences {
     file: String,
-    rows: Vec<(String, String)>,
+    pub(crate) rows: Vec<(String, String)>,
 }
 
 impl Sentences {
     fn of(language: Language) -> Sentences {
-        let file = format!("src/text/catalog/{}.properties", language.code());
+        Sentences::read(format!("src/text/catalog/{}.properties", language.code()))
+    }
+
+    /// The manual of the help.
+    pub(crate) fn of_help(language: Language) -> Sentences {
+        Sentences::read(format!("src/text/help/help-{}.properties", language.code()))
+    }
+
+    fn read(file: String) -> Sentences {
         let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(&file)).unwrap();
         let row = |line: &str| {
             let plain = line.replace("\\=", "\u{0}");
@@ -31,7 +39,7 @@ impl Sentences {
     }
 
     /// The rows by key, with what is wrong with the file: its order, a key that stands there twice, a row without key and sentence.
-    fn checked(&self, broken: &mut Vec<String>) -> BTreeMap<&str, &str> {
+    pub(crate) fn checked(&self, broken: &mut Vec<String>) -> BTreeMap<&str, &str> {
         for pair in self.rows.windows(2).filter(|pair| pair[0].0 >= pair[1].0) {
             broken.push(format!("{}: out of order or twice: {}", self.file, pair[1].0));
         }
@@ -232,26 +240,35 @@ const BARRED: [(&str, &str); 9] = [
     ("程序块", "程序段"),
 ];
 
-#[test]
-fn chinese_follows_its_glossary() {
+/// What is wrong with a Chinese sentence: words that the glossary bars, marks, spaces.
+pub(crate) fn chinese_faults(sentence: &str) -> Vec<String> {
     let chinese = |c: char| ('\u{4e00}'..='\u{9fff}').contains(&c);
     let full = |c: char| "，。：；？！（）“”、".contains(c);
-    let mut broken = Vec::new();
-    for (key, sentence) in Sentences::of(Language::Chinese).rows {
-        let mut add = |fault: &str| broken.push(format!("{key}: {fault}: {sentence}"));
-        for (word, instead) in BARRED.iter().filter(|(word, _)| sentence.contains(word)) {
-            add(&format!("{word} is {instead}"));
-        }
-        let text: Vec<char> = sentence.chars().collect();
-        for pair in text.windows(2) {
-            match *pair {
-                [a, b] if chinese(a) && ",;:?!".contains(b) => add("half-width mark"),
-                [a, b] if (full(a) && b == ' ') || (a == ' ' && full(b)) => add("space beside a full-width mark"),
-                [a, b] if chinese(a) && (b.is_ascii_alphanumeric() || b == '{') => add("no space before Latin letters"),
-                [a, b] if (a.is_ascii_alphanumeric() || a == '}') && chinese(b) => add("no space behind Latin letters"),
-                _ => {}
-            }
-        }
+    let barred = BARRED.iter().filter(|(word, _)| sentence.contains(word));
+    let mut faults: Vec<String> = barred.map(|(word, instead)| format!("{word} is {instead}")).collect();
+    let text: Vec<char> = sentence.chars().collect();
+    for pair in text.windows(2) {
+        let fault = match *pair {
+            [a, b] if chinese(a) && ",;:?!".contains(b) => "half-width mark",
+            [a, b] if (full(a) && b == ' ') || (a == ' ' && full(b)) => "space beside a full-width mark",
+            [a, b] if chinese(a) && (b.is_ascii_alphanumeric() || b == '{') => "no space before Latin letters",
+            [a, b] if (a.is_ascii_alphanumeric() || a == '}') && chinese(b) => "no space behind Latin letters",
+            _ => continue,
+        };
+        faults.push(fault.to_owned());
     }
+    faults
+}
+
+#[test]
+fn chinese_follows_its_glossary() {
+    let rows = Sentences::of(Language::Chinese).rows;
+    let faults = |(key, sentence): (String, String)| {
+        chinese_faults(&sentence)
+            .into_iter()
+            .map(move |fault| format!("{key}: {fault}: {sentence}"))
+            .collect::<Vec<_>>()
+    };
+    let broken = rows.into_iter().flat_map(faults).collect();
     hold("Chinese follows docs/glossary.md.", "see its rules of style", broken);
 }

@@ -1,0 +1,105 @@
+//! What no row says: manuals of machines and controls, causes of alarms, terms. They are files of their own, which the page loads with its first help.
+
+use crate::text::catalog::{self, Language};
+
+/// A piece of a text: words, or a link.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Piece {
+    /// The words; those of a link are the name of what it leads to.
+    pub words: String,
+    /// Full id of the section or entry that it leads to; empty for words alone.
+    pub to: String,
+}
+
+/// A paragraph, or a step of a list.
+pub type Text = Vec<Piece>;
+
+/// The texts of help in one language.
+#[derive(Debug, Clone, Copy)]
+pub struct Texts {
+    /// Manual, in the format of the catalogs.
+    pub manual: &'static str,
+    /// The glossary of both languages, Markdown.
+    pub glossary: &'static str,
+}
+
+impl Texts {
+    /// The texts of a language, as they are in the repository. The page carries none: it loads them.
+    #[cfg(any(not(feature = "web"), test))]
+    pub fn shipped(language: Language) -> Texts {
+        let manual = match language {
+            Language::English => include_str!("../../text/help/help-en.properties"),
+            Language::Chinese => include_str!("../../text/help/help-zh.properties"),
+        };
+        Texts { manual, glossary: include_str!("../../../docs/glossary.md") }
+    }
+
+    /// Name of a language's manual among the files of the page.
+    pub fn file(language: Language) -> String {
+        format!("help-{}.properties", language.code())
+    }
+
+    /// The words of a key that is there; the key itself where the file lacks it.
+    pub fn words(&self, key: &'static str) -> &'static str {
+        catalog::words_of(self.manual, key).unwrap_or(key)
+    }
+
+    /// The text of a key, where there is one.
+    pub(super) fn text(&self, key: &str) -> Option<Text> {
+        catalog::words_of(self.manual, key).map(linked)
+    }
+
+    /// The texts `key.1`, `key.2` and so on.
+    pub(super) fn list(&self, key: &str) -> Vec<Text> {
+        (1..).map_while(|number: u32| self.text(&format!("{key}.{number}"))).collect()
+    }
+}
+
+/// A text without links.
+pub(super) fn plain(words: impl Into<String>) -> Text {
+    vec![Piece { words: words.into(), to: String::new() }]
+}
+
+/// Links to ids, one after the other.
+pub(super) fn links(ids: impl IntoIterator<Item = String>) -> Text {
+    let mut text = Text::new();
+    for id in ids {
+        if !text.is_empty() {
+            text.extend(plain(" · "));
+        }
+        text.push(Piece { words: String::new(), to: id });
+    }
+    text
+}
+
+/// A text whose links are `{id}`.
+fn linked(sentence: &str) -> Text {
+    let mut text = Text::new();
+    let mut rest = sentence;
+    while let Some((before, tail)) = rest.split_once('{') {
+        let Some((id, behind)) = tail.split_once('}') else { break };
+        text.extend(plain(before));
+        text.push(Piece { words: String::new(), to: id.to_owned() });
+        rest = behind;
+    }
+    text.extend(plain(rest));
+    text.retain(|piece| !piece.words.is_empty() || !piece.to.is_empty());
+    text
+}
+
+/// The words of a text.
+pub fn words(text: &Text) -> String {
+    text.iter().map(|piece| piece.words.as_str()).collect()
+}
+
+/// A name of the code as a word of an id: `NoFeed` is `no-feed`.
+pub(super) fn id_of(name: &str) -> String {
+    let mut id = String::new();
+    for c in name.chars() {
+        if c.is_ascii_uppercase() && !id.is_empty() {
+            id.push('-');
+        }
+        id.push(c.to_ascii_lowercase());
+    }
+    id
+}
