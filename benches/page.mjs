@@ -42,24 +42,39 @@ await withPage(app, {}, async ({ page }) => {
   summary('knob at one hour to DOM', await median(page, 'knob'), 50);
 });
 
-await withPage(app, {}, async ({ page }) => {
-  await page.getByRole('button', { name: 'Polygon lathe' }).click();
-  await page.click('#tab-explore');
-  await page.locator('.shape svg').waitFor();
+// Processor time (ms) of a step of dragging: the slider is walked through once to warm up, and then measured; a step a frame.
+async function dragging(page, slider, from, to) {
   const steps = 60;
   const walk = () =>
-    page.locator('#explore-tip-radius').evaluate(async (slider, steps) => {
+    slider.evaluate(async (slider, [from, to, steps]) => {
       for (let step = 0; step < steps; step++) {
-        slider.value = String(30 + step / 2);
+        slider.value = String(from + ((to - from) * step) / steps);
         slider.dispatchEvent(new Event('input', { bubbles: true }));
         await new Promise((done) => requestAnimationFrame(done));
       }
-    }, steps);
+    }, [from, to, steps]);
   const spent = await processorTime(page);
   await walk();
   const begin = await spent();
   await walk();
-  summary('polygon lathe, a step of dragging with its drawing, processor time', (1000 * ((await spent()) - begin)) / steps, 16.7);
+  return (1000 * ((await spent()) - begin)) / steps;
+}
+
+for (const name of ['Ribbon line', 'Turning spindle', 'Polygon lathe']) {
+  await withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name }).click();
+    const slider = page.locator('#form input.slide').first();
+    // Of 400 positions, 200 is the default.
+    summary(`${name}, a step of dragging a field's slider, processor time`, await dragging(page, slider, 150, 250), 16.7);
+  });
+}
+
+await withPage(app, {}, async ({ page }) => {
+  await page.getByRole('button', { name: 'Polygon lathe' }).click();
+  await page.click('#tab-explore');
+  await page.locator('.shape svg').waitFor();
+  const slider = page.locator('#explore-tip-radius');
+  summary('polygon lathe, a step of dragging with its drawing, processor time', await dragging(page, slider, 30, 60), 16.7);
 });
 
 await app.close();

@@ -97,6 +97,8 @@ pub struct InverterDrive {
     pub torque: f64,
     /// Speed of the motor with it, r/min.
     pub speed: f64,
+    /// Share of its rated torque and power that the site leaves the motor, 0 to 1.
+    pub site_share: f64,
     /// Torque of the brake at the motor that closes without current, Nm; 0 without one.
     pub brake: f64,
     /// Its run-ups and stops, where they count.

@@ -18,6 +18,8 @@ pub mod stops;
 
 pub mod scaling;
 
+mod site;
+
 mod materials;
 
 pub mod ladder;

@@ -22,11 +22,11 @@ impl PolygonLathe {
     fn asked(&self, spindle: Spindle, asked: Asked, feed: usize) -> (f64, f64) {
         let torque = self.d.load.cuts[feed].torque[spindle as usize];
         let drive = self.p.drive(spindle);
-        let (rated, most) = self.p.torques(spindle);
+        let (continuous, most) = self.p.torques(spindle);
         match asked {
             Asked::Peak => (torque.peak, most),
-            Asked::Mean => (torque.mean, rated),
-            Asked::Power => (power(torque.mean, drive.speed), drive.motor.power),
+            Asked::Mean => (torque.mean, continuous),
+            Asked::Power => (power(torque.mean, drive.speed), drive.motor.power * self.p.site_share / 100.0),
             Asked::RunUp => (run_up(drive.inertia, drive.speed, drive.ramp, drive.gain), most),
         }
     }

@@ -42,7 +42,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             },
             hold: 0.0,
             fitted: Fitted { motor, limits: WHOLE },
-            site_share: 1.0,
+            site_share: p.site_share / 100.0,
             fields: None,
         }
     };

@@ -116,11 +116,11 @@ impl Params {
         Drive { speed, motor, inertia, ramp: milliseconds / 1000.0, gain }
     }
 
-    /// Continuous and short-time torque (Nm) of the drive at its speed.
+    /// Torque (Nm) that the drive gives at its speed: continuously at its site, and for a short time.
     pub(super) fn torques(&self, spindle: Spindle) -> (f64, f64) {
         let drive = self.drive(spindle);
         let rated = drive.motor.torque(drive.speed);
-        (rated, rated * self.drive_peak / 100.0)
+        (rated * self.site_share / 100.0, rated * self.drive_peak / 100.0)
     }
 
     /// The shortest ramp (s) of a spindle that its drive has the torque for.

@@ -5,6 +5,7 @@ use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
+use crate::machines::site;
 use crate::{member, options};
 
 options! {
@@ -157,6 +158,7 @@ pub(crate) struct Params {
     pub tool_inertia: f64,
     pub drive_peak: f64,
     pub drive_efficiency: f64,
+    pub site_share: f64,
     pub mill_diameter: f64,
     pub mill_depth: f64,
     pub mill_feed: f64,
@@ -465,6 +467,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("%").range(100.0..=600.0).default(250.0).decimals(0).step(10.0).fact(),
     number("drive-efficiency", member!(Params.drive_efficiency)).group("polygon.group.power").label("polygon.drive-efficiency").help("polygon.drive-efficiency.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(90.0).decimals(0).step(1.0).fact(),
+    site::share("site-share", "polygon.group.power", member!(Params.site_share)),
     number("mill-diameter", member!(Params.mill_diameter)).group("polygon.group.milling").label("polygon.mill-diameter").help("polygon.mill-diameter.help")
         .unit("mm").range(0.1..=200.0).default(16.0).decimals(3).step(1.0),
     number("mill-depth", member!(Params.mill_depth)).group("polygon.group.milling").label("polygon.mill-depth").help("polygon.mill-depth.help")

@@ -6,6 +6,7 @@ use crate::controls::{Code, Control, ParamRole, VarKind};
 use crate::drives::derating::Site;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::site;
 use crate::{member, options};
 
 /// The axis that pulls the ribbon.
@@ -332,6 +333,7 @@ pub(crate) struct UnwindingParams {
     pub efficiency: f64,
     pub motor: String,
     pub torque: f64,
+    pub site_share: f64,
     pub motor_brake: f64,
 }
 
@@ -340,6 +342,13 @@ fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
     let lathe = control.axes.iter().any(|axis| axis.letter == PULL && axis.diameter);
     let axes = [PrintAxis::Y, PrintAxis::C, PrintAxis::Z].into_iter().take(if lathe { 3 } else { 1 });
     axes.filter(|axis| control.axis(axis.address()).is_some())
+}
+
+impl UnwindingParams {
+    /// Torque (Nm) that its motor gives continuously at its site.
+    pub(super) fn continuous(&self) -> f64 {
+        self.torque * self.site_share / 100.0
+    }
 }
 
 impl Params {
@@ -454,6 +463,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     text("unwinder-motor", member!(&Params.unwinding.motor)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor").help("ribbon.unwinder-motor.help").characters(40),
     number("unwinder-torque-rated", member!(Params.unwinding.torque)).group("ribbon.group.unwinder").label("ribbon.unwinder-torque-rated").help("ribbon.unwinder-torque-rated.help")
         .unit("Nm").range(0.001..=100000.0).default(5.0).decimals(3).step(0.1).fact(),
+    site::share("unwinder-site-share", "ribbon.group.unwinder", member!(Params.unwinding.site_share)),
     number("unwinder-motor-brake", member!(Params.unwinding.motor_brake)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor-brake").help("ribbon.unwinder-motor-brake.help")
         .unit("Nm").range(0.0..=100000.0).default(0.0).decimals(2).step(0.1).fact(),
     flag("spindle-encoder", member!(Params.spindle_encoder)).group("ribbon.group.unwinder").label("ribbon.spindle-encoder").help("ribbon.spindle-encoder.help")

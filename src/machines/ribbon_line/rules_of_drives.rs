@@ -115,14 +115,15 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
 
 fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let (torque, p) = (line.mechanics.unwinder, &line.p);
-    let limit = AtMost(p.unwinding.torque);
+    let most = p.unwinding.continuous();
+    let limit = AtMost(most);
     if limit.holds(torque) {
         return ok(limit);
     }
-    // The brake that the rated torque leaves behind gear and friction.
-    let at_roller = p.unwinding.torque * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
+    // The brake that the motor's torque leaves behind gear and friction.
+    let at_roller = most * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
     let brake = at_roller / (p.press_roller_diameter / 2e3);
-    let advice = Advice::from(msg!("ribbon.unwinder-torque", (torque, 2), (p.unwinding.torque, 2)));
+    let advice = Advice::from(msg!("ribbon.unwinder-torque", (torque, 2), (most, 2)));
     let advice = match brake > 0.0 {
         true => {
             let set = down(FIELDS, "reel-brake", brake);

@@ -205,7 +205,7 @@ impl Derived {
         let span = largest - smallest;
         let sign = if p.direction == Direction::CounterClockwise { -1.0 } else { 1.0 };
         let middle = 0.5 * volts;
-        let motor = p.motor(stage_speed);
+        let motor = p.continuous(stage_speed);
         Derived {
             passes,
             largest,
@@ -236,7 +236,7 @@ impl Derived {
             volts_smallest: analog.output(sign * speed(smallest)),
             analog_step: analog.speed(middle + volts / f64::from(analog.steps())) - analog.speed(middle),
             power: cutting::power(p.cutting_force, surface_speed(speed(largest), largest)),
-            power_available: p.motor_power * p.efficiency / 100.0,
+            power_available: motor.power,
             torque: cutting::torque(p.cutting_force, largest),
             torque_available: motor.torque(speed(largest)),
             torque_most: motor.torque(0.0),

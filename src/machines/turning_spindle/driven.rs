@@ -21,6 +21,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         name: "turning.drive.spindle",
         torque: through_gear(d.torque, gear, p.efficiency / 100.0),
         speed: d.speed_largest * gear,
+        site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: (p.spindle_ramp > 0.0).then(|| cycle(lathe, gear)),
         fields: None,

@@ -108,7 +108,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1, headline: false,
-        formula: "9549 P η / max(n, n b · n10 / n m)", cite: MOTOR, value: |lathe| lathe.d.torque_available,
+        formula: "9549 P η x / max(n, n b · n10 / n m)", cite: MOTOR, value: |lathe| lathe.d.torque_available,
     },
     ReadoutRow {
         id: "force", label: "turning.readout.force", unit: "N", decimals: 0, headline: false,

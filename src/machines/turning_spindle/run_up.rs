@@ -15,9 +15,14 @@ use crate::view::Limit::AtMost;
 const LONGEST_RAMP: f64 = 600.0;
 
 impl Params {
-    /// The motor at the spindle in a gear stage of `rated` r/min at 10 V.
+    /// The motor at the spindle in a gear stage of `rated` r/min at 10 V, by its data sheet.
     pub(super) fn motor(&self, rated: f64) -> MotorCurve {
         MotorCurve::new(self.motor_power, self.efficiency / 100.0, (self.motor_base, self.motor_top), rated)
+    }
+
+    /// What it gives continuously at its site.
+    pub(super) fn continuous(&self, rated: f64) -> MotorCurve {
+        self.motor(rated).share(self.site_share / 100.0)
     }
 
     /// Moment of inertia (kg m²) of the stock, a solid cylinder that is as long as the cut at least. Source: sizing facts 2.1.

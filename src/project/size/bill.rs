@@ -47,14 +47,11 @@ fn of_axis(project: &Project, axis: &SizedAxis) -> Vec<BillRow> {
     let amplifier = if is_servo { "size.item.amplifier" } else { "size.item.inverter" };
     let typed = axis.field.and_then(|field| named(project, field));
     let known = axis.candidates.iter().find(|candidate| Some(name(&candidate.part)) == typed);
-    let passing = || axis.candidates.iter().filter(|candidate| candidate.refusal.is_none());
-    // One whose amplifier is known can be ordered.
-    let passing = passing().find(|candidate| candidate.amplifier.is_some()).or_else(|| passing().next());
     match (known, typed) {
         // The motor of the form is not in the catalogue.
         (None, Some(typed)) => vec![row("size.item.motor", typed, PartGrade::Entered)],
         (chosen, _) => {
-            let Some(chosen) = chosen.or(passing) else { return Vec::new() };
+            let Some(chosen) = chosen.or_else(|| axis.ordered()) else { return Vec::new() };
             let motor = of("size.item.motor", &chosen.part);
             [motor].into_iter().chain(chosen.amplifier.as_ref().map(|part| of(amplifier, part))).collect()
         }

@@ -59,9 +59,19 @@ pub struct SizedAxis {
 }
 
 impl SizedAxis {
+    /// The motors that pass, the smallest first.
+    fn passing(&self) -> impl Iterator<Item = &Candidate> {
+        self.candidates.iter().filter(|candidate| candidate.refusal.is_none())
+    }
+
     /// The smallest motor of the catalogue that passes at the speed of the form; none where none does.
     pub fn least(&self) -> Option<&Part> {
-        self.candidates.iter().find(|candidate| candidate.refusal.is_none()).map(|candidate| &candidate.part)
+        self.passing().next().map(|candidate| &candidate.part)
+    }
+
+    /// The smallest motor that passes and can be ordered with an amplifier; where the catalogue has no amplifier for any, the smallest.
+    pub fn ordered(&self) -> Option<&Candidate> {
+        self.passing().find(|candidate| candidate.amplifier.is_some()).or_else(|| self.passing().next())
     }
 }
 
@@ -346,12 +356,13 @@ pub(super) fn name(part: &Part) -> String {
     part.name().chars().take(NAME).collect()
 }
 
-/// A motor behind the inverter: torque up to its rated speed, power above; in run-up and stop their short-time share, and over both with the
-/// work between them the rated torque.
+/// A motor behind the inverter: torque up to its rated speed, power above, both as far as its site leaves them; in run-up and stop their
+/// short-time share, and over both with the work between them the continuous torque.
 fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &Control) -> Candidate {
     let Ratings::Induction(of) = part.ratings else { return unknown(part) };
     let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
     let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
+    let (most, most_power) = (torque * drive.site_share, rated_power * drive.site_share);
     let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
     let needed = power(asked, speed * RPM);
     let inverter = smallest(catalogue, control, |other| match &other.ratings {
@@ -362,11 +373,11 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
         _ => None,
     });
     let mut shares =
-        Shares { inertia_ratio: 0.0, peak: asked / torque, effective: asked / torque, speed: speed / rated_speed };
-    let mut refusal = if asked > torque {
-        Some((Rank::Effective, msg!("size.refused-torque", (asked, 3), (torque, 3))))
-    } else if needed > rated_power {
-        Some((Rank::Peak, msg!("size.refused-power", (needed, 0), (rated_power, 0))))
+        Shares { inertia_ratio: 0.0, peak: asked / torque, effective: asked / most, speed: speed / rated_speed };
+    let mut refusal = if asked > most {
+        Some((Rank::Effective, msg!("size.refused-torque", (asked, 3), (most, 3))))
+    } else if needed > most_power {
+        Some((Rank::Peak, msg!("size.refused-power", (needed, 0), (most_power, 0))))
     } else {
         None
     };
@@ -383,9 +394,9 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
         }
         let [rise, fall] = ramps;
         let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.of.run }, fall]);
-        shares.effective = effective / torque;
-        if effective > torque {
-            let refused = || Some((Rank::Effective, msg!("size.refused-cycle", (effective, 3), (torque, 3))));
+        shares.effective = effective / most;
+        if effective > most {
+            let refused = || Some((Rank::Effective, msg!("size.refused-cycle", (effective, 3), (most, 3))));
             refusal = refusal.or_else(refused);
         }
     }

@@ -109,8 +109,10 @@ impl Sizing {
             row([say(of.label), with_unit(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
         };
         let least = self.axes.iter().filter_map(|axis| {
-            let label = headed(say("size.least"), say(axis.name));
-            Some(row([label, axis.least()?.name(), String::new(), String::new()], RUNS))
+            let (label, least) = (headed(say("size.least"), say(axis.name)), axis.least()?);
+            let ordered = axis.ordered().map(|ordered| &ordered.part).filter(|part| part.model != least.model);
+            let remark = ordered.map(|part| sentence(&msg!("size.least-without-amplifier", part.name())));
+            Some(row([label, least.name(), String::new(), remark.unwrap_or_default()], RUNS))
         });
         let fastest = self.fastest.as_ref().map(|fastest| {
             let speed = with_unit(fastest.value.0, fastest.decimals, fastest.value.1);

@@ -16,10 +16,11 @@ use super::sweep::{changes, forms};
 /// Results that a clamp holds at their limit, or that have to stay below it: they fail at the limit itself.
 const HELD: &[&str] = &["volts", "speed-smallest", "relief"];
 
-/// Ribbon lines whose advice is too rare for random forms, each on its control.
-const RARE: &[(&str, &[(&str, &str)])] = &[
+/// Machines whose advice is too rare for random forms, each on its control.
+const RARE: &[(&str, &str, &[(&str, &str)])] = &[
     // 4.8995 mm per revolution in steps of 0.001, at a high speed.
     (
+        "ribbon-line",
         "mitsubishi-e60",
         &[
             ("reduction-ratio", "90.8"),
@@ -36,6 +37,7 @@ const RARE: &[(&str, &[(&str, &str)])] = &[
     ),
     // A load that the motor cannot turn.
     (
+        "ribbon-line",
         "mitsubishi-e60",
         &[
             ("rated-load-speed", "1"),
@@ -46,9 +48,10 @@ const RARE: &[(&str, &[(&str, &str)])] = &[
         ],
     ),
     // A listing that is in time but while the knob turns, where the ready-made program is always in time.
-    ("mitsubishi-e60", &[("variant", "precomputed"), ("pitch", "12")]),
+    ("ribbon-line", "mitsubishi-e60", &[("variant", "precomputed"), ("pitch", "12")]),
     // A knob that turns the unwinder alone, which the axes could follow.
     (
+        "ribbon-line",
         "sinumerik-802d",
         &[
             ("knob-use", "free"),
@@ -60,25 +63,33 @@ const RARE: &[(&str, &[(&str, &str)])] = &[
     ),
     // A gear by which the unwinder feeds more in a turn than the control takes.
     (
+        "ribbon-line",
         "gsk-980tdc",
         &[("reduction-ratio", "0.01"), ("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")],
     ),
     // A contact that leaves a cam no time.
-    ("mitsubishi-e60", &[("contact-length", "8"), ("cam-law", "modified-sine")]),
+    ("ribbon-line", "mitsubishi-e60", &[("contact-length", "8"), ("cam-law", "modified-sine")]),
     // Cams whose roller turns back, and whose motor is too weak.
-    ("mitsubishi-e60", &[("heads", "100"), ("cam-law", "modified-sine")]),
+    ("ribbon-line", "mitsubishi-e60", &[("heads", "100"), ("cam-law", "modified-sine")]),
     (
+        "ribbon-line",
         "mitsubishi-e60",
         &[("heads", "40"), ("motor-peak-y", "3"), ("motor-stall-y", "1"), ("cam-law", "polynomial-345")],
+    ),
+    // A fixed speed beyond the chosen stage, and a faster stage beside it.
+    (
+        "turning-spindle",
+        "gsk-980tdc",
+        &[("speed-mode", "fixed"), ("gear", "1"), ("stage-1", "500"), ("stage-2", "3000"), ("cutting-speed", "200")],
     ),
 ];
 
 /// All forms of the sweep, and the rare ones, with a description.
 fn all() -> impl Iterator<Item = (Project, String)> {
-    let rare = RARE.iter().map(|(control, entries)| {
+    let rare = RARE.iter().map(|(machine, control, entries)| {
         let entries: Vec<_> = entries.iter().map(|(id, text)| (*id, (*text).to_owned())).collect();
-        let plain = Project::of_form(machines::find("ribbon-line").unwrap(), controls::find(control).unwrap());
-        (plain.with_entries(&entries).unwrap(), format!("{entries:?} on {control}"))
+        let plain = Project::of_form(machines::find(machine).unwrap(), controls::find(control).unwrap());
+        (plain.with_entries(&entries).unwrap(), format!("{machine} with {entries:?} on {control}"))
     });
     let on = machines::ALL.iter().flat_map(|machine| machine.controls().iter().map(move |id| (*machine, *id)));
     let swept = on.flat_map(|(machine, control)| {

@@ -1,4 +1,4 @@
-//! Derating of servo motors by height and temperature of the site, against the maker's table, in the verdicts and in the choice of motors.
+//! Derating of motors by their site: of servo motors by height and temperature, against the maker's table, of others by the entered share.
 
 use macroline::drives::derating::Site;
 use macroline::drives::servo::{Acceptance, Servo};
@@ -143,4 +143,56 @@ fn choice_of_motors_counts_with_the_site() {
     let continuous = |axis: SizedAxis| axis.chart.unwrap().continuous[0].1;
     near(continuous(low), 0.77 * 1.3);
     near(continuous(high), 0.68 * 1.3);
+}
+
+/// A machine under load, whose motors keep a share (%) of their ratings at the site.
+fn at_site(machine: &str, field: &str, percent: f64) -> Project {
+    let mut project = Project::named(machine, None, None).unwrap();
+    assert!(project.machine.fields().iter().any(|row| row.id == field), "{field}");
+    project.values.insert(field.to_owned(), Value::Number(percent));
+    for (load, value) in [("reel-brake", 200.0), ("cutting-force", 300.0)] {
+        project.values.entry(load.to_owned()).and_modify(|entered| *entered = Value::Number(value));
+    }
+    project
+}
+
+#[test]
+fn site_share_lowers_limits_in_the_long_run_alone() {
+    let long: [(&str, &str, &[&str], &[&str]); 3] = [
+        ("turning-spindle", "site-share", &["power", "torque", "torque-available"], &["shortest-ramp", "run-up-time"]),
+        (
+            "polygon-lathe",
+            "site-share",
+            &["tool-torque-mean", "work-torque-mean", "tool-power", "work-power"],
+            &["tool-torque", "work-torque", "tool-run-up", "work-run-up"],
+        ),
+        ("ribbon-line", "unwinder-site-share", &["unwinder-torque"], &["x-peak-torque", "y-peak-torque"]),
+    ];
+    // What a motor gives is the value of one result, and the limit of the others.
+    let gives = |project: &Project, id: &str| {
+        let row = result(project, id);
+        row.limit.map_or(row.value, |limit| limit.value())
+    };
+    for (machine, field, derated, kept) in long {
+        let [whole, part] = [100.0, 70.0].map(|percent| at_site(machine, field, percent));
+        for id in derated {
+            near(gives(&part, id) / gives(&whole, id), 0.7);
+        }
+        for id in kept {
+            let [kept, before] = [&part, &whole].map(|project| result(project, id));
+            assert_eq!((kept.value, kept.limit), (before.value, before.limit), "{id}");
+        }
+    }
+}
+
+#[test]
+fn choice_of_an_inverter_motor_counts_with_its_site_share() {
+    for (machine, field) in [("ribbon-line", "unwinder-site-share"), ("turning-spindle", "site-share")] {
+        let passing = |percent: f64| {
+            let project = at_site(machine, field, percent);
+            let axis = size(&project, &project.written()).axes.pop().unwrap();
+            axis.candidates.into_iter().filter(|motor| motor.refusal.is_none()).count()
+        };
+        assert!(passing(10.0) < passing(100.0), "{machine}");
+    }
 }
