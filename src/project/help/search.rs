@@ -1,5 +1,7 @@
 //! Search in help: numbers of alarms, codes, variables, words of both languages; the best hit first.
 
+use core::cmp::Reverse;
+
 use super::content::{HelpEntry, HelpKind, HelpPlace, HelpSection};
 use super::{Help, texts};
 
@@ -37,7 +39,7 @@ impl Help {
                 }
             }
         }
-        hits.sort_by(|a, b| b.0.cmp(&a.0));
+        hits.sort_by_key(|hit| Reverse(hit.0));
         hits.truncate(MOST);
         hits.into_iter().map(|(_, place)| place).collect()
     }
