@@ -56,6 +56,8 @@ pub mod variant;
 
 pub mod variants;
 
+pub mod changes;
+
 pub mod origins;
 
 pub mod remedy;
@@ -77,9 +79,11 @@ use crate::motion::{Action, Event, Panel};
 use crate::nc::Files;
 use crate::view::report::TitleBlock;
 
-/// Everything that a run depends on, and exactly what is saved.
+/// Everything that a run depends on, and exactly what is saved, but for its id.
 #[derive(Clone)]
 pub struct Project {
+    /// Identity among the projects that a browser keeps; no part of the file, and no difference between two projects.
+    pub id: Option<String>,
     /// Name given by the user; may be empty.
     pub name: String,
     /// The title block of the report.
@@ -157,6 +161,7 @@ impl Project {
         let mut values: Values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
         values.extend(own);
         Project {
+            id: None,
             name: String::new(),
             title_block: TitleBlock::default(),
             machine,
@@ -209,6 +214,16 @@ impl Project {
     pub fn with_entries(&self, entries: &[(&'static str, String)]) -> Option<Project> {
         let values = with_entries(&self.values, &self.machine.fields(), entries)?;
         Some(Project { values, ..self.clone() })
+    }
+
+    /// The project under another name.
+    pub fn with_name(self, name: impl Into<String>) -> Project {
+        Project { name: name.into(), ..self }
+    }
+
+    /// The project with another id.
+    pub fn with_id(self, id: Option<String>) -> Project {
+        Project { id, ..self }
     }
 
     /// Adds parts to the catalogue of the project. One of the same maker and model takes the place of the earlier one.

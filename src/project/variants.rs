@@ -68,7 +68,7 @@ impl Project {
 }
 
 /// Id, name, unit and cell of a row.
-type Listed = (&'static str, String, &'static str, VariantCell);
+pub(super) type Listed = (&'static str, String, &'static str, VariantCell);
 
 /// Compares projects, each with its name. Machines may differ: what only some have has no cell for the others.
 pub fn compare(variants: &[(String, Project)]) -> Comparison {
@@ -96,7 +96,7 @@ fn named(id: &'static str) -> String {
     words(id).to_owned()
 }
 
-fn entries(project: &Project) -> Vec<Listed> {
+pub(super) fn entries(project: &Project) -> Vec<Listed> {
     let inputs = values(project).into_iter().map(|(input, _)| input);
     inputs.map(|input| (input.id, named(input.label), input.unit, (input.value, Verdict::None))).collect()
 }
@@ -108,7 +108,7 @@ fn results(project: &Project) -> Vec<Listed> {
 }
 
 /// The open points of the control, each with its setting in words.
-fn switches(project: &Project) -> Vec<Listed> {
+pub(super) fn switches(project: &Project) -> Vec<Listed> {
     let row = |switch: &Switch| {
         let setting = project.switches.setting(switch);
         let option = switch.options().into_iter().find(|option| option.id == setting);
@@ -124,7 +124,7 @@ fn is_chosen(project: &Project, switch: &str) -> bool {
 }
 
 /// Rows by their ids, in the order of the first variant that has them.
-fn side_by_side(lists: &[Vec<Listed>]) -> Vec<ComparedRow> {
+pub(super) fn side_by_side(lists: &[Vec<Listed>]) -> Vec<ComparedRow> {
     let mut rows: Vec<ComparedRow> = Vec::new();
     for (at, list) in lists.iter().enumerate() {
         for (id, label, unit, cell) in list {

@@ -6,13 +6,13 @@ use leptos::prelude::*;
 use super::dom;
 use super::dom::turns::{at_last, in_turn};
 use super::files::{
-    EarlierDialog, ExportDialog, GalleryDialog, Header, LargeFile, LargeFileDialog, ShareDialog, open, share, store,
+    ExportDialog, GalleryDialog, Header, LargeFile, LargeFileDialog, ProjectsDialog, ShareDialog, open, share, store,
 };
 use super::form::Form;
 use super::form::field_help::FieldHelp;
 use super::help::{HelpDialog, keys};
-use super::machine::Machine;
 use super::machine::operator_panel::OperatorPanel;
+use super::machine::{CompareDialog, Machine};
 use super::parts::Later;
 use super::parts::divider::Divider;
 use super::parts::meaning::MeaningPopover;
@@ -90,7 +90,8 @@ fn Screen() -> impl IntoView {
             <ExportDialog />
             <GalleryDialog />
             <HelpDialog />
-            <EarlierDialog />
+            <ProjectsDialog />
+            <CompareDialog />
             <LargeFileDialog />
         </Later>
         <div class="hidden" role="status">{page.notices.said}</div>
@@ -269,8 +270,6 @@ mod tests {
         dom::store("macroline.project", "{ not a project");
         let bench = app_of_the_last_visit().await;
         assert!(bench.text(".notice").contains(t("page.set-aside")));
-        bench.press_button(t("page.earlier")).await;
-        assert!(bench.text(".earlier").contains(t("page.aside-unread")));
     }
 
     #[wasm_bindgen_test]

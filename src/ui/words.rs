@@ -86,6 +86,18 @@ pub(crate) fn clock(seconds: f64) -> String {
     format!("{minutes:02}:{:02}.{:04}", rest / 10_000, rest % 10_000)
 }
 
+/// A day with its time, as people of the language write it; empty where it is not known.
+pub(crate) fn day(milliseconds: f64) -> String {
+    if milliseconds <= 0.0 {
+        return String::new();
+    }
+    let style = js_sys::Object::new();
+    for (part, length) in [("dateStyle", "medium"), ("timeStyle", "short")] {
+        let _ = js_sys::Reflect::set(&style, &part.into(), &length.into());
+    }
+    js_sys::Date::new(&milliseconds.into()).to_locale_string(t("page.locale"), &style).into()
+}
+
 /// A speed of the film as people say it: `1/20 ×`, `2 ×`.
 pub(crate) fn speed_text(speed: f64) -> String {
     if speed < 1.0 { number::filled("1/# ×", &[1.0 / speed]) } else { number::filled("# ×", &[speed]) }

@@ -58,7 +58,7 @@ test('a second tab is told when it opens, watches, and may take over', () =>
     await other.getByRole('button', { name: 'Work here' }).click();
     await page.waitForFunction(() => JSON.parse(localStorage.getItem('macroline.project')).values.pitch === 6.5);
     await page.getByText('Another tab of this browser has taken the project over').first().waitFor();
-    await other.getByRole('button', { name: 'Earlier' }).click();
+    await other.getByRole('button', { name: 'Projects' }).click();
     await other.getByText('Of another tab').waitFor();
   }));
 
@@ -89,11 +89,8 @@ test('a project before “New” is offered again, also after a reload', () =>
     await page.locator('.kept', { hasText: /^Saved$/ }).waitFor();
     await page.reload();
     await ready(page);
-    await page.getByRole('button', { name: 'Earlier' }).click();
-    const row = page.getByRole('row', { name: /Customer 4711/ });
-    await row.getByText('Before “New”').waitFor();
-    await accessible(page);
-    await row.getByRole('button', { name: 'Open' }).click();
+    await page.getByRole('button', { name: 'Projects' }).click();
+    await page.getByRole('button', { name: 'Open Customer 4711' }).click();
     assert.equal(await field(page, 'pitch').inputValue(), '9.5');
   }));
 

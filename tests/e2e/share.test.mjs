@@ -54,8 +54,8 @@ test('a link opens a copy, and what was there before is one step back', async ()
     await page.reload();
     await ready(page);
     assert.equal(await pitch(page).inputValue(), '9.5');
-    await page.getByRole('button', { name: 'Earlier' }).click();
-    await notice(page, 'Before a shared link was opened');
+    await page.getByRole('button', { name: 'Projects' }).click();
+    await page.locator('.projects > li').nth(1).waitFor();
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Undo' }).click();
     await page.waitForFunction(() => document.getElementById('pitch').value === '7.5');

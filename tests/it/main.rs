@@ -1,6 +1,7 @@
 //! The native tests, one binary: a test states a feature, and says in its failure what to do.
 #![allow(clippy::unwrap_used, clippy::string_slice)]
 
+mod changes;
 mod cli;
 mod cli_language;
 mod command;

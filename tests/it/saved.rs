@@ -483,14 +483,17 @@ fn named(name: &str) -> Project {
 #[test]
 fn steps_of_undo_read_back_in_their_order() {
     let texts = ["a", "b", "c"].map(|name| named(name).to_json());
-    let (past, future) = steps_from_json(&steps_to_json([&*texts[0], &texts[1]], [&*texts[2]]));
+    let (past, future) = steps_from_json(&steps_to_json([("p1", &*texts[0]), ("", &texts[1])], [("p2", &*texts[2])]));
     assert!(past == [named("a"), named("b")] && future == [named("c")]);
+    let ids = [&past[0], &past[1], &future[0]].map(|project| project.id.as_deref());
+    assert_eq!(ids, [Some("p1"), None, Some("p2")]);
 }
 
 #[test]
 fn steps_behind_one_that_does_not_read_are_left() {
     let texts = ["a", "b", "c"].map(|name| named(name).to_json());
-    let (past, _) = steps_from_json(&steps_to_json([&*texts[0], "{", &texts[1], &texts[2]], []));
+    let (past, _) =
+        steps_from_json(&steps_to_json([("", &*texts[0]), ("", "{"), ("", &texts[1]), ("", &texts[2])], []));
     assert!(past == [named("b"), named("c")]);
 }
 
@@ -498,7 +501,7 @@ proptest! {
     #[test]
     fn any_text_gives_steps_or_none(text in any::<String>(), step in any::<String>()) {
         steps_from_json(&text);
-        prop_assert!(steps_from_json(&steps_to_json([&*step], [])).0.is_empty());
+        prop_assert!(steps_from_json(&steps_to_json([("", &*step)], [])).0.is_empty());
     }
 }
 

@@ -21,13 +21,26 @@ struct StepsV1<'t> {
     /// After it, the next one last.
     #[serde(borrow)]
     future: Vec<Cow<'t, str>>,
+    /// Ids of the projects before; steps that were kept before November 2026 have none.
+    #[serde(borrow, default)]
+    past_ids: Vec<Cow<'t, str>>,
+    /// Ids of the projects after.
+    #[serde(borrow, default)]
+    future_ids: Vec<Cow<'t, str>>,
 }
 
-/// The steps as a text: project files before the present one, the oldest first, and after it, the next one last.
-pub fn steps_to_json<'t>(past: impl IntoIterator<Item = &'t str>, future: impl IntoIterator<Item = &'t str>) -> String {
-    let (past, future) = (past.into_iter().map(Cow::Borrowed), future.into_iter().map(Cow::Borrowed));
-    let steps = StepsV1 { version: VERSION, past: past.collect(), future: future.collect() };
-    serde_json::to_string(&steps).unwrap_or_default()
+/// A step as texts: the id of its project, which may be empty, and the project file.
+pub type StepTexts<'t> = (&'t str, &'t str);
+
+/// The steps as a text: projects before the present one, the oldest first, and after it, the next one last.
+pub fn steps_to_json<'t>(
+    past: impl IntoIterator<Item = StepTexts<'t>>,
+    future: impl IntoIterator<Item = StepTexts<'t>>,
+) -> String {
+    let borrowed = |(id, text)| (Cow::Borrowed(id), Cow::Borrowed(text));
+    let (past_ids, past) = past.into_iter().map(borrowed).unzip();
+    let (future_ids, future) = future.into_iter().map(borrowed).unzip();
+    serde_json::to_string(&StepsV1 { version: VERSION, past, future, past_ids, future_ids }).unwrap_or_default()
 }
 
 /// Reads the steps: those before and after the present project. A step that does not read ends its list, as the steps behind it would skip
@@ -35,13 +48,16 @@ pub fn steps_to_json<'t>(past: impl IntoIterator<Item = &'t str>, future: impl I
 pub fn steps_from_json(text: &str) -> (Vec<Project>, Vec<Project>) {
     let steps = (text.len() <= MAX_BYTES).then(|| serde_json::from_str::<StepsV1>(text).ok()).flatten();
     let Some(steps) = steps.filter(|steps| steps.version == VERSION) else { return (Vec::new(), Vec::new()) };
-    (read(&steps.past), read(&steps.future))
+    (read(&steps.past, &steps.past_ids), read(&steps.future, &steps.future_ids))
 }
 
-/// The newest steps of a list, up to the first that is no project.
-fn read(texts: &[Cow<str>]) -> Vec<Project> {
-    let newest = texts.iter().rev().take(STEPS).map_while(|text| Project::from_json(text).project);
-    let mut projects: Vec<Project> = newest.collect();
+/// The newest steps of a list, up to the first that is no project. Ids that are not one for each step are left out.
+fn read(texts: &[Cow<str>], ids: &[Cow<str>]) -> Vec<Project> {
+    let id = |at: usize| {
+        ids.get(at).filter(|id| ids.len() == texts.len() && !id.is_empty()).map(|id| id.clone().into_owned())
+    };
+    let step = |(at, text): (usize, &Cow<str>)| Some(Project::from_json(text).project?.with_id(id(at)));
+    let mut projects: Vec<Project> = texts.iter().enumerate().rev().take(STEPS).map_while(step).collect();
     projects.reverse();
     projects
 }

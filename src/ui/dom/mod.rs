@@ -99,6 +99,11 @@ pub(crate) fn forget(key: &str) {
     }
 }
 
+/// An id that nothing else in this browser has: the time in milliseconds and a number by chance.
+pub(crate) fn fresh_id() -> String {
+    format!("{:x}{:08x}", js_sys::Date::now() as u64, (js_sys::Math::random() * 4_294_967_296.0) as u64)
+}
+
 /// Hands a file to the user.
 pub(crate) fn download(name: &str, kind: &str, bytes: &[u8]) {
     let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes));
@@ -148,6 +153,13 @@ pub(crate) fn forget_fragment() {
 /// Whether a media query holds.
 pub(crate) fn prefers(query: &str) -> bool {
     window().match_media(query).ok().flatten().is_some_and(|list| list.matches())
+}
+
+/// Whether the page is dark: as chosen, or as the system.
+pub(crate) fn is_dark() -> bool {
+    let root = document().document_element();
+    let chosen = root.and_then(|root| root.get_attribute("data-theme")).unwrap_or_default();
+    chosen == "dark" || chosen.is_empty() && prefers("(prefers-color-scheme: dark)")
 }
 
 /// Sets an attribute; there is nothing to be done where the browser refuses.

@@ -2,7 +2,6 @@
 
 use leptos::prelude::*;
 
-use super::set_aside::{self, Reason};
 use crate::machines::AnyMachine;
 use crate::machines::examples::{Example, Fault};
 use crate::project::Project;
@@ -54,7 +53,6 @@ fn ExampleRow(
     let faults = if example.faults.is_empty() { Vec::new() } else { made().faults() };
     let failed = listed(faults.iter().map(|(readout, _)| t(readout.label)));
     let take = move |_| {
-        set_aside::keep_present(page, Reason::New);
         page.replace(made());
         page.view.gallery.set(false);
         page.notices.notify("info", t("page.fresh").to_owned());

@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use super::gallery::NewButton;
 use super::open::OpenButton;
-use super::set_aside::EarlierButton;
+use super::projects::ProjectsButton;
 use super::share::{self, ShareButton};
 use super::store;
 use crate::controls;
@@ -42,9 +42,9 @@ pub(crate) fn Header() -> impl IntoView {
                     </Show>
                     <IconButton glyph=Glyph::Undo label=t("page.undo") title=t("page.undo-key") disabled=Signal::derive(move || !page.can.get().0) press=move || page.undo() />
                     <IconButton glyph=Glyph::Redo label=t("page.redo") title=t("page.redo-key") disabled=Signal::derive(move || !page.can.get().1) press=move || page.redo() />
+                    <ProjectsButton />
                     <NewButton />
                     <OpenButton />
-                    <EarlierButton />
                     <button type="button" class="quiet save" title=t("page.save-about") on:click=move |_| share::save(page)>{t("page.save")}</button>
                     <ShareButton />
                     <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>

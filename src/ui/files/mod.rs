@@ -12,9 +12,13 @@ pub(crate) mod open;
 
 mod parts;
 
+mod projects;
+
 mod set_aside;
 
 pub(crate) mod share;
+
+mod shelf;
 
 pub(crate) mod store;
 
@@ -22,5 +26,5 @@ pub(crate) use export::ExportDialog;
 pub(crate) use gallery::GalleryDialog;
 pub(crate) use header::Header;
 pub(crate) use large::{LargeFile, LargeFileDialog};
-pub(crate) use set_aside::EarlierDialog;
+pub(crate) use projects::ProjectsDialog;
 pub(crate) use share::ShareDialog;

@@ -8,7 +8,7 @@ use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, FileList};
 
 use super::large::{LargeFile, Source, check};
 use super::parts;
-use super::set_aside::{self, Reason};
+use super::shelf;
 use crate::nc;
 use crate::project::Project;
 use crate::project::decode::Decoded;
@@ -20,6 +20,7 @@ use crate::ui::state::Page;
 use crate::ui::state::view::Tab;
 use crate::ui::words::{say, t, tone};
 use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::BEFORE_PROGRAM;
 
 /// Bytes above which a text is not taken into the page but read aside.
 const BIG: f64 = MAX_PROGRAM as f64;
@@ -74,8 +75,7 @@ fn read_programs(page: Page, files: &[nc::File]) {
     let Some(project) = opened.project else { return };
     if project.edited.is_some() && text.is_empty() {
         page.notices.notify("info", t("page.opened-program").to_owned());
-    } else {
-        set_aside::keep_present(page, Reason::Opened);
+        shelf::version_before(page, BEFORE_PROGRAM);
     }
     show(page, project);
     page.notices.say(t("page.opened"));

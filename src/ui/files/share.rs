@@ -4,7 +4,6 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::open::show;
-use super::set_aside::{self, Reason};
 use crate::project::Project;
 use crate::project::saved::{Loaded, is_link};
 use crate::ui::dom;
@@ -53,7 +52,6 @@ fn open(page: Page) {
         page.notices.notify(tone, text);
     }
     let Some(project) = linked.project else { return };
-    set_aside::keep_present(page, Reason::Link);
     show(page, project);
 }
 
@@ -180,7 +178,6 @@ mod tests {
         opened(&bench, &theirs.to_link().unwrap()).await;
         assert!(bench.page.project.get_untracked() == theirs);
         assert_eq!(bench.notices(), [t("page.link-opened")]);
-        assert_eq!(set_aside::list().len(), 1);
         forget_link();
         assert_eq!(dom::address().1, "");
         bench.page.undo();

@@ -8,6 +8,7 @@ use web_sys::{PageTransitionEvent, StorageEvent};
 
 use super::set_aside::{self, Reason};
 use super::share;
+use super::shelf;
 use crate::machines;
 use crate::project::Project;
 use crate::project::saved::{Loaded, with_line};
@@ -17,9 +18,13 @@ use crate::ui::state::notices::Notice;
 use crate::ui::state::view::Kept;
 use crate::ui::state::{Page, put, stepping};
 use crate::ui::words::t;
+use crate::ui::worker::messages::ShelfState;
 
 /// Where the project is kept.
 const KEY: &str = "macroline.project";
+
+/// Where its id is kept.
+const ID: &str = "macroline.id";
 
 /// Where its steps of undo and redo are kept.
 const STEPS: &str = "macroline.steps";
@@ -75,7 +80,7 @@ fn by_link(last: Visit, linked: Loaded) -> Visit {
     let mut notices = share::notices(&linked);
     notices.extend(last.notices);
     let Some(project) = linked.project else { return Visit { notices, ..last } };
-    let aside = last.project.as_ref().is_none_or(|before| set_aside::keep_project(before, Reason::Link));
+    let aside = last.project.as_ref().is_none_or(|before| set_aside::keep_project(before, Reason::Replaced));
     if !aside {
         let file = last.project.as_ref().map(|before| (set_aside::FILE, before.to_json()));
         notices.push(Notice { tone: "warn", text: t("page.aside-full").to_owned(), file });
@@ -91,12 +96,13 @@ fn last_visit() -> Visit {
         return Visit { project: fresh(), notices: Vec::new(), stored: Stored::default() };
     };
     let loaded = Project::from_json(&text);
-    if let Some(project) = loaded.project {
+    if let Some(mut project) = loaded.project {
+        project.id = dom::stored(ID);
         let notice = |found| Notice { tone: "warn", text: with_line(found, &text), file: None };
         let notices = loaded.diagnostics.iter().map(notice).collect();
         return Visit { project: Some(project), notices, stored: Stored::default() };
     }
-    let aside = set_aside::keep(&text, Reason::Unread);
+    let aside = set_aside::keep(&text, Reason::Unread, None);
     if aside {
         dom::forget(KEY);
         dom::forget(STEPS);
@@ -109,13 +115,25 @@ fn last_visit() -> Visit {
 
 /// Stores the project now, then its steps, and notes whether the browser has taken the project.
 fn store_now(page: Page) {
-    let text = page.project.with_untracked(Project::to_json);
+    let ShelfState { id, text, .. } = shelf::present(page);
+    // The id before the text: a tab that hears of the text has its id. An id without its project would lead to another one.
+    let id_before = dom::stored(ID);
+    if !dom::store(ID, &id) {
+        dom::forget(ID);
+    }
     // The steps give way to the project where there is no room for both.
     let kept = dom::store(KEY, &text) || make_room(&text);
     if kept {
         dom::store(STEPS, &page.steps());
         share::forget_link();
+    } else {
+        dom::forget(ID);
+        if let Some(id) = id_before {
+            dom::store(ID, &id);
+        }
     }
+    // What has no room here may have it there.
+    shelf::soon(page);
     page.view.kept.set(if kept { Kept::Yes } else { Kept::No });
 }
 
@@ -140,7 +158,7 @@ fn say(word: &str) {
 pub(crate) fn take_over(page: Page) {
     let own = page.project.with_untracked(Project::to_json);
     if let Some(text) = dom::stored(KEY).filter(|text| *text != own)
-        && !set_aside::keep(&text, Reason::OtherTab)
+        && !set_aside::keep(&text, Reason::OtherTab, None)
     {
         let notice =
             Notice { tone: "warn", text: t("page.aside-full").to_owned(), file: Some((set_aside::FILE, text)) };
@@ -148,6 +166,7 @@ pub(crate) fn take_over(page: Page) {
     }
     say(TAKES);
     store_now(page);
+    shelf::take_in_soon(page);
     ["page.other-tab", "page.other-tab-open", "page.link-other-tab"]
         .into_iter()
         .for_each(|words| page.notices.dismiss(t(words)));
@@ -189,8 +208,9 @@ fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValu
         (KEY, _) if watches => {
             let own = page.project.get_untracked();
             if shown.with_value(|shown| shown.as_ref() == Some(&own))
-                && let Some(project) = Project::from_json(value).project
+                && let Some(mut project) = Project::from_json(value).project
             {
+                project.id = dom::stored(ID);
                 shown.set_value(Some(project.clone()));
                 page.watch(project);
             }
@@ -212,6 +232,19 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     if occupied {
         page.view.kept.set(Kept::Elsewhere);
     }
+    shelf::identify(page);
+    shelf::take_in_soon(page);
+    // The project of the other tab that is shown here.
+    let shown = StoredValue::new_local(None::<Project>);
+    Effect::new(move |last: Option<Option<Project>>| {
+        // The page may be gone.
+        let present = page.project.try_get()?;
+        // Where this tab follows another one, that one has its projects.
+        let follows = shown.with_value(|shown| shown.as_ref() == Some(&present));
+        let gone = last.flatten().filter(|last| last.id.is_some() && last.id != present.id && !follows);
+        gone.iter().for_each(|last| shelf::leave(page, last));
+        Some(present)
+    });
     let timer = StoredValue::new(None::<TimeoutHandle>);
     let save = move || {
         // The page may be gone.
@@ -236,8 +269,6 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         let next = set_timeout_with_handle(save, Duration::from_millis(300)).ok();
         timer.set_value(next);
     });
-    // The project of the other tab that is shown here.
-    let shown = StoredValue::new_local(None::<Project>);
     dom::hear("storage", move |event| {
         let event: &StorageEvent = event.unchecked_ref();
         // The page may be gone.
@@ -309,6 +340,40 @@ mod tests {
         stored_soon(bench.page).await;
         let visit = load();
         assert!(visit.project == Some(bench.page.project.get_untracked()) && visit.notices.is_empty());
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_that_gives_way_is_kept_whatever_takes_its_place() {
+        let ways: [fn(Page); 4] = [
+            |page| page.change_machine(machines::ALL[1].id()),
+            |page| page.replace(project().with_name("Order 7")),
+            |page| page.undo(),
+            |page| page.watch(project().with_id(Some("p9".to_owned()))),
+        ];
+        for way in ways {
+            shelf::pretend::empty();
+            let bench = kept().await;
+            bench.page.replace(project().with_name("Before"));
+            settled().await;
+            way(bench.page);
+            settled().await;
+            until(|| set_aside::list().is_empty()).await;
+            let names = shelf::states()
+                .await
+                .unwrap()
+                .into_iter()
+                .filter_map(|state| Some(Project::from_json(&state.text).project?.name));
+            assert!(names.into_iter().any(|name| name == "Before"));
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_has_its_id_again_after_a_reload() {
+        let bench = kept().await;
+        bench.page.set("pitch", Value::Number(9.0));
+        stored_soon(bench.page).await;
+        let id = bench.page.project.with_untracked(|project| project.id.clone());
+        assert!(id.is_some() && load().project.unwrap().id == id);
     }
 
     #[wasm_bindgen_test]

@@ -1,6 +1,5 @@
 //! The drawing at the play head as pixels.
 
-use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlImageElement};
@@ -11,10 +10,7 @@ use crate::view::svg::Theme;
 
 /// The drawing in the colours of the page.
 pub(super) fn drawing(page: Page) -> Option<String> {
-    let root = document().document_element();
-    let chosen = root.and_then(|root| root.get_attribute("data-theme")).unwrap_or_default();
-    let dark = chosen == "dark" || chosen.is_empty() && dom::prefers("(prefers-color-scheme: dark)");
-    page.player.picture(if dark { Theme::Dark } else { Theme::Light })
+    page.player.picture(if dom::is_dark() { Theme::Dark } else { Theme::Light })
 }
 
 /// Draws a picture onto a canvas of its size times `fine`; `None` where the browser cannot.

@@ -8,6 +8,8 @@ mod canvas;
 
 mod clip;
 
+mod compare;
+
 mod film;
 
 mod labels;
@@ -32,6 +34,7 @@ mod verdicts;
 
 use leptos::prelude::*;
 
+pub(crate) use compare::CompareDialog;
 use film::Film;
 use stage::Stage;
 use verdicts::Verdicts;

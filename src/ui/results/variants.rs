@@ -95,7 +95,7 @@ fn asking(page: Page, head: RwSignal<String>, rows: RwSignal<String>, outdated: 
         let about = head.get_untracked();
         let show = move |response: Option<Response>| match response {
             // The columns may have changed, or the tab may have been left.
-            Some(Response::Variants(html)) if head.try_get_untracked() == Some(about) => {
+            Some(Response::Html(html)) if head.try_get_untracked() == Some(about) => {
                 let _ = rows.try_set(html);
                 let _ = outdated.try_set(false);
             }
@@ -192,7 +192,7 @@ mod tests {
     async fn section() -> Bench {
         mount(|| {
             Client::here().answer_here(|project, request| match request {
-                Request::Variants => Some(Response::Variants(documents::variants(project))),
+                Request::Variants => Some(Response::Html(documents::variants(project))),
                 _ => None,
             });
             view! { <Variants /> }

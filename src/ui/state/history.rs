@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::project::Project;
-use crate::project::saved::{steps_from_json, steps_to_json};
+use crate::project::saved::{StepTexts, steps_from_json, steps_to_json};
 
 /// Steps that are kept.
 const STEPS: usize = 100;
@@ -20,6 +20,13 @@ struct Step {
 impl From<Project> for Step {
     fn from(project: Project) -> Step {
         Step { project, text: OnceCell::new() }
+    }
+}
+
+impl Step {
+    fn texts(&self) -> StepTexts<'_> {
+        let text = self.text.get_or_init(|| self.project.to_json());
+        (self.project.id.as_deref().unwrap_or_default(), text)
     }
 }
 
@@ -82,6 +89,11 @@ impl History {
         steps_to_json(newest(&self.past), newest(&self.future))
     }
 
+    /// All steps as project files: before the present project, the oldest first, and after it, the next one last.
+    pub(crate) fn texts(&self) -> [Vec<String>; 2] {
+        [&self.past, &self.future].map(|steps| steps.iter().map(|step| step.texts().1.to_owned()).collect())
+    }
+
     /// The steps of a text that [`to_json`](History::to_json) wrote, or of any other one: then there are none.
     pub(crate) fn from_json(text: &str) -> History {
         let (past, future) = steps_from_json(text);
@@ -91,13 +103,13 @@ impl History {
 }
 
 /// The texts of the newest steps that fit the store, the oldest first.
-fn newest(steps: &[Step]) -> Vec<&str> {
+fn newest(steps: &[Step]) -> Vec<StepTexts<'_>> {
     let mut room = STORED;
-    let texts = steps.iter().rev().map(|step| step.text.get_or_init(|| step.project.to_json()).as_str());
-    let mut newest: Vec<&str> = texts
-        .map_while(|text| {
+    let texts = steps.iter().rev().map(Step::texts);
+    let mut newest: Vec<StepTexts> = texts
+        .map_while(|(id, text)| {
             room = room.checked_sub(text.len())?;
-            Some(text)
+            Some((id, text))
         })
         .collect();
     newest.reverse();
@@ -184,6 +196,16 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    fn stored_steps_keep_the_ids_of_their_projects() {
+        let mut history = History::default();
+        history.note(&project().with_id(Some("p1".to_owned())), "", 0.0);
+        history.note(&named("b"), "", 1.0);
+        let mut read = History::from_json(&history.to_json());
+        let mut back = || read.back(project()).unwrap().id;
+        assert_eq!([back(), back()], [None, Some("p1".to_owned())]);
+    }
+
+    #[wasm_bindgen_test]
     fn stored_steps_are_the_newest_that_have_room() {
         let mut history = History::default();
         let mut large = named("large");
@@ -195,9 +217,9 @@ mod tests {
 
     #[wasm_bindgen_test]
     fn any_text_is_read_as_steps_or_none() {
-        let good = steps_to_json([project().to_json().as_str()], []);
+        let good = steps_to_json([("a", project().to_json().as_str())], []);
         assert_eq!(History::from_json(&good).can(), (true, false));
-        let broken = steps_to_json([project().to_json().as_str(), "{"], []);
+        let broken = steps_to_json([("a", project().to_json().as_str()), ("b", "{")], []);
         for text in ["", "[]", "{}", "\u{0}", &good.replace("\"version\":1", "\"version\":9"), &broken] {
             assert_eq!(History::from_json(text).can(), (false, false), "{text:.60}");
         }

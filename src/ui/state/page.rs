@@ -152,7 +152,7 @@ impl Page {
         let mut after = self.project.get_untracked();
         change(&mut after);
         let before = self.project.get_untracked();
-        if after != before {
+        if after != before || after.id != before.id {
             self.history.update_value(|history| history.note(&before, key, dom::now()));
             self.follow(&before, after);
         }
@@ -277,8 +277,9 @@ impl Page {
         }
     }
 
-    /// Takes another project in place of this one; undo brings this one back.
-    pub(crate) fn replace(self, project: Project) {
+    /// Takes another project in place of this one; undo brings this one back. A project without an id is a new one.
+    pub(crate) fn replace(self, mut project: Project) {
+        project.id.get_or_insert_with(dom::fresh_id);
         self.entries.invalid.set(Vec::new());
         self.edit("", |present| *present = project);
         self.entries.show_again();
@@ -304,19 +305,33 @@ impl Page {
         self.entries.show_again();
     }
 
+    /// All steps as project files: before the present project, the oldest first, and after it, the next one last.
+    pub(crate) fn step_texts(self) -> [Vec<String>; 2] {
+        self.history.with_value(History::texts)
+    }
+
     /// Goes back one step.
     pub(crate) fn undo(self) {
-        self.travel(History::back);
+        self.travel(-1);
     }
 
     /// Goes forth one step again.
     pub(crate) fn redo(self) {
-        self.travel(History::forth);
+        self.travel(1);
     }
 
-    fn travel(self, step: fn(&mut History, Project) -> Option<Project>) {
+    /// Goes so many steps forth, or back where the count is below zero, as far as there are any.
+    pub(crate) fn travel(self, steps: i32) {
+        let step = if steps < 0 { History::back } else { History::forth };
         let before = self.project.get_untracked();
-        let after = self.history.try_update_value(|history| step(history, before.clone())).flatten();
+        let mut after = None;
+        self.history.update_value(|history| {
+            for _ in 0..steps.unsigned_abs() {
+                let present = after.clone().unwrap_or_else(|| before.clone());
+                let Some(next) = step(history, present) else { break };
+                after = Some(next);
+            }
+        });
         if let Some(after) = after {
             self.entries.invalid.set(Vec::new());
             self.follow(&before, after);
@@ -440,6 +455,20 @@ mod tests {
         assert_eq!((number(page, "pitch"), page.can.get_untracked()), (Value::Number(8.0), (false, true)));
         page.redo();
         assert_eq!(number(page, "pitch"), Value::Number(9.0));
+    }
+
+    #[wasm_bindgen_test]
+    async fn several_steps_are_taken_at_once() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        [("pitch", 9.0), ("heads", 7.0), ("pitch", 10.0)]
+            .into_iter()
+            .for_each(|(id, value)| page.set(id, Value::Number(value)));
+        page.travel(-2);
+        assert_eq!((number(page, "pitch"), page.can.get_untracked()), (Value::Number(9.0), (true, true)));
+        assert_eq!(page.step_texts().map(|steps| steps.len()), [1, 2]);
+        page.travel(9);
+        assert_eq!((number(page, "pitch"), page.can.get_untracked()), (Value::Number(10.0), (true, false)));
     }
 
     #[wasm_bindgen_test]

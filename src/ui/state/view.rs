@@ -47,6 +47,15 @@ pub(crate) enum Kept {
     Elsewhere,
 }
 
+/// A project that the present one is compared with.
+#[derive(Clone)]
+pub(crate) struct Compared {
+    /// What it is called.
+    pub name: String,
+    /// The text of its file.
+    pub text: String,
+}
+
 /// What is shown. A handle: copies mean the same.
 #[derive(Clone, Copy)]
 pub(crate) struct View {
@@ -72,10 +81,12 @@ pub(crate) struct View {
     pub exporting: RwSignal<bool>,
     /// Whether the dialog of the link to the project is open.
     pub sharing: RwSignal<bool>,
-    /// Whether the dialog of earlier states is open.
-    pub earlier: RwSignal<bool>,
+    /// Whether the dialog of the projects in this browser is open.
+    pub projects: RwSignal<bool>,
     /// Asks for the dialog of help.
     pub helping: RwSignal<bool>,
+    /// The project that the present one is compared with.
+    pub compared: RwSignal<Option<Compared>>,
     /// Whether the store of this browser has the project.
     pub kept: RwSignal<Kept>,
 }
@@ -95,8 +106,9 @@ impl View {
             gallery: RwSignal::new(false),
             exporting: RwSignal::new(false),
             sharing: RwSignal::new(false),
-            earlier: RwSignal::new(false),
+            projects: RwSignal::new(false),
             helping: RwSignal::new(false),
+            compared: RwSignal::new(None),
             kept: RwSignal::new(Kept::Yes),
         }
     }

@@ -8,10 +8,11 @@ use crate::project::meaning::{self, Subject, Table};
 use crate::project::parts;
 use crate::project::saved::with_line;
 use crate::project::size::{size, size_telling};
+use crate::project::variants::compare;
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity, columns};
 use crate::ui::words::{say, sign, t, tell, tone, verdict_tone, verdict_words};
 use crate::view::svg::escape;
-use crate::view::{Row, Sheet, VariantCell, Verdict};
+use crate::view::{Comparison, Row, Sheet, VariantCell, Verdict};
 
 /// The sheets of a project, by the tab that shows them.
 pub(super) fn sheets(project: &Project) -> Sheets {
@@ -54,8 +55,26 @@ pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
 
 /// The rows in which the present settings and the variants of a project differ, under titles; what differs from the present is marked.
 pub(in crate::ui) fn variants(project: &Project) -> String {
+    project.compared_variants(t("variants.now")).map(|comparison| differences(&comparison)).unwrap_or_default()
+}
+
+/// The same of the present project and another one, with the head of the table.
+pub(in crate::ui) fn compared_with(project: &Project, name: String, text: &str) -> String {
+    let Some(other) = Project::from_json(text).project else { return String::new() };
+    let comparison = compare(&[(t("variants.now").to_owned(), project.clone()), (name, other)]);
+    let mut out = "<thead><tr>".to_owned();
+    for head in std::iter::once(t("variants.row")).chain(comparison.names.iter().map(String::as_str)) {
+        out.push_str("<th scope=\"col\">");
+        tagged(&mut out, "span", head);
+        out.push_str("</th>");
+    }
+    out.push_str("</tr></thead><tbody>");
+    out + &differences(&comparison) + "</tbody>"
+}
+
+/// The rows of a comparison that differ, under the titles of their groups.
+fn differences(comparison: &Comparison) -> String {
     let mut out = String::new();
-    let Some(comparison) = project.compared_variants(t("variants.now")) else { return out };
     let columns = comparison.names.len() + 1;
     let titled = |out: &mut String, title: &str| {
         out.push_str(&format!("<tr class=\"title\"><th colspan=\"{columns}\" scope=\"colgroup\">"));
@@ -241,7 +260,7 @@ fn devices(out: &mut String, cell: &str, project: &Project) {
     out.push_str("</td>");
 }
 
-fn tagged(out: &mut String, tag: &str, text: &str) {
+pub(super) fn tagged(out: &mut String, tag: &str, text: &str) {
     out.push_str(&format!("<{tag}>"));
     escape(out, text);
     out.push_str(&format!("</{tag}>"));

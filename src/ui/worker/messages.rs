@@ -35,6 +35,10 @@ pub(crate) enum Request {
     Flips,
     /// The present settings beside the variants of the project.
     Variants,
+    /// The present project beside another one: its name, and the text of its file.
+    Compare(String, String),
+    /// The list of the projects that this browser keeps, the present one first.
+    Shelf(Shelf),
     /// Documents that leave with the programs.
     Export,
     /// The project with the parts of a table, by the name of its file and its text.
@@ -61,8 +65,8 @@ pub(crate) enum Response {
     Review(Vec<Finding>),
     /// Of [`Request::Sheets`], [`Request::Sizing`] and [`Request::Chance`].
     Sheets(Sheets),
-    /// Of [`Request::Variants`]: rows of a table as HTML, without its head.
-    Variants(String),
+    /// Of [`Request::Variants`]: rows of a table as HTML, without its head. Of [`Request::Compare`]: with it. Of [`Request::Shelf`]: items of a list.
+    Html(String),
     /// Of [`Request::Flips`]: ids of the fields, the worst first.
     Flips(Vec<String>),
     /// Of [`Request::Export`].
@@ -71,6 +75,48 @@ pub(crate) enum Response {
     Parts(ReadParts),
     /// Of [`Request::Check`].
     Check(Report),
+}
+
+/// Note of a version that was kept before a program was opened.
+pub(crate) const BEFORE_PROGRAM: &str = "auto:program";
+
+/// Note of a version that was kept before another one was opened.
+pub(crate) const BEFORE_VERSION: &str = "auto:version";
+
+/// Note of a project of another tab, whose place this one took.
+pub(crate) const OTHER_TAB: &str = "auto:other-tab";
+
+/// A project that this browser keeps, or a version of one.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct ShelfState {
+    /// Its id.
+    pub id: String,
+    /// Id of the project that it is a version of; empty for a project.
+    pub of: String,
+    /// Milliseconds since 1970 at which it was kept.
+    pub at: f64,
+    /// Version of the page's states.
+    pub version: f64,
+    /// What the person noted about it, or the page.
+    pub note: String,
+    /// The project as the text of its file.
+    pub text: String,
+}
+
+/// What the list of projects is made of.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Shelf {
+    /// Id of the present project.
+    pub present: String,
+    /// Projects and versions on the shelf.
+    pub states: Vec<ShelfState>,
+    /// States that were set aside and are not on the shelf: their ids are keys of the browser's other store, their notes the sentences about them.
+    pub aside: Vec<ShelfState>,
+    /// Steps of undo as project files: before the present project, the oldest first, and after it, the next one last.
+    pub steps: [Vec<String>; 2],
+    /// Whether the pictures are for a dark page.
+    pub dark: bool,
 }
 
 /// Sheets as HTML, by the tab that shows them.

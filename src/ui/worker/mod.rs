@@ -9,3 +9,5 @@ pub(super) mod diagnostics;
 pub(super) mod documents;
 
 pub(super) mod server;
+
+pub(super) mod shelf;

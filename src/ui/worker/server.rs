@@ -9,6 +9,7 @@ use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
 use super::documents;
 use super::messages::{Finding, Question, Reply, Report, Request, Response, SHOWN};
+use super::shelf;
 use crate::nc::{self, Files};
 use crate::project::Project;
 use crate::project::sensitivity::Sensitivity;
@@ -41,7 +42,9 @@ pub fn work(sentences: String) {
             Request::Sheets => Response::Sheets(documents::sheets(&project)),
             Request::Sizing => Response::Sheets(documents::sizing(&project, &mut progress)),
             Request::Chance => Response::Sheets(documents::chance(&project, &mut progress)),
-            Request::Variants => Response::Variants(documents::variants(&project)),
+            Request::Variants => Response::Html(documents::variants(&project)),
+            Request::Compare(name, text) => Response::Html(documents::compared_with(&project, name, &text)),
+            Request::Shelf(shelf) => Response::Html(shelf::list(&project, &shelf)),
             Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
             Request::Flips => Response::Flips(
                 Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),

@@ -1,0 +1,68 @@
+//! Difference between two states of a project in words, for lists of steps and versions: `Pitch 8 → 9 mm`.
+
+use super::Project;
+use super::variants::{entries, side_by_side, switches};
+use crate::msg;
+use crate::text::Message;
+use crate::text::catalog::{sentence, words};
+use crate::view::ComparedRow;
+
+/// Differences that are told one by one; the rest is counted.
+const TOLD: usize = 3;
+
+/// What became of a project: the first differences as phrases with semicolons between them, and the count of the others.
+pub fn changes_in_words(before: &Project, after: &Project) -> String {
+    let all = changes(before, after);
+    let rest = all.len().saturating_sub(TOLD);
+    let more = (rest > 0).then(|| sentence(&msg!("changes.more", rest as u32)));
+    match all.is_empty() {
+        true => words("changes.none").to_owned(),
+        false => crate::text::clauses(all.into_iter().take(TOLD).chain(more)),
+    }
+}
+
+/// What became of a project, each difference as a phrase. Another machine is the only one, as its entries are others. An entry that only one
+/// of the two has follows from another difference and is left out.
+pub fn changes(before: &Project, after: &Project) -> Vec<String> {
+    if before.machine.id() != after.machine.id() {
+        return vec![sentence(&msg!("changes.machine", words(after.machine.name())))];
+    }
+    let mut out = Vec::new();
+    let mut told = |differs: bool, message: Message| {
+        if differs {
+            out.push(sentence(&message));
+        }
+    };
+    told(before.control.id != after.control.id, msg!("changes.control", after.control.name));
+    told(before.name != after.name && !after.name.is_empty(), msg!("changes.name", after.name.as_str()));
+    told(before.name != after.name && after.name.is_empty(), msg!("changes.no-name"));
+    told(before.edited != after.edited && after.edited.is_some(), msg!("changes.edited"));
+    told(before.edited != after.edited && after.edited.is_none(), msg!("changes.written"));
+    if before.values != after.values {
+        out.extend(side_by_side(&[entries(before), entries(after)]).iter().filter_map(phrase));
+    }
+    if before.control.id == after.control.id && before.switches != after.switches {
+        out.extend(side_by_side(&[switches(before), switches(after)]).iter().filter_map(phrase));
+    }
+    let others = [
+        (before.panel != after.panel, "changes.panel"),
+        (before.provenance != after.provenance, "changes.origins"),
+        (before.title_block != after.title_block, "changes.title-block"),
+        (before.silenced != after.silenced, "changes.silenced"),
+        (before.parts != after.parts, "changes.parts"),
+        (before.variants != after.variants, "changes.variants"),
+    ];
+    out.extend(others.into_iter().filter(|(differs, _)| *differs).map(|(_, id)| words(id).to_owned()));
+    out
+}
+
+/// A row that both have, with both values.
+fn phrase(row: &ComparedRow) -> Option<String> {
+    match row.cells.as_slice() {
+        [Some((before, _)), Some((after, _))] if row.differs => {
+            let told = msg!("changes.value", row.label.as_str(), before.as_str(), after.as_str(), row.unit);
+            Some(sentence(&told).trim_end().to_owned())
+        }
+        _ => None,
+    }
+}

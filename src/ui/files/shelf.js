@@ -1,0 +1,104 @@
+// The shelf of projects: one database of this browser, bundled beside the page and loaded when a project is first kept. A state is a project
+// or, with the id of its project in `of`, a version of one. What the database has is hostile: it leaves here with the types that it should have.
+import { openDB } from 'idb';
+import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
+
+const STATES = 'states';
+// Version of the states that are written.
+const VERSION = 1;
+// Most files of an archive that are read, and most bytes of one: a project as large as the page opens it.
+const FILES = 2000;
+const BYTES = 64_000_000;
+
+let opened;
+function base() {
+  opened ??= openDB('macroline', 1, {
+    upgrade: (db) => db.createObjectStore(STATES, { keyPath: 'id' }),
+    // Another tab has a newer page, which waits for this one.
+    blocking(_, __, event) {
+      event.target.close();
+      opened = undefined;
+    },
+    terminated: () => (opened = undefined),
+  }).catch((error) => {
+    opened = undefined;
+    throw error;
+  });
+  return opened;
+}
+
+async function change(act) {
+  const transaction = (await base()).transaction(STATES, 'readwrite');
+  // Whatever is refused, the transaction says so; without a catcher the browser would report each request too.
+  const [, result] = await Promise.all([transaction.done, act(transaction.store)]);
+  return result;
+}
+
+const text = (value) => (typeof value === 'string' ? value : '');
+const number = (value) => (Number.isFinite(value) ? value : 0);
+const state = (row) => ({ id: text(row.id), of: text(row.of), at: number(row.at), version: number(row.version), note: text(row.note), text: text(row.text) });
+
+export const all = async () => (await (await base()).getAll(STATES)).map(state).filter(({ id }) => id);
+
+// Keeps a state in place of the one with its id; with `known` only where there is one. One of a newer page is not overwritten.
+export const put = (row, known) =>
+  change(async (store) => {
+    const before = await store.get(row.id);
+    if (before?.version > VERSION) throw new Error('the state was kept by a newer version');
+    if (before || !known) await store.put({ ...row, version: VERSION });
+  });
+
+// Removes a state, and the versions of a project; returns what `restore` brings back.
+export const remove = (id) =>
+  change(async (store) => {
+    const rows = (await store.getAll()).filter((row) => row.id === id || row.of === id);
+    for (const row of rows) store.delete(row.id);
+    return rows;
+  });
+
+export const restore = (rows) =>
+  change(async (store) => {
+    for (const row of rows) store.put(row);
+  });
+
+// All states as an archive: each a file that the page opens, and a list of what goes with it.
+export async function pack() {
+  const states = await all();
+  const name = (project) => {
+    const words = /"name": "(.*)"/.exec(project.slice(0, 400))?.[1] ?? '';
+    return words.toLowerCase().replace(/[^a-z0-9]+/g, '-').slice(0, 60) || 'project';
+  };
+  const listed = states.map((row, at) => ({ ...row, file: `${at + 1}-${name(row.text)}.json` }));
+  const files = listed.map((row) => [row.file, strToU8(row.text)]);
+  const list = listed.map(({ text: _, ...row }) => row);
+  return zipSync(Object.fromEntries([['shelf.json', strToU8(JSON.stringify({ version: VERSION, states: list }, null, 2))], ...files]), { level: 9 });
+}
+
+// Adds the states of an archive that are not there yet: one whose id is taken by another text gets an id of its own. Returns their count.
+export async function unpack(bytes) {
+  let count = 0;
+  const files = unzipSync(bytes, { filter: ({ name, originalSize }) => name.endsWith('.json') && originalSize <= BYTES && ++count <= FILES });
+  const { version, states } = JSON.parse(strFromU8(files['shelf.json'] ?? strToU8('{}')));
+  if (version !== VERSION || !Array.isArray(states)) throw new Error('shelf.json');
+  return change(async (store) => {
+    const known = new Map((await store.getAll()).map((row) => [row.id, row]));
+    const renamed = new Map();
+    let added = 0;
+    // Projects before their versions.
+    const rows = states.filter((row) => row && typeof row === 'object').sort((a, b) => Boolean(a.of) - Boolean(b.of));
+    for (const entry of rows) {
+      const row = { ...state(entry), version: VERSION, text: files[entry.file] ? strFromU8(files[entry.file]) : '' };
+      if (!row.id || !row.text || known.get(row.id)?.text === row.text) continue;
+      if (known.has(row.id)) {
+        const id = `${row.id}${Math.random().toString(36).slice(2, 8)}`;
+        renamed.set(row.id, id);
+        row.id = id;
+      }
+      row.of = renamed.get(row.of) ?? row.of;
+      known.set(row.id, row);
+      await store.put(row);
+      added += 1;
+    }
+    return added;
+  });
+}

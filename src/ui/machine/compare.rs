@@ -1,0 +1,320 @@
+//! Two projects side by side: both machines at the same time of their runs, what differs in entries and results, and the programs line by line.
+
+use std::sync::Arc;
+
+use leptos::html;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::closure::Closure;
+use leptos::wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::spawn_local;
+use web_sys::Element;
+
+use super::scene_view::Drawn;
+use crate::machines::{Frame, PreparedMachine};
+use crate::nc::Files;
+use crate::project::Project;
+use crate::project::run::Run;
+use crate::ui::dom;
+use crate::ui::dom::script::{call, load, object};
+use crate::ui::dom::turns::in_turn;
+use crate::ui::parts::input::{Choice, filled_part, number};
+use crate::ui::parts::scene::{fit, svg};
+use crate::ui::parts::{Dialog, Glyph, IconButton};
+use crate::ui::state::player::begin;
+use crate::ui::state::view::Compared;
+use crate::ui::state::{Page, put};
+use crate::ui::words::{clock, t};
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{Request, Response};
+
+/// Seconds of the runs that are shown.
+const SHOWN: f64 = 60.0;
+
+/// Events that are planned in one turn.
+const SLICE: usize = 1000;
+
+/// A project in motion.
+struct Side {
+    run: Run,
+    machine: Arc<PreparedMachine>,
+    drawn: Drawn,
+    /// The drawing's box and the most of its units per pixel.
+    size: ([f64; 4], f64),
+}
+
+impl Side {
+    /// The run of a project from its beginning, drawn into `host`.
+    fn new(project: &Project, host: &Element) -> Side {
+        let machine = project.prepared();
+        let scene = machine.scene();
+        host.set_inner_html(&svg(&scene));
+        let size = (scene.view, scene.unit);
+        Side { run: begin(project, &project.written()), drawn: Drawn::new(host, &scene), machine, size }
+    }
+
+    /// Whether the run is planned as far as it is shown.
+    fn is_planned(&self) -> bool {
+        self.run.ended_at().is_some() || self.run.timeline().end() >= SHOWN
+    }
+
+    /// Shows the machine at a time (s), or at the end of a run that is shorter.
+    fn show(&mut self, t: f64) {
+        let now = self.run.timeline().at(t.min(self.run.timeline().end()));
+        self.drawn.pose(&self.machine.pose(&self.run, &now, Frame { step: 0.0, option: false }));
+    }
+}
+
+/// The dialog.
+#[component]
+pub(crate) fn CompareDialog() -> impl IntoView {
+    let page = Page::here();
+    let other = page.view.compared;
+    let open = Signal::derive(move || other.with(Option::is_some));
+    let content = move || {
+        let Compared { name, text } = other.get()?;
+        let project = Project::from_json(&text).project?;
+        Some(view! { <Sides name=name project=project text=text /> })
+    };
+    view! {
+        <Dialog id="compare-title" title=t("compare.title") open=open close=move || other.set(None) class="wide compare">
+            {content}
+        </Dialog>
+    }
+}
+
+/// The present project and another one.
+#[component]
+fn Sides(
+    /// Name of the other project.
+    name: String,
+    /// The other project.
+    project: Project,
+    /// The same as the text of its file.
+    text: String,
+) -> impl IntoView {
+    let page = Page::here();
+    let present = page.project.get_untracked();
+    let rows = RwSignal::new(String::new());
+    let show = move |response: Option<Response>| match response {
+        Some(Response::Html(html)) => drop(rows.try_set(html)),
+        _ => page.notices.notify("fail", t("page.no-answer").to_owned()),
+    };
+    Client::here().ask(&present, Request::Compare(name.clone(), text), show);
+    let files = [&present, &project].map(|project| project.written().files.clone());
+    view! {
+        <Motion projects=[present, project] name=name />
+        <div class="scroll variants" tabindex="0" role="group" aria-label=t("compare.entries")>
+            <table inner_html=rows></table>
+        </div>
+        <Programs files=files />
+    }
+}
+
+/// Both machines with one transport: they are at the same time of their runs.
+#[component]
+fn Motion(
+    /// The present project and the other one.
+    projects: [Project; 2],
+    /// Name of the other one.
+    name: String,
+) -> impl IntoView {
+    let page = Page::here();
+    let hosts: [NodeRef<html::Div>; 2] = [NodeRef::new(), NodeRef::new()];
+    let sides = StoredValue::new_local(Vec::<Side>::new());
+    let (head, end, playing) = (RwSignal::new(0.0), RwSignal::new(SHOWN), RwSignal::new(false));
+    let show = move || {
+        let t = head.get_untracked();
+        sides.try_update_value(|sides| sides.iter_mut().for_each(|side| side.show(t)));
+    };
+    Effect::new(move |_| {
+        let [Some(left), Some(right)] = hosts.map(|host| host.get()) else { return };
+        let made = projects.iter().zip([&left, &right]).map(|(project, host)| Side::new(project, host)).collect();
+        sides.set_value(made);
+        // The machine is met where it is on the page.
+        head.set(page.player.head().min(SHOWN));
+        plan(sides, end, show);
+        // Once the dialog has its size.
+        dom::soon(move || {
+            sides.try_with_value(|sides| {
+                for (side, host) in sides.iter().zip([&left, &right]) {
+                    let picture = dom::all(host, ".scene").into_iter().next();
+                    picture.iter().for_each(|picture| fit(picture.unchecked_ref(), side.size.0, side.size.1));
+                }
+            });
+        });
+    });
+    Effect::new(move |_| {
+        head.track();
+        show();
+    });
+    // Counts the times that it was set going: what went before goes no further.
+    let going = StoredValue::new(0_u32);
+    let toggle = move || {
+        if head.get_untracked() >= end.get_untracked() {
+            head.set(0.0);
+        }
+        playing.update(|playing| *playing = !*playing);
+        going.update_value(|going| *going += 1);
+        let own = going.get_value();
+        spawn_local(async move {
+            let mut before = dom::now();
+            loop {
+                dom::frame().await;
+                // The dialog may be gone.
+                if playing.try_get_untracked() != Some(true) || going.try_get_value() != Some(own) {
+                    return;
+                }
+                let now = dom::now();
+                let t = (head.get_untracked() + (now - before) / 1000.0).min(end.get_untracked());
+                before = now;
+                put(head, t);
+                put(playing, t < end.get_untracked());
+            }
+        });
+    };
+    let glyph = Signal::derive(move || if playing.get() { Glyph::Pause } else { Glyph::Play });
+    let label = Signal::derive(move || t(if playing.get() { "page.pause" } else { "page.play" }).to_owned());
+    let scrub = move |event| {
+        if let Some(t) = number(&event) {
+            playing.set(false);
+            head.set(t);
+        }
+    };
+    view! {
+        <div class="sides">
+            <figure><figcaption>{t("variants.now")}</figcaption><div class="stage" node_ref=hosts[0]></div></figure>
+            <figure><figcaption>{name}</figcaption><div class="stage" node_ref=hosts[1]></div></figure>
+        </div>
+        <div class="both">
+            <IconButton glyph=glyph label=label press=toggle />
+            <input
+                type="range" min="0" max=move || end.get().to_string() step="0.001" aria-label=t("compare.time") aria-valuetext=move || clock(head.get())
+                prop:value=move || head.get().to_string() style=("--part", move || filled_part(head.get(), (0.0, end.get()))) on:input=scrub
+            />
+            <output>{move || clock(head.get())}</output>
+        </div>
+    }
+}
+
+/// Plans both runs in turns, and shows them as far as they are.
+fn plan(sides: StoredValue<Vec<Side>, LocalStorage>, end: RwSignal<f64>, show: impl Fn() + Copy + 'static) {
+    let planned = sides.try_update_value(|sides| {
+        sides.iter_mut().filter(|side| !side.is_planned()).for_each(|side| drop(side.run.advance(SHOWN, SLICE)));
+        sides.iter().all(Side::is_planned)
+    });
+    show();
+    match planned {
+        Some(false) => in_turn(move || plan(sides, end, show)),
+        Some(true) => {
+            let ends = sides.with_value(|sides| sides.iter().map(|side| side.run.timeline().end()).fold(0.0, f64::max));
+            put(end, ends.min(SHOWN));
+        }
+        None => {}
+    }
+}
+
+/// The programs, line by line: the other one's, and what the present one's have instead.
+#[component]
+fn Programs(
+    /// The files of the present project and of the other one.
+    files: [Files; 2],
+) -> impl IntoView {
+    let host: NodeRef<html::Div> = NodeRef::new();
+    let (chosen, failed) = (RwSignal::new(0_usize), RwSignal::new(String::new()));
+    let shown = StoredValue::new_local(None::<JsValue>);
+    let close = move || {
+        if let Some(Some(editor)) = shown.try_update_value(Option::take) {
+            let _ = call(&editor, "close", &[]);
+        }
+    };
+    let options: Vec<_> = files[0].0.iter().enumerate().map(|(at, file)| (at.to_string(), file.name.clone())).collect();
+    Effect::new(move |_| {
+        let (at, Some(host)) = (chosen.get(), host.get()) else { return };
+        let [now, other] = &files;
+        let Some(file) = now.0.get(at) else { return };
+        let same = other.0.iter().find(|one| one.name == file.name).or(other.0.get(at));
+        let texts = [same.map(|one| one.text.clone()).unwrap_or_default(), file.text.clone()].map(JsValue::from);
+        // The two may be of controls with other words, so none is coloured.
+        let pieces = Closure::<dyn Fn(JsValue) -> JsValue>::new(|_| js_sys::Array::new().into()).into_js_value();
+        let options = object([("label", t("compare.program").into()), ("pieces", pieces)]);
+        spawn_local(async move {
+            let [before, after] = &texts;
+            close();
+            let module = load("editor.js").await;
+            match module.and_then(|module| call(&module, "difference", &[&host, before, after, &options])) {
+                Ok(editor) => drop(shown.try_set_value(Some(editor))),
+                Err(error) => drop(failed.try_set(format!("{} {}", t("page.editor-failed"), dom::told(&error)))),
+            }
+        });
+    });
+    on_cleanup(close);
+    let choose = move |at: String| chosen.set(at.parse().unwrap_or(0));
+    view! {
+        <div class="bar">
+            <h3>{t("compare.program")}</h3>
+            <Choice
+                attr:aria-label=t("page.files") options=Signal::stored(options)
+                chosen=Signal::derive(move || chosen.get().to_string()) choose=choose
+            />
+        </div>
+        <div class="editor" node_ref=host></div>
+        <p class="note">{failed}</p>
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::machines::form::Value;
+    use crate::ui::testing::{Bench, mount, project, settled, until};
+    use crate::ui::worker::documents;
+
+    async fn compared(change: impl FnOnce(&mut Project)) -> Bench {
+        let mut other = project();
+        change(&mut other);
+        let bench = mount(|| {
+            Client::here().answer_here(|project, request| match request {
+                Request::Compare(name, text) => Some(Response::Html(documents::compared_with(project, name, &text))),
+                _ => None,
+            });
+            view! { <CompareDialog /> }
+        })
+        .await;
+        bench.page.view.compared.set(Some(Compared { name: "Order 7".to_owned(), text: other.to_json() }));
+        settled().await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn differing_entry_and_result_are_listed_under_both_names() {
+        let bench = compared(|project| drop(project.values.insert("pitch".to_owned(), Value::Number(9.0)))).await;
+        let text = bench.text(".compare table");
+        assert!(text.contains("Pitch") && text.contains("Order 7") && text.contains(t("variants.results")), "{text}");
+        assert_eq!(bench.all(".sides .scene").len(), 2);
+    }
+
+    #[wasm_bindgen_test]
+    async fn both_machines_follow_one_slider() {
+        let bench = compared(|project| drop(project.values.insert("pitch".to_owned(), Value::Number(9.0)))).await;
+        let places =
+            || bench.all(".sides [data-g]").iter().map(|part| part.get_attribute("transform")).collect::<Vec<_>>();
+        let before = places();
+        bench.type_into(".both input", "3").await;
+        until(|| places() != before).await;
+        assert_eq!(bench.text(".both output"), clock(3.0));
+        let half = before.len() / 2;
+        let (then, now) = (before.split_at(half), places());
+        let now = now.split_at(half);
+        assert!(then.0 != now.0 && then.1 != now.1, "one machine stands still");
+    }
+
+    #[wasm_bindgen_test]
+    async fn closed_comparison_is_gone() {
+        let bench = compared(|_| ()).await;
+        bench.press_button(t("page.close")).await;
+        assert!(!bench.has("dialog[open]") && !bench.has(".sides"));
+        assert!(bench.page.view.compared.with_untracked(Option::is_none));
+    }
+}

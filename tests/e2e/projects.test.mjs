@@ -1,0 +1,247 @@
+// Projects in this browser: kept by themselves, found, opened, duplicated, deleted and brought back, compared; versions and steps that one can see.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { PAPER, accessible, enter, ready, saved, start, takeExample, withPage } from './page.mjs';
+import { words } from './words.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+const pitch = (page) => page.locator('#pitch');
+const name = (page) => page.getByRole('banner').getByLabel('Name of the project');
+const dialog = (page) => page.getByRole('dialog');
+const items = (page) => dialog(page).locator('.projects > li');
+
+async function openProjects(page) {
+  await page.locator('#projects').click();
+  await items(page).first().waitFor();
+}
+
+// The item of a project by its name.
+async function item(page, called) {
+  const names = await items(page).locator('[data-act=rename]').evaluateAll((all) => all.map((one) => one.value));
+  assert.ok(names.includes(called), `${called} is none of ${names}`);
+  return items(page).nth(names.indexOf(called));
+}
+
+// Begins a project of this name with a pitch in mm, apart from the present one.
+async function project(page, called, mm) {
+  await takeExample(page, PAPER);
+  await name(page).fill(called);
+  await enter(pitch(page), mm);
+}
+
+test('projects are kept while one works, found again and opened, also after a reload', () =>
+  withPage(app, {}, async ({ page }) => {
+    await project(page, 'Order 4711', '9.5');
+    await project(page, 'Order 4712', '7.5');
+    await page.getByRole('button', { name: 'Turning spindle' }).click();
+    await page.locator('#cutting-speed').waitFor();
+    await page.locator('.kept', { hasText: /^Saved$/ }).waitFor();
+    await page.reload();
+    await ready(page);
+    await openProjects(page);
+    await items(page).nth(2).locator('img').waitFor();
+    await accessible(page);
+    await dialog(page).getByRole('textbox', { name: 'Search' }).fill('4711');
+    assert.equal(await items(page).filter({ visible: true }).count(), 1);
+    await (await item(page, 'Order 4711')).getByRole('button', { name: 'Open' }).click();
+    assert.equal(await pitch(page).inputValue(), '9.5');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await page.locator('#cutting-speed').waitFor();
+    await page.getByRole('button', { name: 'Redo' }).click();
+    assert.equal(await pitch(page).inputValue(), '9.5');
+    await openProjects(page);
+    assert.equal(await (await item(page, 'Order 4711')).getAttribute('class'), 'present');
+    assert.equal((await items(page).locator('[data-act=rename]').evaluateAll((all) => all.map((one) => one.value))).filter((one) => one === 'Order 4711').length, 1);
+  }));
+
+test('a project is duplicated, renamed, deleted and brought back', () =>
+  withPage(app, {}, async ({ page }) => {
+    await project(page, 'Order 1', '9.5');
+    await openProjects(page);
+    await dialog(page).getByRole('button', { name: 'Duplicate Order 1' }).click();
+    await dialog(page).getByText('Added: Order 1 (copy)').waitFor();
+    const copy = await item(page, 'Order 1 (copy)');
+    await enter(copy.getByRole('textbox', { name: 'Name of the project' }), 'Order 2');
+    await dialog(page).getByRole('button', { name: 'Delete Order 2' }).click();
+    await dialog(page).getByText('Deleted: Order 2').waitFor();
+    await dialog(page).getByRole('button', { name: 'Undo' }).click();
+    await dialog(page).getByRole('button', { name: 'Open Order 2' }).click();
+    assert.equal(await name(page).inputValue(), 'Order 2');
+    assert.equal(await pitch(page).inputValue(), '9.5');
+  }));
+
+test('a version says what has changed since, and is opened without losing the last state', () =>
+  withPage(app, {}, async ({ page }) => {
+    await project(page, 'Order 1', '9.5');
+    await openProjects(page);
+    await dialog(page).getByText('Versions: 0').click();
+    await dialog(page).getByRole('textbox', { name: 'Note about the version' }).fill('as offered');
+    await dialog(page).getByRole('button', { name: 'Keep a version' }).click();
+    await dialog(page).getByText('as offered').waitFor();
+    await accessible(page);
+    await page.keyboard.press('Escape');
+    await enter(pitch(page), '12');
+    await openProjects(page);
+    await dialog(page).getByText('Versions: 1').click();
+    await dialog(page).getByText('Pitch 9.5 → 12 mm').first().waitFor();
+    await dialog(page).getByRole('button', { name: 'Open as offered' }).click();
+    assert.equal(await pitch(page).inputValue(), '9.5');
+    await openProjects(page);
+    await dialog(page).getByText('Versions: 2').click();
+    await dialog(page).getByText('Before another version was opened').waitFor();
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    assert.equal(await pitch(page).inputValue(), '12');
+  }));
+
+test('a version is kept before a program is opened over the form', () =>
+  withPage(app, {}, async ({ page }) => {
+    await enter(pitch(page), '9.5');
+    await page.setInputFiles('#open', { name: 'O1.nc', mimeType: 'text/plain', buffer: Buffer.from('%\nO1\nG91 G01 X1. F100\nM30\n%\n') });
+    await page.getByText('Edited program.').waitFor();
+    await openProjects(page);
+    await dialog(page).getByText('Versions: 1').click();
+    await dialog(page).getByText('Before a program was opened').waitFor();
+    await dialog(page).getByText('Program edited').first().waitFor();
+  }));
+
+test('the steps are listed in words, and one leads back over several', () =>
+  withPage(app, {}, async ({ page }) => {
+    await enter(pitch(page), '9.5');
+    await enter(page.locator('#heads'), '7');
+    await page.selectOption('select.control', 'gsk-980tdc');
+    await openProjects(page);
+    await dialog(page).getByText('Steps: 3').click();
+    await dialog(page).getByText('Control GSK 980TDc').waitFor();
+    await accessible(page);
+    await dialog(page).getByRole('button', { name: 'Pitch 10 → 9.5 mm' }).click();
+    assert.equal(await page.locator('select.control').inputValue(), 'mitsubishi-e60');
+    assert.notEqual(await page.locator('#heads').inputValue(), '7');
+    await openProjects(page);
+    await dialog(page).getByText('Steps: 3').click();
+    await dialog(page).getByRole('button', { name: 'Control GSK 980TDc' }).click();
+    assert.equal(await page.locator('#heads').inputValue(), '7');
+  }));
+
+test('all projects leave as one archive, and another browser takes them in once', async () => {
+  let archive;
+  await withPage(app, {}, async ({ page }) => {
+    await project(page, 'Order 1', '9.5');
+    await openProjects(page);
+    await dialog(page).getByText('Versions: 0').click();
+    await dialog(page).getByRole('button', { name: 'Keep a version' }).click();
+    await dialog(page).getByText('Versions: 1').waitFor();
+    archive = await saved(page, () => dialog(page).locator('#pack').click());
+  });
+  await withPage(app, {}, async ({ page }) => {
+    await openProjects(page);
+    for (const added of [2, 0]) {
+      await page.setInputFiles('#unpack', { name: 'all.zip', mimeType: 'application/zip', buffer: archive });
+      await dialog(page).getByText(`Projects and versions added: ${added}`).waitFor();
+    }
+    await dialog(page).getByRole('button', { name: 'Open Order 1' }).click();
+    assert.equal(await pitch(page).inputValue(), '9.5');
+    await openProjects(page);
+    await page.setInputFiles('#unpack', { name: 'no.zip', mimeType: 'application/zip', buffer: Buffer.from('no archive') });
+    await page.locator('.notice', { hasText: 'no.zip is no archive of projects' }).waitFor();
+  });
+});
+
+test('a browser that keeps no database loses nothing and says so', () =>
+  withPage(app, {}, async ({ page, context }) => {
+    await context.addInitScript(() => {
+      IDBFactory.prototype.open = () => {
+        throw new DOMException('The user denied permission', 'SecurityError');
+      };
+    });
+    await page.reload();
+    await ready(page);
+    await project(page, 'Order 1', '9.5');
+    await takeExample(page, PAPER);
+    await page.locator('.notice', { hasText: 'does not keep the list of projects' }).waitFor();
+    await page.locator('#projects').click();
+    await dialog(page).getByText('Before another one was opened').first().waitFor();
+    await dialog(page).getByRole('button', { name: 'Open Order 1' }).click();
+    assert.equal(await pitch(page).inputValue(), '9.5');
+  }));
+
+test('what the database has is shown as text, and a row that is broken or newer stays as it is', () =>
+  withPage(app, {}, async ({ page }) => {
+    await project(page, '<img src=x onerror=alert(1)>', '9.5');
+    await openProjects(page);
+    await page.evaluate(
+      () =>
+        new Promise((done) => {
+          const opening = indexedDB.open('macroline');
+          opening.onsuccess = () => {
+            const transaction = opening.result.transaction('states', 'readwrite');
+            const store = transaction.objectStore('states');
+            store.put({ id: 'broken', text: 7, at: 'x' });
+            store.put({ id: 'newer', version: 9, at: 1, text: '{}' });
+            transaction.oncomplete = () => (opening.result.close(), done());
+          };
+        }),
+    );
+    await page.keyboard.press('Escape');
+    await openProjects(page);
+    await dialog(page).getByText('Kept by a newer version of this page').waitFor();
+    await dialog(page).getByText('Could not be read').first().waitFor();
+    await item(page, '<img src=x onerror=alert(1)>');
+    await accessible(page);
+  }));
+
+test('the projects are listed in Chinese without an English sentence', () =>
+  withPage(app, { locale: 'zh-CN' }, async ({ page }) => {
+    const say = words('zh');
+    await enter(pitch(page), '9.5');
+    await page.selectOption('select.control', 'gsk-980tdc');
+    await page.getByRole('button', { name: say('projects.title'), exact: true }).click();
+    await items(page).first().waitFor();
+    await dialog(page).locator('.present summary').first().click();
+    await dialog(page).locator('.present summary').nth(1).click();
+    await dialog(page).getByRole('button', { name: say('projects.keep') }).click();
+    await dialog(page).getByText(say('projects.kept')).waitFor();
+    const text = await dialog(page).innerText();
+    assert.ok(!/[a-z]{3,} [a-z]{3,}/i.test(text), text);
+  }));
+
+test('two projects are compared within five clicks: machines in motion, results and programs', () =>
+  withPage(app, {}, async ({ page }) => {
+    await project(page, 'Order 1', '9.5');
+    await project(page, 'Order 2', '12');
+    await openProjects(page); // the first click
+    await dialog(page).getByRole('button', { name: 'Compare Order 1' }).click(); // the second
+    const table = dialog(page).locator('table');
+    await table.getByRole('row', { name: /^Pitch mm 12 9\.5/ }).waitFor();
+    await dialog(page).locator('.editor .cm-content').waitFor();
+    await dialog(page).locator('.sides .scene').nth(1).waitFor();
+    await accessible(page);
+    const angles = () => dialog(page).locator('.sides').evaluate((sides) => [...sides.querySelectorAll('.stage')].map((stage) => [...stage.querySelectorAll('[data-g]')].map((one) => one.getAttribute('transform')).join()));
+    const before = await angles();
+    await dialog(page).getByRole('slider').fill('5');
+    await page.waitForFunction(() => document.querySelector('.both output').textContent.startsWith('00:05'));
+    const after = await angles();
+    assert.ok(before[0] !== after[0] && before[1] !== after[1], 'a machine stands still');
+    await dialog(page).getByRole('button', { name: 'Play' }).click();
+    await page.waitForFunction(() => !document.querySelector('.both output').textContent.startsWith('00:05'));
+    await dialog(page).getByRole('button', { name: 'Pause' }).click();
+    await page.keyboard.press('Escape');
+    assert.equal(await name(page).inputValue(), 'Order 2');
+  }));
+
+test('a file is compared too, and one that is no project says so', () =>
+  withPage(app, {}, async ({ page }) => {
+    await project(page, 'Order 1', '9.5');
+    const file = await saved(page, () => page.getByRole('button', { name: 'Save', exact: true }).click());
+    await enter(pitch(page), '12');
+    await openProjects(page);
+    await page.setInputFiles('#compare-file', { name: 'no.json', mimeType: 'application/json', buffer: Buffer.from('{ no project') });
+    await dialog(page).getByText('no.json is no project').waitFor();
+    await page.setInputFiles('#compare-file', { name: 'order-1.json', mimeType: 'application/json', buffer: file });
+    await dialog(page).getByRole('row', { name: /^Pitch mm 12 9\.5/ }).waitFor();
+    await dialog(page).getByText('order-1.json').first().waitFor();
+    assert.equal(await pitch(page).inputValue(), '12');
+  }));

@@ -1,0 +1,73 @@
+//! Difference between two states of a project in words.
+
+use macroline::controls;
+use macroline::machines::form::Value;
+use macroline::motion::{Action, Event};
+use macroline::nc::Files;
+use macroline::project::Project;
+use macroline::project::changes::{changes, changes_in_words};
+
+fn ribbon() -> Project {
+    Project::of("ribbon-line", None).unwrap()
+}
+
+/// What is said of a change to a new project.
+fn told(change: impl FnOnce(&mut Project)) -> Vec<String> {
+    let mut after = ribbon();
+    change(&mut after);
+    changes(&ribbon(), &after)
+}
+
+#[test]
+fn changed_entry_is_told_with_both_values_and_its_unit() {
+    let told = told(|project| drop(project.values.insert("pitch".to_owned(), Value::Number(9.0))));
+    assert_eq!(told, ["Pitch 10 → 9 mm"]);
+}
+
+#[test]
+fn each_part_of_a_project_has_its_phrase() {
+    let cases: [(fn(&mut Project), &str); 7] = [
+        (|project| project.move_to(controls::find("gsk-980tdc").unwrap()), "Control GSK 980TDc"),
+        (|project| project.name = "Order 7".to_owned(), "Name Order 7"),
+        (|project| project.edited = Some(Files::one("O1.nc", "M30")), "Program edited"),
+        (|project| project.panel.add(Event { t: 1.0, action: Action::Hold }), "Operator’s actions"),
+        (|project| project.title_block.number = "ML-1".to_owned(), "Title block"),
+        (|project| project.silenced.push("lint.unreachable".to_owned()), "Hidden warnings"),
+        (|project| assert!(project.keep_variant("").is_some()), "Variants"),
+    ];
+    for (change, phrase) in cases {
+        assert!(told(change).iter().any(|told| told == phrase), "{phrase}: {:?}", told(change));
+    }
+}
+
+#[test]
+fn removed_name_and_edits_are_told() {
+    let mut before = ribbon();
+    before.name = "Order 7".to_owned();
+    before.edited = Some(Files::one("O1.nc", "M30"));
+    assert_eq!(changes(&before, &ribbon()), ["Name removed", "Program as the form writes it"]);
+}
+
+#[test]
+fn another_machine_is_the_only_difference() {
+    let other = Project::of("turning-spindle", None).unwrap();
+    assert_eq!(changes(&ribbon(), &other), ["Machine Turning spindle"]);
+}
+
+#[test]
+fn identical_projects_have_no_difference() {
+    assert_eq!(changes_in_words(&ribbon(), &ribbon()), "No difference");
+    let other = ribbon().with_id(Some("p1".to_owned()));
+    assert!(changes(&ribbon(), &other).is_empty() && ribbon() == other);
+}
+
+#[test]
+fn many_differences_are_counted() {
+    let mut after = ribbon();
+    after.name = "Order 7".to_owned();
+    after.title_block.author = "A".to_owned();
+    let entries = [("pitch", 9.0), ("heads", 7.0), ("print-roller-diameter", 30.0)];
+    entries.into_iter().for_each(|(id, value)| drop(after.values.insert(id.to_owned(), Value::Number(value))));
+    let told = changes_in_words(&ribbon(), &after);
+    assert_eq!(told, "Name Order 7; Pitch 10 → 9 mm; Print heads 36 → 7; 2 more");
+}
