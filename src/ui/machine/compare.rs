@@ -123,7 +123,8 @@ fn Motion(
     let sides = StoredValue::new_local(Vec::<Side>::new());
     let (head, end, playing) = (RwSignal::new(0.0), RwSignal::new(SHOWN), RwSignal::new(false));
     let show = move || {
-        let t = head.get_untracked();
+        // The dialog may be gone.
+        let Some(t) = head.try_get_untracked() else { return };
         sides.try_update_value(|sides| sides.iter_mut().for_each(|side| side.show(t)));
     };
     Effect::new(move |_| {
