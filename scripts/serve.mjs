@@ -1,23 +1,37 @@
-// Serves a folder on localhost: `node scripts/serve.mjs [folder]`, at $PORT, else at 8080 or whatever is free.
+// Serves a folder on localhost: `node scripts/serve.mjs [folder]`, at $PORT, else at 8080 or whatever is free. The browser keeps the page for use
+// without a network only with OFFLINE=1.
 import { createReadStream } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, resolve, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const TYPES = {
+// Types of files by the end of their names.
+export const TYPES = {
   '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
   '.json': 'application/json',
   '.svg': 'image/svg+xml',
   '.txt': 'text/plain; charset=utf-8',
+  '.webmanifest': 'application/manifest+json',
   '.wasm': 'application/wasm', // without it the browser cannot compile while it loads
 };
 
-// Starts serving `folder`; port 0 is any free one. `packed` gives the bytes of a file compressed with brotli, for those who measure. Resolves
-// to { url, close }.
-export async function serve(folder, port = 0, packed = null) {
+// In place of the page's service worker: takes itself and what an earlier one has kept away.
+const NO_WORKER = `
+addEventListener('install', () => skipWaiting());
+addEventListener('activate', (event) => event.waitUntil(leave()));
+async function leave() {
+  const names = (await caches.keys()).filter((name) => name.startsWith('macroline '));
+  await Promise.all(names.map((name) => caches.delete(name)));
+  await registration.unregister();
+}
+`;
+
+// Starts serving `folder`; port 0 is any free one. `packed` gives the bytes of a file compressed with brotli, for those who measure. With
+// `offline: false` the browser keeps nothing, and each reload shows the build that is there. Resolves to { url, close }.
+export async function serve(folder, port = 0, packed = null, { offline = true } = {}) {
   const root = resolve(folder);
   const server = createServer(async (request, response) => {
     try {
@@ -27,6 +41,7 @@ export async function serve(folder, port = 0, packed = null) {
       const type = TYPES[extname(file)] ?? 'application/octet-stream';
       // No cache: after the next build the same names may hold other bytes.
       const headers = { 'Content-Type': type, 'Cache-Control': 'no-cache', 'X-Content-Type-Options': 'nosniff' };
+      if (!offline && path === '/service_worker.js') return void response.writeHead(200, headers).end(NO_WORKER);
       response.writeHead(200, packed ? { ...headers, 'Content-Encoding': 'br' } : headers);
       if (packed) response.end(packed(file));
       else createReadStream(file).pipe(response);
@@ -43,6 +58,7 @@ export async function serve(folder, port = 0, packed = null) {
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   const folder = process.argv[2] ?? 'dist';
   // The same port each time keeps what the browser has stored for the page; another one when it is taken.
-  const { url } = await (process.env.PORT ? serve(folder, Number(process.env.PORT)) : serve(folder, 8080).catch(() => serve(folder)));
+  const at = (port) => serve(folder, port, null, { offline: Boolean(process.env.OFFLINE) });
+  const { url } = await (process.env.PORT ? at(Number(process.env.PORT)) : at(8080).catch(() => at(0)));
   console.log(`macroline is at ${url} (Ctrl+C ends it)`);
 }

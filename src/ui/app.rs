@@ -6,7 +6,8 @@ use leptos::prelude::*;
 use super::dom;
 use super::dom::turns::{at_last, in_turn};
 use super::files::{
-    ExportDialog, GalleryDialog, Header, LargeFile, LargeFileDialog, ProjectsDialog, ShareDialog, open, share, store,
+    ExportDialog, GalleryDialog, Header, LargeFile, LargeFileDialog, ProjectsDialog, ShareDialog, offline, open, share,
+    store,
 };
 use super::form::Form;
 use super::form::field_help::FieldHelp;
@@ -106,7 +107,9 @@ fn Screen() -> impl IntoView {
     });
     // The page may be gone.
     at_last(move || {
-        let _ = busy.try_set(false);
+        if busy.try_set(false).is_none() {
+            offline::keep(page);
+        }
     });
     view
 }

@@ -4,6 +4,19 @@ const still = document.getElementById('still');
 const notice = document.getElementById('boot');
 const data = document.querySelector('script[data-wasm]').dataset;
 
+// The parts of the page that are loaded later, for all who ask: they are here where the page is one file (`one_file.js`), else beside the page, by
+// the number of the build, so that neither a cache nor the service worker gives one of another build.
+const parts = window.macroline?.parts ?? {};
+const addresses = {};
+window.macroline = {
+  address(part) {
+    if (!parts[part]) return new URL(`${part}?${data.build}`, document.baseURI).href;
+    return (addresses[part] ??= URL.createObjectURL(parts[part]));
+  },
+  // The part itself where it is here, else its address: for the worker.
+  part: (part) => parts[part] ?? macroline.address(part),
+};
+
 const root = document.documentElement;
 // A file of sentences for each (`text/catalog`). The language that was chosen, or the first of the browser's that there is.
 const languages = ['en', 'zh'];
@@ -25,7 +38,7 @@ try {
 
 const asked = [chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
 root.lang = asked.find((code) => languages.includes(code)) ?? languages[0];
-data.words = data.words.replace(`${languages[0]}.properties`, `${root.lang}.properties`);
+data.words = `${root.lang}.properties`;
 // The machine of a person who has one, or a link to one, is drawn by the module alone; so is one with other than English names.
 if (own || location.hash || root.lang !== languages[0]) still.querySelector('.scene').remove();
 
@@ -49,8 +62,8 @@ if (drawing) {
 }
 
 try {
-  const [js, wasm, words] = [data.js, data.wasm, data.words].map((name) => new URL(name, document.baseURI));
-  const sentences = fetch(words).then((answer) => (answer.ok ? answer.text() : Promise.reject(new Error(`no ${words.pathname}`))));
+  const [js, wasm] = [data.js, data.wasm].map((name) => new URL(name, document.baseURI));
+  const sentences = fetch(macroline.address(data.words)).then((answer) => (answer.ok ? answer.text() : Promise.reject(new Error(`no ${data.words}`))));
   const { default: init, open } = await import(js);
   const [loaded] = await Promise.all([sentences, init({ module_or_path: wasm })]);
   open(loaded);

@@ -47,15 +47,19 @@ export async function start({ packed = null, args = [] } = {}) {
   };
 }
 
+// What the driver says of a service worker that a page registers in vain, here as in every context but those that ask for one
+// (`serviceWorkers: 'allow'`): a test sees the page and not what the browser keeps of it.
+const NO_WORKER = 'Service Worker registration blocked by Playwright';
+
 // Opens the page in a fresh profile and waits until the app is there, gives it to `act`, and then holds that the browser
 // had nothing to complain about: `withPage(app, { viewport: … }, async ({ page, requests }) => …)`.
 export async function withPage(app, options, act) {
-  const context = await app.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en', acceptDownloads: true, reducedMotion: 'reduce', ...options });
+  const context = await app.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en', acceptDownloads: true, reducedMotion: 'reduce', serviceWorkers: 'block', ...options });
   const complaints = [];
   const requests = [];
   try {
     context.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) complaints.push(`console ${message.type()}: ${message.text()}`);
+      if (['error', 'warning'].includes(message.type()) && message.text() !== NO_WORKER) complaints.push(`console ${message.type()}: ${message.text()}`);
     });
     context.on('weberror', (fault) => complaints.push(`uncaught: ${fault.error().message}`));
     context.on('request', (request) => requests.push(request.url().replace(app.url, '').replace(/\?.*/, '')));

@@ -1,10 +1,10 @@
-// Loads a module beside the page: `import()` is syntax, so wasm cannot call it. A module that could not be loaded may be asked for again.
+// Loads a module by its address: `import()` is syntax, so wasm cannot call it. A module that could not be loaded may be asked for again.
 const loaded = {};
 
-export function importModule(path) {
-  loaded[path] ??= import(new URL(path, document.baseURI)).catch((error) => {
-    delete loaded[path];
+export function importModule(address) {
+  loaded[address] ??= import(address).catch((error) => {
+    delete loaded[address];
     throw error;
   });
-  return loaded[path];
+  return loaded[address];
 }

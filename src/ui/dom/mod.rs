@@ -150,6 +150,13 @@ pub(crate) fn forget_fragment() {
     }
 }
 
+/// Whether the browser may install the page: it has a manifest where it is several files (scripts/one_file.mjs), and the browser keeps files for it.
+pub(crate) fn is_installable() -> bool {
+    let keeps =
+        js_sys::Reflect::get(&window().navigator(), &"serviceWorker".into()).is_ok_and(|keeper| keeper.is_object());
+    keeps && document().query_selector("link[rel=manifest]").is_ok_and(|link| link.is_some())
+}
+
 /// Whether a media query holds.
 pub(crate) fn prefers(query: &str) -> bool {
     window().match_media(query).ok().flatten().is_some_and(|list| list.matches())

@@ -36,10 +36,22 @@ pub(crate) fn call(object: &JsValue, name: &str, values: &[&JsValue]) -> Result<
 #[wasm_bindgen(module = "/src/ui/dom/import.js")]
 extern "C" {
     #[wasm_bindgen(js_name = importModule)]
-    fn import_module(path: &str) -> js_sys::Promise;
+    fn import_module(address: &str) -> js_sys::Promise;
+}
+
+/// Where the parts of the page are that are no part of its first load: `boot.js`.
+#[wasm_bindgen(js_namespace = macroline)]
+extern "C" {
+    /// The address of a part.
+    #[wasm_bindgen(catch, js_name = address)]
+    pub(crate) fn address_of(part: &str) -> Result<String, JsValue>;
+
+    /// A part for the worker: its address, or the part itself where the page is one file.
+    #[wasm_bindgen(catch, js_name = part)]
+    pub(crate) fn part_for_worker(part: &str) -> Result<JsValue, JsValue>;
 }
 
 /// Loads a module of JavaScript that is no part of the first load.
-pub(crate) async fn load(path: &str) -> Result<JsValue, JsValue> {
-    JsFuture::from(import_module(path)).await
+pub(crate) async fn load(part: &str) -> Result<JsValue, JsValue> {
+    JsFuture::from(import_module(&address_of(part)?)).await
 }

@@ -8,6 +8,8 @@ pub(crate) mod header;
 
 mod large;
 
+pub(crate) mod offline;
+
 pub(crate) mod open;
 
 mod parts;

@@ -30,9 +30,9 @@ pub(super) fn forget_link() {
 
 /// What is said of a link.
 pub(super) fn notices(linked: &Loaded) -> Vec<Notice> {
-    let copy = Notice { tone: "info", text: t("page.link-opened").to_owned(), file: None };
+    let copy = Notice::new("info", t("page.link-opened").to_owned());
     let found = linked.diagnostics.iter();
-    let found = found.map(|found| Notice { tone: tone(found.severity), text: tell(found), file: None });
+    let found = found.map(|found| Notice::new(tone(found.severity), tell(found)));
     linked.project.is_some().then_some(copy).into_iter().chain(found).collect()
 }
 

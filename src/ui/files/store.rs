@@ -82,11 +82,16 @@ fn by_link(last: Visit, linked: Loaded) -> Visit {
     let Some(project) = linked.project else { return Visit { notices, ..last } };
     let aside = last.project.as_ref().is_none_or(|before| set_aside::keep_project(before, Reason::Replaced));
     if !aside {
-        let file = last.project.as_ref().map(|before| (set_aside::FILE, before.to_json()));
-        notices.push(Notice { tone: "warn", text: t("page.aside-full").to_owned(), file });
+        notices.push(no_room(last.project.as_ref().map(Project::to_json)));
     }
     let stored = Stored { occupied: last.stored.occupied || !aside, replaced: last.project };
     Visit { project: Some(project), notices, stored }
+}
+
+/// There is no room to set a state aside: it is handed out as a file.
+fn no_room(state: Option<String>) -> Notice {
+    let notice = Notice::new("warn", t("page.aside-full").to_owned());
+    state.into_iter().fold(notice, |notice, state| notice.with_file(set_aside::FILE, state))
 }
 
 /// The state of the last visit. A text that does not read is set aside; where that has no room, it stays.
@@ -98,7 +103,7 @@ fn last_visit() -> Visit {
     let loaded = Project::from_json(&text);
     if let Some(mut project) = loaded.project {
         project.id = dom::stored(ID);
-        let notice = |found| Notice { tone: "warn", text: with_line(found, &text), file: None };
+        let notice = |found| Notice::new("warn", with_line(found, &text));
         let notices = loaded.diagnostics.iter().map(notice).collect();
         return Visit { project: Some(project), notices, stored: Stored::default() };
     }
@@ -109,7 +114,7 @@ fn last_visit() -> Visit {
     }
     let reason = loaded.diagnostics.first().map(|found| with_line(found, &text)).unwrap_or_default();
     let said = format!("{} {reason}", t(if aside { "page.set-aside" } else { "page.set-aside-full" }));
-    let notice = Notice { tone: "warn", text: said, file: Some((set_aside::FILE, text)) };
+    let notice = Notice::new("warn", said).with_file(set_aside::FILE, text);
     Visit { project: fresh(), notices: vec![notice], stored: Stored { occupied: !aside, replaced: None } }
 }
 
@@ -160,9 +165,7 @@ pub(crate) fn take_over(page: Page) {
     if let Some(text) = dom::stored(KEY).filter(|text| *text != own)
         && !set_aside::keep(&text, Reason::OtherTab, None)
     {
-        let notice =
-            Notice { tone: "warn", text: t("page.aside-full").to_owned(), file: Some((set_aside::FILE, text)) };
-        page.notices.list.update(|list| list.push(notice));
+        page.notices.show(no_room(Some(text)));
     }
     say(TAKES);
     store_now(page);
@@ -170,6 +173,18 @@ pub(crate) fn take_over(page: Page) {
     ["page.other-tab", "page.other-tab-open", "page.link-other-tab"]
         .into_iter()
         .for_each(|words| page.notices.dismiss(t(words)));
+}
+
+/// Stores what a reload would lose: the project with what is being typed, or, in a tab that watches, a copy set aside. False where the browser
+/// has no room for it.
+pub(super) fn store_before_reload(page: Page) -> bool {
+    page.take_typed();
+    if page.view.kept.get_untracked() == Kept::Elsewhere {
+        let own = page.project.with_untracked(Project::to_json);
+        return dom::stored(KEY).is_some_and(|stored| stored == own) || set_aside::keep(&own, Reason::OtherTab, None);
+    }
+    store_now(page);
+    page.view.kept.get_untracked() == Kept::Yes
 }
 
 /// This tab watches: nothing is stored from it.

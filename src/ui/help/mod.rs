@@ -4,6 +4,7 @@ pub(crate) mod keys;
 
 use leptos::prelude::*;
 
+use crate::ui::dom;
 use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{Dialog, LanguageButtons};
 use crate::ui::state::Page;
@@ -43,6 +44,9 @@ pub(crate) fn HelpDialog() -> impl IntoView {
             <p>{t("page.help-program")}</p>
             <p>{t("page.help-hand")}</p>
             <p>{t("page.help-walk")}</p>
+            {dom::is_installable().then(|| view! {
+                <p>{t("page.help-offline")} " " <a href="macroline.html" download="macroline.html">{t("page.help-one-file")}</a></p>
+            })}
             <p>{t("page.language")} <LanguageButtons /></p>
             <h3>{t("page.keys")}</h3>
             <table class="shortcuts"><tbody>{rows}</tbody></table>

@@ -21,6 +21,9 @@ pub(crate) fn NoticeBand() -> impl IntoView {
                             {t("page.save-file")}
                         </button>
                     })}
+                    {notice.offer.map(|(words, act)| view! {
+                        <button type="button" class="primary" on:click=move |_| act.run(())>{t(words)}</button>
+                    })}
                     <IconButton glyph=Glyph::Close label=t("page.dismiss") press=move || page.notices.dismiss(&notice.text) />
                 </div>
             </For>
@@ -52,8 +55,7 @@ mod tests {
     async fn notice_with_a_file_offers_to_save_it() {
         let bench = mount(|| view! { <NoticeBand /> }).await;
         bench.page.notices.notify("info", "Plain.".to_owned());
-        let file = Some(("state.txt", "{".to_owned()));
-        bench.page.notices.list.update(|list| list.push(Notice { tone: "warn", text: "Kept.".to_owned(), file }));
+        bench.page.notices.show(Notice::new("warn", "Kept.".to_owned()).with_file("state.txt", "{".to_owned()));
         settled().await;
         let offers: Vec<bool> = bench
             .all(".notice")

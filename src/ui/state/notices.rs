@@ -2,8 +2,11 @@
 
 use leptos::prelude::*;
 
+/// A button of a notice: catalog id of its words, and what it does.
+pub(crate) type Offer = (&'static str, Callback<()>);
+
 /// A message that stays until it is dismissed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(crate) struct Notice {
     /// Class: `info`, `warn`, `fail`.
     pub tone: &'static str,
@@ -11,6 +14,20 @@ pub(crate) struct Notice {
     pub text: String,
     /// A file that goes with it: name and content.
     pub file: Option<(&'static str, String)>,
+    /// What can be done about it.
+    pub offer: Option<Offer>,
+}
+
+impl Notice {
+    /// A sentence alone.
+    pub(crate) fn new(tone: &'static str, text: String) -> Notice {
+        Notice { tone, text, file: None, offer: None }
+    }
+
+    /// The sentence with a file that goes with it.
+    pub(crate) fn with_file(self, name: &'static str, content: String) -> Notice {
+        Notice { file: Some((name, content)), ..self }
+    }
 }
 
 /// The messages. A handle: copies mean the same.
@@ -30,10 +47,15 @@ impl Notices {
 
     /// Shows a notice.
     pub(crate) fn notify(self, tone: &'static str, text: String) {
-        self.said.set(text.clone());
+        self.show(Notice::new(tone, text));
+    }
+
+    /// Shows a notice with what goes with it.
+    pub(crate) fn show(self, shown: Notice) {
+        self.said.set(shown.text.clone());
         self.list.update(|list| {
-            list.retain(|notice| notice.text != text);
-            list.push(Notice { tone, text, file: None });
+            list.retain(|notice| notice.text != shown.text);
+            list.push(shown);
         });
     }
 

@@ -6,10 +6,11 @@ use std::rc::Rc;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use leptos::wasm_bindgen::closure::Closure;
-use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
+use web_sys::{MessageEvent, Worker};
 
 use super::messages::{Question, Reply, Request, Response};
 use crate::project::Project;
+use crate::ui::dom::script::{address_of, part_for_worker};
 
 /// A running worker. It ends when this is dropped.
 pub(crate) struct Running {
@@ -19,13 +20,14 @@ pub(crate) struct Running {
 }
 
 impl Running {
-    /// Starts a worker; `None` where the browser has none. Its name is the address of the page's sentences, for worker_boot.js.
+    /// Starts a worker; `None` where the browser has none. Its first message has its module and the page's sentences, for worker_boot.js.
     pub(crate) fn start(mut heard: impl FnMut(Reply) + 'static, failed: impl FnMut() + 'static) -> Option<Running> {
         let script = document().query_selector("script[data-words]").ok().flatten()?;
-        let options = WorkerOptions::new();
-        options.set_type(WorkerType::Module);
-        options.set_name(&script.get_attribute("data-words")?);
-        let worker = Worker::new_with_options("worker_boot.js", &options).ok()?;
+        let words = script.get_attribute("data-words")?;
+        let parts = ["worker.js", "worker_bg.wasm", &words].map(part_for_worker);
+        let parts = parts.into_iter().collect::<Result<js_sys::Array, _>>().ok()?;
+        let worker = Worker::new(&address_of("worker_boot.js").ok()?).ok()?;
+        worker.post_message(&parts).ok()?;
         let heard = Closure::new(move |event: MessageEvent| {
             if let Ok(reply) = serde_wasm_bindgen::from_value(event.data()) {
                 heard(reply);

@@ -1,7 +1,16 @@
-// Starts the worker's module with the page's sentences. The worker's name is the address of these; it ends in the page's own hash, so that no
-// module of an older build comes from a cache.
-const { search } = new URL(self.name, import.meta.url);
-const sentences = fetch(self.name).then((answer) => answer.text());
-const { default: init, work } = await import(`./worker.js${search}`);
-await init({ module_or_path: new URL(`worker_bg.wasm${search}`, import.meta.url) });
-work(await sentences);
+// Starts the worker's module with the page's sentences. The first message has module, wasm and sentences: their addresses, or where the page is
+// one file themselves, for a worker from a disk reads no address within its page. No module itself, which Chromium does not start from there.
+addEventListener('message', start, { once: true });
+
+async function start({ data }) {
+  try {
+    const [module, wasm, words] = data.map((part) => (part instanceof Blob ? URL.createObjectURL(part) : part));
+    const sentences = fetch(words).then((answer) => answer.text());
+    const { default: init, work } = await import(module);
+    await init({ module_or_path: wasm });
+    work(await sentences);
+  } catch (error) {
+    // The page hears of it.
+    reportError(error);
+  }
+}

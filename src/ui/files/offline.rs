@@ -1,0 +1,117 @@
+//! The page without a network: the browser keeps its files, and a newer build of them is announced and taken when the user asks for it.
+
+use leptos::prelude::*;
+use leptos::wasm_bindgen::closure::Closure;
+
+use super::store;
+use crate::ui::dom;
+use crate::ui::dom::script;
+use crate::ui::state::Page;
+use crate::ui::state::notices::Notice;
+use crate::ui::words::t;
+
+/// The module beside the page that talks to the service worker.
+const MODULE: &str = "offline.js";
+
+/// Has the browser keep the files of the page, and announces newer ones. Not every browser and not every place allows it, and the page works as
+/// well without.
+pub(crate) fn keep(page: Page) {
+    if !dom::is_installable() {
+        return;
+    }
+    leptos::task::spawn_local(async move {
+        let Ok(module) = script::load(MODULE).await else { return };
+        let announce = Closure::<dyn Fn()>::new(move || {
+            // The page may be gone.
+            if !page.view.kept.is_disposed() {
+                announce(page, take);
+            }
+        });
+        let _ = script::call(&module, "keep", &[&announce.into_js_value()]);
+    });
+}
+
+/// Goes over to the newer build, which loads the page again.
+fn take() {
+    leptos::task::spawn_local(async {
+        if let Ok(module) = script::load(MODULE).await {
+            let _ = script::call(&module, "take", &[]);
+        }
+    });
+}
+
+/// Tells that a newer build is there. Nothing of the project is lost when it is taken: where the browser has no room, it is not.
+fn announce(page: Page, take: fn()) {
+    let act = move |()| match store::store_before_reload(page) {
+        true => take(),
+        false => page.notices.notify("warn", t("page.version-unkept").to_owned()),
+    };
+    let offer = Some(("page.version-take", Callback::new(act)));
+    page.notices.show(Notice { offer, ..Notice::new("info", t("page.version-ready").to_owned()) });
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::machines::form::Value;
+    use crate::ui::state::view::Kept;
+    use crate::ui::testing::{Bench, mount};
+
+    thread_local! {
+        static TAKEN: Cell<u32> = const { Cell::new(0) };
+    }
+
+    /// A page whose offer is there, with a changed project that is not stored yet.
+    async fn announced(kept: Kept) -> Bench {
+        TAKEN.set(0);
+        let bench = mount(|| ()).await;
+        bench.page.set("pitch", Value::Number(9.0));
+        bench.page.view.kept.set(kept);
+        announce(bench.page, || TAKEN.set(TAKEN.get() + 1));
+        bench
+    }
+
+    /// Presses the button of the last notice.
+    fn press(bench: &Bench) {
+        let offer = bench.page.notices.list.with_untracked(|list| list.last().and_then(|notice| notice.offer));
+        offer.unwrap().1.run(());
+    }
+
+    #[wasm_bindgen_test]
+    async fn newer_version_is_announced_once_and_waits() {
+        let bench = announced(Kept::Yes).await;
+        announce(bench.page, take);
+        assert_eq!(bench.notices(), [t("page.version-ready")]);
+        assert_eq!(TAKEN.get(), 0);
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_is_stored_before_the_version_is_taken() {
+        let bench = announced(Kept::Soon).await;
+        press(&bench);
+        assert_eq!(TAKEN.get(), 1);
+        assert!(store::load().project == Some(bench.page.project.get_untracked()));
+    }
+
+    #[wasm_bindgen_test]
+    async fn version_is_not_taken_where_the_project_has_no_room() {
+        let bench = announced(Kept::Yes).await;
+        bench.page.edit("", |project| project.name = "x".repeat(6_000_000));
+        press(&bench);
+        assert_eq!(TAKEN.get(), 0);
+        assert!(bench.notices().contains(&t("page.version-unkept").to_owned()));
+    }
+
+    #[wasm_bindgen_test]
+    async fn entries_of_a_watching_tab_are_set_aside_before() {
+        let bench = announced(Kept::Elsewhere).await;
+        press(&bench);
+        assert_eq!(TAKEN.get(), 1);
+        assert_eq!(dom::stored_keys().iter().filter(|key| key.contains("other-tab")).count(), 1);
+        assert!(dom::stored("macroline.project").is_none());
+    }
+}
