@@ -1,5 +1,7 @@
 //! The page: puts the features together.
 
+pub(super) mod embed;
+
 use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 

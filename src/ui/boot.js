@@ -23,8 +23,14 @@ const languages = ['en', 'zh'];
 let chosen = null;
 let own = false;
 
+// Inside another page the address chooses the language, and nothing is read from this browser's store (`docs/embedding.md`).
+const [first, ...wishes] = location.hash.slice(1).split('&');
+const embedded = first === 'embed';
+const wished = embedded ? wishes.find((wish) => wish.startsWith('lang='))?.slice(5) : null;
+if (embedded) still.replaceChildren(notice);
+
 try {
-  const kept = (key) => localStorage.getItem(`macroline.${key}`);
+  const kept = (key) => (embedded ? null : localStorage.getItem(`macroline.${key}`));
   chosen = kept('language');
   root.dataset.theme = kept('theme') ?? '';
   for (const column of ['--left', '--right']) {
@@ -36,11 +42,11 @@ try {
   // A browser without a store has kept nothing.
 }
 
-const asked = [chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
+const asked = [wished, chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
 root.lang = asked.find((code) => languages.includes(code)) ?? languages[0];
 data.words = `${root.lang}.properties`;
 // The machine of a person who has one, or a link to one, is drawn by the module alone; so is one with other than English names.
-if (own || location.hash || root.lang !== languages[0]) still.querySelector('.scene').remove();
+if (own || location.hash || root.lang !== languages[0]) still.querySelector('.scene')?.remove();
 
 // Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Names
 // have room everywhere; values wait for the page, which finds places for them. The drawing is not laid out before its scale is known

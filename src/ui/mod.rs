@@ -32,16 +32,25 @@ use leptos::prelude::*;
 
 use crate::text::catalog;
 
+pub use app::embed::{Embedded, EmbeddedApp};
 pub use app::{App, Beginning};
 pub use worker::server::work;
 
-/// Opens the page with the sentences of its language ([`catalog::speak`]) in place of the still in its HTML. A panic is reported in its place.
+/// Opens the page with the sentences of its language ([`catalog::speak`]) in place of the still in its HTML: whole, or
+/// as its address asks for it in another page. A panic is reported in its place.
 pub fn open(sentences: String) {
     catalog::speak(sentences.leak());
     std::panic::set_hook(Box::new(|panic| {
         web_sys::console::error_1(&panic.to_string().into());
         broken(&panic.to_string());
     }));
+    if Embedded::is_asked_for() {
+        return in_turn(|| {
+            Embedded::in_turns(|embedded| {
+                leptos::mount::mount_to_body(|| embedded.map(|embedded| view! { <EmbeddedApp embedded=embedded /> }));
+            });
+        });
+    }
     in_turn(|| {
         Beginning::in_turns(|beginning| {
             leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> }));

@@ -72,14 +72,24 @@ pub(super) fn ShareButton() -> impl IntoView {
 pub(crate) fn ShareDialog() -> impl IntoView {
     let page = Page::here();
     let open = page.view.sharing;
+    let link = Memo::new(move |_| open.get().then(|| page.project.with_untracked(Project::to_link)));
     let content = move || {
-        let link = open.get().then(|| page.project.with_untracked(Project::to_link))?;
-        Some(match link {
+        Some(match link.get()? {
             Ok(fragment) => {
-                let (address, _) = dom::address();
-                view! { <Link text=format!("{address}#{fragment}") /> }.into_any()
+                let text = format!("{}#{fragment}", dom::address().0);
+                let long = (text.len() > LONG).then(|| view! { <p class="warn">{t("page.link-long")}</p> });
+                view! { <Copied text=text about=LINK /> {long} }.into_any()
             }
             Err(reason) => view! { <p class="fail">{say(&reason)}</p> }.into_any(),
+        })
+    };
+    // The same in a page of another host.
+    let element = move || {
+        let text = frame(&dom::address().0, &link.get()?.ok()?);
+        Some(view! {
+            <h3>{t("page.embed")}</h3>
+            <p>{t("page.embed-about")}</p>
+            <div class="share"><Copied text=text about=ELEMENT /></div>
         })
     };
     view! {
@@ -87,27 +97,65 @@ pub(crate) fn ShareDialog() -> impl IntoView {
             <p>{t("page.share-about")}</p>
             <div class="share">{content}</div>
             <p>{t("page.share-file")} " " <button type="button" class="link" on:click=move |_| save(page)>{t("page.save-about")}</button></p>
+            {element}
         </Dialog>
     }
 }
 
-/// The link, and the button that copies it.
+/// The element that shows a project inside another page. Neither an address nor the fragment of a link has a character that HTML does not take.
+fn frame(address: &str, fragment: &str) -> String {
+    let address = address.replace('&', "&amp;").replace('"', "&quot;");
+    format!(
+        r#"<iframe src="{address}#embed&amp;{fragment}" title="macroline" width="100%" height="720" loading="lazy" style="border: 0"></iframe>"#
+    )
+}
+
+/// A text to copy, by catalog ids.
+struct Copy {
+    /// Id and class of the button.
+    button: (&'static str, &'static str),
+    /// Name of the text.
+    name: &'static str,
+    /// Words of the button.
+    words: &'static str,
+    /// What is said when the text is on the clipboard.
+    copied: &'static str,
+}
+
+/// The link.
+const LINK: Copy = Copy {
+    button: ("copy-link", "primary"),
+    name: "page.share-link",
+    words: "page.copy-link",
+    copied: "page.link-copied",
+};
+
+/// The element for another page.
+const ELEMENT: Copy = Copy {
+    button: ("copy-frame", ""),
+    name: "page.embed-frame",
+    words: "page.embed-copy",
+    copied: "page.embed-copied",
+};
+
+/// A text, and the button that copies it.
 #[component]
-fn Link(
-    /// The whole address.
+fn Copied(
+    /// The text.
     text: String,
+    /// What it is.
+    about: Copy,
 ) -> impl IntoView {
     let page = Page::here();
     let field: NodeRef<html::Input> = NodeRef::new();
     let said = RwSignal::new("");
     let select = move || field.get_untracked().iter().for_each(|field| field.select());
     let size = say(&crate::msg!("page.link-length", figure(text.len() as f64, 0)));
-    let long = (text.len() > LONG).then(|| view! { <p class="warn">{t("page.link-long")}</p> });
-    let link = text.clone();
+    let to_copy = text.clone();
     let copy = move |_| {
         select();
-        dom::copy(&link, move |copied| {
-            let words = t(if copied { "page.link-copied" } else { "page.link-not-copied" });
+        dom::copy(&to_copy, move |copied| {
+            let words = t(if copied { about.copied } else { "page.link-not-copied" });
             // The dialog may be gone.
             let _ = said.try_set(words);
             page.notices.say(words);
@@ -115,15 +163,14 @@ fn Link(
     };
     view! {
         <input
-            node_ref=field type="text" readonly=true spellcheck="false" aria-label=t("page.share-link") value=text
+            node_ref=field type="text" readonly=true spellcheck="false" aria-label=t(about.name) value=text
             on:focus=move |_| select()
         />
-        {long}
-        <footer>
+        <div class="copies">
             <small>{size}</small>
             <span class="said">{said}</span>
-            <button type="button" class="primary" id="copy-link" on:click=copy>{t("page.copy-link")}</button>
-        </footer>
+            <button type="button" class=about.button.1 id=about.button.0 on:click=copy>{t(about.words)}</button>
+        </div>
     }
 }
 

@@ -59,6 +59,25 @@ pub(crate) fn Form() -> impl IntoView {
     }
 }
 
+/// The first fields of the product, for a page with little room.
+#[component]
+pub(crate) fn FirstFields(
+    /// How many.
+    count: usize,
+) -> impl IntoView {
+    let page = Page::here();
+    let fields = page.project.with_untracked(|project| project.machine.fields());
+    let hidden = page.results.hidden.get_untracked();
+    let product = fields.into_iter().filter(|field| field.essential && !hidden.contains(&field.id)).take(count);
+    view! {
+        <form autocomplete="off" on:submit=|event| event.prevent_default()>
+            <fieldset class="product first" aria-label=t("page.essentials")>
+                {product.map(|info| view! { <FormField info=info /> }).collect_view()}
+            </fieldset>
+        </form>
+    }
+}
+
 /// Everything else about the machine, folded, with the count of facts that are only assumed.
 #[component]
 fn MachineData(

@@ -110,7 +110,7 @@ fn WindowChoice() -> impl IntoView {
 
 /// The slider of the play head.
 #[component]
-fn Scrubber() -> impl IntoView {
+pub(super) fn Scrubber() -> impl IntoView {
     let player = Page::here().player;
     let slider: NodeRef<html::Input> = NodeRef::new();
     let mut last = (0_u64, 0_u64, 0_u64);

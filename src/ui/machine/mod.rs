@@ -34,10 +34,13 @@ mod verdicts;
 
 use leptos::prelude::*;
 
+use crate::ui::words::t;
+
 pub(crate) use compare::CompareDialog;
-use film::Film;
+use film::{Film, Scrubber};
 use stage::Stage;
-use verdicts::Verdicts;
+use transport::Transport;
+use verdicts::{VerdictList, Verdicts};
 
 /// Verdicts, drawing and film, from top to bottom.
 #[component]
@@ -48,6 +51,19 @@ pub(crate) fn Machine() -> impl IntoView {
             <Stage />
             <Film />
         </div>
+    }
+}
+
+/// Drawing, transport and verdicts, for a page inside another one.
+#[component]
+pub(crate) fn EmbeddedMachine() -> impl IntoView {
+    view! {
+        <Stage />
+        <section class="film" aria-label=t("page.transport")>
+            <Transport />
+            <Scrubber />
+        </section>
+        <VerdictList />
     }
 }
 

@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::ui::parts::Later;
 use crate::ui::parts::verdict::VerdictLine;
 use crate::ui::state::Page;
-use crate::ui::words::t;
+use crate::ui::words::{four_digits, limit_sign, sign, t, verdict_tone, verdict_words};
 
 /// The verdicts.
 #[component]
@@ -32,6 +32,30 @@ pub(crate) fn Verdicts() -> impl IntoView {
             <div class="row"><Later meanwhile=rooms>{lines}</Later></div>
         </section>
     }
+}
+
+/// The same in one line of text, where there is no place that lists all results.
+#[component]
+pub(super) fn VerdictList() -> impl IntoView {
+    let page = Page::here();
+    let row = |readout: &crate::view::Readout| {
+        let tone = verdict_tone(readout.verdict);
+        view! {
+            <li class=tone>
+                <i aria-hidden="true">{sign(tone)}</i> " " {t(readout.label)} " "
+                <b>{four_digits(readout.value, readout.decimals)} " " {readout.unit}</b>
+                <span class="hidden">{verdict_words(readout.verdict)}</span>
+                <span class="n">{limit_sign(readout)}</span>
+            </li>
+        }
+    };
+    let rows = move || {
+        page.results.design.with(|design| {
+            let headline = design.readouts.iter().filter(|readout| readout.headline);
+            headline.map(row).collect_view()
+        })
+    };
+    view! { <ul class="verdicts" aria-label=t("page.headline") class:old=move || page.is_stale()>{rows}</ul> }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use macroline::machines::form::Provenance;
 use macroline::motion::{Action, Event, Panel};
 use macroline::nc::Files;
 use macroline::project::Project;
-use macroline::project::saved::{MAX_LINK, is_link};
+use macroline::project::saved::{MAX_LINK, embedded, is_link};
 use macroline::text::catalog::sentence;
 use proptest::prelude::*;
 
@@ -183,4 +183,34 @@ proptest! {
             None => prop_assert_eq!(loaded.diagnostics.len(), 1),
         }
     }
+}
+
+/// Machine, control and name of the project that an embedded page shows, or what is said.
+fn embedded_by(fragment: &str) -> Option<String> {
+    let loaded = embedded(fragment)?;
+    Some(match loaded.project {
+        Some(project) => format!("{} {} {}", project.machine.id(), project.control.id, project.name).trim().to_owned(),
+        None => loaded.diagnostics.iter().map(|found| sentence(&found.message)).collect(),
+    })
+}
+
+#[test]
+fn embedded_page_shows_what_its_address_asks_for() {
+    let mut order = ribbon();
+    order.name = "Order 7".to_owned();
+    let link = order.to_link().unwrap();
+    let shown = |fragment: &str| embedded_by(fragment).unwrap();
+    assert_eq!(shown("embed"), "ribbon-line mitsubishi-e60");
+    assert_eq!(shown("embed&lang=zh&machine=turning-spindle"), "turning-spindle gsk-980tdc");
+    assert_eq!(shown("embed&control=gsk-980tdc"), "ribbon-line gsk-980tdc");
+    assert_eq!(shown(&format!("embed&machine=turning-spindle&{link}")), "ribbon-line mitsubishi-e60 Order 7");
+    assert!(["", "embedded", "machine", "p1.x&embed", &link].iter().all(|other| embedded_by(other).is_none()));
+}
+
+#[test]
+fn embedded_page_says_what_its_address_does_not_name() {
+    assert!(embedded_by("embed&machine=loom").unwrap().starts_with("The address names no machine that is known."));
+    let control = embedded_by("embed&machine=polygon-lathe&control=mitsubishi-e60").unwrap();
+    assert!(control.ends_with("Possible: knd-k2000t."), "{control}");
+    assert!(embedded_by("embed&p1.cut").unwrap().starts_with("The link is not whole"));
 }

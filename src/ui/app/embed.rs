@@ -1,0 +1,152 @@
+//! The page inside another one (`docs/embedding.md`): drawing, transport, verdicts and the first fields of one machine. Nothing is stored.
+
+use leptos::prelude::*;
+
+use crate::machines;
+use crate::project::Project;
+use crate::project::saved::embedded;
+use crate::ui::dom;
+use crate::ui::dom::turns::{at_last, in_turn};
+use crate::ui::form::FirstFields;
+use crate::ui::machine::EmbeddedMachine;
+use crate::ui::parts::scene::Still;
+use crate::ui::state::notices::Notice;
+use crate::ui::state::{Begun, Page};
+use crate::ui::words::{t, tell, tone};
+
+/// Fields that are shown.
+const FIELDS: usize = 3;
+
+/// What an embedded page begins with: its project, and notices about the address that asks for it.
+pub struct Embedded {
+    begun: Begun,
+    found: Vec<Notice>,
+}
+
+impl Embedded {
+    /// Whether the address asks for an embedded page.
+    pub fn is_asked_for() -> bool {
+        embedded(&dom::address().1).is_some()
+    }
+
+    /// Reads the address, writes the program and begins its run, each in a turn of its own, and then does `then`: with nothing only where no
+    /// machine has a control. An address that names no project has the first machine's.
+    pub fn in_turns(then: impl FnOnce(Option<Embedded>) + 'static) {
+        let asked = embedded(&dom::address().1);
+        let notice = |found: &crate::text::Diagnostic| Notice::new(tone(found.severity), tell(found));
+        let found = asked.iter().flat_map(|asked| &asked.diagnostics).map(notice).collect();
+        let first = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
+        let Some(project) = asked.and_then(|asked| asked.project).or_else(first) else { return then(None) };
+        Begun::in_turns(project, move |begun| then(Some(Embedded { begun, found })));
+    }
+}
+
+/// The embedded page.
+#[component]
+pub fn EmbeddedApp(
+    /// What it begins with.
+    embedded: Embedded,
+) -> impl IntoView {
+    let page = Page::provide(embedded.begun, embedded.found);
+    Still::provide();
+    let busy = RwSignal::new(true);
+    // The machine moves at first sight, but not for those who asked for stillness.
+    in_turn(move || {
+        page.player.settle();
+        if !dom::prefers("(prefers-reduced-motion: reduce)") {
+            page.player.repeat.set(true);
+            dom::soon(move || page.player.toggle());
+        }
+    });
+    at_last(move || {
+        let _ = busy.try_set(false);
+    });
+    view! {
+        <main class="embed" aria-busy=move || busy.get().to_string()>
+            <EmbeddedMachine />
+            <FirstFields count=FIELDS />
+            <footer><h1>{t(page.project.with_untracked(|project| project.machine.name()))}</h1><Open /></footer>
+        </main>
+        <div class="hidden" role="status">{page.notices.said}</div>
+    }
+}
+
+/// The link to the whole page with the present project.
+#[component]
+fn Open() -> impl IntoView {
+    let page = Page::here();
+    // A project that came by a link and has three other values is short enough for one; one that is not is not lost without a word.
+    let link = move || page.project.with(|project| project.to_link().ok());
+    let address = move || link().map(|fragment| format!("{}#{fragment}", dom::address().0));
+    view! { <a href=address target="_blank" rel="noopener">{t("page.embed-open")}</a> }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::machines::form::Value;
+    use crate::ui::dom::turns;
+    use crate::ui::testing::{Bench, mount_project, project, settled, until};
+
+    /// The page that an address asks for, in a browser that remembers nothing.
+    async fn embedded_by(fragment: &str) -> Bench {
+        dom::storage().unwrap().clear().unwrap();
+        // Nothing can be waited for until something was mounted, and this may be the first test.
+        drop(mount_project(project(), || ()).await);
+        window().location().set_hash(fragment).unwrap();
+        assert!(Embedded::is_asked_for());
+        let begun = Rc::new(RefCell::new(None));
+        let take = Rc::clone(&begun);
+        Embedded::in_turns(move |embedded| drop(take.replace(embedded)));
+        until(turns::are_over).await;
+        let embedded = begun.take().unwrap();
+        let bench = mount_project(project(), || view! { <EmbeddedApp embedded=embedded /> }).await;
+        dom::forget_fragment();
+        settled().await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn embedded_page_has_machine_three_fields_and_verdicts() {
+        let bench = embedded_by("embed").await;
+        assert_eq!(bench.all(".embed .field").len(), FIELDS);
+        for part in [".stage svg", "#play", ".scrub", ".verdicts li", "main[aria-busy=false]"] {
+            assert!(bench.has(part), "{part}");
+        }
+        assert!(!bench.has("dialog") && !bench.has(".top"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn link_to_the_whole_page_has_the_changed_project() {
+        let mut order = project();
+        order.name = "Order 7".to_owned();
+        let bench = embedded_by(&format!("embed&{}", order.to_link().unwrap())).await;
+        bench.type_into("#spindle-speed", "900").await;
+        let address = bench.attribute("footer a", "href");
+        let opened = Project::from_link(address.split_once('#').unwrap().1).project.unwrap();
+        assert_eq!(
+            (opened.name.as_str(), opened.values.get("spindle-speed")),
+            ("Order 7", Some(&Value::Number(900.0)))
+        );
+    }
+
+    #[wasm_bindgen_test]
+    async fn embedded_page_stores_nothing() {
+        let bench = embedded_by("embed&machine=turning-spindle").await;
+        bench.type_into(".embed .field:first-of-type input.number", "70").await;
+        crate::ui::testing::pause(500).await;
+        assert!(dom::stored_keys().is_empty());
+    }
+
+    #[wasm_bindgen_test]
+    async fn unknown_machine_in_the_address_is_said() {
+        let bench = embedded_by("embed&machine=loom").await;
+        assert_eq!(bench.text("h1"), t(machines::ALL[0].name()));
+        assert!(bench.text(".notice").contains("ribbon-line"));
+    }
+}
