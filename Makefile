@@ -7,7 +7,8 @@ export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER := wasm-bindgen-test-runner
 export WASM_BINDGEN_TEST_TIMEOUT ?= 120
 
 WASM := --target wasm32-unknown-unknown
-WEB := $(WASM) --features web
+# Both at once, for then the package's module is built beside the tests in wasm and costs no build of its own.
+WEB := $(WASM) --features web,package
 
 .PHONY: help
 help: ## this list
@@ -26,7 +27,7 @@ check: ## the inner loop: format, lints, native tests
 # What is compiled once needs no traces for the next time: an eighth less work.
 test: export CARGO_INCREMENTAL := 0
 test: ## every test of every kind, with the time of each stage
-	@scripts/stages.sh setup 'dist&' fmt lint lint-web wait sizes test-native test-wasm test-e2e
+	@scripts/stages.sh setup 'dist&' fmt lint lint-web wait sizes test-native test-wasm test-package test-e2e
 
 .PHONY: clauses
 clauses: ## the clauses of the four papers, each with the verdict of its test
@@ -60,6 +61,12 @@ dist: ## the static site in dist/
 	@cargo fetch --locked --quiet
 	@echo 'dist: building the page (some minutes the first time)'
 	trunk build --release
+
+.PHONY: package
+package: ## the npm package of the core in target/npm, ready for `npm pack`
+	@scripts/setup.sh target tools node
+	cargo build --locked $(WASM) --features package --profile web --bin package
+	node scripts/package.mjs target/wasm32-unknown-unknown/web/package.wasm target/npm --optimise
 
 .PHONY: pictures
 pictures: dist ## pictures of every view in its sizes and themes, compared with the accepted ones (VIEW=… for some)
@@ -97,7 +104,7 @@ lint:
 
 .PHONY: lint-web
 lint-web:
-	cargo clippy --locked $(WEB) --profile test --lib --bin app --bin worker --test parity -- -D warnings
+	cargo clippy --locked $(WEB) --profile test --lib --bin app --bin worker --bin package --test parity -- -D warnings
 
 .PHONY: test-native
 test-native: ## native tests
@@ -106,6 +113,12 @@ test-native: ## native tests
 .PHONY: test-wasm
 test-wasm: ## in wasm: components in headless Chromium, and the goldens again under Node
 	cargo test --locked $(WEB) --lib --test parity
+
+.PHONY: test-package
+test-package: ## the npm package, not optimised: goldens and types in Node, its example page in Chromium
+	cargo test --locked --quiet $(WEB) --lib --test parity --no-run
+	node scripts/package.mjs target/wasm32-unknown-unknown/debug/package.wasm target/npm-test
+	node --test --test-concurrency=2 --test-reporter=spec $(wildcard tests/package/*.test.mjs)
 
 .PHONY: sizes
 sizes: ## what the browser loads (of the dist/ that is there), against its limits

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use serde_json::{Value as Json, json};
+
 use super::Project;
 use super::sensitivity::{assumed_numbers, changed};
 use crate::machines::form::Value;
@@ -25,6 +27,8 @@ pub const SEED: u64 = 1;
 pub struct Chance {
     /// Machines that were drawn.
     pub draws: u32,
+    /// Seed of the draws.
+    pub seed: u64,
     /// Assumed facts that were drawn for each.
     pub facts: u32,
     /// Those in which no verdict fails.
@@ -69,7 +73,7 @@ pub fn chance_telling(project: &Project, draws: u32, seed: u64, tell: &mut dyn F
     }
     let mut failing: Vec<_> = failing.into_iter().map(|(id, (label, count))| (id, label, count)).collect();
     failing.sort_by_key(|row| core::cmp::Reverse(row.2));
-    Chance { draws, facts: facts.len() as u32, hold, failing }
+    Chance { draws, seed, facts: facts.len() as u32, hold, failing }
 }
 
 impl Chance {
@@ -81,6 +85,15 @@ impl Chance {
     /// Share (0 to 1) in which every verdict holds.
     pub fn probability(&self) -> f64 {
         self.share(self.hold) / 100.0
+    }
+
+    /// The chance as an object.
+    pub fn json(&self) -> Json {
+        let fails = |row: &(&str, &str, u32)| json!({ "result": row.0, "draws": row.2 });
+        json!({
+            "draws": self.draws, "seed": self.seed, "facts": self.facts, "probability": self.probability(),
+            "fails": self.failing.iter().map(fails).collect::<Vec<_>>(),
+        })
     }
 
     /// The chance as a table: the sentence, then the results that fail.

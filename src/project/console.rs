@@ -1,16 +1,14 @@
 //! The debugger as lines of text: a command in, an answer out.
 
-use super::breakpoints::{Breakpoints, Location};
+use super::breakpoints::Location;
 use super::debug::{Debugger, Goal, Stop};
-use super::io_names;
 use super::render::{Renderer, headline};
 use super::run::{Run, Setting};
-use crate::controls::{Control, Dialect};
-use crate::interp::Counts;
+use super::session::{Halt, Session};
+use crate::controls::Control;
 use crate::interp::inspect::{Change, Entered, Level, What};
-use crate::motion::{Action, Event, Panel, RunEnd};
+use crate::motion::{Action, RunEnd};
 use crate::msg;
-use crate::nc::Parsed;
 use crate::text::catalog::{number_text, sentence, words};
 use crate::text::{Diagnostic, Message, Place, headed};
 
@@ -60,9 +58,6 @@ fn line(message: &Message) -> String {
     sentence(message) + "\n"
 }
 
-/// Events of the machine that are planned before the goal is checked again.
-const SLICE: usize = 4096;
-
 /// Decimals of values.
 const DECIMALS: u8 = 9;
 
@@ -79,18 +74,8 @@ pub enum Outcome {
 
 /// A session of the debugger on the command line.
 pub struct Console<'f> {
-    /// The run that stepping starts from, in front of the stepped one.
-    main: Run,
-    debugger: Debugger,
-    points: Breakpoints,
-    /// Watches: numbers and expressions, shown at every stop.
-    watches: Vec<(u32, String)>,
-    /// Number of the last watch.
-    watched: u32,
+    session: Session,
     renderer: Renderer<'f>,
-    diagnostics: Vec<Diagnostic>,
-    /// Time and block counts at the last end of the run, to detect that a command changed nothing.
-    over: Option<(f64, Counts)>,
 }
 
 fn value_text(value: Option<f64>, control: &Control) -> String {
@@ -118,35 +103,20 @@ fn change_text(change: &Change, control: &Control) -> String {
 impl<'f> Console<'f> {
     /// A session before the first block of a run; `renderer` knows the files of its program.
     pub fn new(main: Run, renderer: Renderer<'f>) -> Console<'f> {
-        let mut console = Console {
-            debugger: Debugger::new(&main, 0.0, Goal::Into),
-            main,
-            points: Breakpoints::default(),
-            watches: Vec::new(),
-            watched: 0,
-            renderer,
-            diagnostics: Vec::new(),
-            over: None,
-        };
-        console.walk();
-        console
+        Console { session: Session::new(main).0, renderer }
     }
 
     /// Alarms and warnings of the run so far.
     pub fn diagnostics(&self) -> &[Diagnostic] {
-        &self.diagnostics
+        self.session.diagnostics()
     }
 
     fn control(&self) -> &'static Control {
-        self.main.program().control()
+        self.session.control()
     }
 
-    fn dialect(&self) -> &Dialect {
-        self.parsed().dialect()
-    }
-
-    fn parsed(&self) -> &Parsed {
-        self.main.program().parsed()
+    fn debugger(&self) -> &Debugger {
+        self.session.debugger()
     }
 
     /// Carries out a line and returns its answer.
@@ -196,11 +166,11 @@ impl<'f> Console<'f> {
 
     /// The next block and the executing block, with machine time.
     pub fn place(&self) -> String {
-        let levels = self.debugger.levels();
+        let levels = self.debugger().levels();
         let Some(now) = levels.first() else { return String::new() };
         let mut out = self.renderer.excerpt(now.place).unwrap_or_default();
-        out += &format!("  = {}", line(&msg!("console.now", self.level(now), (self.debugger.t(), 4))));
-        if let Some(place) = self.debugger.executing().filter(|place| *place != now.place) {
+        out += &format!("  = {}", line(&msg!("console.now", self.level(now), (self.debugger().t(), 4))));
+        if let Some(place) = self.debugger().executing().filter(|place| *place != now.place) {
             out += &format!("  = {}", line(&msg!("console.executing", self.renderer.block(place))));
         }
         out
@@ -224,26 +194,13 @@ impl<'f> Console<'f> {
     }
 
     fn go(&mut self, goal: Goal) -> String {
-        self.debugger.go(goal);
-        self.walk()
+        let halt = self.session.go(goal);
+        self.halted(&halt)
     }
 
-    /// Steps to the goal.
-    fn reach(&mut self) -> Stop {
-        loop {
-            if let Some(stop) = self.debugger.advance(&mut self.points, f64::INFINITY, SLICE) {
-                return stop;
-            }
-        }
-    }
-
-    /// Steps to the goal and describes the stop.
-    fn walk(&mut self) -> String {
-        let stop = self.reach();
-        let over = matches!(stop, Stop::Ended(_)).then(|| (self.debugger.t(), self.debugger.run().blocks()));
-        let again = over.is_some() && over == self.over;
-        self.over = over;
-        let mut out = match &stop {
+    /// Describes a stop.
+    fn halted(&self, halt: &Halt) -> String {
+        let mut out = match &halt.stop {
             Stop::Reached => String::new(),
             Stop::Breakpoint(number) => line(&msg!("console.breakpoint", *number)),
             Stop::Condition(number, why) => line(&msg!("console.no-condition", *number)) + &self.renderer.text(why),
@@ -252,20 +209,13 @@ impl<'f> Console<'f> {
             Stop::Ended(RunEnd::Alarm(_)) => line(&msg!("console.alarm")),
             Stop::Ended(RunEnd::Blocks | RunEnd::Seconds) => line(&msg!("console.given-up")),
         };
-        if !again {
+        if !halt.again {
             out += &self.changed();
         }
-        let mut said: Vec<Diagnostic> = self.debugger.run().diagnostics().to_vec();
-        if let Stop::Ended(RunEnd::Alarm(alarm)) = &stop {
-            said.push((**alarm).clone());
+        for diagnostic in &halt.found {
+            out += &self.renderer.text(diagnostic);
         }
-        for diagnostic in said {
-            if !self.diagnostics.contains(&diagnostic) {
-                out += &self.renderer.text(&diagnostic);
-                self.diagnostics.push(diagnostic);
-            }
-        }
-        if !matches!(stop, Stop::Ended(RunEnd::Alarm(_))) {
+        if !halt.is_alarm() {
             out += &self.place();
         }
         out + &self.watches()
@@ -273,7 +223,7 @@ impl<'f> Console<'f> {
 
     /// A watch: its expression with its value, or the reason why it has none.
     fn shown(&self, number: u32, text: &str) -> String {
-        let told = match self.debugger.evaluate(text) {
+        let told = match self.debugger().evaluate(text) {
             Ok(value) => format!("{text} = {}", value_text(value, self.control())),
             Err(why) => headed(text, headline(&why)),
         };
@@ -282,11 +232,11 @@ impl<'f> Console<'f> {
 
     fn changed(&self) -> String {
         let mut out = String::new();
-        for change in self.debugger.changes() {
+        for change in self.debugger().changes() {
             out += &format!("  {}\n", change_text(&change, self.control()));
         }
-        let (earlier, newest) = self.debugger.run().given();
-        let names = self.main.program().names();
+        let (earlier, newest) = self.debugger().run().given();
+        let names = self.debugger().run().program().names();
         let newest: Vec<String> =
             newest.map(|canon| format!("  {}", line(&msg!("console.gives", canon.line(names).to_string())))).collect();
         if earlier > 0 {
@@ -297,7 +247,7 @@ impl<'f> Console<'f> {
 
     fn stack(&self) -> String {
         let mut out = String::new();
-        for (at, level) in self.debugger.levels().iter().enumerate() {
+        for (at, level) in self.debugger().levels().iter().enumerate() {
             out += &format!("{at}  {}  {}\n", self.level(level), self.renderer.block(level.place));
             let locals = locals_text(level);
             if !locals.is_empty() {
@@ -308,7 +258,7 @@ impl<'f> Console<'f> {
     }
 
     fn locals(&self) -> String {
-        let levels = self.debugger.levels();
+        let levels = self.debugger().levels();
         // A subprogram shares the local variables of its caller.
         let Some(level) = levels.iter().find(|level| level.entered != Entered::Subprogram) else {
             return String::new();
@@ -323,10 +273,7 @@ impl<'f> Console<'f> {
     }
 
     fn location(&self, text: &str) -> Result<(Location, Place), String> {
-        let here = self.debugger.place().unwrap_or_default();
-        let location = Location::read(text, self.parsed(), here);
-        let found = location.and_then(|location| location.place(self.parsed()).map(|place| (location, place)));
-        found.ok_or_else(|| line(&msg!("console.no-block", text)))
+        self.session.location(text).ok_or_else(|| line(&msg!("console.no-block", text)))
     }
 
     fn set_break(&mut self, rest: &str) -> Result<String, String> {
@@ -336,14 +283,14 @@ impl<'f> Console<'f> {
             None => (rest, ""),
         };
         let (location, at) = self.location(place)?;
-        let added = self.points.add(location, condition, self.main.program().parsed());
+        let added = self.session.set_break(location, condition);
         let number = added.map_err(|why| expression_error(condition.trim(), &why))?;
         Ok(line(&msg!("console.breakpoint-set", number, self.renderer.block(at))))
     }
 
     fn breaks(&self) -> String {
         let mut out = String::new();
-        for point in self.points.list() {
+        for point in self.session.points.list() {
             let condition = if point.condition.is_empty() { String::new() } else { format!(" if {}", point.condition) };
             let block = point.place.map_or_else(String::new, |place| self.renderer.block(place));
             let hits = sentence(&msg!("console.hits", format!("{block}{condition}"), point.hits));
@@ -354,80 +301,61 @@ impl<'f> Console<'f> {
     }
 
     fn switch(&mut self, rest: &str, on: bool) -> Result<String, String> {
-        let point = number(rest).and_then(|number| self.points.get_mut(number));
+        let point = number(rest).and_then(|number| self.session.points.get_mut(number));
         point.ok_or_else(|| no_such(rest, "breaks"))?.on = on;
         Ok(String::new())
     }
 
     fn clear(&mut self, rest: &str) -> Result<String, String> {
-        let before = self.points.list().len();
-        let which = number(rest);
-        self.points.retain(|point| !rest.is_empty() && which != Some(point.number));
-        if self.points.list().len() == before { Err(no_such(rest, "breaks")) } else { Ok(String::new()) }
+        let cleared = chosen(rest).is_some_and(|which| self.session.clear(which));
+        if cleared { Ok(String::new()) } else { Err(no_such(rest, "breaks")) }
     }
 
     fn watch(&mut self, text: &str) -> Result<String, String> {
-        crate::nc::formula(text, self.parsed()).map_err(|why| expression_error(text, &why))?;
-        self.watched += 1;
-        self.watches.push((self.watched, text.to_owned()));
-        Ok(self.shown(self.watched, text))
+        let number = self.session.watch(text).map_err(|why| expression_error(text, &why))?;
+        Ok(self.shown(number, text))
     }
 
     fn watches(&self) -> String {
-        self.watches.iter().map(|(number, text)| self.shown(*number, text)).collect()
+        self.session.watches().map(|(number, text)| self.shown(number, text)).collect()
     }
 
     fn unwatch(&mut self, rest: &str) -> Result<String, String> {
-        let (before, which) = (self.watches.len(), number(rest));
-        self.watches.retain(|(number, _)| !rest.is_empty() && which != Some(*number));
-        if self.watches.len() == before { Err(no_such(rest, "watches")) } else { Ok(String::new()) }
+        let removed = chosen(rest).is_some_and(|which| self.session.unwatch(which));
+        if removed { Ok(String::new()) } else { Err(no_such(rest, "watches")) }
     }
 
     fn print(&self, text: &str) -> Result<String, String> {
-        match self.debugger.evaluate(text) {
+        match self.debugger().evaluate(text) {
             Ok(value) => Ok(format!("{text} = {}\n", value_text(value, self.control()))),
             Err(why) => Err(expression_error(text, &why)),
         }
     }
 
     fn back(&mut self) -> Result<String, String> {
-        while self.main.timeline().end() < self.debugger.t() {
-            if self.main.advance(self.debugger.t(), SLICE).ended.is_some() {
-                break;
-            }
-        }
-        drop(self.main.take_log());
-        if self.debugger.back(&self.main) { Ok(self.walk()) } else { Err(line(&msg!("console.no-block-before"))) }
+        let halt = self.session.back().ok_or_else(|| line(&msg!("console.no-block-before")))?;
+        Ok(self.halted(&halt))
     }
 
     fn set(&mut self, rest: &str) -> Result<String, String> {
-        let action = Setting::read(rest).and_then(|setting| setting.action(self.control(), self.dialect()));
-        let Some(action) = action else {
-            return Err(line(&msg!("console.set")));
-        };
-        let event = Event { t: self.debugger.t(), action };
-        for event in io_names::panel(&Panel::new([event]), self.control(), self.dialect()).events() {
-            self.act(event.clone());
-        }
-        self.reach();
-        Ok(String::new())
+        let is_set = Setting::read(rest).is_some_and(|setting| self.session.set(&setting));
+        if is_set { Ok(String::new()) } else { Err(line(&msg!("console.set"))) }
     }
 
     /// Applies an operator's action now, and runs on.
     fn press(&mut self, action: Action) -> String {
-        self.act(Event { t: self.debugger.t(), action });
-        self.walk()
-    }
-
-    /// Applies an operator's action to both runs.
-    fn act(&mut self, event: Event) {
-        self.main.event(event.clone());
-        self.debugger.act(event);
+        let halt = self.session.press(action);
+        self.halted(&halt)
     }
 }
 
 fn number(text: &str) -> Option<u32> {
     text.parse().ok()
+}
+
+/// The number that a command names; all of them where it names none, nothing where it is no number.
+fn chosen(text: &str) -> Option<Option<u32>> {
+    if text.is_empty() { Some(None) } else { number(text).map(Some) }
 }
 
 fn no_such(number: &str, list: &str) -> String {

@@ -5,6 +5,8 @@ use crate::controls::{self, Control};
 use crate::machines::examples::{Example, Fault};
 use crate::machines::form::Values;
 use crate::machines::{self, AnyMachine};
+use crate::msg;
+use crate::text::{Message, listed};
 use crate::view::{Readout, Verdict};
 
 /// What a name is of.
@@ -25,6 +27,18 @@ pub struct Unknown {
     pub kind: NameKind,
     /// The names that there are.
     pub known: Vec<&'static str>,
+}
+
+impl Unknown {
+    /// What was asked for in vain, and what there is.
+    pub fn message(&self, machine: &str, control: Option<&str>, example: Option<&str>) -> Message {
+        let known = listed(&self.known);
+        match self.kind {
+            NameKind::Machine => msg!("request.no-machine", machine, known),
+            NameKind::Control => msg!("request.wrong-control", machine, control.unwrap_or_default(), known),
+            NameKind::Example => msg!("request.no-example", machine, example.unwrap_or_default(), known),
+        }
+    }
 }
 
 impl Project {

@@ -4,6 +4,8 @@ mod json;
 
 mod findings;
 
+pub mod file_findings;
+
 pub mod parts;
 
 pub mod saved;
@@ -43,6 +45,16 @@ mod report;
 pub mod render;
 
 pub mod suppress;
+
+pub mod request;
+
+pub mod run_request;
+
+pub mod session;
+
+pub mod answers;
+
+pub mod package;
 
 pub mod list;
 

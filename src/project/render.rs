@@ -134,6 +134,13 @@ impl<'f> Renderer<'f> {
         format!("{file}:{line}: {}", terminal(&Shown::new(text, 0, 0).text))
     }
 
+    /// File, line, column and bytes of a place as an object.
+    pub fn block_json(&self, place: Place) -> Option<Json> {
+        let (file, line, column) = self.position(place)?;
+        let text = self.files.get(place.file).map_or("", |file| place.span.of(&file.text));
+        Some(json!({ "file": file, "line": line, "column": column, "text": text }))
+    }
+
     /// The diagnostic as an object with severity, alarm, its wording, id, message, file, line, column, field, hints and fixes, each a
     /// title and its edits; what does not apply is null. An edit replaces the bytes of a file from start to end, counted in the file.
     pub fn json(&self, diagnostic: &Diagnostic) -> Json {

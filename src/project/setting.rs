@@ -17,7 +17,11 @@ impl Setting {
     /// Reads `#107=8`; `None` where it is no setting.
     pub fn read(text: &str) -> Option<Setting> {
         let (name, value) = text.split_once('=')?;
-        let value: f64 = value.trim().parse().ok()?;
+        Setting::new(name, value.trim().parse().ok()?)
+    }
+
+    /// A variable or an input by its name; `None` where it has none, or its value is no number.
+    pub fn new(name: &str, value: f64) -> Option<Setting> {
         let name = name.trim().to_ascii_uppercase();
         (value.is_finite() && !name.is_empty()).then_some(Setting { name, value })
     }

@@ -21,7 +21,8 @@ const installed = (command) => execFileSync('sh', ['-c', `command -v ${command}`
 export const FIREFOX = process.env.BROWSER === 'firefox';
 const FOLDER = FIREFOX && mkdtempSync(join(tmpdir(), 'macroline-'));
 
-function launch(args) {
+// Starts the browser.
+export function launch(args = []) {
   if (FIREFOX) {
     const firefoxUserPrefs = { 'ui.prefersReducedMotion': 1 };
     return firefox.launch({ channel: 'moz-firefox', executablePath: installed('firefox-esr'), downloadsPath: FOLDER, firefoxUserPrefs });

@@ -16,6 +16,7 @@ mod language;
 mod machines;
 mod meaning;
 mod numbers;
+mod package;
 mod papers;
 mod parts;
 mod physics;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use macroline::project::chance;
+use macroline::project::run_request::BUDGET;
 
 /// Sizes special CNC machines, writes their macro programs and runs that very text.
 #[derive(Parser)]
@@ -178,10 +179,10 @@ pub(crate) struct RunArgs {
     #[arg(long)]
     pub(crate) plant: Option<PathBuf>,
     /// Ends the run after so many blocks
-    #[arg(long, default_value_t = 10_000_000)]
+    #[arg(long, default_value_t = BUDGET.blocks)]
     pub(crate) blocks: u64,
     /// Ends the run after so many seconds of machine time
-    #[arg(long, default_value_t = 3600.0)]
+    #[arg(long, default_value_t = BUDGET.seconds)]
     pub(crate) seconds: f64,
     /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
     #[arg(long, value_name = "ID")]

@@ -2,35 +2,26 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::rc::Rc;
 
-use macroline::controls::Switches;
+use macroline::controls::Control;
 use macroline::machines;
 use macroline::msg;
-use macroline::nc;
 use macroline::project::chance::chance;
-use macroline::project::check::review;
-use macroline::project::examples::NameKind;
-use macroline::project::export::ExportOptions;
+use macroline::project::file_findings::list_json;
 use macroline::project::help::texts::Texts;
 use macroline::project::help::{Help, explain, pages};
 use macroline::project::render::summary;
 use macroline::project::run::AtStop;
 use macroline::project::size::tell::sheet_text;
-use macroline::project::suppress::silence;
-use macroline::project::{Project, drawing, list, origins, parts, size, variants};
+use macroline::project::{Project, answers, drawing, list, origins, parts, request, variants};
 use macroline::text::catalog::{self, words};
-use macroline::text::{Diagnostic, listed};
 use macroline::view::Theme;
 use macroline::view::svg::picture;
-use serde_json::json;
 
 use crate::args::{Command, Format};
-use crate::findings::{Findings, Sources, list_json};
 use crate::input;
 use crate::language::{self, failed};
-use crate::output::{self, Failure, print, print_json, refuse, say, tell, tell_as, verdict};
-use crate::requested::{control, known, only_project, switched, tell_silenced};
+use crate::output::{self, Failure, print, print_json, refuse, refused, say, tell, tell_as, tell_silenced, verdict};
 use crate::{export, run};
 
 pub(crate) fn main() -> ExitCode {
@@ -65,8 +56,13 @@ pub(crate) fn main() -> ExitCode {
     })
 }
 
+/// The control that is asked for.
+fn control(id: Option<&str>) -> Result<Option<&'static Control>, Failure> {
+    id.map(request::control).transpose().map_err(|message| Failure::usage(&message))
+}
+
 fn parts(table: Option<&Path>, id: Option<&str>, into: Option<&Path>, json: bool) -> Result<(), Failure> {
-    let control = id.map(control).transpose()?;
+    let control = control(id)?;
     let (read, mut all) = match table {
         Some(path) => {
             let (parts, file) = input::parts(path)?;
@@ -92,14 +88,8 @@ fn parts(table: Option<&Path>, id: Option<&str>, into: Option<&Path>, json: bool
 }
 
 fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<(), Failure> {
-    let project = Project::named(machine, control, example).map_err(|unknown| {
-        let known = listed(unknown.known);
-        Failure::usage(&match unknown.kind {
-            NameKind::Machine => msg!("cli.no-machine", machine, known),
-            NameKind::Control => msg!("cli.wrong-control", machine, control.unwrap_or_default(), known),
-            NameKind::Example => msg!("cli.no-example", machine, example.unwrap_or_default(), known),
-        })
-    })?;
+    let made = Project::named(machine, control, example);
+    let project = made.map_err(|unknown| Failure::usage(&unknown.message(machine, control, example)))?;
     output::print_data(&project.to_json())?;
     say(&origins::faults_text(&project))
 }
@@ -107,17 +97,12 @@ fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<()
 fn design(path: &Path, json: bool) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], json)) };
-    let design = project.design();
-    let all = [file, Findings { sources: Sources::default(), list: design.diagnostics.clone() }];
+    let (told, all) = answers::design(&project, file);
     if json {
-        let readouts = list::readouts_json(&design.readouts);
-        let mut told = origins::json(&project);
-        told["readouts"] = readouts;
-        told["diagnostics"] = list_json(&all);
         print_json(&told)?;
     } else {
-        let values = origins::text(&project);
-        print(&(origins::faults_text(&project) + &list::readouts_text(&design.readouts) + &values))?;
+        let readouts = list::readouts_text(&project.design().readouts);
+        print(&(origins::faults_text(&project) + &readouts + &origins::text(&project)))?;
         tell(&all)?;
     }
     verdict(&all)
@@ -126,20 +111,10 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
 fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], json)) };
-    let written = project.written();
-    let sizing = size::size(&project, &written);
+    let (sizing, all) = answers::sized(&project, file);
     let chance = (draws > 0).then(|| chance(&project, draws, seed));
-    let list = written.diagnostics.into_iter().chain(sizing.findings()).collect();
-    let all = [file, Findings { sources: Sources::written(written.files), list }];
     if json {
-        let mut told = sizing.json();
-        told["chance"] = json!(chance.as_ref().map(|chance| {
-            let fails = |row: &(&str, &str, u32)| json!({ "result": row.0, "draws": row.2 });
-            let fails: Vec<_> = chance.failing.iter().map(fails).collect();
-            json!({ "draws": chance.draws, "seed": seed, "facts": chance.facts, "probability": chance.probability(), "fails": fails })
-        }));
-        told["diagnostics"] = list_json(&all);
-        print_json(&told)?;
+        print_json(&answers::sizing(&sizing, chance.as_ref(), &all))?;
     } else {
         print(&(sizing.text() + &chance.map_or(String::new(), |chance| sheet_text(&chance.sheet(), usize::MAX))))?;
         tell(&all)?;
@@ -176,11 +151,7 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
 fn export(path: &Path, folder: &Path, date: &str) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
-    let written = project.written();
-    let (advice, sizing) = (project.advice(&written), size::size(&project, &written));
-    let options = ExportOptions { advice: &advice, date, sizing: Some(&sizing) };
-    let export = project.export_with(&written, &options);
-    let all = [file, Findings { sources: Sources::written(export.about), list: export.diagnostics }];
+    let (export, all) = answers::exported(&project, date, file);
     tell(&all)?;
     verdict(&all)?;
     export::write(folder, &export.files).map_err(Failure::Outside)?;
@@ -196,10 +167,10 @@ fn explain(word: &str, path: Option<&Path>, id: Option<&str>, json: bool) -> Res
             project
         }
         (None, id) => {
-            let control = id.map(control).transpose()?;
+            let control = control(id)?;
             let machine = control.map_or_else(|| machines::ALL.first().copied(), pages::machine_on);
             let project = machine.and_then(|machine| Project::of(machine.id(), control.map(|control| control.id)));
-            project.ok_or_else(|| Failure::usage(&msg!("cli.no-control", id.unwrap_or_default(), "")))?
+            project.ok_or_else(|| Failure::usage(&msg!("request.no-control", id.unwrap_or_default(), "")))?
         }
     };
     let help = Help::new(project.machine, project.control, &Texts::shipped(catalog::spoken()));
@@ -224,45 +195,20 @@ fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {
 
 fn check(
     paths: &[PathBuf],
-    id: Option<&str>,
-    settings: &[String],
+    control: Option<&str>,
+    switches: &[String],
     silenced: &[String],
     format: Format,
 ) -> Result<(), Failure> {
-    let mut silenced = known(silenced)?;
-    let mut all = Vec::new();
-    match id {
-        Some(id) => {
-            let control = control(id)?;
-            let switches = switched(Switches::default(), settings, control)?;
-            let mut programs = input::programs(paths, format)?;
-            let parsed = Rc::new(nc::parse_with(&programs.sources.files, control, &switches));
-            programs.list.extend(review(&parsed, None, &[]));
-            all.push(programs);
-        }
-        None => {
-            let path = only_project(paths)?;
-            let (project, mut file) = input::project(path)?;
-            file.sources.name_paths(paths, format);
-            let Some(mut project) = project else { return Err(refuse(&[file], format)) };
-            project.switches = switched(project.switches, settings, project.control)?;
-            // Those about the form stand in the file of the project.
-            file.list.extend(project.design().diagnostics);
-            let written = project.written();
-            let mut list = project.advice(&written);
-            list.extend(written.diagnostics);
-            Diagnostic::in_order(&mut list);
-            silenced.extend(project.silenced);
-            all.extend([file, Findings { sources: Sources::written(written.files), list }]);
-        }
-    }
-    let count = all.iter_mut().map(|findings| silence(&mut findings.list, &silenced)).sum();
-    tell_as(format, &all)?;
+    let choices = input::choices(switches, silenced)?;
+    let subject = input::subject(paths, control, format)?;
+    let checked = request::check(subject, &choices).map_err(|why| refused(why, format))?;
+    tell_as(format, &checked.findings)?;
     if format == Format::Text {
-        if all.iter().all(|findings| findings.list.is_empty()) {
+        if checked.findings.iter().all(|findings| findings.list.is_empty()) {
             say(&(summary(&[]) + "\n"))?;
         }
-        tell_silenced(count)?;
+        tell_silenced(checked.silenced)?;
     }
-    verdict(&all)
+    verdict(&checked.findings)
 }

@@ -8,11 +8,12 @@ use macroline::motion::Panel;
 use macroline::msg;
 use macroline::nc::{File, Files};
 use macroline::project::decode::{Decoded, Encoding};
+use macroline::project::file_findings::{FileFindings, FileRead, Sources};
+use macroline::project::request::{self, Choices, ProgramSource};
 use macroline::project::{Project, parts, saved};
 use macroline::text::{Diagnostic, FileId, Place, Span};
 
 use crate::args::Format;
-use crate::findings::{Findings, Sources};
 use crate::language::failed;
 use crate::output::{Failure, refuse};
 
@@ -29,7 +30,7 @@ fn name(path: &Path) -> String {
 }
 
 /// A file of text in UTF-8 or UTF-16, read by a function that returns its findings.
-fn json<T>(path: &Path, from: impl Fn(&str) -> (Option<T>, Vec<Diagnostic>)) -> Result<(Option<T>, Findings), Failure> {
+fn json<T>(path: &Path, from: impl Fn(&str) -> (Option<T>, Vec<Diagnostic>)) -> Result<FileRead<T>, Failure> {
     let decoded = read(path)?;
     let (made, list) = if let Some(other) = &decoded.other {
         let place = Place { file: FileId::default(), span: Span::at(0) };
@@ -43,11 +44,11 @@ fn json<T>(path: &Path, from: impl Fn(&str) -> (Option<T>, Vec<Diagnostic>)) -> 
         from(&decoded.text)
     };
     let files = Files::one(name(path), decoded.text.as_str());
-    Ok((made, Findings { sources: Sources { files, names: Vec::new(), read: vec![decoded] }, list }))
+    Ok((made, FileFindings { sources: Sources { files, names: Vec::new(), read: vec![decoded] }, list }))
 }
 
 /// A project file; no project where its findings say why.
-pub(crate) fn project(path: &Path) -> Result<(Option<Project>, Findings), Failure> {
+pub(crate) fn project(path: &Path) -> Result<FileRead<Project>, Failure> {
     json(path, |text| {
         let loaded = Project::from_json(text);
         (loaded.project, loaded.diagnostics)
@@ -55,7 +56,7 @@ pub(crate) fn project(path: &Path) -> Result<(Option<Project>, Findings), Failur
 }
 
 /// A table of parts.
-pub(crate) fn parts(path: &Path) -> Result<(Vec<Part>, Findings), Failure> {
+pub(crate) fn parts(path: &Path) -> Result<(Vec<Part>, FileFindings), Failure> {
     let name = name(path);
     let (read, findings) = json(path, |text| {
         let (parts, found) = parts::read(text, &name);
@@ -65,21 +66,61 @@ pub(crate) fn parts(path: &Path) -> Result<(Vec<Part>, Findings), Failure> {
 }
 
 /// A panel file.
-pub(crate) fn panel(path: &Path) -> Result<(Panel, Findings), Failure> {
-    let (panel, findings) = json(path, |text| {
+pub(crate) fn panel(path: &Path) -> Result<FileRead<Panel>, Failure> {
+    json(path, |text| {
         let (panel, found) = saved::panel_from_json(text);
         (Some(panel), found)
-    })?;
-    Ok((panel.unwrap_or_default(), findings))
+    })
+}
+
+/// What is checked or run: programs for a control, or else one project.
+pub(crate) fn subject(
+    paths: &[PathBuf],
+    control: Option<&str>,
+    format: impl Into<Format>,
+) -> Result<ProgramSource, Failure> {
+    let format = format.into();
+    match control {
+        Some(id) => {
+            let control = request::control(id).map_err(|message| Failure::usage(&message))?;
+            Ok(ProgramSource::Programs(control, programs(paths, format)?))
+        }
+        None => {
+            let (read, mut file) = project(only_project(paths)?)?;
+            name_paths(&mut file.sources, paths, format);
+            Ok(ProgramSource::Project((read, file)))
+        }
+    }
+}
+
+/// Names files by their paths where others look for them: in SARIF.
+fn name_paths(sources: &mut Sources, paths: &[PathBuf], format: Format) {
+    if format == Format::Sarif {
+        sources.names = paths.iter().map(|path| path.to_string_lossy().into_owned()).collect();
+    }
+}
+
+/// The project file among arguments that name no control.
+fn only_project(paths: &[PathBuf]) -> Result<&Path, Failure> {
+    match paths {
+        [path] if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) => Ok(path),
+        _ => Err(Failure::usage(&msg!("cli.needs-control"))),
+    }
+}
+
+/// Switches, `ID=VALUE` each, and ids of warnings that are left out.
+pub(crate) fn choices(switches: &[String], silenced: &[String]) -> Result<Choices, Failure> {
+    let switch = |text: &String| {
+        let (id, value) = text.split_once('=').ok_or_else(|| Failure::usage(&msg!("cli.switch", text.as_str())))?;
+        Ok((id.to_owned(), value.to_owned()))
+    };
+    let switches = switches.iter().map(switch).collect::<Result<_, Failure>>()?;
+    Ok(Choices { switches, silenced: silenced.to_vec() })
 }
 
 /// Program files, and an error for each that no control reads as it is; a file that is no text is refused.
-pub(crate) fn programs(paths: &[PathBuf], format: impl Into<Format>) -> Result<Findings, Failure> {
-    let format = format.into();
-    let most = usize::from(u16::MAX);
-    if paths.len() > most {
-        return Err(Failure::usage(&msg!("cli.too-many-files", paths.len() as u32, most as u32)));
-    }
+fn programs(paths: &[PathBuf], format: Format) -> Result<FileFindings, Failure> {
+    request::few_files(paths.len()).map_err(|message| Failure::usage(&message))?;
     let (mut files, mut decoded, mut list, mut other) = (Vec::new(), Vec::new(), Vec::new(), false);
     for (path, id) in paths.iter().zip(0..) {
         let file = read(path)?;
@@ -94,8 +135,8 @@ pub(crate) fn programs(paths: &[PathBuf], format: impl Into<Format>) -> Result<F
         decoded.push(file);
     }
     let mut sources = Sources { files: Files(files), names: told_apart(paths), read: decoded };
-    sources.name_paths(paths, format);
-    let findings = Findings { sources, list };
+    name_paths(&mut sources, paths, format);
+    let findings = FileFindings { sources, list };
     if other { Err(refuse(&[findings], format)) } else { Ok(findings) }
 }
 

@@ -3,9 +3,6 @@
 //! Exit status: 0, 1 when there is an error, 2 for wrong usage. Diagnostics go to standard error as text, or into the JSON.
 
 #[cfg(not(target_arch = "wasm32"))]
-mod findings;
-
-#[cfg(not(target_arch = "wasm32"))]
 mod output;
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -16,9 +13,6 @@ mod args;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod language;
-
-#[cfg(not(target_arch = "wasm32"))]
-mod requested;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod export;

@@ -3,14 +3,16 @@
 use std::io::{self, BufWriter, StdoutLock, Write};
 use std::process::ExitCode;
 
+use macroline::msg;
+use macroline::project::file_findings::{FileFindings, has_errors, list_json, list_sarif};
 use macroline::project::render::summary;
+use macroline::project::request::Refused;
 use macroline::text::Message;
 use macroline::text::catalog::sentence;
 use macroline::text::escape::terminal;
 use serde_json::{Value as Json, json};
 
 use crate::args::Format;
-use crate::findings::{Findings, has_errors, list_json, list_sarif};
 
 /// Why a command ends before its end.
 pub(crate) enum Failure {
@@ -102,12 +104,12 @@ pub(crate) fn print_json(json: &Json) -> Result<(), Failure> {
 }
 
 /// Fails where there is an error.
-pub(crate) fn verdict(all: &[Findings]) -> Result<(), Failure> {
+pub(crate) fn verdict(all: &[FileFindings]) -> Result<(), Failure> {
     if has_errors(all) { Err(Failure::Told) } else { Ok(()) }
 }
 
 /// Prints diagnostics and their number to standard error; nothing where there are none.
-pub(crate) fn tell(all: &[Findings]) -> Result<(), Failure> {
+pub(crate) fn tell(all: &[FileFindings]) -> Result<(), Failure> {
     let mut list = Vec::new();
     for findings in all.iter().filter(|findings| !findings.list.is_empty()) {
         let renderer = findings.sources.renderer();
@@ -120,7 +122,7 @@ pub(crate) fn tell(all: &[Findings]) -> Result<(), Failure> {
 }
 
 /// Prints diagnostics.
-pub(crate) fn tell_as(format: Format, all: &[Findings]) -> Result<(), Failure> {
+pub(crate) fn tell_as(format: Format, all: &[FileFindings]) -> Result<(), Failure> {
     match format {
         Format::Text => tell(all),
         Format::Json => print_json(&json!({ "diagnostics": list_json(all) })),
@@ -129,8 +131,21 @@ pub(crate) fn tell_as(format: Format, all: &[Findings]) -> Result<(), Failure> {
 }
 
 /// Prints the errors that keep a command from doing anything.
-pub(crate) fn refuse(all: &[Findings], format: impl Into<Format>) -> Failure {
+pub(crate) fn refuse(all: &[FileFindings], format: impl Into<Format>) -> Failure {
     tell_as(format.into(), all).err().unwrap_or(Failure::Told)
+}
+
+/// Prints why a request is not carried out.
+pub(crate) fn refused(why: Refused, format: impl Into<Format>) -> Failure {
+    match why {
+        Refused::Choice(message) => Failure::usage(&message),
+        Refused::Files(all) => refuse(&all, format),
+    }
+}
+
+/// Prints the number of warnings that were left out.
+pub(crate) fn tell_silenced(count: usize) -> Result<(), Failure> {
+    if count > 0 { say(&(sentence(&msg!("cli.silenced", count as u32)) + "\n")) } else { Ok(()) }
 }
 
 /// Prints a text that is JSON already.

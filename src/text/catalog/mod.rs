@@ -47,7 +47,7 @@ impl Language {
     }
 
     /// Its file. The page carries none: it loads the one that it needs.
-    #[cfg(any(not(feature = "web"), test))]
+    #[cfg(any(not(feature = "web"), feature = "package", test))]
     pub fn sentences(self) -> &'static str {
         match self {
             Language::English => include_str!("en.properties"),

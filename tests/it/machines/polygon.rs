@@ -90,9 +90,11 @@ fn exported_programs_match_their_goldens() {
         ("star", &STAR),
     ];
     for (name, changes) in cases {
-        for file in project(changes).written().files.0 {
-            expect_file![folder.join(name).join(&file.name)].assert_eq(&file.text);
+        let (project, folder) = (project(changes), folder.join(name));
+        for file in project.written().files.0 {
+            expect_file![folder.join(&file.name)].assert_eq(&file.text);
         }
+        expect_file![folder.join("project.json")].assert_eq(&project.to_json());
     }
 }
 

@@ -15,6 +15,7 @@ use macroline::machines::{ControlContext, MachineProgram, settings};
 use macroline::math::{self, PI, hypot};
 use macroline::motion::{Action, Budget, Event, Mode, Panel, Planner, Retention, RunEnd, Setup};
 use macroline::nc::{self, Emitted, Parsed};
+use macroline::project::Project;
 use macroline::project::check::review;
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
@@ -159,11 +160,15 @@ const CASES: &[Case] = &[
 fn programs_match_their_goldens() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/machines/ribbon-line");
     for (id, name, changes) in CASES {
-        let on = at_defaults(macroline::controls::find(id).unwrap());
-        let (_, parsed) = parsed(on, &values(changes));
-        for file in &parsed.files().0 {
-            expect_file![folder.join(id).join(name).join(&file.name)].assert_eq(&file.text);
+        let mut project = Project::of_form(machine(), macroline::controls::find(id).unwrap());
+        // Every field, for a file gets the control's own values where it has none.
+        project.values = machine().fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
+        project.values.extend(values(changes));
+        let folder = folder.join(id).join(name);
+        for file in project.written().files.0 {
+            expect_file![folder.join(&file.name)].assert_eq(&file.text);
         }
+        expect_file![folder.join("project.json")].assert_eq(&project.to_json());
     }
 }
 

@@ -160,9 +160,11 @@ fn exported_programs_match_their_goldens() {
         ("mitsubishi-e60", "turning", &[("path", "turning")]),
     ];
     for (control, name, changes) in cases {
-        for file in project(control, changes).written().files.0 {
-            expect_file![folder.join(control).join(name).join(&file.name)].assert_eq(&file.text);
+        let (project, folder) = (project(control, changes), folder.join(control).join(name));
+        for file in project.written().files.0 {
+            expect_file![folder.join(&file.name)].assert_eq(&file.text);
         }
+        expect_file![folder.join("project.json")].assert_eq(&project.to_json());
     }
 }
 

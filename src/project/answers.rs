@@ -1,0 +1,46 @@
+//! Answers to requests as objects, as both the command line and the package give them.
+
+use serde_json::{Value as Json, json};
+
+use super::chance::Chance;
+use super::export::{Export, ExportOptions};
+use super::file_findings::{FileFindings, Sources, list_json};
+use super::size::{Sizing, size};
+use super::{Project, list, origins};
+
+/// Results of a project with limits and verdicts, origins of its values and diagnostics; `file` has those about its file.
+pub fn design(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>) {
+    let design = project.design();
+    let mut told = origins::json(project);
+    told["readouts"] = list::readouts_json(&design.readouts);
+    let all = vec![file, FileFindings { sources: Sources::default(), list: design.diagnostics }];
+    told["diagnostics"] = list_json(&all);
+    (told, all)
+}
+
+/// A sizing with its diagnostics, and how often every verdict holds, where that was asked.
+pub fn sizing(sizing: &Sizing, chance: Option<&Chance>, all: &[FileFindings]) -> Json {
+    let mut told = sizing.json();
+    told["chance"] = json!(chance.map(Chance::json));
+    told["diagnostics"] = list_json(all);
+    told
+}
+
+/// A project sized by runs of its program; `file` has the diagnostics about its file.
+pub fn sized(project: &Project, file: FileFindings) -> (Sizing, Vec<FileFindings>) {
+    let written = project.written();
+    let sizing = size(project, &written);
+    let list = written.diagnostics.into_iter().chain(sizing.findings()).collect();
+    (sizing, vec![file, FileFindings { sources: Sources::written(written.files), list }])
+}
+
+/// The files for the machine, with the documents of a sizing; `date` is that of the title block.
+pub fn exported(project: &Project, date: &str, file: FileFindings) -> (Export, Vec<FileFindings>) {
+    let written = project.written();
+    let (advice, sizing) = (project.advice(&written), size(project, &written));
+    let options = ExportOptions { advice: &advice, date, sizing: Some(&sizing) };
+    let mut export = project.export_with(&written, &options);
+    let (files, list) = (core::mem::take(&mut export.about), core::mem::take(&mut export.diagnostics));
+    let all = vec![file, FileFindings { sources: Sources::written(files), list }];
+    (export, all)
+}

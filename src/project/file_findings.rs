@@ -1,0 +1,66 @@
+//! Diagnostics together with the files that they are about, for the shells that print them.
+
+use serde_json::Value as Json;
+
+use super::decode::Decoded;
+use super::render::{Renderer, sarif};
+use crate::nc::Files;
+use crate::text::{Diagnostic, Severity};
+
+/// Files that diagnostics are about.
+#[derive(Default)]
+pub struct Sources {
+    /// The files.
+    pub files: Files,
+    /// Names that distinguish them; empty where the files' own names do.
+    pub names: Vec<String>,
+    /// The files as they were read from a disk; empty where they were not.
+    pub read: Vec<Decoded>,
+}
+
+impl Sources {
+    /// Files that were not read but written or handed in as text.
+    pub fn written(files: Files) -> Sources {
+        Sources { files, ..Sources::default() }
+    }
+
+    /// What writes diagnostics about them.
+    pub fn renderer(&self) -> Renderer<'_> {
+        Renderer::about(&self.files, &self.names, &self.read)
+    }
+}
+
+/// Diagnostics and the files that they are about.
+#[derive(Default)]
+pub struct FileFindings {
+    /// The files.
+    pub sources: Sources,
+    /// The diagnostics.
+    pub list: Vec<Diagnostic>,
+}
+
+/// What was read of a file, nothing where its findings say why.
+pub type FileRead<T> = (Option<T>, FileFindings);
+
+/// Whether there is an error.
+pub fn has_errors(all: &[FileFindings]) -> bool {
+    all.iter().flat_map(|findings| &findings.list).any(|finding| finding.severity == Severity::Error)
+}
+
+/// Diagnostics as a list.
+pub fn list_json(all: &[FileFindings]) -> Json {
+    each(all, |renderer, finding| renderer.json(finding)).into()
+}
+
+/// Diagnostics as a log of SARIF.
+pub fn list_sarif(all: &[FileFindings]) -> Json {
+    sarif::log(each(all, |renderer, finding| renderer.sarif(finding)))
+}
+
+fn each(all: &[FileFindings], written: impl Fn(&Renderer, &Diagnostic) -> Json) -> Vec<Json> {
+    let list = |findings: &FileFindings| {
+        let renderer: Renderer = findings.sources.renderer();
+        findings.list.iter().map(|finding| written(&renderer, finding)).collect::<Vec<_>>()
+    };
+    all.iter().flat_map(list).collect()
+}

@@ -1,0 +1,58 @@
+//! Why a request of the package is not carried out, as its answer.
+
+use serde_json::{Value as Json, json};
+
+use crate::msg;
+use crate::project::file_findings::list_json;
+use crate::project::request::Refused;
+use crate::text::catalog::sentence;
+use crate::text::{Message, Severity};
+
+/// Characters of a request at most.
+pub const MAX_REQUEST: u32 = 64 << 20;
+
+/// Why a request does not come to this door at all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unasked {
+    /// There is no such language; its code.
+    Language,
+    /// It cannot be written as JSON.
+    Unreadable,
+    /// It has more than [`MAX_REQUEST`] characters.
+    TooLarge,
+    /// The session was freed before.
+    Freed,
+    /// The module failed.
+    Broken,
+}
+
+impl Unasked {
+    /// The answer; `text` is what was asked for, where the sentence names it.
+    pub fn answer(self, text: &str) -> String {
+        let message = match self {
+            Unasked::Language => msg!("request.no-language", text, "en, zh"),
+            Unasked::Unreadable => msg!("request.unreadable"),
+            Unasked::TooLarge => msg!("request.too-large", MAX_REQUEST >> 20),
+            Unasked::Freed => msg!("request.freed"),
+            Unasked::Broken => msg!("request.broken", text),
+        };
+        error(&message).to_string()
+    }
+}
+
+/// An answer that is an error in words.
+pub(super) fn error(message: &Message) -> Json {
+    json!({ "error": sentence(message), "diagnostics": [] })
+}
+
+/// Why a request is not carried out: the first error of the files, with all their diagnostics.
+pub(super) fn refused(why: &Refused) -> Json {
+    match why {
+        Refused::Choice(message) => error(message),
+        Refused::Files(all) => {
+            let mut list = all.iter().flat_map(|findings| &findings.list);
+            let first = list.find(|finding| finding.severity == Severity::Error).map(|finding| &finding.message);
+            json!({ "error": first.map(sentence), "diagnostics": list_json(all) })
+        }
+    }
+}
