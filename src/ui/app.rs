@@ -13,6 +13,7 @@ use super::files::{
 };
 use super::form::Form;
 use super::form::field_help::FieldHelp;
+use super::help::tour::Tour;
 use super::help::{HelpDialog, keys};
 use super::machine::operator_panel::OperatorPanel;
 use super::machine::{CompareDialog, Machine};
@@ -95,6 +96,7 @@ fn Screen() -> impl IntoView {
             <HelpDialog />
             <ProjectsDialog />
             <CompareDialog />
+            <Tour />
             <LargeFileDialog />
         </Later>
         <div class="hidden" role="status">{page.notices.said}</div>

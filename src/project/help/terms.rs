@@ -15,7 +15,7 @@ pub(super) fn page(control: &'static Control, texts: &Texts) -> Page {
     for line in texts.glossary.lines() {
         if let Some(heading) = line.strip_prefix("## ") {
             let (english, other) = heading.split_once(" · ").unwrap_or((heading, heading));
-            sections.push(HelpSection::new(slug(english), if chinese { other } else { english }));
+            sections.push(HelpSection::new(format!("terms-{}", slug(english)), if chinese { other } else { english }));
         }
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
         let ["", english, term, _, _, ""] = cells.as_slice() else { continue };

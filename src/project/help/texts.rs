@@ -34,9 +34,9 @@ impl Texts {
         Texts { manual, glossary: include_str!("../../../docs/glossary.md") }
     }
 
-    /// Name of a language's manual among the files of the page.
-    pub fn file(language: Language) -> String {
-        format!("help-{}.properties", language.code())
+    /// Names of the files of a language among those of the page: manual and glossary.
+    pub fn files(language: Language) -> (String, &'static str) {
+        (format!("help-{}.properties", language.code()), "glossary.md")
     }
 
     /// The words of a key that is there; the key itself where the file lacks it.

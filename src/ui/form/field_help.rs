@@ -81,6 +81,11 @@ fn Content(
             <dd>{default_text}</dd>
         </dl>
         {info.fact.then(|| view! { <Origin id=id /> })}
+        <p>
+            <button type="button" class="link" on:click=move |_| page.view.explain(format!("field.{id}"))>
+                {t("help.more")}
+            </button>
+        </p>
         <button type="button" disabled=move || !changed() on:click=reset>{t("page.reset-field")}</button>
     }
 }

@@ -37,6 +37,11 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let tag = target.as_ref().map(Element::tag_name).unwrap_or_default();
     let dialog = document().query_selector("dialog[open]").ok().flatten().is_some();
+    // The key that every program has for its help, in text fields too.
+    if !dialog && event.key() == "F1" {
+        page.view.helping.set(true);
+        return true;
+    }
     if dialog || target.as_ref().is_some_and(dom::takes_text) || event.alt_key() {
         return false;
     }
@@ -60,7 +65,7 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
         "," => player.step(false),
         "." => player.step(true),
         "Home" if tag != "INPUT" => player.seek(0.0),
-        "?" => page.view.helping.set(true),
+        "?" | "/" => page.view.helping.set(true),
         key => return stepping::press(page, key),
     }
     true
@@ -90,6 +95,10 @@ mod tests {
         page.player.seek(1.0);
         assert!(press(page, &key("Home")) && page.player.head() == 0.0);
         assert!(press(page, &key("?")) && page.view.helping.get_untracked());
+        for help in ["/", "F1"] {
+            page.view.helping.set(false);
+            assert!(press(page, &key(help)) && page.view.helping.get_untracked(), "{help}");
+        }
         assert!(!press(page, &key("q")));
         page.player.playing.set(false);
         crate::ui::testing::settled().await;

@@ -20,6 +20,8 @@ struct Told {
     headline: String,
     /// The meaning in a sentence.
     meaning: String,
+    /// Number of the alarm; empty for a message.
+    alarm: String,
     /// The block that raises it.
     place: Option<Place>,
     /// Catalog id of what to do; empty where the meaning says so.
@@ -39,6 +41,7 @@ fn told(page: Page) -> Option<Told> {
             tone: "info",
             headline,
             meaning: t("page.own-message").to_owned(),
+            alarm: String::new(),
             place: None,
             way_out: "",
         }),
@@ -57,7 +60,7 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
         _ => "page.way-start",
     };
     let (tone, meaning) = if at_once { ("fail", "page.own-message-at-once") } else { ("warn", "page.own-message") };
-    Some(Told { tone, headline, meaning: t(meaning).to_owned(), place, way_out })
+    Some(Told { tone, headline, meaning: t(meaning).to_owned(), alarm: String::new(), place, way_out })
 }
 
 fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
@@ -79,7 +82,9 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
         Some(_) => "page.way-reset",
         None => "",
     };
-    Told { tone: "fail", headline: parts.collect::<Vec<_>>().join(" "), meaning, place: alarm.place, way_out }
+    let number = alarm.alarm.as_deref().unwrap_or_default().to_owned();
+    let headline = parts.collect::<Vec<_>>().join(" ");
+    Told { tone: "fail", headline, meaning, alarm: number, place: alarm.place, way_out }
 }
 
 /// Variables that a text names, with meaning and value at the end of the run.
@@ -102,7 +107,11 @@ pub(super) fn AlarmScreen() -> impl IntoView {
     // On a phone it is a bar over the edge of the drawing until it is opened.
     let open = RwSignal::new(false);
     move || {
-        let Told { tone, headline, meaning, place, way_out } = told.get()?;
+        let Told { tone, headline, meaning, alarm, place, way_out } = told.get()?;
+        let more = (!alarm.is_empty()).then(|| {
+            let open = move |_| page.view.explain(format!("alarm.{alarm}"));
+            view! { <button type="button" class="link more" on:click=open>{t("help.more")}</button> }
+        });
         let rows = named(page, &headline).into_iter().map(|(name, label, value)| {
             view! { <dt><code>{name}</code> " " {label}</dt><dd>{value}</dd> }
         });
@@ -125,7 +134,7 @@ pub(super) fn AlarmScreen() -> impl IntoView {
                 >
                     {move || t(if open.get() { "page.screen-less" } else { "page.screen-more" })}
                 </button>
-                <p>{meaning} " " {block}</p>
+                <p>{meaning} " " {block} " " {more}</p>
                 <dl>{rows}</dl>
                 {way_out}
                 {remedy.map(|advice| view! { <Remedy advice=advice /> })}
@@ -180,6 +189,8 @@ mod tests {
         assert_eq!(bench.text("h2"), "5920 FEED #115 ABOVE LIMIT #119");
         assert!(bench.text("dl").contains("#119") && bench.text("dl").contains(t("ribbon.feed-limit")));
         assert!(bench.text("p").contains(t("page.own-alarm-at-once")));
+        bench.press(".link.more").await;
+        assert_eq!(bench.page.view.help_at.get_untracked(), "alarm.5920");
         bench.press(".link").await;
         assert_eq!(bench.page.view.sought.get_untracked().map(|place| place.file.0), Some(0));
     }

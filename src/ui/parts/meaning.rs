@@ -254,12 +254,17 @@ fn Content(
         Some(view! { <span class="hidden">{t("meaning.live")}</span> <b>{text} " "</b> <small>{live.unit}</small> })
     };
     let says: Vec<_> = meaning.says.iter().map(|message| view! { <p>{say(message)}</p> }).collect();
+    let more = meaning.help().map(|id| {
+        let open = move |_| page.view.explain(id.clone());
+        view! { <button type="button" class="link" on:click=open>{t("help.more")}</button> }
+    });
     let source =
         meaning.cite.map(|cite| view! { <p class="source">{cite.source.words()} " · " {cite.grade.words()}</p> });
     view! {
-        <h3><code>{meaning.word}</code> <span class="live">{live}</span></h3>
+        <h3><code>{meaning.word.clone()}</code> <span class="live">{live}</span></h3>
         {says}
         {source}
+        {more}
     }
 }
 

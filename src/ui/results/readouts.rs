@@ -2,7 +2,7 @@
 
 use leptos::prelude::*;
 
-use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue};
+use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue, headed};
 use crate::ui::dom::go_to_field;
 use crate::ui::state::Page;
 use crate::ui::words::{figure, limit_text, say, sign, t, tell, tone, verdict_tone, verdict_words};
@@ -74,6 +74,7 @@ fn Row(
     let (page, id) = (Page::here(), readout.id);
     let tone = verdict_tone(readout.verdict);
     let limit = limit_text(&readout).map(|limit| view! { <p class="limit">{limit}</p> });
+    let more = headed(t(readout.label), t("help.more"));
     let formula = (!readout.formula.is_empty())
         .then(|| view! { <p class="formula"><code>{page.spelled(readout.formula.words())}</code></p> });
     let advice = (!readout.advice.is_empty()).then(|| {
@@ -94,7 +95,12 @@ fn Row(
             {limit}
             {formula}
             {advice}
-            <p class="source">{readout.cite.source.words()}</p>
+            <p class="source">
+                {readout.cite.source.words()} " "
+                <button type="button" class="link" aria-label=more on:click=move |_| page.view.explain(format!("result.{id}"))>
+                    {t("help.more")}
+                </button>
+            </p>
         </article>
     }
 }
@@ -120,7 +126,11 @@ mod tests {
             let row = format!("#result-{}", readout.id);
             assert!(bench.has(&format!("{row}.{}", verdict_tone(readout.verdict))), "{row}");
             assert!(bench.text(&format!("{row} .v")).starts_with(&figure(readout.value, readout.decimals)), "{row}");
-            assert_eq!(bench.text(&format!("{row} .source")), readout.cite.source.words().trim());
+            assert!(bench.text(&format!("{row} .source")).starts_with(readout.cite.source.words().trim()));
+        }
+        for readout in &design.readouts {
+            bench.press(&format!("#result-{} .source .link", readout.id)).await;
+            assert_eq!(bench.page.view.help_at.get_untracked(), format!("result.{}", readout.id));
         }
     }
 

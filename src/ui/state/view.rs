@@ -85,6 +85,10 @@ pub(crate) struct View {
     pub projects: RwSignal<bool>,
     /// Asks for the dialog of help.
     pub helping: RwSignal<bool>,
+    /// Id of the place that help shows when it opens; empty for its beginning.
+    pub help_at: RwSignal<String>,
+    /// Step of the tour, from 0.
+    pub tour: RwSignal<Option<usize>>,
     /// The project that the present one is compared with.
     pub compared: RwSignal<Option<Compared>>,
     /// Whether the store of this browser has the project.
@@ -108,8 +112,16 @@ impl View {
             sharing: RwSignal::new(false),
             projects: RwSignal::new(false),
             helping: RwSignal::new(false),
+            help_at: RwSignal::new(String::new()),
+            tour: RwSignal::new(None),
             compared: RwSignal::new(None),
             kept: RwSignal::new(Kept::Yes),
         }
+    }
+
+    /// Opens help at a place, by its id.
+    pub(crate) fn explain(self, id: impl Into<String>) {
+        self.help_at.set(id.into());
+        self.helping.set(true);
     }
 }

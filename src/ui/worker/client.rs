@@ -10,6 +10,8 @@ use web_sys::{MessageEvent, Worker};
 
 use super::messages::{Question, Reply, Request, Response};
 use crate::project::Project;
+use crate::project::help::texts::Texts;
+use crate::text::catalog;
 use crate::ui::dom::script::{address_of, part_for_worker};
 
 /// A running worker. It ends when this is dropped.
@@ -20,11 +22,13 @@ pub(crate) struct Running {
 }
 
 impl Running {
-    /// Starts a worker; `None` where the browser has none. Its first message has its module and the page's sentences, for worker_boot.js.
+    /// Starts a worker; `None` where the browser has none. Its first message has its module, the page's sentences and the texts of help, for
+    /// worker_boot.js.
     pub(crate) fn start(mut heard: impl FnMut(Reply) + 'static, failed: impl FnMut() + 'static) -> Option<Running> {
         let script = document().query_selector("script[data-words]").ok().flatten()?;
         let words = script.get_attribute("data-words")?;
-        let parts = ["worker.js", "worker_bg.wasm", &words].map(part_for_worker);
+        let (manual, glossary) = Texts::files(catalog::spoken());
+        let parts = ["worker.js", "worker_bg.wasm", &words, &manual, glossary].map(part_for_worker);
         let parts = parts.into_iter().collect::<Result<js_sys::Array, _>>().ok()?;
         let worker = Worker::new(&address_of("worker_boot.js").ok()?).ok()?;
         worker.post_message(&parts).ok()?;

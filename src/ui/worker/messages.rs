@@ -41,6 +41,10 @@ pub(crate) enum Request {
     Shelf(Shelf),
     /// Documents that leave with the programs.
     Export,
+    /// The page of help with an id, its drawing dark or not.
+    Help(String, bool),
+    /// What help has for a query.
+    FindHelp(String),
     /// The project with the parts of a table, by the name of its file and its text.
     Parts(String, String),
     /// Errors and warnings of a text that is too large for the page, on the project's control.
@@ -71,6 +75,10 @@ pub(crate) enum Response {
     Flips(Vec<String>),
     /// Of [`Request::Export`].
     Export(Documents),
+    /// Of [`Request::Help`].
+    Help(HelpPage),
+    /// Of [`Request::FindHelp`].
+    Found(Vec<Hit>),
     /// Of [`Request::Parts`].
     Parts(ReadParts),
     /// Of [`Request::Check`].
@@ -130,6 +138,34 @@ pub(crate) struct Sheets {
     pub ways: String,
     /// Motors, operating envelope, limits and bill of materials; or the chance that all verdicts hold.
     pub sizing: String,
+}
+
+/// A page of help.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct HelpPage {
+    /// Its id.
+    pub page: String,
+    /// Its title.
+    pub title: String,
+    /// `id` of the element that was asked for; empty for the page as a whole.
+    pub anchor: String,
+    /// Its content; elements with `data-help` lead to the id that they name.
+    pub html: String,
+    /// Id and title of every page.
+    pub pages: Vec<(String, String)>,
+}
+
+/// A place in the help that a search has found.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Hit {
+    /// Its id.
+    pub id: String,
+    /// Word and title.
+    pub title: String,
+    /// Title of its page.
+    pub page: String,
+    /// The beginning of its text.
+    pub text: String,
 }
 
 /// Parts that were read from a table.

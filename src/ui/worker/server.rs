@@ -1,17 +1,19 @@
 //! The worker's end of the line: reviews programs, makes sheets and documents, checks large texts.
 
+use std::cell::Cell;
 use std::rc::Rc;
 
+use js_sys::{Array, Function, Promise};
 use leptos::wasm_bindgen::closure::Closure;
-use leptos::wasm_bindgen::{JsCast, throw_str};
+use leptos::wasm_bindgen::{JsCast, JsValue, throw_str};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
-use super::documents;
 use super::messages::{Finding, Question, Reply, Report, Request, Response, SHOWN};
-use super::shelf;
+use super::{documents, help, shelf};
 use crate::nc::{self, Files};
 use crate::project::Project;
+use crate::project::help::texts::Texts;
 use crate::project::sensitivity::Sensitivity;
 use crate::project::suppress::silence;
 use crate::text::{Diagnostic, LineIndex, catalog};
@@ -23,8 +25,27 @@ const ROWS: usize = 200;
 /// Bytes of a large text that are read between two reports of progress.
 const PIECE: f64 = 4_000_000.0;
 
-/// Answers the questions of the page in the language of the sentences ([`catalog::speak`]) as long as the worker lives.
-pub fn work(sentences: String) {
+thread_local! {
+    /// The texts of help, once a question has loaded them.
+    static TEXTS: Cell<Option<Texts>> = const { Cell::new(None) };
+}
+
+/// The texts of help, which `load` fetches; `None` where they cannot be had.
+async fn texts(load: &Function) -> Option<Texts> {
+    if let Some(texts) = TEXTS.get() {
+        return Some(texts);
+    }
+    let loading = load.call0(&JsValue::NULL).ok()?.dyn_into::<Promise>().ok()?;
+    let loaded = JsFuture::from(loading).await.ok()?.dyn_into::<Array>().ok()?;
+    let text = |at| Some(&*loaded.get(at).as_string()?.leak());
+    let texts = Texts { manual: text(0)?, glossary: text(1)? };
+    TEXTS.set(Some(texts));
+    Some(texts)
+}
+
+/// Answers the questions of the page in the language of the sentences ([`catalog::speak`]) as long as the worker lives. `load` fetches
+/// the texts of help, those of [`Texts::files`].
+pub fn work(sentences: String, load: Function) {
     catalog::speak(sentences.leak());
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
     let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
@@ -49,6 +70,22 @@ pub fn work(sentences: String) {
             Request::Flips => Response::Flips(
                 Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),
             ),
+            Request::Help(..) | Request::FindHelp(_) => {
+                let (page, load) = (page.clone(), load.clone());
+                return wasm_bindgen_futures::spawn_local(async move {
+                    let response = match (texts(&load).await, request) {
+                        (Some(texts), Request::Help(id, dark)) => {
+                            Response::Help(help::page(&project, &texts, &id, dark))
+                        }
+                        (Some(texts), Request::FindHelp(query)) => {
+                            Response::Found(help::found(&project, &texts, &query))
+                        }
+                        // Nothing is found where the texts cannot be loaded.
+                        _ => Response::Found(Vec::new()),
+                    };
+                    send(&page, &Reply::Answer(number, response));
+                });
+            }
             Request::Export => Response::Export(documents::documents(&project)),
             Request::Check(blob) => {
                 let page = page.clone();

@@ -1,16 +1,24 @@
-// Starts the worker's module with the page's sentences. The first message has module, wasm and sentences: their addresses, or where the page is
-// one file themselves, for a worker from a disk reads no address within its page. No module itself, which Chromium does not start from there.
+// Starts the worker's module with the page's sentences. The first message has module, wasm, sentences and the texts of help: their addresses, or
+// where the page is one file themselves, for a worker from a disk reads no address within its page. No module itself, which Chromium does not
+// start from there.
 addEventListener('message', start, { once: true });
 
 async function start({ data }) {
   try {
-    const [module, wasm, words] = data.map((part) => (part instanceof Blob ? URL.createObjectURL(part) : part));
-    const sentences = fetch(words).then((answer) => answer.text());
+    const [module, wasm, words, ...help] = data.map((part) => (part instanceof Blob ? URL.createObjectURL(part) : part));
+    const sentences = text(words);
     const { default: init, work } = await import(module);
     await init({ module_or_path: wasm });
-    work(await sentences);
+    // Help is loaded when it is first asked for.
+    work(await sentences, () => Promise.all(help.map(text)));
   } catch (error) {
     // The page hears of it.
     reportError(error);
   }
+}
+
+async function text(address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`no ${address}`);
+  return answer.text();
 }

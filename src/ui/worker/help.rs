@@ -1,0 +1,214 @@
+//! Pages of help as HTML, and search in them. The help is made with the first question, and kept while machine and control stay.
+
+use std::cell::RefCell;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use super::messages::{HelpPage, Hit};
+use crate::machines;
+use crate::project::Project;
+use crate::project::help::content::{HelpEntry, HelpPlace, HelpSection, Page};
+use crate::project::help::texts::{self, Text, Texts};
+use crate::project::help::{Help, explain, pages};
+use crate::text::Grade;
+use crate::ui::words::t;
+use crate::view::Theme;
+use crate::view::svg::escape;
+
+/// The help that was asked for last, with the ids of its machine and control.
+struct Kept {
+    machine: &'static str,
+    control: &'static str,
+    help: Help,
+}
+
+thread_local! {
+    static KEPT: RefCell<Option<Kept>> = const { RefCell::new(None) };
+}
+
+/// Characters of a hit's text that are shown.
+const SHOWN: usize = 120;
+
+fn with<T>(project: &Project, texts: &Texts, ask: impl FnOnce(&Help) -> T) -> T {
+    KEPT.with_borrow_mut(|kept| {
+        let (machine, control) = (project.machine.id(), project.control.id);
+        let fits = |kept: &Kept| kept.machine == machine && kept.control == control;
+        let kept = match kept.take().filter(fits) {
+            Some(known) => kept.insert(known),
+            None => kept.insert(Kept { machine, control, help: Help::new(project.machine, project.control, texts) }),
+        };
+        ask(&kept.help)
+    })
+}
+
+/// The page with an id: that of a page, section or entry; else that of the present machine. `dark` is the theme of its drawing.
+pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, dark: bool) -> HelpPage {
+    with(project, texts, |help| {
+        let own = help.pages.iter().find(|page| page.id == id);
+        let place = if own.is_none() { help.find(id) } else { None };
+        let page = own.or(place.map(|place| place.page)).or(help.pages.first());
+        let mut html = String::new();
+        page.iter().for_each(|page| write(&mut html, page, dark));
+        HelpPage {
+            page: page.map_or_else(String::new, |page| page.id.to_owned()),
+            title: page.map_or_else(String::new, |page| page.title.clone()),
+            anchor: place.map_or_else(String::new, |place| anchor(&place.id())),
+            html,
+            pages: help.pages.iter().map(|page| (page.id.to_owned(), page.title.clone())).collect(),
+        }
+    })
+}
+
+/// What is found for a query, the best first.
+pub(in crate::ui) fn found(project: &Project, texts: &Texts, query: &str) -> Vec<Hit> {
+    with(project, texts, |help| {
+        let hit = |place: &HelpPlace| {
+            let text = place.entry.and_then(|entry| entry.text.first()).or(place.section.text.first());
+            let text = text.filter(|_| place.entry.is_some()).map(texts::words).unwrap_or_default();
+            let short: String = text.chars().take(SHOWN).collect();
+            Hit {
+                id: place.id(),
+                title: explain::title(place),
+                page: place.page.title.clone(),
+                text: if short.len() < text.len() { short + "…" } else { short },
+            }
+        };
+        help.search(query).iter().map(hit).collect()
+    })
+}
+
+/// The `id` of the element of a place, by its full id. An `id` has no space.
+fn anchor(id: &str) -> String {
+    format!("help-{}", id.split_once('/').map_or(id, |(_, id)| id).replace(' ', "_"))
+}
+
+fn write(out: &mut String, page: &Page, dark: bool) {
+    open(out, "nav class=\"contents\"", "aria-label", t("help.contents"));
+    for section in &page.sections {
+        link(out, &format!("{}/{}", page.id, section.id), &section.title);
+    }
+    out.push_str("</nav>");
+    for section in &page.sections {
+        open(out, "section tabindex=\"-1\"", "id", &anchor(&section.id));
+        tagged(out, "h3", &section.title);
+        section.text.iter().for_each(|text| paragraph(out, "p", text));
+        if !section.steps.is_empty() {
+            out.push_str("<ol class=\"steps\">");
+            section.steps.iter().for_each(|step| paragraph(out, "li", step));
+            out.push_str("</ol>");
+        }
+        if !section.parts.is_empty() {
+            parts(out, page, section, dark);
+        }
+        section.entries.iter().for_each(|e| entry(out, e));
+        out.push_str("</section>");
+    }
+}
+
+/// The drawing with its numbered parts. It is a picture of its own: its gradients have the names of those on the page.
+fn parts(out: &mut String, page: &Page, section: &HelpSection, dark: bool) {
+    let Some(machine) = machines::find(page.id) else { return };
+    let theme = if dark { Theme::Dark } else { Theme::Light };
+    let picture = STANDARD.encode(pages::drawing(machine, page.control, theme));
+    open(out, &format!("img src=\"data:image/svg+xml;base64,{picture}\""), "alt", &page.title);
+    out.push_str("<ol class=\"parts\">");
+    section.parts.iter().for_each(|part| tagged(out, "li", part));
+    out.push_str("</ol>");
+}
+
+fn entry(out: &mut String, entry: &HelpEntry) {
+    open(out, "article tabindex=\"-1\"", "id", &anchor(&entry.id));
+    out.push_str("<h4>");
+    if !entry.word.is_empty() {
+        tagged(out, "code", &entry.word);
+        out.push(' ');
+    }
+    escape(out, &entry.title);
+    out.push_str("</h4>");
+    entry.text.iter().for_each(|text| paragraph(out, "p", text));
+    if !entry.facts.is_empty() {
+        out.push_str("<dl>");
+        for fact in &entry.facts {
+            tagged(out, "dt", fact.name);
+            paragraph(out, "dd", &fact.value);
+        }
+        out.push_str("</dl>");
+    }
+    if let Some(cite) = entry.cite {
+        out.push_str(if cite.grade == Grade::Open { "<p class=\"source open\">" } else { "<p class=\"source\">" });
+        escape(out, cite.source.words());
+        out.push_str(" · ");
+        escape(out, cite.grade.words());
+        out.push_str("</p>");
+    }
+    out.push_str("</article>");
+}
+
+fn paragraph(out: &mut String, tag: &str, text: &Text) {
+    out.push_str(&format!("<{tag}>"));
+    for piece in text {
+        if piece.to.is_empty() {
+            escape(out, &piece.words);
+        } else {
+            link(out, &piece.to, &piece.words);
+        }
+    }
+    out.push_str(&format!("</{tag}>"));
+}
+
+fn link(out: &mut String, to: &str, words: &str) {
+    open(out, "button type=\"button\" class=\"link\"", "data-help", to);
+    escape(out, words);
+    out.push_str("</button>");
+}
+
+/// An opening tag with an attribute whose value is escaped.
+fn open(out: &mut String, tag: &str, name: &str, value: &str) {
+    out.push_str(&format!("<{tag} {name}=\""));
+    escape(out, value);
+    out.push_str("\">");
+}
+
+fn tagged(out: &mut String, tag: &str, text: &str) {
+    out.push_str(&format!("<{tag}>"));
+    escape(out, text);
+    out.push_str(&format!("</{tag}>"));
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::text::catalog;
+    use crate::ui::testing::project;
+
+    #[wasm_bindgen_test]
+    fn alarm_is_on_the_page_of_its_control_with_cause_and_source() {
+        let texts = Texts::shipped(catalog::spoken());
+        let shown = page(&project(), &texts, "alarm.P62", false);
+        assert_eq!((shown.page.as_str(), shown.anchor.as_str()), ("mitsubishi-e60", "help-alarm.P62"));
+        assert!(shown.html.contains("<article tabindex=\"-1\" id=\"help-alarm.P62\"><h4><code>P62</code>"));
+        assert!(shown.html.contains("p.52"));
+    }
+
+    #[wasm_bindgen_test]
+    fn unknown_id_opens_the_page_of_the_machine_and_is_never_shown() {
+        let texts = Texts::shipped(catalog::spoken());
+        let shown = page(&project(), &texts, "<script>", false);
+        assert_eq!((shown.page.as_str(), shown.anchor.as_str()), ("ribbon-line", ""));
+        assert!(!shown.html.contains("<script") && shown.html.contains("data:image/svg+xml;base64,"));
+    }
+
+    #[wasm_bindgen_test]
+    fn found_places_open_again() {
+        let texts = Texts::shipped(catalog::spoken());
+        let hits = found(&project(), &texts, "slack");
+        assert!(hits.len() > 5);
+        for hit in hits.iter().filter(|hit| hit.id.contains('.')) {
+            let shown = page(&project(), &texts, &hit.id, false);
+            assert!(shown.html.contains(&format!("id=\"{}\"", shown.anchor)), "{}", hit.id);
+        }
+    }
+}
