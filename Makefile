@@ -20,7 +20,7 @@ run: dist ## build the page and serve it on localhost
 
 .PHONY: check
 check: ## the inner loop: format, lints, native tests
-	@scripts/setup.sh lints target
+	@scripts/setup.sh lints target editor
 	@scripts/stages.sh fmt lint lint-web test-native
 
 .PHONY: test
@@ -92,7 +92,7 @@ clean: ## remove what was built (not .tools)
 
 .PHONY: setup
 setup: ## install everything that any target needs
-	@scripts/setup.sh lints target tools node browser
+	@scripts/setup.sh lints target tools node browser editor
 
 .PHONY: fmt
 fmt:

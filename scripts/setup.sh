@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [other_browsers] [bench] [fuzz]`.
+# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [editor] [other_browsers] [bench] [fuzz]`.
 #
 # Each version is in one place, where the tool that needs it reads it: Trunk's in Trunk.toml, wasm-bindgen's in Cargo.lock
 # (Trunk and the test runner refuse any other), the npm packages' in package-lock.json (those of the benches in benches/). Only the version of cargo-fuzz is here.
@@ -84,6 +84,9 @@ fuzz() {
 
 # The fonts are for the screenshots and measures of Chinese text, which would be empty boxes without.
 browser() { packages chromium:chromium chromedriver:chromium-driver fc-list:fontconfig cjk:fonts-noto-cjk; }
+
+# A client for the language server.
+editor() { packages nvim:neovim; }
 
 # WebKitGTK needs a screen.
 other_browsers() { packages firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb; }

@@ -24,6 +24,8 @@ mod program_names;
 mod read;
 mod write;
 
+pub mod symbols;
+
 pub use ast::{
     BadBlock, Block, Deck, Dimensioning, Expr, ExprId, JumpDirection, Op, Pair, Program, Stmt, TextId, Word, WordValue,
 };
@@ -32,7 +34,7 @@ pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};
 pub use fix::{fix, fix_all};
-pub use lex::tokens::{TokenKind, tokens};
+pub use lex::tokens::{TokenKind, keywords, tokens};
 pub use lint::warnings;
 pub use lower::lower;
 pub use parse::expression::{ParsedFormula, formula};

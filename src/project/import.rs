@@ -56,7 +56,7 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
             diagnostics: loaded.diagnostics.into_iter().chain(left_aside).collect(),
         };
     }
-    let restored = given.0.iter().find_map(|file| Some((restored(present, file)?, file.name.clone())));
+    let restored = given.0.iter().find_map(|file| Some((restored_beside(present, &file.text)?, file.name.clone())));
     match restored {
         Some((mut project, from)) => {
             let (given, left_aside) = without_documents(given);
@@ -97,14 +97,20 @@ fn is_text(text: &str) -> bool {
 }
 
 /// The form that a program of macroline carries, as a project.
-fn restored(present: &Project, file: &File) -> Option<Project> {
-    let found = settings::read(&file.text)?;
+pub fn restored(text: &str) -> Option<Project> {
+    let found = settings::read(text)?;
     let (machine, control) = (machines::find(found.machine)?, controls::find(found.control)?);
     let mut project = Project::of_form(machine, control);
-    project.name.clone_from(&present.name);
     project.values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
     project.values.extend(found.values);
-    if present.control.id == control.id {
+    Some(project)
+}
+
+/// The same with name and settings of the present project.
+fn restored_beside(present: &Project, text: &str) -> Option<Project> {
+    let mut project = restored(text)?;
+    project.name.clone_from(&present.name);
+    if present.control.id == project.control.id {
         project.switches.clone_from(&present.switches);
     }
     Some(project)

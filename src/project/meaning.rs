@@ -3,11 +3,14 @@
 use super::Project;
 use super::run::{self, Run};
 use crate::controls::interface::SignalRole;
-use crate::controls::{Address, Code, CodeDef, CodeId, CodeNumber, Control, Group, Signal, VarKind, VarRange};
+use crate::controls::syntax::Function;
+use crate::controls::{Address, Code, CodeDef, CodeId, Control, Group, Signal, VarKind, VarRange};
+use crate::machines::ControlContext;
 use crate::motion::Action;
 use crate::msg;
 use crate::nc::{TokenKind, tokens};
-use crate::text::{Citation, Message, Phrase, Span};
+use crate::text::catalog::sentence;
+use crate::text::{Citation, Message, Phrase, Span, headed, sentences};
 
 /// The table that a word is looked up in. Numbers repeat between them: `#3001` is a variable of a program and a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +38,8 @@ pub enum Subject {
     Address(Address),
     /// Number of a block or of a program.
     Sequence,
+    /// A statement, a comparison, an operator or a function.
+    Keyword,
     /// A register between PLC and control.
     Signal(SignalRole),
     /// A parameter.
@@ -71,7 +76,7 @@ pub struct Live {
 pub fn words(line: &str, control: &Control) -> Vec<Span> {
     let tokens = tokens(line, control);
     let word = |(at, (span, kind)): (usize, &(Span, TokenKind))| match kind {
-        TokenKind::Code | TokenKind::Sequence | TokenKind::Variable => Some(*span),
+        TokenKind::Code | TokenKind::Sequence | TokenKind::Variable | TokenKind::Keyword => Some(*span),
         TokenKind::Address => {
             let behind = tokens.get(at + 1..).unwrap_or_default();
             let signs = behind.iter().take_while(|(span, _)| matches!(span.of(line), "+" | "-" | "=")).count();
@@ -85,24 +90,64 @@ pub fn words(line: &str, control: &Control) -> Vec<Span> {
 
 /// The word at a byte of a line of a program, and its meaning.
 pub fn at(project: &Project, line: &str, byte: u32) -> Option<(Span, Meaning)> {
-    let span = words(line, project.control).into_iter().find(|span| (span.start..span.end).contains(&byte))?;
-    Some((span, of(project, span.of(line), Table::Program)?))
+    Words::of(project).at(line, byte)
 }
 
 /// The meaning of a word on the control of a project; `None` where no row knows it.
 pub fn of(project: &Project, word: &str, table: Table) -> Option<Meaning> {
-    let (control, word) = (project.control, word.trim());
-    match table {
-        Table::Program => of_program(project, word),
-        Table::Interface => of_register(project, word).or_else(|| of_program(project, word)),
-        Table::Parameters => {
-            let row = control.params.iter().find(|row| row.number == word)?;
-            let says = vec![told(row.text), msg!("meaning.parameter", row.name)];
-            Some(meaning(word, Subject::Parameter, says, row.unit, row.cite))
-        }
-        Table::Alarms => {
-            let row = control.alarms.iter().find(|row| row.number == word)?;
-            Some(meaning(word, Subject::Alarm, vec![told(row.text), msg!("meaning.alarm", control.name)], "", row.cite))
+    Words::of(project).meaning(word, table)
+}
+
+/// What words are looked up in: the rows of a control as it is set, and the variables that a machine names.
+#[derive(Clone, Copy)]
+pub struct Words<'a> {
+    on: ControlContext<'a>,
+    project: Option<&'a Project>,
+}
+
+impl<'a> Words<'a> {
+    /// The words of a project.
+    pub fn of(project: &'a Project) -> Words<'a> {
+        Words { on: project.on(), project: Some(project) }
+    }
+
+    /// The words of programs without a machine.
+    pub fn bare(on: ControlContext<'a>) -> Words<'a> {
+        Words { on, project: None }
+    }
+
+    /// The control.
+    pub fn control(&self) -> &'static Control {
+        self.on.control
+    }
+
+    /// Variables that the machine names: number, catalog id of the meaning, unit.
+    pub fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+        self.project.map_or_else(Vec::new, |project| project.prepared().variables())
+    }
+
+    /// The word at a byte of a line of a program, and its meaning.
+    pub fn at(&self, line: &str, byte: u32) -> Option<(Span, Meaning)> {
+        let span = words(line, self.control()).into_iter().find(|span| (span.start..span.end).contains(&byte))?;
+        Some((span, self.meaning(span.of(line), Table::Program)?))
+    }
+
+    /// The meaning of a word; `None` where no row knows it.
+    pub fn meaning(&self, word: &str, table: Table) -> Option<Meaning> {
+        let (control, word) = (self.control(), word.trim());
+        match table {
+            Table::Program => of_program(self, word),
+            Table::Interface => of_register(self, word).or_else(|| of_program(self, word)),
+            Table::Parameters => {
+                let row = control.params.iter().find(|row| row.number == word)?;
+                let says = vec![told(row.text), msg!("meaning.parameter", row.name)];
+                Some(meaning(word, Subject::Parameter, says, row.unit, row.cite))
+            }
+            Table::Alarms => {
+                let row = control.alarms.iter().find(|row| row.number == word)?;
+                let says = vec![told(row.text), msg!("meaning.alarm", control.name)];
+                Some(meaning(word, Subject::Alarm, says, "", row.cite))
+            }
         }
     }
 }
@@ -123,31 +168,20 @@ fn meaning(
 }
 
 /// A word of a program.
-fn of_program(project: &Project, word: &str) -> Option<Meaning> {
-    let control = project.control;
+fn of_program(all: &Words, word: &str) -> Option<Meaning> {
+    let control = all.control();
     let (span, kind) = tokens(word, control).into_iter().next()?;
     let piece = span.of(word);
     match kind {
         TokenKind::Code => of_code(control, piece),
-        TokenKind::Variable => of_variable(project, piece.get(1..)?.parse().ok()?),
+        TokenKind::Variable => of_variable(all, piece.get(1..)?.parse().ok()?),
         TokenKind::Sequence => {
             let block = piece.starts_with(['N', 'n']) || piece.ends_with(':');
             let says = if block { msg!("meaning.block-number") } else { msg!("meaning.program-number") };
             Some(Meaning { word: piece.to_owned(), subject: Subject::Sequence, says: vec![says], unit: "", cite: None })
         }
         TokenKind::Address => of_address(control, piece).or_else(|| of_name(control, piece)),
-        _ => None,
-    }
-}
-
-/// The code that a word names: `G01`, `M3`, `G61.1`, `DIAMON`.
-fn code_named(control: &Control, text: &str) -> Option<CodeId> {
-    let name = text.to_ascii_uppercase();
-    let number = || name.get(1..)?.parse::<f64>().ok();
-    match (control.syntax.names().and_then(|names| names.code(&name)), name.as_bytes().first()?) {
-        (Some(place), _) => Some(CodeId::Named(place as u16)),
-        (None, b'G') => Some(CodeId::G(CodeNumber::from_value(number()?, 1e-6)?)),
-        (None, b'M') => Some(CodeId::M(name.get(1..)?.parse().ok()?)),
+        TokenKind::Keyword => of_keyword(control, piece),
         _ => None,
     }
 }
@@ -166,7 +200,7 @@ pub(super) fn code_says(row: &CodeDef) -> Vec<Message> {
 }
 
 fn of_code(control: &Control, text: &str) -> Option<Meaning> {
-    let id = code_named(control, text)?;
+    let id = control.code_written(text)?;
     let Some(row) = control.code(id) else {
         let (word, says) = (control.code_name(id), vec![msg!("meaning.no-row", control.name)]);
         return Some(Meaning { word, subject: Subject::Code(id), says, unit: "", cite: None });
@@ -187,10 +221,10 @@ pub(super) fn variable_says(row: &VarRange) -> Vec<Message> {
     says
 }
 
-fn of_variable(project: &Project, number: u32) -> Option<Meaning> {
-    let control = project.control;
+fn of_variable(all: &Words, number: u32) -> Option<Meaning> {
+    let control = all.control();
     let row = control.var(number)?;
-    let own = project.prepared().variables().into_iter().find(|own| own.0 == number);
+    let own = all.variables().into_iter().find(|own| own.0 == number);
     let mut says: Vec<Message> = own.iter().map(|own| Message { id: own.1, values: Vec::new() }).collect();
     says.extend(variable_says(row));
     Some(meaning(control.variable(number), Subject::Variable(number), says, own.map_or("", |own| own.2), row.cite))
@@ -230,6 +264,66 @@ fn of_name(control: &Control, text: &str) -> Option<Meaning> {
     Some(Meaning { word: text.to_owned(), subject: Subject::Sequence, says, unit: "", cite: None })
 }
 
+/// Statements, comparisons and operators, with what they do.
+const KEYWORDS: [(&str, &str); 24] = [
+    ("IF", "meaning.if"),
+    ("THEN", "meaning.then"),
+    ("GOTO", "meaning.goto"),
+    ("GOTOF", "meaning.goto-forward"),
+    ("GOTOB", "meaning.goto-backward"),
+    ("WHILE", "meaning.while"),
+    ("DO", "meaning.do"),
+    ("END", "meaning.end"),
+    ("MSG", "meaning.message"),
+    ("EQ", "meaning.equal"),
+    ("NE", "meaning.not-equal"),
+    ("GT", "meaning.greater"),
+    ("GE", "meaning.greater-equal"),
+    ("LT", "meaning.less"),
+    ("LE", "meaning.less-equal"),
+    ("AND", "meaning.and"),
+    ("OR", "meaning.or"),
+    ("XOR", "meaning.xor"),
+    ("NOT", "meaning.not"),
+    ("MOD", "meaning.modulo"),
+    ("DIV", "meaning.whole-division"),
+    ("POPEN", "meaning.external"),
+    ("PCLOS", "meaning.external"),
+    ("DPRNT", "meaning.external"),
+];
+
+/// A statement, a comparison, an operator or a function.
+fn of_keyword(control: &Control, text: &str) -> Option<Meaning> {
+    let word = text.to_ascii_uppercase();
+    let function = control.syntax.functions.iter().find(|row| row.0 == word).map(|row| function_id(row.1));
+    let id = function.or_else(|| KEYWORDS.iter().find(|row| row.0 == word).map(|row| row.1))?;
+    Some(meaning(word, Subject::Keyword, vec![Message { id, values: Vec::new() }], "", control.macros.cite))
+}
+
+/// Catalog id of what a function gives.
+fn function_id(function: Function) -> &'static str {
+    match function {
+        Function::Sin => "meaning.sine",
+        Function::Cos => "meaning.cosine",
+        Function::Tan => "meaning.tangent",
+        Function::Asin => "meaning.arc-sine",
+        Function::Acos => "meaning.arc-cosine",
+        Function::Atan => "meaning.arc-tangent",
+        Function::Sqrt => "meaning.square-root",
+        Function::Abs => "meaning.absolute-value",
+        Function::Bin => "meaning.from-bcd",
+        Function::Bcd => "meaning.to-bcd",
+        Function::Round => "meaning.rounded",
+        Function::Square => "meaning.square",
+        Function::Fix => "meaning.cut-off",
+        Function::Fup => "meaning.rounded-up",
+        Function::Ln => "meaning.logarithm",
+        Function::Exp => "meaning.exponential",
+        Function::Power => "meaning.power",
+        Function::AddPoint => "meaning.add-point",
+    }
+}
+
 /// What an address tells, axes aside.
 fn address_words(address: Address) -> Option<Message> {
     Some(match address {
@@ -267,8 +361,8 @@ pub(super) fn signal_says(control: &Control, row: &Signal) -> Vec<Message> {
     says
 }
 
-fn of_register(project: &Project, device: &str) -> Option<Meaning> {
-    let (control, dialect) = (project.control, project.on().dialect());
+fn of_register(all: &Words, device: &str) -> Option<Meaning> {
+    let (control, dialect) = (all.control(), all.on.dialect());
     let role = dialect.role(control, device)?;
     let row = control.interface.iter().find(|row| row.role == role)?;
     let says = signal_says(control, row);
@@ -286,6 +380,11 @@ fn variable_of(role: SignalRole) -> Option<u32> {
 }
 
 impl Meaning {
+    /// The word with what it means, as one line.
+    pub fn sentence(&self) -> String {
+        headed(&self.word, sentences(self.says.iter().map(sentence)))
+    }
+
     /// Id of its entry in the help, where that has one.
     pub fn help(&self) -> Option<String> {
         let kind = match self.subject {
@@ -294,7 +393,7 @@ impl Meaning {
             Subject::Signal(_) => "signal",
             Subject::Parameter => "param",
             Subject::Alarm => "alarm",
-            Subject::Axis(_) | Subject::Address(_) | Subject::Sequence => return None,
+            Subject::Axis(_) | Subject::Address(_) | Subject::Sequence | Subject::Keyword => return None,
         };
         self.cite.map(|_| format!("{kind}.{}", self.word))
     }

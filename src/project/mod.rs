@@ -76,6 +76,8 @@ pub mod remedy;
 
 pub mod meaning;
 
+pub mod completion;
+
 pub mod dependence;
 
 pub mod help;

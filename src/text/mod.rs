@@ -2,6 +2,8 @@
 
 pub mod span;
 
+pub mod utf16;
+
 pub mod lines;
 
 pub mod escape;

@@ -112,7 +112,7 @@ fn check_switched(source: &str, switch: (&str, &str), expected: Expect) {
 }
 
 /// The fixtures of a control, with their sources.
-fn fixtures(control: &Control, folder: &str) -> Vec<(PathBuf, String)> {
+pub(crate) fn fixtures(control: &Control, folder: &str) -> Vec<(PathBuf, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/programs").join(control.id).join(folder);
     let files = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
     let mut files: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|ext| ext == "nc")).collect();

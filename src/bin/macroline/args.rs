@@ -137,6 +137,21 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Language server on standard input and output, for editors; see docs/editors.md
+    Lsp {
+        /// Project whose control, settings and names of variables count for all programs
+        #[arg(conflicts_with = "control")]
+        project: Option<PathBuf>,
+        /// Control of all programs; without it that of the editor's settings or of the folder
+        #[arg(long, value_name = "ID")]
+        control: Option<String>,
+        /// Settles an open point of the control, see `list`; repeat as needed
+        #[arg(long = "switch", value_name = "ID=VALUE")]
+        switch: Vec<String>,
+        /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
+        #[arg(long, value_name = "ID")]
+        silence: Vec<String>,
+    },
     /// Runs a project or programs and prints the canonical log
     Run {
         #[command(flatten)]

@@ -22,7 +22,7 @@ use crate::args::{Command, Format};
 use crate::input;
 use crate::language::{self, failed};
 use crate::output::{self, Failure, print, print_json, refuse, refused, say, tell, tell_as, tell_silenced, verdict};
-use crate::{export, run};
+use crate::{export, lsp, run};
 
 pub(crate) fn main() -> ExitCode {
     let line = match language::line() {
@@ -47,6 +47,9 @@ pub(crate) fn main() -> ExitCode {
         }
         Command::Explain { word, project, control, json } => {
             explain(&word, project.as_deref(), control.as_deref(), json)
+        }
+        Command::Lsp { project, control, switch, silence } => {
+            lsp::serve(control.as_deref(), project.as_deref(), &switch, &silence)
         }
         Command::Run { args, goes_on, no_canon, json } => {
             let at_stop = if goes_on { AtStop::CycleStart } else { AtStop::End };

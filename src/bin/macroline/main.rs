@@ -21,6 +21,9 @@ mod export;
 mod run;
 
 #[cfg(not(target_arch = "wasm32"))]
+mod lsp;
+
+#[cfg(not(target_arch = "wasm32"))]
 mod commands;
 
 #[cfg(not(target_arch = "wasm32"))]

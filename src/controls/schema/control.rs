@@ -3,8 +3,8 @@
 use super::interface::PlcLanguage;
 use super::options::SwitchKind;
 use super::{
-    Address, Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, DriveSystem, Limits, Macros, ParamDef, ParamRole, Signal,
-    SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
+    Address, Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, CodeNumber, DriveSystem, Limits, Macros, ParamDef,
+    ParamRole, Signal, SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
 };
 use crate::msg;
 use crate::text::{Citation, Grade, Message, Phrase, either};
@@ -194,6 +194,18 @@ impl Control {
                 let name = self.syntax.names().and_then(|names| names.codes.get(usize::from(place)));
                 name.map_or_else(String::new, |name| (*name).to_owned())
             }
+        }
+    }
+
+    /// The code that a word of a program names: `G01`, `M3`, `G61.1`, `DIAMON`.
+    pub fn code_written(&self, word: &str) -> Option<CodeId> {
+        let name = word.to_ascii_uppercase();
+        let number = || name.get(1..)?.parse::<f64>().ok();
+        match (self.syntax.names().and_then(|names| names.code(&name)), name.as_bytes().first()?) {
+            (Some(place), _) => Some(CodeId::Named(place as u16)),
+            (None, b'G') => Some(CodeId::G(CodeNumber::from_value(number()?, 1e-6)?)),
+            (None, b'M') => Some(CodeId::M(name.get(1..)?.parse().ok()?)),
+            _ => None,
         }
     }
 

@@ -34,6 +34,17 @@ pub enum TokenKind {
 /// Operators of a language with names, besides [`OPERATORS`].
 const NAMED_OPERATORS: [&str; 2] = ["NOT", "DIV"];
 
+/// Statements, comparisons and operators of a control's macro language that are words.
+pub fn keywords(control: &Control) -> Vec<&'static str> {
+    let operators = OPERATORS.iter().map(|(word, _)| *word);
+    if control.syntax.names().is_some() {
+        return NAMED_STATEMENTS.iter().chain(&NAMED_OPERATORS).copied().chain(operators).collect();
+    }
+    let then = control.syntax.if_then.then_some("THEN");
+    let operators = operators.filter(|word| *word != "MOD" || control.syntax.modulo);
+    KEYWORDS.iter().copied().chain(then).chain(COMPARISONS.map(|(word, _)| word)).chain(operators).collect()
+}
+
 /// The pieces of a line (or of several lines), without white space, in order.
 pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
     let mut out = Vec::new();

@@ -14,7 +14,6 @@ use web_sys::{DomRect, Element, Event};
 
 use crate::project::Project;
 use crate::project::meaning::{self, Meaning, Table};
-use crate::text::{headed, sentences};
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::words::{four_digits, say, t, value_of};
@@ -89,12 +88,6 @@ fn of_list(project: &Project, list: &Element) -> Vec<Word> {
         Some(line) => of_line(project, &line).filter_map(|(area, meaning)| Some(Word::at(meaning?, &area))).collect(),
         None => dom::all(list, MARKED).iter().filter_map(|element| marked(project, element)).collect(),
     }
-}
-
-/// A meaning as a sentence for screen readers.
-fn sentence(meaning: &Meaning) -> String {
-    let says: Vec<String> = meaning.says.iter().map(say).collect();
-    headed(&meaning.word, sentences(says))
 }
 
 /// What is shown, and when it changes.
@@ -180,7 +173,7 @@ impl Shown {
         };
         let Some(word) = words.into_iter().nth(to) else { return };
         event.prevent_default();
-        self.page.notices.say(sentence(&word.meaning));
+        self.page.notices.say(word.meaning.sentence());
         self.put(Some(word));
     }
 }

@@ -9,7 +9,7 @@ use leptos::wasm_bindgen::JsValue;
 use leptos::wasm_bindgen::closure::Closure;
 
 use crate::nc::tokens;
-use crate::text::{FileId, Span};
+use crate::text::{FileId, Span, utf16};
 use crate::ui::dom::{
     self,
     script::{call, load, object, set, table},
@@ -28,8 +28,7 @@ type Handle = StoredValue<Option<JsValue>, LocalStorage>;
 
 /// Where a byte of a text is in JavaScript's count of UTF-16 units.
 fn units(text: &str, byte: u32) -> f64 {
-    let before = text.get(..byte as usize).unwrap_or(text);
-    if before.is_ascii() { before.len() as f64 } else { before.encode_utf16().count() as f64 }
+    f64::from(utf16::units(text, byte))
 }
 
 /// Options of both the editor and the difference: their name, and the colours of the control's words.

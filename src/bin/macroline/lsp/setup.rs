@@ -1,0 +1,100 @@
+//! The control that programs are read for: of the command line, else of the editor's settings, else of the folder.
+
+use std::path::Path;
+
+use macroline::controls::{Control, Switches};
+use macroline::machines::ControlContext;
+use macroline::project::Project;
+use macroline::project::import::restored;
+use macroline::project::meaning::Words;
+use macroline::project::run::set_by_operator;
+use serde_json::Value as Json;
+
+use crate::input;
+use crate::output::{Failure, refuse};
+use crate::requested::{control, known, switched};
+
+/// File of a project beside its programs, as an export writes it.
+const PROJECT: &str = "project.json";
+
+/// A control with its settings, and the machine where there is one.
+#[derive(Clone)]
+pub(super) struct Setup {
+    pub(super) control: &'static Control,
+    pub(super) switches: Switches,
+    /// Ids of warnings that are left out.
+    pub(super) silenced: Vec<String>,
+    project: Option<Project>,
+}
+
+impl Setup {
+    /// What is asked for by ids and a project file; `None` where neither is named.
+    pub(super) fn asked(
+        id: Option<&str>,
+        project: Option<&Path>,
+        switches: &[String],
+        silenced: &[String],
+    ) -> Result<Option<Setup>, Failure> {
+        let mut setup = match (id, project) {
+            (Some(id), _) => {
+                Setup { control: control(id)?, switches: Switches::default(), silenced: Vec::new(), project: None }
+            }
+            (None, Some(path)) => {
+                let (project, file) = input::project(path)?;
+                Setup::of(project.ok_or_else(|| refuse(&[file], false))?)
+            }
+            (None, None) => return Ok(None),
+        };
+        setup.switches = switched(setup.switches, switches, setup.control)?;
+        if let Some(project) = &mut setup.project {
+            project.switches = setup.switches.clone();
+        }
+        setup.silenced.extend(known(silenced)?);
+        Ok(Some(setup))
+    }
+
+    /// The same by the settings of an editor: `control`, `project`, `switches`, `silence`.
+    pub(super) fn of_settings(settings: &Json) -> Result<Option<Setup>, Failure> {
+        let text = |name: &str| settings.get(name).and_then(Json::as_str).filter(|text| !text.is_empty());
+        let switches = settings.get("switches").and_then(Json::as_object).into_iter().flatten();
+        let switches: Vec<String> =
+            switches.filter_map(|(id, value)| Some(format!("{id}={}", value.as_str()?))).collect();
+        let silenced = settings.get("silence").and_then(Json::as_array).into_iter().flatten();
+        let silenced: Vec<String> = silenced.filter_map(|id| Some(id.as_str()?.to_owned())).collect();
+        Setup::asked(text("control"), text("project").map(Path::new), &switches, &silenced)
+    }
+
+    /// The project file of a folder.
+    pub(super) fn of_folder(folder: &Path) -> Option<Setup> {
+        let path = folder.join(PROJECT);
+        let file = path.is_file().then(|| input::project(&path).ok())?;
+        Some(Setup::of(file?.0?))
+    }
+
+    /// What a program tells that macroline wrote.
+    pub(super) fn of_program(text: &str) -> Option<Setup> {
+        restored(text).map(Setup::of)
+    }
+
+    fn of(project: Project) -> Setup {
+        Setup {
+            control: project.control,
+            switches: project.switches.clone(),
+            silenced: project.silenced.clone(),
+            project: Some(project),
+        }
+    }
+
+    /// The tables that words are looked up in.
+    pub(super) fn words(&self) -> Words<'_> {
+        match &self.project {
+            Some(project) => Words::of(project),
+            None => Words::bare(ControlContext { control: self.control, switches: &self.switches }),
+        }
+    }
+
+    /// Variables that the operator sets.
+    pub(super) fn set_by_operator(&self) -> Vec<u32> {
+        self.project.as_ref().map_or_else(Vec::new, |project| set_by_operator(&[], &project.panel, self.control))
+    }
+}

@@ -1,0 +1,72 @@
+//! Messages of JSON-RPC with their headers, from an input that need not follow the protocol.
+
+use std::io::{self, BufRead, Read as _, Write};
+
+use lsp_server::Message;
+use macroline::msg;
+use macroline::text::catalog::sentence;
+
+/// Bytes of a message at most; the text of a file is one of its parts.
+pub(super) const MOST: u64 = 64 << 20;
+
+/// Bytes of a line of a header at most.
+const HEADER: u64 = 4096;
+
+/// Name of the header that tells the bytes of a message.
+const LENGTH: &str = "content-length:";
+
+/// What the input holds next.
+pub(super) enum Frame {
+    /// A message.
+    Message(Message),
+    /// No message of the protocol, and why; the next one may be.
+    Malformed(String),
+    /// Nothing more.
+    End,
+}
+
+/// Reads the next message. Lines that are no header are passed over, so that a wrong length costs the messages around it alone.
+pub(super) fn read(input: &mut impl BufRead) -> io::Result<Frame> {
+    let mut length = None;
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        if input.by_ref().take(HEADER).read_until(b'\n', &mut line)? == 0 {
+            return Ok(Frame::End);
+        }
+        let header = String::from_utf8_lossy(&line).trim().to_ascii_lowercase();
+        match (header.as_str(), length) {
+            ("", Some(length)) => return body(input, length),
+            (header, _) => {
+                let told = header.strip_prefix(LENGTH).and_then(|digits| digits.trim().parse::<u64>().ok());
+                length = told.or(length);
+            }
+        }
+    }
+}
+
+/// Reads a message of a length.
+fn body(input: &mut impl BufRead, length: u64) -> io::Result<Frame> {
+    let mut part = input.take(length);
+    if length > MOST {
+        io::copy(&mut part, &mut io::sink())?;
+        return Ok(Frame::Malformed(sentence(&msg!("lsp.too-long", MOST as u32))));
+    }
+    let mut bytes = Vec::new();
+    part.read_to_end(&mut bytes)?;
+    if (bytes.len() as u64) < length {
+        return Ok(Frame::End);
+    }
+    Ok(match serde_json::from_slice(&bytes) {
+        Ok(message) => Frame::Message(message),
+        Err(error) => Frame::Malformed(sentence(&msg!("lsp.not-a-message", error.to_string()))),
+    })
+}
+
+/// Writes the answer to something that is no message: it has no number.
+pub(super) fn write_refusal(output: &mut impl Write, why: &str) -> io::Result<()> {
+    let error = serde_json::json!({ "code": lsp_server::ErrorCode::ParseError as i32, "message": why });
+    let text = serde_json::json!({ "jsonrpc": "2.0", "id": null, "error": error }).to_string();
+    write!(output, "Content-Length: {}\r\n\r\n{text}", text.len())?;
+    output.flush()
+}

@@ -1,0 +1,513 @@
+//! Where programs, blocks and variables are named in a program: what an editor goes to, lists and outlines.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::ast::{Block, Deck, Expr, ExprId, Program, Stmt, TextId, Word, WordValue};
+use super::lex::tokens::{TokenKind, tokens};
+use super::parsed::Parsed;
+use super::program_names::ProgramNames;
+use crate::controls::macros::{ARGUMENT, CallKind};
+use crate::controls::syntax::Operation;
+use crate::controls::{Address, Code, Control, VarKind};
+use crate::text::{FileId, Place, Span};
+
+/// A thing that programs name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Symbol {
+    /// A program, by its index in the deck.
+    Program(u32),
+    /// A block with a number or a label, by its index in the deck.
+    Block(u32),
+    /// A variable of all programs.
+    Variable(u32),
+    /// A local variable of the programs that share a level.
+    Local {
+        /// Index of the first of these programs.
+        program: u32,
+        /// Number of the variable.
+        number: u32,
+    },
+}
+
+/// What a program does where it names a symbol.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// It is the program's head, the block's number or its label.
+    Definition,
+    /// It sets the variable.
+    Write,
+    /// It reads the variable.
+    Read,
+    /// It jumps to the block, or names it otherwise.
+    Jump,
+    /// It calls the program.
+    Call,
+}
+
+/// One place where a symbol is named.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Occurrence {
+    /// The bytes of the name.
+    pub place: Place,
+    /// The symbol.
+    pub symbol: Symbol,
+    /// What is done there.
+    pub role: Role,
+}
+
+/// A program, a block or a variable in the outline of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OutlineItem {
+    /// What it is.
+    pub symbol: Symbol,
+    /// Name as the program has it.
+    pub name: String,
+    /// Title of the program, or text of the block.
+    pub detail: String,
+    /// All bytes of the program, or of the block.
+    pub whole: Span,
+    /// The bytes of the name.
+    pub span: Span,
+    /// Blocks and variables of a program.
+    pub children: Vec<OutlineItem>,
+}
+
+/// All places where the programs of a set of files name their symbols.
+#[derive(Debug, Clone)]
+pub struct Symbols {
+    /// In the order of the text.
+    all: Vec<Occurrence>,
+    /// Head of a program, number or label of a block, first assignment of a variable.
+    defined: BTreeMap<Symbol, Place>,
+}
+
+impl Symbols {
+    /// Reads a deck once.
+    pub fn new(parsed: &Parsed) -> Symbols {
+        let mut reader = Reader::new(parsed);
+        for (index, program) in parsed.deck.programs.iter().enumerate() {
+            reader.program(index as u32, program);
+        }
+        let all = reader.finish();
+        let mut defined = BTreeMap::new();
+        for wanted in [Role::Definition, Role::Write] {
+            for row in all.iter().filter(|row| row.role == wanted) {
+                defined.entry(row.symbol).or_insert(row.place);
+            }
+        }
+        Symbols { all, defined }
+    }
+
+    /// The name at a byte of a file, the narrowest one; behind its last byte too.
+    pub fn at(&self, file: FileId, byte: u32) -> Option<Occurrence> {
+        let here = self.all.iter().filter(|row| {
+            let Span { start, end } = row.place.span;
+            row.place.file == file && (start..=end).contains(&byte)
+        });
+        // A name that begins at the byte comes before one that ends there.
+        here.min_by_key(|row| (row.place.span.end == byte, row.place.span.end - row.place.span.start)).copied()
+    }
+
+    /// All places of a symbol, in the order of the text.
+    pub fn of(&self, symbol: Symbol) -> impl Iterator<Item = &Occurrence> {
+        self.all.iter().filter(move |row| row.symbol == symbol)
+    }
+
+    /// Head of a program, number or label of a block, first assignment of a variable.
+    pub fn definition(&self, symbol: Symbol) -> Option<Place> {
+        self.defined.get(&symbol).copied()
+    }
+
+    /// Numbers of all variables that are named.
+    pub fn variables(&self) -> BTreeSet<u32> {
+        let number = |row: &Occurrence| match row.symbol {
+            Symbol::Variable(number) | Symbol::Local { number, .. } => Some(number),
+            _ => None,
+        };
+        self.all.iter().filter_map(number).collect()
+    }
+
+    /// Programs of a file; below each of them the blocks with labels, with calls and those that something jumps to, and each variable where it is
+    /// first assigned.
+    pub fn outline(&self, parsed: &Parsed, file: FileId) -> Vec<OutlineItem> {
+        let deck = &parsed.deck;
+        let targets: BTreeSet<Symbol> =
+            self.all.iter().filter(|row| row.role == Role::Jump).map(|row| row.symbol).collect();
+        let programs = deck.programs.iter().enumerate().filter(|(_, program)| program.file == file);
+        let entry = |(index, program): (usize, &Program)| {
+            let symbol = Symbol::Program(index as u32);
+            let span = self.definition(symbol)?.span;
+            let blocks = deck.blocks_of(program);
+            let whole = blocks.last().map_or(span, |last| span.to(last.span));
+            let mut assigned = BTreeSet::new();
+            let mut children = Vec::new();
+            for (at, block) in (program.first..).zip(blocks) {
+                let from = (file, block.span.start);
+                let first = self.all.partition_point(|row| (row.place.file, row.place.span.start) < from);
+                let inside = self.all.get(first..).unwrap_or_default().iter();
+                let inside = inside.take_while(|row| row.place.file == file && row.place.span.start < block.span.end);
+                let calls = inside.clone().any(|row| row.role == Role::Call);
+                let own = inside.clone().find(|row| row.symbol == Symbol::Block(at));
+                let named = own.filter(|_| calls || block.label.is_some() || targets.contains(&Symbol::Block(at)));
+                // An argument of a call sets a variable of another program.
+                let sign = |row: &Occurrence| {
+                    parsed.text(row.place).to_ascii_uppercase().starts_with(parsed.control.syntax.variable)
+                };
+                let sets = inside.filter(|row| row.role == Role::Write && sign(row) && assigned.insert(row.symbol));
+                children.extend(named.into_iter().chain(sets).map(|row| OutlineItem {
+                    symbol: row.symbol,
+                    name: parsed.text(row.place).to_owned(),
+                    detail: parsed.text(Place { file, span: block.span }).to_owned(),
+                    whole: block.span,
+                    span: row.place.span,
+                    children: Vec::new(),
+                }));
+            }
+            let name = match deck.text(program.name) {
+                "" => parsed.text(Place { file, span }).to_owned(),
+                name => name.to_owned(),
+            };
+            let name = if name.is_empty() { parsed.files.get(file)?.name.clone() } else { name };
+            Some(OutlineItem { symbol, name, detail: deck.text(program.title).to_owned(), whole, span, children })
+        };
+        programs.filter_map(entry).collect()
+    }
+}
+
+/// A block number that is looked for in a program once all calls are known.
+struct Return {
+    place: Place,
+    number: u32,
+    /// The program that returns: the number is one of its callers'.
+    from: u32,
+}
+
+struct Reader<'a> {
+    parsed: &'a Parsed,
+    deck: &'a Deck,
+    control: &'static Control,
+    names: ProgramNames<'a>,
+    /// Blocks of a program by number, in rising order.
+    numbers: BTreeMap<(u32, u32), Vec<usize>>,
+    labels: BTreeMap<(u32, &'a str), Vec<usize>>,
+    found: Vec<Occurrence>,
+    returns: Vec<Return>,
+    /// Called program and its caller.
+    calls: Vec<(u32, u32)>,
+    /// First program of those that share local variables, by program.
+    level: Vec<u32>,
+}
+
+/// A block of a program that is read.
+#[derive(Clone, Copy)]
+struct Here<'a> {
+    program: u32,
+    file: FileId,
+    /// Index of the block in its program.
+    at: usize,
+    block: &'a Block,
+}
+
+impl<'a> Reader<'a> {
+    fn new(parsed: &'a Parsed) -> Reader<'a> {
+        let deck = &parsed.deck;
+        let (mut numbers, mut labels) = (BTreeMap::<_, Vec<usize>>::new(), BTreeMap::<_, Vec<usize>>::new());
+        for (index, program) in (0..).zip(&deck.programs) {
+            for (at, block) in deck.blocks_of(program).iter().enumerate() {
+                if let Some(number) = block.number {
+                    numbers.entry((index, number)).or_default().push(at);
+                }
+                if block.label.is_some() {
+                    labels.entry((index, deck.text(block.label))).or_default().push(at);
+                }
+            }
+        }
+        Reader {
+            parsed,
+            deck,
+            control: parsed.control,
+            names: ProgramNames::new(deck),
+            numbers,
+            labels,
+            found: Vec::new(),
+            returns: Vec::new(),
+            calls: Vec::new(),
+            level: (0..deck.programs.len() as u32).collect(),
+        }
+    }
+
+    fn add(&mut self, place: Place, symbol: Symbol, role: Role) {
+        self.found.push(Occurrence { place, symbol, role });
+    }
+
+    fn program(&mut self, index: u32, program: &Program) {
+        let file = program.file;
+        self.add(Place { file, span: program.span }, Symbol::Program(index), Role::Definition);
+        let deck = self.deck;
+        for (at, block) in deck.blocks_of(program).iter().enumerate() {
+            let here = Here { program: index, file, at, block };
+            self.own_name(here, program.first + at as u32);
+            match block.stmt {
+                Stmt::Words { .. } => self.words(here, deck.words_of(block)),
+                Stmt::Bad(_) => self.unread(here),
+                Stmt::Call { name, repeats } => self.call_by_name(here, name, repeats),
+                Stmt::IfThen { cond, to, value } => {
+                    self.read(here, cond);
+                    self.read(here, value);
+                    self.write(here, to);
+                }
+                Stmt::While { cond: Some(cond), .. } => self.read(here, cond),
+                stmt => {
+                    for (to, value) in deck.assigned_in(stmt) {
+                        self.read(here, value);
+                        self.write(here, to);
+                    }
+                    for (cond, target, way) in deck.jumps_of(stmt) {
+                        cond.into_iter().for_each(|cond| self.read(here, cond));
+                        let places = match deck.expr(target) {
+                            Expr::Number(number) => self.numbered(index, number.to_f64()),
+                            Expr::Label(name) => self.labels.get(&(index, deck.text(Some(name)))).map(Vec::as_slice),
+                            _ => None,
+                        };
+                        let to = places.and_then(|places| match self.control.syntax.names() {
+                            Some(_) => way.nearest(at, places),
+                            None => nearest(at, places),
+                        });
+                        match (to, self.span(here, target)) {
+                            (Some(to), Some(place)) => {
+                                self.add(place, Symbol::Block(program.first + to as u32), Role::Jump);
+                            }
+                            _ => self.read(here, target),
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Number and label of a block.
+    fn own_name(&mut self, here: Here, at: u32) {
+        if here.block.number.is_none() && here.block.label.is_none() {
+            return;
+        }
+        let pieces = self.pieces(here);
+        let names = pieces.into_iter().filter(|(_, kind)| *kind == TokenKind::Sequence);
+        let count =
+            usize::from(here.block.number.is_some() && !here.block.main) + usize::from(here.block.label.is_some());
+        for (span, _) in names.take(count) {
+            self.add(Place { file: here.file, span }, Symbol::Block(at), Role::Definition);
+        }
+    }
+
+    /// The pieces of a block, with their places in the file.
+    fn pieces(&self, here: Here) -> Vec<(Span, TokenKind)> {
+        let start = here.block.span.start;
+        let text = self.parsed.text(Place { file: here.file, span: here.block.span });
+        let moved = |(span, kind): (Span, TokenKind)| (Span::new(start + span.start, start + span.end), kind);
+        tokens(text, self.control).into_iter().map(moved).collect()
+    }
+
+    /// The place of an expression of a block.
+    fn span(&self, here: Here, id: ExprId) -> Option<Place> {
+        let span = self.parsed.expr_span(Place { file: here.file, span: here.block.span }, id)?;
+        Some(Place { file: here.file, span })
+    }
+
+    fn variable(&self, program: u32, number: u32) -> Symbol {
+        match self.control.var(number) {
+            Some(row) if row.kind == VarKind::Local => Symbol::Local { program, number },
+            _ => Symbol::Variable(number),
+        }
+    }
+
+    /// The variables of a formula.
+    fn read(&mut self, here: Here, id: ExprId) {
+        match self.deck.expr(id) {
+            Expr::Var(number) => {
+                if let Some(place) = self.span(here, id) {
+                    self.add(place, self.variable(here.program, number), Role::Read);
+                }
+            }
+            Expr::Indirect(inner) | Expr::Negate(inner) | Expr::Call(_, inner) => self.read(here, inner),
+            Expr::Binary(_, left, right) => {
+                self.read(here, left);
+                self.read(here, right);
+            }
+            Expr::Number(_) | Expr::Label(_) => {}
+        }
+    }
+
+    fn write(&mut self, here: Here, id: ExprId) {
+        match (self.deck.expr(id), self.span(here, id)) {
+            (Expr::Var(number), Some(place)) => self.add(place, self.variable(here.program, number), Role::Write),
+            _ => self.read(here, id),
+        }
+    }
+
+    /// The variables of a block that does not read.
+    fn unread(&mut self, here: Here) {
+        for (span, kind) in self.pieces(here) {
+            let place = Place { file: here.file, span };
+            let number = self.parsed.text(place).get(1..).and_then(|digits| digits.parse().ok());
+            if let (TokenKind::Variable, Some(number)) = (kind, number) {
+                self.add(place, self.variable(here.program, number), Role::Read);
+            }
+        }
+    }
+
+    fn call_by_name(&mut self, here: Here, name: TextId, repeats: Option<ExprId>) {
+        repeats.into_iter().for_each(|repeats| self.read(here, repeats));
+        let deck = self.deck;
+        let name = deck.text(Some(name));
+        let Some(to) = self.names.name(name).or_else(|| deck.program_named(name)) else { return };
+        let text = self.parsed.text(Place { file: here.file, span: here.block.span });
+        // The number and the label of the block are in front of the name.
+        let Some(at) = text.to_ascii_uppercase().rfind(&name.to_ascii_uppercase()) else { return };
+        let start = here.block.span.start + at as u32;
+        let span = Span::new(start, start + name.len() as u32);
+        self.add(Place { file: here.file, span }, Symbol::Program(to), Role::Call);
+        self.calls.push((to, here.program));
+    }
+
+    /// The blocks of a program with a number.
+    fn numbered(&self, program: u32, number: f64) -> Option<&[usize]> {
+        let whole = number.fract() == 0.0 && (0.0..4e9).contains(&number);
+        self.numbers.get(&(program, number as u32)).filter(|_| whole).map(Vec::as_slice)
+    }
+
+    /// Notes that a word names a block of a program by its number.
+    fn names_block(&mut self, here: Here, word: &Word, program: u32, from: usize) {
+        let WordValue::Number(number) = word.value else { return };
+        let to = self.numbered(program, number.to_f64()).and_then(|places| nearest(from, places));
+        let first = self.deck.programs.get(program as usize).map(|program| program.first);
+        if let (Some(to), Some(first)) = (to, first) {
+            let place = Place { file: here.file, span: word.span(here.block) };
+            self.add(place, Symbol::Block(first + to as u32), Role::Jump);
+        }
+    }
+
+    /// NC words: variables, calls, and words that name blocks.
+    fn words(&mut self, here: Here, words: &[Word]) {
+        let word = |letter: Address| words.iter().rfind(|word| word.letter == letter);
+        let codes = &self.parsed.codes;
+        let code =
+            |wanted: &[Code]| words.iter().any(|word| codes.row_of(word).is_some_and(|row| wanted.contains(&row.code)));
+        let function = word(Address::H).filter(|_| code(&[Code::MacroCall])).and_then(|word| {
+            let WordValue::Number(number) = word.value else { return None };
+            let row = self.control.macros.functions.iter().find(|row| f64::from(row.0) == number.to_f64());
+            row.map(|row| row.1)
+        });
+        let sets =
+            |word: &Word| word.letter == Address::P && function.is_some_and(|it| !it.jumps() && it != Operation::Alarm);
+        for word in words {
+            if let WordValue::Expr(id) = word.value {
+                if sets(word) { self.write(here, id) } else { self.read(here, id) }
+            }
+        }
+        if let Some(function) = function {
+            if let Some(word) = word(Address::P).filter(|_| function.jumps()) {
+                self.names_block(here, word, here.program, here.at);
+            }
+            return;
+        }
+        if let Some((by, call)) = words.iter().find_map(|word| Some((word, codes.call_of(word)?))) {
+            let with_locals = call.kind != CallKind::Sub;
+            self.call(here, words, by, self.names.number(call.program), with_locals);
+        } else if code(&[Code::MacroCall, Code::MacroModal, Code::MacroModalBlock]) {
+            let to = word(Address::P).and_then(|word| self.program_of(word, false));
+            word(Address::P).into_iter().for_each(|by| self.call(here, words, by, to, true));
+        } else if code(&[Code::SubCall]) {
+            let to = word(Address::P).and_then(|word| self.program_of(word, true));
+            word(Address::P).into_iter().for_each(|by| self.call(here, words, by, to, false));
+            if let Some(entry) = word(Address::H).filter(|_| self.control.macros.sub_sequence) {
+                self.names_block(here, entry, to.unwrap_or(here.program), usize::MAX);
+            }
+        } else if code(&[Code::Roughing]) {
+            for word in [Address::P, Address::Q].into_iter().filter_map(word) {
+                self.names_block(here, word, here.program, here.at);
+            }
+        } else if code(&[Code::SubEnd])
+            && let Some(Word { value: WordValue::Number(number), .. }) = word(Address::P)
+            && let Some(place) = word(Address::P).map(|word| Place { file: here.file, span: word.span(here.block) })
+        {
+            self.returns.push(Return { place, number: number.to_f64() as u32, from: here.program });
+        }
+    }
+
+    /// The program whose number is behind P; repeats may precede the number.
+    fn program_of(&self, word: &Word, sub: bool) -> Option<u32> {
+        let WordValue::Number(number) = word.value else { return None };
+        let number = number.to_f64();
+        let whole = (number.fract() == 0.0 && (1.0..4e9).contains(&number)).then_some(number as u32)?;
+        let repeats = sub && self.control.macros.repeats_in_p;
+        self.names.number(whole).or_else(|| self.names.number(whole % 10_000).filter(|_| repeats))
+    }
+
+    /// A call of a program by a word.
+    fn call(&mut self, here: Here, words: &[Word], by: &Word, to: Option<u32>, with_locals: bool) {
+        let Some(to) = to else { return };
+        self.add(Place { file: here.file, span: by.span(here.block) }, Symbol::Program(to), Role::Call);
+        self.calls.push((to, here.program));
+        if !with_locals {
+            let (from, to) = (self.level_of(here.program), self.level_of(to));
+            if let Some(level) = self.level.get_mut(from.max(to) as usize) {
+                *level = from.min(to);
+            }
+            return;
+        }
+        // A second I, J or K is an argument of another set.
+        let once = |letter: Address| words.iter().filter(|word| word.letter == letter).count() == 1;
+        for word in words {
+            let number = ARGUMENT.get(word.letter as usize).map_or(0, |&number| u32::from(number));
+            let other =
+                matches!(word.letter, Address::G | Address::L | Address::M | Address::N | Address::O | Address::P);
+            if number != 0 && !other && once(word.letter) && word.span(here.block) != by.span(here.block) {
+                let place = Place { file: here.file, span: word.span(here.block) };
+                self.add(place, self.variable(to, number), Role::Write);
+            }
+        }
+    }
+
+    /// The first program of those that share local variables with a program; halves the way to it.
+    fn level_of(&mut self, program: u32) -> u32 {
+        let mut at = program as usize;
+        while let Some(&next) = self.level.get(at).filter(|next| **next as usize != at) {
+            let beyond = self.level.get(next as usize).copied().unwrap_or(next);
+            if let Some(level) = self.level.get_mut(at) {
+                *level = beyond;
+            }
+            at = beyond as usize;
+        }
+        at as u32
+    }
+
+    /// All occurrences, in the order of the text.
+    fn finish(mut self) -> Vec<Occurrence> {
+        self.calls.sort_unstable();
+        self.calls.dedup();
+        for Return { place, number, from } in core::mem::take(&mut self.returns) {
+            let first = self.calls.partition_point(|call| call.0 < from);
+            let callers = self.calls.get(first..).unwrap_or_default().iter().take_while(|call| call.0 == from);
+            let found = callers.filter_map(|&(_, caller)| {
+                let at = *self.numbered(caller, f64::from(number))?.first()?;
+                Some(self.deck.programs.get(caller as usize)?.first + at as u32)
+            });
+            if let Some(block) = found.min() {
+                self.add(place, Symbol::Block(block), Role::Jump);
+            }
+        }
+        let levels: Vec<u32> = (0..self.level.len() as u32).map(|program| self.level_of(program)).collect();
+        for row in &mut self.found {
+            if let Symbol::Local { program, .. } = &mut row.symbol {
+                *program = levels.get(*program as usize).copied().unwrap_or(*program);
+            }
+        }
+        self.found.sort_by_key(|row| (row.place.file, row.place.span.start));
+        self.found
+    }
+}
+
+/// The block that a jump by number from a block finds: looked for toward the end of the program, then from its head.
+fn nearest(from: usize, places: &[usize]) -> Option<usize> {
+    places.iter().find(|to| **to > from).or(places.first()).copied()
+}

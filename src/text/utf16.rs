@@ -1,0 +1,26 @@
+//! Offsets in UTF-16 units, as browsers and editors count them, and in bytes.
+
+/// Where a byte of a text is in UTF-16 units; the end of the text beyond it, the start of a character within it.
+pub fn units(text: &str, byte: u32) -> u32 {
+    let before = text.get(..boundary(text, byte) as usize).unwrap_or(text);
+    if before.is_ascii() { before.len() as u32 } else { before.encode_utf16().count() as u32 }
+}
+
+/// The byte of a text at a count of UTF-16 units; the end of the text beyond it, the start of a character within it.
+pub fn byte(text: &str, units: u32) -> u32 {
+    let mut left = units;
+    for (at, character) in text.char_indices() {
+        let wide = character.len_utf16() as u32;
+        if left < wide {
+            return at as u32;
+        }
+        left -= wide;
+    }
+    text.len() as u32
+}
+
+/// The start of the character that holds a byte; the end of the text beyond it.
+pub fn boundary(text: &str, byte: u32) -> u32 {
+    let byte = text.len().min(byte as usize);
+    (0..=byte).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0) as u32
+}
