@@ -528,6 +528,8 @@ mod tests {
         assert!(kept.iter().any(|state| state.text.contains("\"pitch\": 9")), "the one before is not on the shelf");
         bench.page.undo();
         assert_eq!(bench.setting("pitch"), Some(Value::Number(9.0)));
+        // The store follows the project until the page is gone.
+        crate::ui::testing::settled().await;
     }
 
     #[wasm_bindgen_test]
