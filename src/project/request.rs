@@ -29,7 +29,7 @@ impl From<Message> for Refused {
 /// What is checked or run.
 pub enum ProgramSource {
     /// A project; none where its findings say why.
-    Project(FileRead<Project>),
+    Project(Box<FileRead<Project>>),
     /// Bare programs on a control, with what their bytes have shown.
     Programs(&'static Control, FileFindings),
 }
@@ -102,7 +102,8 @@ pub fn check(subject: ProgramSource, choices: &Choices) -> Result<Checked, Refus
             programs.list.extend(review(&parsed, None, &[]));
             vec![programs]
         }
-        ProgramSource::Project((project, mut file)) => {
+        ProgramSource::Project(read) => {
+            let (project, mut file) = *read;
             let Some(mut project) = project else { return Err(Refused::Files(vec![file])) };
             project.switches = choices.switched(project.switches, project.control)?;
             // Those about the form stand in the file of the project.

@@ -92,7 +92,7 @@ impl RunRequest {
         let operated = Operated { panel: panel.unwrap_or_default(), start, settings, choices, limits, keep };
         let files = vec![panel_file];
         match subject {
-            ProgramSource::Project(read) => operated.project(read, files, silenced),
+            ProgramSource::Project(read) => operated.project(*read, files, silenced),
             ProgramSource::Programs(control, program) => operated.programs((control, program), plant, files, silenced),
         }
     }

@@ -88,7 +88,7 @@ pub(crate) fn subject(
         None => {
             let (read, mut file) = project(only_project(paths)?)?;
             name_paths(&mut file.sources, paths, format);
-            Ok(ProgramSource::Project((read, file)))
+            Ok(ProgramSource::Project(Box::new((read, file))))
         }
     }
 }

@@ -25,8 +25,9 @@ fn program(request: &InterpretRequest) -> Result<(Rc<Parsed>, StartProgram, Sour
             let parsed = nc::parse_with(&programs.sources.files, control, &switches);
             (Rc::new(parsed), StartProgram::First, programs.sources)
         }
-        ProgramSource::Project((None, file)) => return Err(Refused::Files(vec![file])),
-        ProgramSource::Project((Some(mut project), _)) => {
+        ProgramSource::Project(read) => {
+            let (project, file) = *read;
+            let Some(mut project) = project else { return Err(Refused::Files(vec![file])) };
             project.switches = choices.switched(project.switches, project.control)?;
             let written = project.written();
             (written.parsed, StartProgram::Program(written.main), Sources::written(written.files))

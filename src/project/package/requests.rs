@@ -100,7 +100,7 @@ impl GivenSubject<'_> {
         let json = self.0.0.get();
         let has_files = serde_json::from_str::<HasFiles>(json).is_ok_and(|subject| subject.files.is_some());
         if !json.starts_with('{') || !has_files {
-            return Ok(ProgramSource::Project(self.0.project()));
+            return Ok(ProgramSource::Project(Box::new(self.0.project())));
         }
         let Programs { control, files } = read(json)?;
         request::few_files(files.len())?;

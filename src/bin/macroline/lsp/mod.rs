@@ -11,6 +11,7 @@ mod wire;
 use std::io::{self, BufReader, Write as _};
 use std::path::Path;
 
+use crate::input;
 use crate::output::Failure;
 use server::{Server, State};
 use setup::Setup;
@@ -23,7 +24,7 @@ pub(crate) fn serve(
     switches: &[String],
     silenced: &[String],
 ) -> Result<(), Failure> {
-    let mut server = Server::new(Setup::asked(id, project, switches, silenced)?);
+    let mut server = Server::new(Setup::asked(id, project, &input::choices(switches, silenced)?)?);
     let (mut input, mut output) = (BufReader::new(io::stdin().lock()), io::stdout().lock());
     loop {
         match wire::read(&mut input)? {

@@ -7,12 +7,13 @@ use macroline::machines::ControlContext;
 use macroline::project::Project;
 use macroline::project::import::restored;
 use macroline::project::meaning::Words;
+use macroline::project::request::{Choices, control};
 use macroline::project::run::set_by_operator;
+use macroline::text::Message;
 use serde_json::Value as Json;
 
 use crate::input;
 use crate::output::{Failure, refuse};
-use crate::requested::{control, known, switched};
 
 /// File of a project beside its programs, as an export writes it.
 const PROJECT: &str = "project.json";
@@ -29,27 +30,26 @@ pub(super) struct Setup {
 
 impl Setup {
     /// What is asked for by ids and a project file; `None` where neither is named.
-    pub(super) fn asked(
-        id: Option<&str>,
-        project: Option<&Path>,
-        switches: &[String],
-        silenced: &[String],
-    ) -> Result<Option<Setup>, Failure> {
+    pub(super) fn asked(id: Option<&str>, project: Option<&Path>, choices: &Choices) -> Result<Option<Setup>, Failure> {
+        let usage = |message: Message| Failure::usage(&message);
         let mut setup = match (id, project) {
-            (Some(id), _) => {
-                Setup { control: control(id)?, switches: Switches::default(), silenced: Vec::new(), project: None }
-            }
+            (Some(id), _) => Setup {
+                control: control(id).map_err(usage)?,
+                switches: Switches::default(),
+                silenced: Vec::new(),
+                project: None,
+            },
             (None, Some(path)) => {
                 let (project, file) = input::project(path)?;
                 Setup::of(project.ok_or_else(|| refuse(&[file], false))?)
             }
             (None, None) => return Ok(None),
         };
-        setup.switches = switched(setup.switches, switches, setup.control)?;
+        setup.switches = choices.switched(setup.switches, setup.control).map_err(usage)?;
         if let Some(project) = &mut setup.project {
             project.switches = setup.switches.clone();
         }
-        setup.silenced.extend(known(silenced)?);
+        setup.silenced.extend(choices.known_silenced().map_err(usage)?);
         Ok(Some(setup))
     }
 
@@ -57,11 +57,10 @@ impl Setup {
     pub(super) fn of_settings(settings: &Json) -> Result<Option<Setup>, Failure> {
         let text = |name: &str| settings.get(name).and_then(Json::as_str).filter(|text| !text.is_empty());
         let switches = settings.get("switches").and_then(Json::as_object).into_iter().flatten();
-        let switches: Vec<String> =
-            switches.filter_map(|(id, value)| Some(format!("{id}={}", value.as_str()?))).collect();
+        let switches = switches.filter_map(|(id, value)| Some((id.clone(), value.as_str()?.to_owned()))).collect();
         let silenced = settings.get("silence").and_then(Json::as_array).into_iter().flatten();
-        let silenced: Vec<String> = silenced.filter_map(|id| Some(id.as_str()?.to_owned())).collect();
-        Setup::asked(text("control"), text("project").map(Path::new), &switches, &silenced)
+        let silenced = silenced.filter_map(|id| Some(id.as_str()?.to_owned())).collect();
+        Setup::asked(text("control"), text("project").map(Path::new), &Choices { switches, silenced })
     }
 
     /// The project file of a folder.
