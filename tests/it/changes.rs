@@ -26,7 +26,8 @@ fn changed_entry_is_told_with_both_values_and_its_unit() {
 
 #[test]
 fn each_part_of_a_project_has_its_phrase() {
-    let cases: [(fn(&mut Project), &str); 7] = [
+    type Case = (fn(&mut Project), &'static str);
+    let cases: [Case; 7] = [
         (|project| project.move_to(controls::find("gsk-980tdc").unwrap()), "Control GSK 980TDc"),
         (|project| project.name = "Order 7".to_owned(), "Name Order 7"),
         (|project| project.edited = Some(Files::one("O1.nc", "M30")), "Program edited"),

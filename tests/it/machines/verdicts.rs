@@ -16,8 +16,11 @@ use super::sweep::{changes, forms};
 /// Results that a clamp holds at their limit, or that have to stay below it: they fail at the limit itself.
 const HELD: &[&str] = &["volts", "speed-smallest", "relief"];
 
-/// Machines whose advice is too rare for random forms, each on its control.
-const RARE: &[(&str, &str, &[(&str, &str)])] = &[
+/// A machine, its control, and entries of its form with what is typed there.
+type Entered = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
+
+/// Machines whose advice is too rare for random forms.
+const RARE: &[Entered] = &[
     // 4.8995 mm per revolution in steps of 0.001, at a high speed.
     (
         "ribbon-line",
