@@ -18,11 +18,22 @@ async function openProjects(page) {
   await items(page).first().waitFor();
 }
 
-// The item of a project by its name.
+// The item of a project by its name, as soon as the list has it.
 async function item(page, called) {
-  const names = await items(page).locator('[data-act=rename]').evaluateAll((all) => all.map((one) => one.value));
+  let names = [];
+  for (let tries = 0; tries < 50 && !names.includes(called); tries++) {
+    if (tries > 0) await page.waitForTimeout(100);
+    names = await items(page).locator('[data-act=rename]').evaluateAll((all) => all.map((one) => one.value));
+  }
   assert.ok(names.includes(called), `${called} is none of ${names}`);
   return items(page).nth(names.indexOf(called));
+}
+
+// Unfolds a group of the present project by its title; it stays unfolded when the dialog is opened again.
+async function unfold(page, title) {
+  const group = dialog(page).locator('details').filter({ has: page.getByText(title, { exact: true }) }).first();
+  await group.waitFor();
+  if (!(await group.evaluate((one) => one.open))) await group.locator('summary').click();
 }
 
 // Begins a project of this name with a pitch in mm, apart from the present one.
@@ -77,7 +88,7 @@ test('a version says what has changed since, and is opened without losing the la
   withPage(app, {}, async ({ page }) => {
     await project(page, 'Order 1', '9.5');
     await openProjects(page);
-    await dialog(page).getByText('Versions: 0').click();
+    await unfold(page, 'Versions: 0');
     await dialog(page).getByRole('textbox', { name: 'Note about the version' }).fill('as offered');
     await dialog(page).getByRole('button', { name: 'Keep a version' }).click();
     await dialog(page).getByText('as offered').waitFor();
@@ -85,12 +96,12 @@ test('a version says what has changed since, and is opened without losing the la
     await page.keyboard.press('Escape');
     await enter(pitch(page), '12');
     await openProjects(page);
-    await dialog(page).getByText('Versions: 1').click();
+    await unfold(page, 'Versions: 1');
     await dialog(page).getByText('Pitch 9.5 → 12 mm').first().waitFor();
     await dialog(page).getByRole('button', { name: 'Open as offered' }).click();
     assert.equal(await pitch(page).inputValue(), '9.5');
     await openProjects(page);
-    await dialog(page).getByText('Versions: 2').click();
+    await unfold(page, 'Versions: 2');
     await dialog(page).getByText('Before another version was opened').waitFor();
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Undo' }).click();
@@ -103,7 +114,7 @@ test('a version is kept before a program is opened over the form', () =>
     await page.setInputFiles('#open', { name: 'O1.nc', mimeType: 'text/plain', buffer: Buffer.from('%\nO1\nG91 G01 X1. F100\nM30\n%\n') });
     await page.getByText('Edited program.').waitFor();
     await openProjects(page);
-    await dialog(page).getByText('Versions: 1').click();
+    await unfold(page, 'Versions: 1');
     await dialog(page).getByText('Before a program was opened').waitFor();
     await dialog(page).getByText('Program edited').first().waitFor();
   }));
@@ -114,14 +125,14 @@ test('the steps are listed in words, and one leads back over several', () =>
     await enter(page.locator('#heads'), '7');
     await page.selectOption('select.control', 'gsk-980tdc');
     await openProjects(page);
-    await dialog(page).getByText('Steps: 3').click();
+    await unfold(page, 'Steps: 3');
     await dialog(page).getByText('Control GSK 980TDc').waitFor();
     await accessible(page);
     await dialog(page).getByRole('button', { name: 'Pitch 10 → 9.5 mm' }).click();
     assert.equal(await page.locator('select.control').inputValue(), 'mitsubishi-e60');
     assert.notEqual(await page.locator('#heads').inputValue(), '7');
     await openProjects(page);
-    await dialog(page).getByText('Steps: 3').click();
+    await unfold(page, 'Steps: 3');
     await dialog(page).getByRole('button', { name: 'Control GSK 980TDc' }).click();
     assert.equal(await page.locator('#heads').inputValue(), '7');
   }));
@@ -131,7 +142,7 @@ test('all projects leave as one archive, and another browser takes them in once'
   await withPage(app, {}, async ({ page }) => {
     await project(page, 'Order 1', '9.5');
     await openProjects(page);
-    await dialog(page).getByText('Versions: 0').click();
+    await unfold(page, 'Versions: 0');
     await dialog(page).getByRole('button', { name: 'Keep a version' }).click();
     await dialog(page).getByText('Versions: 1').waitFor();
     archive = await saved(page, () => dialog(page).locator('#pack').click());
