@@ -101,14 +101,7 @@ fn Screen() -> impl IntoView {
         </Later>
         <div class="hidden" role="status">{page.notices.said}</div>
     };
-    in_turn(move || {
-        page.player.settle();
-        // The machine moves at first sight, but not for those who asked for stillness.
-        if !dom::prefers("(prefers-reduced-motion: reduce)") {
-            page.player.repeat.set(true);
-            dom::soon(move || page.player.toggle());
-        }
-    });
+    in_turn(move || page.player.begin());
     // The page may be gone.
     at_last(move || {
         if busy.try_set(false).is_none() {

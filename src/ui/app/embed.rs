@@ -50,14 +50,7 @@ pub fn EmbeddedApp(
     let page = Page::provide(embedded.begun, embedded.found);
     Still::provide();
     let busy = RwSignal::new(true);
-    // The machine moves at first sight, but not for those who asked for stillness.
-    in_turn(move || {
-        page.player.settle();
-        if !dom::prefers("(prefers-reduced-motion: reduce)") {
-            page.player.repeat.set(true);
-            dom::soon(move || page.player.toggle());
-        }
-    });
+    in_turn(move || page.player.begin());
     at_last(move || {
         let _ = busy.try_set(false);
     });

@@ -217,6 +217,15 @@ impl Player {
         self.ask();
     }
 
+    /// Shows the run and lets the machine move at first sight, again and again; it stands still for those who asked for stillness.
+    pub(crate) fn begin(self) {
+        self.settle();
+        if !dom::prefers("(prefers-reduced-motion: reduce)") {
+            self.repeat.set(true);
+            dom::soon(move || self.toggle());
+        }
+    }
+
     /// Plays or pauses. At the end of the run it restarts.
     pub(crate) fn toggle(self) {
         let playing = !self.playing.get_untracked();
