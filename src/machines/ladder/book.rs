@@ -113,7 +113,9 @@ impl<'a> Book<'a> {
         first.append(&mut self.rungs);
         let rungs = first;
         let (bits, words) = self.devices(&rungs);
-        Ladder { rungs: rungs.into(), language: self.control.plc, bits: bits.into(), words: words.into() }
+        let coils: BTreeSet<Bit> = rungs.iter().filter_map(Rung::coil).collect();
+        let (coils, language) = (coils.into_iter().collect(), self.control.plc);
+        Ladder { rungs: rungs.into(), language, coils, bits: bits.into(), words: words.into() }
     }
 
     fn devices(&self, rungs: &[Rung]) -> (Carried<Bit>, Carried<PlcNumber>) {

@@ -222,6 +222,8 @@ pub struct Ladder {
     pub rungs: Arc<[Rung]>,
     /// Instruction set.
     pub language: PlcLanguage,
+    /// Signals that a rung drives, in order.
+    pub coils: Arc<[Bit]>,
     /// Devices of the signals, by signal.
     pub bits: Arc<[(Bit, Device)]>,
     /// Devices of the numbers, by number.
@@ -243,11 +245,19 @@ impl Ladder {
 
     /// Whether a rung drives this coil.
     pub fn drives(&self, bit: Bit) -> bool {
-        self.rungs.iter().any(|rung| rung.action == RungAction::Coil(bit))
+        self.coils.binary_search(&bit).is_ok()
     }
 }
 
 impl Rung {
+    /// The coil of the rung.
+    pub fn coil(&self) -> Option<Bit> {
+        match self.action {
+            RungAction::Coil(bit) => Some(bit),
+            _ => None,
+        }
+    }
+
     /// The number that the rung writes.
     pub fn written(&self) -> Option<PlcNumber> {
         match self.action {

@@ -1,7 +1,10 @@
 //! The simulated PLC: a ladder, connected to the simulated control and to the contacts of the machine.
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
 use super::scan::Image;
-use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungAction};
+use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::controls::interface::SignalRole;
 use crate::controls::{Alarm, Control};
 use crate::drives::speed::Steps;
@@ -42,8 +45,12 @@ pub struct LadderPlc {
     ladder: Ladder,
     wiring: Wiring,
     block: Option<Box<dyn NamedBlock>>,
+    /// Signals that contacts of rungs name: all others need no state.
+    named: Arc<[Bit]>,
+    /// Gear stages whose valves rungs drive.
+    valves: Arc<[u8]>,
     /// Macro bits that rungs drive, each with its word and its place in it.
-    written: Vec<(u32, u32, u32)>,
+    written: Arc<[(u32, u32, u32)]>,
     /// Whether a rung reads the speed that the control puts out.
     reads_speed: bool,
     image: Image,
@@ -60,19 +67,25 @@ pub struct LadderPlc {
 impl LadderPlc {
     /// The PLC at power-on.
     pub fn new(ladder: Ladder, wiring: Wiring, control: &Control) -> LadderPlc {
-        let place = |rung: &super::Rung| match rung.action {
-            RungAction::Coil(Bit::Macro(variable)) => {
+        let place = |coil: &Bit| match *coil {
+            Bit::Macro(variable) => {
                 let (word, bit) = control.word_of_bit(variable)?;
                 Some((variable, word, bit))
             }
             _ => None,
         };
-        let written = ladder.rungs.iter().filter_map(place).collect();
+        let written = ladder.coils.iter().filter_map(place).collect();
+        let contacts = ladder.rungs.iter().flat_map(|rung| rung.when.iter().flatten());
+        let named: BTreeSet<Bit> = contacts.map(|contact| contact.bit).collect();
+        let named = named.into_iter().collect();
+        let valves = (2..=STAGES).filter(|stage| ladder.drives(Bit::Output(MachineOutput::Gear(*stage)))).collect();
         let reads_speed = !ladder.word(PlcNumber::Signal(SignalRole::SpindleFinal)).is_empty();
         LadderPlc {
             ladder,
             wiring,
             block: None,
+            named,
+            valves,
             written,
             reads_speed,
             image: Image::default(),
@@ -91,38 +104,12 @@ impl LadderPlc {
 
     /// Reads control, keys and contacts.
     fn read(&mut self, t: f64, io: &Io) {
-        let (image, stops) = (&mut self.image, &io.stops);
-        let ended = stops.program == ProgramState::Idle && self.program == ProgramState::Running && !stops.reset;
-        let at_speed = io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs();
-        let fresh = io.m_strobe.filter(|_| io.m_strobe != self.code);
-        let signals = [
-            (SignalRole::Running, stops.program == ProgramState::Running),
-            (SignalRole::Idle, stops.program == ProgramState::Idle),
-            (SignalRole::ProgramEnd, ended),
-            (SignalRole::Reset, stops.reset),
-            (SignalRole::MStrobe, io.m_strobe.is_some()),
-            (SignalRole::SStrobe, io.s_strobe.is_some()),
-            (SignalRole::TStrobe, io.t_strobe.is_some()),
-            (SignalRole::GearChange, io.gear_wanted.is_some_and(|stage| stage != io.gear || io.gear_volts.is_some())),
-        ];
-        signals.into_iter().for_each(|(role, on)| image.set(Bit::Signal(role), on));
-        for code in [3, 4, 5] {
-            image.set(Bit::Signal(SignalRole::MFunction(code)), fresh == Some(code));
+        for bit in self.named.iter() {
+            if let Some(on) = self.state(*bit, io) {
+                self.image.set(*bit, on);
+            }
         }
-        for bit in 0..3 {
-            let on = io.gear_wanted.is_some_and(|stage| stage >> bit & 1 == 1);
-            image.set(Bit::Signal(SignalRole::GearAsked(bit)), on);
-        }
-        let inputs = [
-            (MachineContact::Emergency, !(stops.reset && stops.emergency)),
-            (MachineContact::ResetKey, stops.reset),
-            (MachineContact::InverterReady, !stops.inverter_fault),
-            (MachineContact::AtSpeed, at_speed),
-            (MachineContact::ForwardKey, stops.spindle_key == Some(1)),
-            (MachineContact::ReverseKey, stops.spindle_key == Some(-1)),
-            (MachineContact::StopKey, stops.spindle_key == Some(0)),
-        ];
-        inputs.into_iter().for_each(|(input, on)| image.set(Bit::Input(input), on));
+        let image = &mut self.image;
         image.put(PlcNumber::Signal(SignalRole::MCode), io.m_strobe.map_or(0.0, f64::from));
         // It changes all the time under constant surface speed: only for ladders that read it.
         if self.reads_speed {
@@ -135,33 +122,71 @@ impl LadderPlc {
             image.put(PlcNumber::Signal(SignalRole::MacroOutput(variable)), value);
         }
         self.contacts(t);
-        (self.program, self.code) = (stops.program, io.m_strobe);
+        (self.program, self.code) = (io.stops.program, io.m_strobe);
+    }
+
+    /// State of a signal that control, keys or contacts of the machine switch.
+    fn state(&self, bit: Bit, io: &Io) -> Option<bool> {
+        let stops = &io.stops;
+        Some(match bit {
+            Bit::Signal(SignalRole::Running) => stops.program == ProgramState::Running,
+            Bit::Signal(SignalRole::Idle) => stops.program == ProgramState::Idle,
+            Bit::Signal(SignalRole::ProgramEnd) => {
+                stops.program == ProgramState::Idle && self.program == ProgramState::Running && !stops.reset
+            }
+            Bit::Signal(SignalRole::Reset) | Bit::Input(MachineContact::ResetKey) => stops.reset,
+            Bit::Signal(SignalRole::MStrobe) => io.m_strobe.is_some(),
+            Bit::Signal(SignalRole::SStrobe) => io.s_strobe.is_some(),
+            Bit::Signal(SignalRole::TStrobe) => io.t_strobe.is_some(),
+            Bit::Signal(SignalRole::MFunction(code)) => io.m_strobe == Some(code) && self.code != Some(code),
+            Bit::Signal(SignalRole::GearChange) => {
+                io.gear_wanted.is_some_and(|stage| stage != io.gear || io.gear_volts.is_some())
+            }
+            Bit::Signal(SignalRole::GearAsked(at)) => {
+                io.gear_wanted.is_some_and(|stage| u32::from(stage) >> at & 1 == 1)
+            }
+            Bit::Input(MachineContact::Emergency) => !(stops.reset && stops.emergency),
+            Bit::Input(MachineContact::InverterReady) => !stops.inverter_fault,
+            Bit::Input(MachineContact::AtSpeed) => {
+                io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs()
+            }
+            Bit::Input(MachineContact::ForwardKey) => stops.spindle_key == Some(1),
+            Bit::Input(MachineContact::ReverseKey) => stops.spindle_key == Some(-1),
+            Bit::Input(MachineContact::StopKey) => stops.spindle_key == Some(0),
+            _ => return None,
+        })
     }
 
     /// Contacts of the gear stages.
     fn contacts(&mut self, t: f64) {
-        let stage = (2..=STAGES).find(|stage| self.image.is_on(Bit::Output(MachineOutput::Gear(*stage)))).unwrap_or(1);
+        let is_on = |stage: &u8| self.image.is_on(Bit::Output(MachineOutput::Gear(*stage)));
+        let stage = self.valves.iter().copied().find(is_on).unwrap_or(1);
         if stage != self.gear.0 {
             self.gear = (stage, t);
         }
-        for stage in 1..=STAGES {
-            let meshed = stage == self.gear.0 && t >= self.gear.1 + self.wiring.meshing;
-            self.image.set(Bit::Input(MachineContact::InGear(stage)), meshed);
+        for bit in self.named.iter() {
+            if let Bit::Input(MachineContact::InGear(stage)) = bit {
+                let meshed = *stage == self.gear.0 && t >= self.gear.1 + self.wiring.meshing;
+                self.image.set(*bit, meshed);
+            }
         }
     }
 
     /// Signals that last for one scan.
     fn fall(&mut self) {
-        let signals = [SignalRole::ProgramEnd, SignalRole::Reset].into_iter();
-        for role in signals.chain([3, 4, 5].map(SignalRole::MFunction)) {
-            self.image.set(Bit::Signal(role), false);
+        for bit in self.named.iter() {
+            match bit {
+                Bit::Signal(SignalRole::ProgramEnd | SignalRole::Reset | SignalRole::MFunction(_))
+                | Bit::Input(
+                    MachineContact::ResetKey
+                    | MachineContact::ForwardKey
+                    | MachineContact::ReverseKey
+                    | MachineContact::StopKey,
+                ) => self.image.set(*bit, false),
+                Bit::Input(MachineContact::Emergency) => self.image.set(*bit, true),
+                _ => {}
+            }
         }
-        for input in
-            [MachineContact::ResetKey, MachineContact::ForwardKey, MachineContact::ReverseKey, MachineContact::StopKey]
-        {
-            self.image.set(Bit::Input(input), false);
-        }
-        self.image.set(Bit::Input(MachineContact::Emergency), true);
     }
 
     /// Hands the coils to control and machine.
@@ -191,10 +216,10 @@ impl LadderPlc {
                 _ => {}
             }
         }
-        for (_, word, _) in &self.written {
+        for (_, word, _) in self.written.iter() {
             io.inputs.insert(*word, 0.0);
         }
-        for (variable, word, bit) in &self.written {
+        for (variable, word, bit) in self.written.iter() {
             if image.is_on(Bit::Macro(*variable)) {
                 *io.inputs.entry(*word).or_insert(0.0) += f64::from(1_u32 << bit);
             }
@@ -230,22 +255,22 @@ impl LadderPlc {
 
 impl Plc for LadderPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        let rest = self.image.clone();
+        self.image.take_changed();
         self.read(t, io);
+        let changed = self.image.take_changed();
         let alarms =
             [MachineOutput::ReversalAlarm, MachineOutput::GearAlarm].map(|alarm| self.image.is_on(Bit::Output(alarm)));
         let mut wish = None;
         let due = self.ladder.due(&self.image).is_some_and(|due| due <= t);
-        if !self.settled || self.image != rest || due || self.block.is_some() {
+        if !self.settled || changed || due || self.block.is_some() {
             self.settled = (0..SCANS).any(|_| {
-                let before = self.image.clone();
                 self.ladder.scan(t, &mut self.image);
                 self.fall();
                 self.contacts(t);
                 if let Some(block) = &mut self.block {
                     wish = block.act(t, &mut self.image, io);
                 }
-                self.image == before
+                !self.image.take_changed()
             });
         }
         self.write(t, io, alarms);
@@ -261,7 +286,9 @@ impl Plc for LadderPlc {
             ladder: self.ladder.clone(),
             wiring: self.wiring,
             block: self.block.as_ref().map(|block| block.boxed()),
-            written: self.written.clone(),
+            named: Arc::clone(&self.named),
+            valves: Arc::clone(&self.valves),
+            written: Arc::clone(&self.written),
             reads_speed: self.reads_speed,
             image: self.image.clone(),
             settled: self.settled,

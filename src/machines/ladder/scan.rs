@@ -6,12 +6,14 @@ use super::{Bit, DECODED, Ladder, Operator, PlcNumber, Rung, RungAction, RungCon
 use crate::controls::interface::SignalRole;
 
 /// Signals, numbers and running timers of a PLC.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Image {
     on: BTreeSet<Bit>,
     numbers: BTreeMap<PlcNumber, f64>,
     /// When the condition of a timer began to hold (s).
     timers: BTreeMap<&'static str, f64>,
+    /// Whether anything has become another since it was asked last.
+    changed: bool,
 }
 
 impl Image {
@@ -22,11 +24,7 @@ impl Image {
 
     /// Switches a signal.
     pub fn set(&mut self, bit: Bit, on: bool) {
-        if on {
-            self.on.insert(bit);
-        } else {
-            self.on.remove(&bit);
-        }
+        self.changed |= if on { self.on.insert(bit) } else { self.on.remove(&bit) };
     }
 
     /// A number; 0 where nothing has written it.
@@ -39,7 +37,23 @@ impl Image {
 
     /// Writes a number.
     pub fn put(&mut self, word: PlcNumber, value: f64) {
-        self.numbers.insert(word, value);
+        self.changed |= self.numbers.insert(word, value) != Some(value);
+    }
+
+    /// Whether anything has become another since this was asked last.
+    pub fn take_changed(&mut self) -> bool {
+        core::mem::take(&mut self.changed)
+    }
+
+    /// Lets a timer run from time `t` (s), or begin anew; returns since when it runs.
+    fn time(&mut self, name: &'static str, t: f64, runs: bool) -> Option<f64> {
+        let since = self.timers.get(name).copied();
+        self.changed |= since.is_some() != runs;
+        if !runs {
+            self.timers.remove(name);
+            return None;
+        }
+        Some(*self.timers.entry(name).or_insert(t))
     }
 
     fn closed(&self, contact: &RungContact) -> bool {
@@ -62,10 +76,7 @@ impl Ladder {
             match rung.action {
                 RungAction::Coil(bit) => image.set(bit, holds),
                 RungAction::Timer(name, ms) => {
-                    let since = holds.then(|| *image.timers.entry(name).or_insert(t));
-                    if since.is_none() {
-                        image.timers.remove(name);
-                    }
+                    let since = image.time(name, t, holds);
                     image.set(Bit::Timer(name), since.is_some_and(|since| t >= since + seconds(ms)));
                 }
                 RungAction::Move { from, to, .. } if holds => image.put(to, image.number(from)),
@@ -97,10 +108,12 @@ impl Ladder {
 
     /// Whether a coil or a timer other than `aside` would change with this signal.
     pub fn waits_for(&self, image: &Image, bit: Bit, aside: Bit) -> bool {
-        let mut other = image.clone();
-        other.set(bit, !image.is_on(bit));
-        let acts = |rung: &&Rung| rung.action != RungAction::Coil(aside) && rung.bits().contains(&bit);
-        self.rungs.iter().filter(acts).any(|rung| rung.holds(image) != rung.holds(&other))
+        let turned = |contact: &RungContact| image.closed(contact) != (contact.bit == bit);
+        let holds = |rung: &Rung| rung.when.iter().any(|branch| branch.iter().all(turned));
+        let acts = |rung: &&Rung| {
+            rung.when.iter().flatten().any(|contact| contact.bit == bit) && rung.action != RungAction::Coil(aside)
+        };
+        self.rungs.iter().filter(acts).any(|rung| rung.holds(image) != holds(rung))
     }
 }
 

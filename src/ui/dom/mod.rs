@@ -1,5 +1,7 @@
 //! The browser: time, frames, storage, files, elements.
 
+pub(crate) mod children;
+
 pub(crate) mod script;
 
 pub(crate) mod turns;
@@ -8,7 +10,7 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{
     Blob, BlobPropertyBag, DomRect, Element, Event, HtmlAnchorElement, HtmlDialogElement, HtmlElement, Node,
-    Performance, Storage, Url,
+    Performance, ResizeObserver, Storage, Url,
 };
 
 /// Milliseconds since the page began.
@@ -239,6 +241,14 @@ pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
 pub(crate) fn hear(event: &str, act: impl Fn(Event) + 'static) {
     let act = Closure::<dyn Fn(Event)>::new(act).into_js_value();
     let _ = window().add_event_listener_with_callback_and_bool(event, act.unchecked_ref(), event == "paste");
+}
+
+/// Acts whenever the browser has given an element a size, the first time included: its size can be read then without another layout.
+pub(crate) fn on_resize(element: &Element, act: impl Fn() + 'static) {
+    let act = Closure::<dyn Fn()>::new(act).into_js_value();
+    if let Ok(observer) = ResizeObserver::new(act.unchecked_ref()) {
+        observer.observe(element);
+    }
 }
 
 /// Whether keys pressed in this element are text.

@@ -136,12 +136,15 @@ pub(super) fn Marks(
         }
     });
     let width = RwSignal::new(0);
-    let measure = move || {
-        if let Some(host) = host.try_get_untracked().flatten() {
-            put(width, host.client_width());
-        }
-    };
-    dom::hear("resize", move |_| measure());
+    host.on_load(move |host| {
+        let axis = host.clone();
+        dom::on_resize(&host, move || {
+            // The page may be gone.
+            if width.try_get_untracked().is_some() {
+                put(width, axis.client_width());
+            }
+        });
+    });
     let place = move |seconds: f64| {
         let (from, to) = axis.get();
         (from..=to).contains(&seconds).then(|| 100.0 * (seconds - from) / (to - from))
@@ -157,11 +160,13 @@ pub(super) fn Marks(
             events.map(|event| (event.t, name(&event.action, project.control))).collect::<Vec<_>>()
         })
     };
-    let named = move || {
-        measure();
+    let milestones = Memo::new(move |_| {
         let mut symbols: Vec<f64> = rows().into_iter().map(|row| row.0).collect();
         symbols.extend(end().map(|(seconds, _)| seconds));
         let width = f64::from(width.get().max(1));
+        found.with(|found| placed(found, axis.get(), width, &symbols))
+    });
+    let named = move || {
         let mark = |mark: Placed| {
             let title = format!("{} s: {}", clock(mark.t), mark.words);
             let class = if mark.side == Some(Side::Left) { "event left" } else { "event" };
@@ -173,7 +178,7 @@ pub(super) fn Marks(
                 </button>
             }
         };
-        found.with(|found| placed(found, axis.get(), width, &symbols)).into_iter().map(mark).collect_view()
+        milestones.get().into_iter().map(mark).collect_view()
     };
     let actions = move || {
         let marks = rows().into_iter().filter_map(|(seconds, words)| Some((place(seconds)?, seconds, words)));

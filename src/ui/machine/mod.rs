@@ -12,6 +12,8 @@ mod compare;
 
 mod film;
 
+mod fitted;
+
 mod labels;
 
 mod marks;

@@ -81,18 +81,16 @@ impl Drawn {
         }
     }
 
-    /// Keeps labels at their size in pixels and apart; where there is little room, the drawing becomes wider than it. Says whether it did.
-    pub(super) fn fit(&self) -> bool {
+    /// Keeps labels at their size in pixels and apart in a room of so many pixels; where that is little, the drawing becomes wider than it.
+    /// Says whether it did.
+    pub(super) fn fit(&self, (width, height): (i32, i32)) -> bool {
         let room = self.picture.as_ref().and_then(|picture| Some((picture, picture.parent_element()?)));
-        let Some((picture, parent)) = room else { return false };
-        let ([_, _, wide, high], room) = (self.view, parent.get_bounding_client_rect());
-        if room.width() <= 0.0 || room.height() <= 0.0 {
-            return false;
-        }
-        let (across, down) = (wide / room.width(), high / room.height());
+        let Some((picture, parent)) = room.filter(|_| width > 0 && height > 0) else { return false };
+        let ([_, _, wide, high], width, height) = (self.view, f64::from(width), f64::from(height));
+        let (across, down) = (wide / width, high / height);
         let strip = if parent.class_list().contains("pans") { 0.0 } else { STRIP };
         // Where the height is what it lacks, it would become narrower than its room.
-        let fills = across > high / (room.height() - strip).max(1.0);
+        let fills = across > high / (height - strip).max(1.0);
         let pans = self.pans && fills && across > CROWDED * self.unit;
         let unit = if pans { down.max(self.unit) } else { across.max(down) };
         let style = picture.style();

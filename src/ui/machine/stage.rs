@@ -7,15 +7,15 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::Element;
 
 use super::alarm_screen::AlarmScreen;
+use super::fitted::Fitted;
 use super::notices::NoticeBand;
 use super::pictures::SavePicture;
 use super::scene_view::Drawn;
 use crate::motion::{Mode, RunEnd};
 use crate::ui::dom;
-use crate::ui::dom::turns::in_turn;
 use crate::ui::parts::scene::{Still, svg};
 use crate::ui::parts::{Glyph, IconButton, Later};
-use crate::ui::state::{Page, put};
+use crate::ui::state::Page;
 use crate::ui::words::{end_words, mode_tone, mode_words, say, t};
 
 /// The drawing, moved by the run.
@@ -24,14 +24,8 @@ pub(crate) fn Stage() -> impl IntoView {
     let page = Page::here();
     let player = page.player;
     let section: NodeRef<html::Section> = NodeRef::new();
-    let host: NodeRef<html::Div> = NodeRef::new();
-    let drawn = StoredValue::new_local(None::<Drawn>);
-    // Whether the drawing is wider than its room, and the size of the room that it was fitted into.
-    let (pans, fitted) = (RwSignal::new(false), StoredValue::new((0, 0)));
-    let refit = move || {
-        let _ = fitted.try_set_value((0, 0));
-        player.ask();
-    };
+    let fitted = Fitted::new(page);
+    let (host, pans) = (fitted.host, fitted.pans);
     // The still is this very drawing, which goes on in it.
     let still = StoredValue::new_local(Still::take());
     Effect::new(move |_| {
@@ -42,36 +36,11 @@ pub(crate) fn Stage() -> impl IntoView {
                 Some(still) => drop(host.append_child(still)),
                 None => host.set_inner_html(&svg(scene)),
             }
-            drawn.set_value(Some(Drawn::new(&host, scene)));
+            fitted.take(Drawn::new(&host, scene));
         });
-        refit();
     });
     mark_causes(page, host);
-    for event in ["resize", "fullscreenchange"] {
-        dom::hear(event, move |_| refit());
-    }
-    player.paint(move |moment| {
-        // The size is read some times a second alone, for that makes the browser lay out the page.
-        let last = fitted.get_value();
-        let room = host.get_untracked().filter(|_| moment.slow || last == (0, 0));
-        let room = room.map_or(last, |host| (host.client_width(), host.client_height()));
-        fitted.set_value(room);
-        let posed = drawn.try_update_value(|drawn| {
-            let pose = || moment.machine.pose(moment.run, moment.now, moment.frame);
-            drawn.as_mut().is_some_and(|drawn| drawn.pose(&pose()))
-        });
-        if room == last && posed != Some(true) {
-            return;
-        }
-        let fit = move || {
-            // The page may be gone.
-            if let Some(Some(wide)) = drawn.try_with_value(|drawn| drawn.as_ref().map(Drawn::fit)) {
-                put(pans, wide);
-            }
-        };
-        // What is new must not move when it is seen; else not in the same task, for the browser lays out the page once more for it.
-        if last == (0, 0) { fit() } else { in_turn(fit) }
-    });
+    player.paint(move |moment| fitted.show(moment));
     // A wide drawing is a place that keys scroll.
     let stop = move || pans.get().then_some("0");
     let option = move || page.results.scene.with(|scene| scene.option);
@@ -88,10 +57,10 @@ pub(crate) fn Stage() -> impl IntoView {
     view! {
         <section class="pane drawing" id="machine" aria-label=t("page.drawing") node_ref=section>
             <div class="stage" class:pans=move || pans.get() tabindex=stop role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
-            <Show when=move || pans.get()><Stations drawn=drawn /></Show>
+            <Show when=move || pans.get()><Stations drawn=fitted.drawn /></Show>
             <Later>
                 // The labels make room for what lies over the drawing.
-                {refit()}
+                {fitted.refit()}
                 <div class="state">
                     <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
                     <WrongValues />

@@ -1,7 +1,10 @@
 //! The few results above the drawing, one line each.
 
+use std::rc::Rc;
+
 use leptos::prelude::*;
 
+use crate::machines::Design;
 use crate::ui::parts::Later;
 use crate::ui::parts::verdict::VerdictLine;
 use crate::ui::state::Page;
@@ -11,25 +14,26 @@ use crate::ui::words::{four_digits, limit_sign, sign, t, verdict_tone, verdict_w
 #[component]
 pub(crate) fn Verdicts() -> impl IntoView {
     let page = Page::here();
-    let lines = move || {
-        let design = page.results.design.get();
-        let headline = design.readouts.iter().filter(|readout| readout.headline).cloned();
-        let line = |readout: crate::view::Readout| {
-            let id = readout.id;
-            view! { <VerdictLine readout=readout open=move || page.show_result(id) /> }
-        };
-        headline.map(line).collect_view()
-    };
-    let rooms = move || {
-        let count = page
-            .results
-            .design
-            .with_untracked(|design| design.readouts.iter().filter(|readout| readout.headline).count());
-        (0..count).map(|_| view! { <div class="card plain"></div> }).collect_view()
+    let design = page.results.design;
+    let ids = Memo::new(move |_| {
+        design.with(|design| {
+            let headline = design.readouts.iter().filter(|readout| readout.headline);
+            headline.map(|readout| readout.id).collect::<Vec<_>>()
+        })
+    });
+    let rooms =
+        move || ids.get_untracked().into_iter().map(|_| view! { <div class="card plain"></div> }).collect_view();
+    // Only the lines whose results have changed are written anew.
+    let line = move |id: &'static str| {
+        let own = move |design: &Rc<Design>| design.readouts.iter().find(|readout| readout.id == id).cloned();
+        let readout = Memo::new(move |_| design.with(own));
+        move || readout.get().map(|readout| view! { <VerdictLine readout=readout open=move || page.show_result(id) /> })
     };
     view! {
         <section class="cards" aria-label=t("page.headline") class:old=move || page.is_stale()>
-            <div class="row"><Later meanwhile=rooms>{lines}</Later></div>
+            <div class="row">
+                <Later meanwhile=rooms><For each=move || ids.get() key=|id| *id children=line /></Later>
+            </div>
         </section>
     }
 }

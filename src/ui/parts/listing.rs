@@ -1,4 +1,4 @@
-//! A program as lines of HTML: coloured words, line numbers, and what is wrong below the line it is wrong in.
+//! A program as rows of HTML: coloured words, line numbers, and what is wrong below the line it is wrong in.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -20,11 +20,12 @@ const FINDINGS: usize = 20;
 /// A finding with its number among all.
 type Numbered<'d> = (usize, &'d Diagnostic);
 
-/// The lines of a file; `diagnostics` are those of all files. Lines carry their number, fixes the numbers of diagnostic and fix.
-pub(crate) fn html(file: &File, id: FileId, control: &Control, diagnostics: &[Diagnostic]) -> String {
+/// The lines of a file and the findings below them, a row each; `diagnostics` are those of all files. Lines carry their number, fixes the
+/// numbers of diagnostic and fix.
+pub(crate) fn rows(file: &File, id: FileId, control: &Control, diagnostics: &[Diagnostic]) -> Vec<String> {
     let lines = LineIndex::new(&file.text);
     let by_line = by_line(diagnostics, id, &lines);
-    let mut out = String::with_capacity(file.text.len() * 4);
+    let mut rows = Vec::with_capacity(lines.count() as usize);
     let mut number = 0;
     let mut start = 0;
     for line in file.text.split('\n').take(SHOWN as usize) {
@@ -32,21 +33,22 @@ pub(crate) fn html(file: &File, id: FileId, control: &Control, diagnostics: &[Di
         let text = line.strip_suffix('\r').unwrap_or(line);
         let found = by_line.get(&number).map_or(&[][..], Vec::as_slice);
         if !(number == lines.count() && text.is_empty()) {
-            let _ = write!(out, "<li data-l=\"{number}\"><code>");
-            words(&mut out, text, start, control, found);
-            out.push_str("</code></li>");
+            let mut row = format!("<li data-l=\"{number}\"><code>");
+            words(&mut row, text, start, control, found);
+            row.push_str("</code></li>");
+            rows.push(row);
         }
-        found.iter().take(FINDINGS).for_each(|(at, diagnostic)| finding(&mut out, *at, diagnostic));
+        rows.extend(found.iter().take(FINDINGS).map(|(at, diagnostic)| finding(*at, diagnostic)));
         if found.len() > FINDINGS {
             let more = say(&crate::msg!("page.more-findings", (found.len() - FINDINGS) as f64));
-            let _ = write!(out, "<li class=\"says info\">{more}</li>");
+            rows.push(format!("<li class=\"says info\">{more}</li>"));
         }
         start += line.len() + 1;
     }
     if lines.count() > SHOWN {
-        let _ = write!(out, "<li class=\"says info\">{} {SHOWN} / {}</li>", t("page.first-lines"), lines.count());
+        rows.push(format!("<li class=\"says info\">{} {SHOWN} / {}</li>", t("page.first-lines"), lines.count()));
     }
-    out
+    rows
 }
 
 /// The findings of a file by the line that they begin in.
@@ -114,27 +116,27 @@ pub(crate) fn class(kind: TokenKind) -> &'static str {
 }
 
 /// What is wrong, how to mend it, and buttons that do.
-fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
+fn finding(at: usize, diagnostic: &Diagnostic) -> String {
     let class = tone(diagnostic.severity);
-    let _ = write!(out, "<li class=\"says {class}\"><p><i aria-hidden=\"true\">{}</i> ", sign(class));
+    let mut out = format!("<li class=\"says {class}\"><p><i aria-hidden=\"true\">{}</i> ", sign(class));
     if let Some(alarm) = &diagnostic.alarm {
         let _ = write!(out, "<b data-means=\"alarms\">{alarm}</b> ");
         if let Some(wording) = diagnostic.wording {
             out.push_str("<q>");
-            escape(out, wording.words());
+            escape(&mut out, wording.words());
             out.push_str("</q> ");
         }
     }
-    escape(out, &say(&diagnostic.message));
+    escape(&mut out, &say(&diagnostic.message));
     for hint in &diagnostic.hints {
         out.push_str(" <em>");
-        escape(out, &say(hint));
+        escape(&mut out, &say(hint));
         out.push_str("</em>");
     }
     out.push_str("</p>");
     for (fix, row) in diagnostic.fixes.iter().enumerate() {
         let _ = write!(out, "<button type=\"button\" data-d=\"{at}\" data-fix=\"{fix}\">");
-        escape(out, &say(&row.title));
+        escape(&mut out, &say(&row.title));
         out.push_str("</button>");
     }
     if diagnostic.severity != Severity::Error {
@@ -142,6 +144,7 @@ fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
         let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-silence=\"{id}\">{words}</button>");
     }
     out.push_str("</li>");
+    out
 }
 
 #[cfg(test)]
@@ -153,7 +156,7 @@ mod tests {
     use crate::ui::testing::project;
 
     fn shown(text: &str, found: &[Diagnostic]) -> String {
-        html(&File { name: "O1".to_owned(), text: text.to_owned() }, FileId(0), project().control, found)
+        rows(&File { name: "O1".to_owned(), text: text.to_owned() }, FileId(0), project().control, found).concat()
     }
 
     #[wasm_bindgen_test]

@@ -7,7 +7,8 @@ use web_sys::Element;
 
 use crate::text::{FileId, LineIndex, Place};
 use crate::ui::dom;
-use crate::ui::parts::listing::html as lines_html;
+use crate::ui::dom::children;
+use crate::ui::parts::listing::rows as rows_of;
 use crate::ui::state::Page;
 use crate::ui::state::walk::Walk;
 use crate::ui::words::t;
@@ -15,6 +16,8 @@ use crate::ui::words::t;
 /// The lines in the page; marked and followed ones by their place in the list.
 #[derive(Default)]
 struct Rows {
+    /// All rows of the list as HTML, findings too.
+    html: Vec<String>,
     rows: Vec<Element>,
     lines: LineIndex,
     marked: Vec<usize>,
@@ -22,12 +25,23 @@ struct Rows {
 }
 
 impl Rows {
-    /// Marks the lines of a file: breakpoints, the cursor, the running block, the next block of the debugger.
-    fn mark(&mut self, file: FileId, walk: &Walk, running: Option<Place>, follow: bool) {
+    /// Shows other lines in the list; rows that are the same stay.
+    fn show(&mut self, host: &Element, html: Vec<String>, lines: LineIndex) {
+        self.unmark();
+        children::change(host, &self.html, &html);
+        *self = Rows { html, rows: dom::all(host, "[data-l]"), lines, ..Rows::default() };
+    }
+
+    fn unmark(&mut self) {
         for row in self.marked.drain(..).filter_map(|at| self.rows.get(at)) {
             row.set_class_name("");
             let _ = row.remove_attribute("aria-current");
         }
+    }
+
+    /// Marks the lines of a file: breakpoints, the cursor, the running block, the next block of the debugger.
+    fn mark(&mut self, file: FileId, walk: &Walk, running: Option<Place>, follow: bool) {
+        self.unmark();
         let next = walk.place();
         let cursor = walk.cursor.filter(|at| at.0 == file).map(|at| at.1);
         let line = |place: Option<Place>| Some(self.lines.line_of(place.filter(|p| p.file == file)?.span.start));
@@ -88,9 +102,8 @@ pub(super) fn Listing(
         let findings = page.program.findings.get();
         page.program.written.with(|written| {
             let Some(text) = written.files.get(file) else { return };
-            host.set_inner_html(&lines_html(text, file, written.parsed.control(), &findings));
-            let lines = LineIndex::new(&text.text);
-            rows.set_value(Rows { rows: dom::all(&host, "[data-l]"), lines, ..Rows::default() });
+            let html = rows_of(text, file, written.parsed.control(), &findings);
+            rows.update_value(|rows| rows.show(&host, html, LineIndex::new(&text.text)));
         });
         untrack(mark);
         untrack(seek);

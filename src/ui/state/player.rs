@@ -203,11 +203,13 @@ impl Player {
             if self.state.is_disposed() {
                 return;
             }
-            self.plan(self.soon(), SLICE);
+            let more = self.plan(self.far(), SLICE);
             self.show();
             dom::mark("rendered");
             dom::measure("edit", "input", "rendered");
-            self.plan_on();
+            if more {
+                self.plan_on();
+            }
         });
     }
 
@@ -424,7 +426,7 @@ impl Player {
             if self.state.try_update_value(|state| state.slicing = false).is_none() {
                 return;
             }
-            let more = self.plan(self.soon().max(HORIZON), SLICE);
+            let more = self.plan(self.far(), SLICE);
             // Charts of the whole plan cost more than a slice of it.
             let due = self.state.with_value(|state| dom::now() - state.slow_at >= SLOW);
             if due || !more {
@@ -441,6 +443,11 @@ impl Player {
     fn soon(self) -> f64 {
         let head = self.head();
         self.axis(head, 0.0).1.max(head + AHEAD)
+    }
+
+    /// Seconds up to which the plan goes in the background.
+    fn far(self) -> f64 {
+        self.soon().max(HORIZON)
     }
 
     /// Asks for a frame.

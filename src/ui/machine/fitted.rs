@@ -1,0 +1,95 @@
+//! The drawing in its room: what is new in it is fitted before it is seen, and again when the room has another size or a text grows.
+
+use leptos::html;
+use leptos::prelude::*;
+
+use super::scene_view::Drawn;
+use crate::ui::dom;
+use crate::ui::dom::turns::in_turn;
+use crate::ui::state::player::Moment;
+use crate::ui::state::{Page, put};
+
+/// The drawing. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(super) struct Fitted {
+    page: Page,
+    /// Its room.
+    pub host: NodeRef<html::Div>,
+    /// Its parts.
+    pub drawn: StoredValue<Option<Drawn>, LocalStorage>,
+    /// Whether it is wider than its room.
+    pub pans: RwSignal<bool>,
+    /// Size of the room in pixels.
+    room: StoredValue<(i32, i32)>,
+    /// Whether it is to be fitted before it is seen.
+    due: StoredValue<bool>,
+}
+
+impl Fitted {
+    /// A room without a drawing.
+    pub(super) fn new(page: Page) -> Fitted {
+        let fitted = Fitted {
+            page,
+            host: NodeRef::new(),
+            drawn: StoredValue::new_local(None),
+            pans: RwSignal::new(false),
+            room: StoredValue::new((0, 0)),
+            due: StoredValue::new(true),
+        };
+        fitted.host.on_load(move |host| {
+            dom::on_resize(&host, move || {
+                if fitted.measure() {
+                    fitted.refit();
+                }
+            });
+        });
+        fitted
+    }
+
+    /// Takes a new drawing, which is in the room already.
+    pub(super) fn take(self, drawn: Drawn) {
+        self.drawn.set_value(Some(drawn));
+        self.refit();
+    }
+
+    /// Fits the labels anew in the next frame.
+    pub(super) fn refit(self) {
+        // The page may be gone.
+        let _ = self.due.try_set_value(true);
+        self.page.player.ask();
+    }
+
+    /// Moves the parts to where they are at a moment.
+    pub(super) fn show(self, moment: &Moment) {
+        let longer = self.drawn.try_update_value(|drawn| {
+            let pose = || moment.machine.pose(moment.run, moment.now, moment.frame);
+            drawn.as_mut().is_some_and(|drawn| drawn.pose(&pose()))
+        });
+        let is_due = self.due.try_update_value(|due| core::mem::replace(due, false)) == Some(true);
+        match (is_due, longer) {
+            // It must not move when it is seen, and is measured when everything else is written.
+            (true, _) => dom::soon(move || self.fit()),
+            // Not in the same task, for the browser lays out the page once more for it.
+            (false, Some(true)) => in_turn(move || self.fit()),
+            _ => {}
+        }
+    }
+
+    /// Reads the size of the room, which makes the browser lay out the page; whether it has changed.
+    fn measure(self) -> bool {
+        let size = self.host.try_get_untracked().flatten().map(|host| (host.client_width(), host.client_height()));
+        let change = |room: &mut (i32, i32)| size.is_some_and(|size| core::mem::replace(room, size) != size);
+        self.room.try_update_value(change) == Some(true)
+    }
+
+    fn fit(self) {
+        if self.room.try_get_value() == Some((0, 0)) {
+            self.measure();
+        }
+        // The page may be gone.
+        let Some(room) = self.room.try_get_value() else { return };
+        if let Some(Some(wide)) = self.drawn.try_with_value(|drawn| drawn.as_ref().map(|drawn| drawn.fit(room))) {
+            put(self.pans, wide);
+        }
+    }
+}
