@@ -38,6 +38,13 @@ pub struct Proposal {
     pub meaning: Option<Meaning>,
 }
 
+impl Proposal {
+    /// The line beside it: the first sentence of its meaning, else its detail.
+    pub fn line(&self) -> String {
+        self.meaning.as_ref().and_then(Meaning::first).unwrap_or_else(|| self.detail.clone())
+    }
+}
+
 /// Proposals for a place.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Completion {

@@ -8,6 +8,7 @@ use crate::controls::{Address, Code, CodeDef, CodeId, Control, Group, Signal, Va
 use crate::machines::ControlContext;
 use crate::motion::Action;
 use crate::msg;
+use crate::nc::symbols::{OutlineItem, Symbol};
 use crate::nc::{TokenKind, tokens};
 use crate::text::catalog::sentence;
 use crate::text::{Citation, Message, Phrase, Span, headed, sentences};
@@ -130,6 +131,15 @@ impl<'a> Words<'a> {
     pub fn at(&self, line: &str, byte: u32) -> Option<(Span, Meaning)> {
         let span = words(line, self.control()).into_iter().find(|span| (span.start..span.end).contains(&byte))?;
         Some((span, self.meaning(span.of(line), Table::Program)?))
+    }
+
+    /// The line beside an item of an outline: the meaning of a variable, else the title of the program or the text of the block.
+    pub fn line(&self, item: &OutlineItem) -> String {
+        let says = match item.symbol {
+            Symbol::Program(_) | Symbol::Block(_) => None,
+            Symbol::Variable(_) | Symbol::Local { .. } => self.meaning(&item.name, Table::Program),
+        };
+        says.and_then(|meaning| meaning.first()).unwrap_or_else(|| item.detail.clone())
     }
 
     /// The meaning of a word; `None` where no row knows it.
@@ -383,6 +393,11 @@ impl Meaning {
     /// The word with what it means, as one line.
     pub fn sentence(&self) -> String {
         headed(&self.word, sentences(self.says.iter().map(sentence)))
+    }
+
+    /// Its first sentence.
+    pub fn first(&self) -> Option<String> {
+        self.says.first().map(sentence)
     }
 
     /// Id of its entry in the help, where that has one.

@@ -7,8 +7,6 @@ use lsp_types::{
 };
 use macroline::nc::symbols::{OutlineItem, Role, Symbol, Symbols};
 use macroline::project::completion::{self, ProposalKind};
-use macroline::project::meaning::Table;
-use macroline::text::catalog::sentence;
 use macroline::text::{FileId, LineIndex, Place, Span};
 
 use super::convert::Lines;
@@ -38,29 +36,23 @@ impl Programs {
         let lines = Lines::new(text);
         let found = completion::at(&self.setup.words(), &self.parsed, file, lines.byte(position));
         let range = lines.range(found.replaces);
-        let item = |(at, proposal): (usize, completion::Proposal)| {
-            let says = proposal.meaning.as_ref().and_then(|meaning| meaning.says.first()).map(sentence);
-            CompletionItem {
-                label: proposal.text.clone(),
-                kind: Some(match proposal.kind {
-                    ProposalKind::Code => CompletionItemKind::OPERATOR,
-                    ProposalKind::Variable => CompletionItemKind::VARIABLE,
-                    ProposalKind::Keyword => CompletionItemKind::KEYWORD,
-                    ProposalKind::Function => CompletionItemKind::FUNCTION,
-                    ProposalKind::Address => CompletionItemKind::FIELD,
-                    ProposalKind::Block => CompletionItemKind::REFERENCE,
-                    ProposalKind::Program => CompletionItemKind::MODULE,
-                }),
-                detail: says.or(Some(proposal.detail)).filter(|text| !text.is_empty()),
-                documentation: proposal
-                    .meaning
-                    .as_ref()
-                    .map(|it| Documentation::MarkupContent(plain(meaning_text(it)))),
-                sort_text: Some(format!("{at:05}")),
-                filter_text: Some(proposal.text.clone()),
-                text_edit: Some(CompletionTextEdit::Edit(TextEdit { range, new_text: proposal.text })),
-                ..CompletionItem::default()
-            }
+        let item = |(at, proposal): (usize, completion::Proposal)| CompletionItem {
+            label: proposal.text.clone(),
+            kind: Some(match proposal.kind {
+                ProposalKind::Code => CompletionItemKind::OPERATOR,
+                ProposalKind::Variable => CompletionItemKind::VARIABLE,
+                ProposalKind::Keyword => CompletionItemKind::KEYWORD,
+                ProposalKind::Function => CompletionItemKind::FUNCTION,
+                ProposalKind::Address => CompletionItemKind::FIELD,
+                ProposalKind::Block => CompletionItemKind::REFERENCE,
+                ProposalKind::Program => CompletionItemKind::MODULE,
+            }),
+            detail: Some(proposal.line()).filter(|text| !text.is_empty()),
+            documentation: proposal.meaning.as_ref().map(|it| Documentation::MarkupContent(plain(meaning_text(it)))),
+            sort_text: Some(format!("{at:05}")),
+            filter_text: Some(proposal.text.clone()),
+            text_edit: Some(CompletionTextEdit::Edit(TextEdit { range, new_text: proposal.text })),
+            ..CompletionItem::default()
         };
         let items = found.proposals.into_iter().enumerate().map(item).collect();
         Some(CompletionList { is_incomplete: true, items })
@@ -116,17 +108,16 @@ impl Programs {
 
     #[allow(deprecated, reason = "the type has a field that the protocol gave up")]
     fn entry(&self, entry: OutlineItem, lines: &Lines) -> DocumentSymbol {
-        let meaning = || self.setup.words().meaning(&entry.name, Table::Program);
-        let (kind, says) = match entry.symbol {
-            Symbol::Program(_) => (SymbolKind::MODULE, None),
-            Symbol::Block(_) => (SymbolKind::KEY, None),
-            Symbol::Variable(_) | Symbol::Local { .. } => (SymbolKind::VARIABLE, meaning()),
+        let kind = match entry.symbol {
+            Symbol::Program(_) => SymbolKind::MODULE,
+            Symbol::Block(_) => SymbolKind::KEY,
+            Symbol::Variable(_) | Symbol::Local { .. } => SymbolKind::VARIABLE,
         };
-        let says = says.and_then(|meaning| meaning.says.first().map(sentence)).unwrap_or(entry.detail);
+        let line = self.setup.words().line(&entry);
         let children = entry.children.into_iter().map(|child| self.entry(child, lines)).collect();
         DocumentSymbol {
             name: entry.name,
-            detail: Some(says).filter(|text| !text.is_empty()),
+            detail: Some(line).filter(|text| !text.is_empty()),
             kind,
             tags: None,
             deprecated: None,
