@@ -31,6 +31,20 @@ const KEYS: [(&str, &str); 11] = [
     ("/", "page.key-find"),
 ];
 
+/// Keys of the editor and their effects.
+const EDITOR_KEYS: [(&str, &str); 10] = [
+    ("Ctrl Space", "page.key-complete"),
+    ("Ctrl I", "page.key-word"),
+    ("F12", "page.key-define"),
+    ("Shift F12", "page.key-uses"),
+    ("Ctrl Shift O", "page.key-outline"),
+    ("F8", "page.key-finding"),
+    ("Ctrl .", "page.key-findings"),
+    ("F9", "page.key-point"),
+    ("Ctrl F", "page.key-search"),
+    ("Esc Tab", "page.key-leave"),
+];
+
 /// Id of the page that has the keys.
 const PROGRAMS: &str = "programs";
 
@@ -248,6 +262,7 @@ fn Shortcuts() -> impl IntoView {
     let row = |(key, what): (&'static str, &'static str)| {
         view! { <tr><th scope="row"><kbd>{key}</kbd></th><td>{t(what)}</td></tr> }
     };
+    let editor = EDITOR_KEYS.map(row).collect_view();
     let rows = KEYS.into_iter().chain(COMMANDS.into_iter().map(|(key, _, what)| (key, what))).map(row).collect_view();
     let keys_on = RwSignal::new(keys::on());
     let turn = move |on| {
@@ -270,6 +285,8 @@ fn Shortcuts() -> impl IntoView {
             <summary>{t("page.keys")}</summary>
             <table class="shortcuts"><tbody>{rows}</tbody></table>
             <CheckMark label=t("page.keys-on") on=keys_on set=turn />
+            <h3>{t("page.keys-editor")}</h3>
+            <table class="shortcuts"><tbody>{editor}</tbody></table>
         </details>
     }
 }
@@ -316,7 +333,7 @@ mod tests {
         bench.page.view.helping.set(true);
         settled().await;
         assert_eq!(focused().map(|element| element.id()).as_deref(), Some("help-search"));
-        assert_eq!(bench.all(".shortcuts tr").len(), KEYS.len() + COMMANDS.len());
+        assert_eq!(bench.all(".shortcuts tr").len(), KEYS.len() + COMMANDS.len() + EDITOR_KEYS.len());
         let first = bench.all(".help-body nav button").into_iter().next().and_then(|one| one.text_content());
         assert_eq!(first.as_deref(), Some(t("ribbon.name")));
         bench.press_button(t("page.close")).await;

@@ -5,6 +5,7 @@
 
 use std::time::Duration;
 
+use js_sys::Array;
 use leptos::ev::{self, KeyboardEvent, PointerEvent};
 use leptos::html;
 use leptos::leptos_dom::helpers::TimeoutHandle;
@@ -14,7 +15,8 @@ use web_sys::{DomRect, Element, Event};
 
 use crate::project::Project;
 use crate::project::meaning::{self, Meaning, Table};
-use crate::ui::dom;
+use crate::text::utf16;
+use crate::ui::dom::{self, script::call};
 use crate::ui::state::Page;
 use crate::ui::words::{four_digits, say, t, value_of};
 
@@ -29,6 +31,10 @@ const GAP: f64 = 6.0;
 const MARKED: &str = "[data-means]";
 /// Lines whose pieces are words.
 const LINE: &str = ".listing [data-l] code";
+/// The editor of a program, which tells its lines itself.
+const EDITOR: &str = ".editor";
+/// The button by which the editor asks for the word at its cursor.
+const ASKS: &str = "[data-asks]";
 /// Lists that can have the focus and have words.
 const LIST: &str = ".listing, .sheets .scroll";
 
@@ -69,10 +75,32 @@ fn of_line<'l>(project: &'l Project, line: &'l Element) -> impl Iterator<Item = 
     })
 }
 
+/// The word of the editor's line at a point, or of the line with its cursor.
+fn of_editor(project: &Project, editor: &Element, point: Option<(f64, f64)>) -> Option<Word> {
+    let line = match point {
+        Some((x, y)) => call(editor, "lineAtPoint", &[&x.into(), &y.into()]),
+        None => call(editor, "lineAtCursor", &[]),
+    };
+    let line: Array = line.ok()?.dyn_into().ok()?;
+    let (text, at, start) = (line.get(0).as_string()?, line.get(1).as_f64()?, line.get(2).as_f64()?);
+    let at = utf16::byte(&text, at as u32);
+    // The cursor belongs to the word that it is behind, too.
+    let found = meaning::at(project, &text, at);
+    let before = || meaning::at(project, &text, at.checked_sub(1)?);
+    let (span, meaning) = found.or_else(|| before().filter(|_| point.is_none()))?;
+    let start = start + f64::from(utf16::units(&text, span.start));
+    let area: Array = call(editor, "areaAt", &[&start.into()]).ok()?.dyn_into().ok()?;
+    let side = |side: u32| area.get(side).as_f64();
+    Some(Word { meaning, left: side(0)?, top: side(1)?, bottom: side(2)? })
+}
+
 /// The word at a point of an element.
 fn at_point(project: &Project, target: &Element, (x, y): (f64, f64)) -> Option<Word> {
     if let Some(element) = target.closest(MARKED).ok()? {
         return marked(project, &element);
+    }
+    if let Some(editor) = target.closest(EDITOR).ok()? {
+        return of_editor(project, &editor, Some((x, y)));
     }
     let line = target.closest(LINE).ok()??;
     let within =
@@ -121,6 +149,10 @@ impl Shown {
         if target.closest("#meaning").ok().flatten().is_some() {
             return self.later(None);
         }
+        // A press that is held selects.
+        if event.buttons() != 0 {
+            return self.put(None);
+        }
         let point = (f64::from(event.client_x()), f64::from(event.client_y()));
         let found = self.page.project.with_untracked(|project| at_point(project, &target, point));
         match (found, self.word.with_untracked(Option::is_some)) {
@@ -131,12 +163,17 @@ impl Shown {
         }
     }
 
-    /// A finger has no place to rest: its tap shows at once.
+    /// A finger has no place to rest: its tap shows at once. In the editor it sets the cursor, and a button shows the meaning.
     fn tap(self, event: &Event) {
         let tap = event.dyn_ref::<PointerEvent>().filter(|event| event.pointer_type() == "touch");
         if let (Some(event), Some(target)) = (tap, element(event)) {
             let point = (f64::from(event.client_x()), f64::from(event.client_y()));
-            self.put(self.page.project.with_untracked(|project| at_point(project, &target, point)));
+            if target.closest(ASKS).ok().flatten().is_some() {
+                return;
+            }
+            let words = Some(target).filter(|target| !in_editor(target));
+            let found = |target| self.page.project.with_untracked(|project| at_point(project, &target, point));
+            self.put(words.and_then(found));
         }
     }
 
@@ -146,6 +183,18 @@ impl Shown {
         }
         let element = element(event).and_then(|target| target.closest(MARKED).ok()?);
         let found = element.and_then(|element| self.page.project.with_untracked(|project| marked(project, &element)));
+        self.put(found);
+    }
+
+    /// The editor asks for the word at its cursor.
+    fn ask(self, event: &Event) {
+        let editor = element(event).filter(in_editor);
+        let found = |editor: Element| self.page.project.with_untracked(|project| of_editor(project, &editor, None));
+        let found = editor.and_then(found);
+        match &found {
+            Some(word) => self.page.notices.say(word.meaning.sentence()),
+            None => self.page.notices.notify("info", t("page.no-meaning").to_owned()),
+        }
         self.put(found);
     }
 
@@ -159,6 +208,12 @@ impl Shown {
                 return self.put(None);
             }
             ("Enter", None) => None,
+            (key, Some(_)) if element(event).as_ref().is_some_and(in_editor) => {
+                if !event.ctrl_key() && !event.meta_key() && !MODIFIERS.contains(&key) {
+                    self.put(None);
+                }
+                return;
+            }
             ("ArrowRight", Some(_)) => Some(1),
             ("ArrowLeft", Some(_)) => Some(-1),
             ("ArrowUp" | "ArrowDown", Some(_)) => return self.put(None),
@@ -176,6 +231,13 @@ impl Shown {
         self.page.notices.say(word.meaning.sentence());
         self.put(Some(word));
     }
+}
+
+/// Keys that type nothing.
+const MODIFIERS: [&str; 4] = ["Alt", "Control", "Meta", "Shift"];
+
+fn in_editor(element: &Element) -> bool {
+    element.matches(EDITOR).unwrap_or(false)
 }
 
 fn element(event: &Event) -> Option<Element> {
@@ -209,6 +271,7 @@ pub(crate) fn MeaningPopover() -> impl IntoView {
         window_event_listener(ev::focusin, move |event| shown.focus(&event)),
         window_event_listener(ev::keydown, move |event| shown.key(&event)),
         window_event_listener(ev::wheel, move |_| shown.put(None)),
+        window_event_listener_untyped("means", move |event| shown.ask(&event)),
     ];
     on_cleanup(move || {
         listeners.into_iter().for_each(WindowListenerHandle::remove);
@@ -276,6 +339,7 @@ mod tests {
                 </ol>
                 <b data-means="program" data-word="S">"speed"</b>
                 <input data-means="program" data-word="#104" />
+                <div class="editor" tabindex="0"></div>
                 <div class="sheets"><div class="scroll" tabindex="0"><i data-means="parameters">"#3001"</i></div></div>
                 <MeaningPopover />
             }
@@ -363,6 +427,34 @@ mod tests {
         focus();
         settled().await;
         assert_eq!((open(&bench), word(&bench).as_str()), (true, "#104"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn editor_asks_for_the_word_at_its_cursor_and_typing_closes_it() {
+        let bench = page().await;
+        let editor = bench.find(".editor");
+        let tell = |at: u32| {
+            let line = format!("return ['N35 G01 X#110 ', {at}, 40]");
+            for (name, body) in [("lineAtCursor", line.as_str()), ("areaAt", "return [at, 50, 60]")] {
+                dom::script::set(&editor, name, &js_sys::Function::new_with_args("at", body));
+            }
+            editor.dispatch_event(&event("Event", "means", &[])).unwrap();
+        };
+        // On a word, and behind it.
+        for (at, expected) in [(5, "G1"), (8, "X#110"), (13, "#110"), (0, "N35"), (3, "N35")] {
+            tell(at);
+            settled().await;
+            assert!(open(&bench) && expected.contains(&word(&bench)), "{at}: {}", word(&bench));
+            assert!(bench.page.notices.said.get_untracked().starts_with(&word(&bench)));
+        }
+        bench.key(".editor", "Shift", false).await;
+        assert!(open(&bench));
+        bench.key(".editor", "A", false).await;
+        assert!(!open(&bench));
+        tell(15);
+        settled().await;
+        assert!(!open(&bench));
+        assert_eq!(bench.page.notices.said.get_untracked(), t("page.no-meaning"));
     }
 
     #[wasm_bindgen_test]

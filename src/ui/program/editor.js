@@ -1,17 +1,19 @@
 // The editor of a program, bundled beside the page and loaded only when somebody edits. It lives in a shadow root:
 // there CodeMirror puts its styles into constructed sheets, which the content security policy allows, and not into <style>.
 import { defaultKeymap, history, historyField, historyKeymap, indentWithTab } from '@codemirror/commands';
-import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { unifiedMergeView } from '@codemirror/merge';
-import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { highlightSelectionMatches, openSearchPanel, search, searchKeymap } from '@codemirror/search';
 import { Annotation, EditorState, RangeSetBuilder } from '@codemirror/state';
-import { Decoration, EditorView, ViewPlugin, drawSelection, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { Decoration, EditorView, ViewPlugin, drawSelection, highlightActiveLine, keymap, lineNumbers, tooltips } from '@codemirror/view';
+import { completion } from './editor/completion.js';
+import { findings, next, previous, showFindings } from './editor/findings.js';
+import { list } from './editor/list.js';
+import { points, showPoints } from './editor/points.js';
+import { theme } from './editor/theme.js';
+import { READ, tellWords } from './editor/words.js';
 
 // A change that came from the page and not from the keyboard.
 const fromPage = Annotation.define();
-const SEVERITY = { fail: 'error', warn: 'warning', info: 'info' };
-// Characters of a line that are coloured at most.
-const COLOURED = 2000;
 
 // The colours of the lines that are to be seen. `pieces` knows the words of the control: of a line it gives start, end and class of each piece.
 const colours = (pieces) =>
@@ -28,7 +30,7 @@ const colours = (pieces) =>
         for (const range of visibleRanges) {
           for (let at = range.from; at <= range.to; ) {
             const { from, to, text } = state.doc.lineAt(at);
-            const found = pieces(text.slice(0, COLOURED));
+            const found = pieces(text.slice(0, READ));
             for (const [start, end, name] of found) all.add(from + start, from + end, Decoration.mark({ class: name }));
             at = to + 1;
           }
@@ -39,96 +41,143 @@ const colours = (pieces) =>
     { decorations: (plugin) => plugin.decorations },
   );
 
-const theme = EditorView.theme({
-  '&': { height: '100%', width: '100%', color: 'var(--ink)', backgroundColor: 'var(--pane)', fontSize: '12.5px' },
-  '&.cm-focused': { outline: 'none' },
-  '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '1.6', overflow: 'auto' },
-  '.cm-content': { caretColor: 'var(--ink)' },
-  '.cm-cursor': { borderLeftColor: 'var(--ink)' },
-  '.cm-gutters': { color: 'var(--dim)', backgroundColor: 'var(--pane)', borderRight: '1px solid var(--line)' },
-  '.cm-activeLine': { backgroundColor: 'color-mix(in srgb, var(--soft) 60%, transparent)' },
-  '.cm-selectionBackground, &.cm-focused .cm-selectionBackground': { backgroundColor: 'color-mix(in srgb, var(--accent) 28%, transparent) !important' },
-  '.cm-panels, .cm-tooltip': { color: 'var(--ink)', backgroundColor: 'var(--pane)', border: '1px solid var(--line)' },
-  '.cm-button, .cm-textfield': { color: 'var(--ink)', background: 'var(--well)', border: '1px solid var(--line)' },
-  '.cm-diagnosticAction': { color: 'var(--on-accent)', backgroundColor: 'var(--accent)' },
-  '.cm-collapsedLines': { color: 'var(--accent)', background: 'var(--well)' },
-  '.cm-deletedChunk': { backgroundColor: 'var(--bad-soft)' },
-  '.cm-changedLine, .cm-insertedLine': { backgroundColor: 'var(--ok-soft) !important' },
-  '.t-c, .t-n': { color: 'var(--dim)' },
-  '.t-g, .t-k': { color: 'var(--accent)' },
-  '.t-v': { color: 'var(--violet)' },
-  '.t-d': { color: 'var(--orange)' },
-});
+// Pixels at the foot of the window that bars of the page cover, where the window is small.
+const covered = () => parseFloat(getComputedStyle(document.body).paddingBottom) || 0;
 
-function shadow(host) {
-  return host.shadowRoot ?? host.attachShadow({ mode: 'open' });
-}
+// The cursor and what belongs to it stay clear of them.
+const inSight = [
+  EditorView.scrollMargins.of(() => ({ bottom: covered() })),
+  tooltips({ tooltipSpace: () => ({ top: 0, left: 0, right: innerWidth, bottom: innerHeight - covered() }) }),
+];
 
-function view(host, create, { label, pieces }, extensions) {
-  const root = shadow(host);
+// A view in the shadow root of `host`; `begin` makes its state of all extensions.
+function openView(host, begin, { label, pieces, phrases }, extensions) {
+  const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
   root.replaceChildren();
   const box = document.createElement('div');
   box.style.cssText = 'width:100%;height:100%';
   root.append(box);
-  const common = [lineNumbers(), drawSelection(), highlightActiveLine(), colours(pieces), theme, EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false', tabindex: '0' })];
-  return new EditorView({ state: create([...extensions, common]), parent: box, root });
+  const content = EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false', tabindex: '0' });
+  const common = [drawSelection(), highlightActiveLine(), colours(pieces), theme, inSight, EditorState.phrases.of(phrases), content];
+  const view = new EditorView({ state: begin([...extensions, common]), parent: box, root });
+  tellWords(host, view);
+  return view;
 }
 
-// What of an editor goes on in the next one of the same text: cursor and history.
+// What of a file goes on in its next editor, as long as the text is the same: cursor and history.
 const KEPT = { history: historyField };
-let last;
+const states = new Map();
 
-// Opens an editor in `host`, called `label`. `changed` gets the text after each edit, `fix` the numbers of a diagnostic and of its fix.
-export function open(host, text, options) {
-  const { changed, fix } = options;
-  const keys = keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]);
-  const listener = EditorView.updateListener.of((update) => {
-    if (update.docChanged && !update.transactions.some((one) => one.annotation(fromPage))) changed(update.state.doc.toString());
+function stateOf(file, doc, extensions) {
+  const before = states.get(file);
+  return before?.doc.toString() === doc ? EditorState.fromJSON(before.toJSON(KEPT), { extensions }, KEPT) : EditorState.create({ doc, extensions });
+}
+
+// What keys, buttons and presses ask the page for. `list` promises the list of a name at a place, `define` shows what is named at a place.
+function commandsOf(host, { list: ask, define, turn }, show) {
+  const head = ({ state }) => state.selection.main.head;
+  const offer = (name) => (view) => {
+    const { doc } = view.state;
+    const take = (shown) => {
+      if (!view.dom.isConnected || view.state.doc !== doc) return;
+      if (shown) show(view, shown);
+      else if (shown === undefined) setTimeout(() => ask(name, head(view)).then(take), 100);
+    };
+    ask(name, head(view)).then(take);
+    return true;
+  };
+  return {
+    outline: offer('outline'),
+    uses: offer('uses'),
+    findings: offer('findings'),
+    define: (view) => (define(head(view)), true),
+    turn: (view) => (turn(view.state.doc.lineAt(head(view)).number), true),
+    meaning(view) {
+      view.dispatch({ effects: EditorView.scrollIntoView(head(view)) });
+      return host.dispatchEvent(new CustomEvent('means', { bubbles: true }));
+    },
+    find: openSearchPanel,
+  };
+}
+
+// A press with Ctrl, on a Mac with Command, leads to the definition.
+const press = (define) =>
+  EditorView.domEventHandlers({
+    mousedown(event, view) {
+      const held = /Mac|iP/.test(navigator.platform) ? event.metaKey : event.ctrlKey;
+      const at = held && event.button === 0 ? view.posAtCoords(event) : null;
+      if (at === null) return false;
+      view.dispatch({ selection: { anchor: at } });
+      define(view);
+      event.preventDefault();
+      return true;
+    },
   });
-  const create = (extensions) =>
-    last?.state.doc.toString() === text
-      ? EditorState.fromJSON(last.state.toJSON(KEPT), { extensions }, KEPT)
-      : EditorState.create({ doc: text, extensions });
-  const editor = view(host, create, options, [history(), search({ top: true }), highlightSelectionMatches(), lintGutter(), keys, listener]);
-  last = editor;
+
+// Opens an editor of a file in `host`, called `label`. `changed` gets the number of the file and its text after each edit, `fix` the numbers of a
+// finding and of its fix, `choose` that of a row of a list, `turn` the line of a breakpoint; `complete` promises proposals at a place.
+export function open(host, number, text, options) {
+  let file = number;
+  const lists = list(options.choose, options.words);
+  const commands = commandsOf(host, options, lists.show);
+  const keys = keymap.of([
+    { key: 'F12', run: commands.define },
+    { key: 'Shift-F12', run: commands.uses },
+    { key: 'Mod-Shift-o', run: commands.outline },
+    { key: 'Mod-.', run: commands.findings },
+    { key: 'Mod-i', run: commands.meaning },
+    { key: 'F8', run: next, shift: previous, preventDefault: true },
+    { key: 'F9', run: commands.turn },
+    ...[defaultKeymap, historyKeymap, searchKeymap].flat(),
+    indentWithTab,
+  ]);
+  const listener = EditorView.updateListener.of(({ docChanged, state, transactions }) => {
+    if (docChanged && !transactions.some((one) => one.annotation(fromPage))) options.changed(file, state.doc.toString());
+  });
+  const parts = [history(), search({ top: true }), highlightSelectionMatches(), findings, points(options.turn), completion(options.complete)];
+  let all;
+  const begin = (extensions) => stateOf(file, text, (all = extensions));
+  const editor = openView(host, begin, options, [parts, lists.extension, press(commands.define), keys, listener]);
   // Whoever has gone elsewhere while it was loaded stays there.
   const here = document.activeElement;
   if (here === document.body || here.closest('.tools')) editor.focus();
   editor.dispatch({ scrollIntoView: true });
   return {
-    // Another text (undo, a fix, another file); the cursor stays where the text allows.
-    set(next) {
+    // Another file, or another text of this one (undo, a fix); the cursor stays where the text allows.
+    show(number, next) {
+      if (number !== file) {
+        states.set(file, editor.state);
+        file = number;
+        return editor.setState(stateOf(file, next, all));
+      }
       const last = editor.state.doc.toString();
       if (next === last) return;
       const head = Math.min(editor.state.selection.main.head, next.length);
       editor.dispatch({ changes: { from: 0, to: last.length, insert: next }, selection: { anchor: head }, annotations: fromPage.of(true) });
     },
     // What the control says about the text.
-    mark(found) {
-      const end = editor.state.doc.length;
-      const rows = found.map(({ from, to, tone, text: message, number, fixes }) => ({
-        from: Math.min(from, end),
-        to: Math.min(Math.max(to, from), end),
-        severity: SEVERITY[tone],
-        message,
-        actions: fixes.map((name, at) => ({ name, apply: () => fix(number, at) })),
-      }));
-      editor.dispatch(setDiagnostics(editor.state, rows));
-    },
+    mark: (found) => showFindings(editor, found, options.fix),
+    // The lines with breakpoints.
+    points: (lines) => showPoints(editor, lines),
     // The cursor to a place, which is brought into view.
     go(at) {
       const anchor = Math.min(at, editor.state.doc.length);
       editor.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
       editor.focus();
     },
-    close: () => editor.destroy(),
+    // A command by its name.
+    run: (name) => commands[name](editor),
+    close() {
+      states.set(file, editor.state);
+      editor.destroy();
+    },
   };
 }
 
 // Shows in `host` what differs between two texts.
 export function difference(host, before, after, options) {
   const merge = unifiedMergeView({ original: before, mergeControls: false, collapseUnchanged: { margin: 4, minSize: 8 } });
-  const create = (extensions) => EditorState.create({ doc: after, extensions });
-  const editor = view(host, create, options, [merge, EditorState.readOnly.of(true)]);
+  const begin = (extensions) => EditorState.create({ doc: after, extensions });
+  const editor = openView(host, begin, options, [lineNumbers(), merge, EditorState.readOnly.of(true)]);
   return { close: () => editor.destroy() };
 }

@@ -15,8 +15,12 @@ use crate::ui::dom::{
     script::{call, load, object, set, table},
 };
 use crate::ui::parts::listing::class;
+use crate::ui::parts::{Glyph, Icon};
 use crate::ui::state::Page;
 use crate::ui::words::{say, t, tell_alarm, tone};
+
+use super::phrases::phrases;
+use super::{navigation, points};
 
 /// The bundle of the editor.
 const MODULE: &str = "editor.js";
@@ -43,7 +47,7 @@ fn options(page: Page, label: &'static str) -> JsValue {
         }))
     };
     let pieces = Closure::<dyn Fn(JsValue) -> JsValue>::new(pieces).into_js_value();
-    object([("label", t(label).into()), ("pieces", pieces)])
+    object([("label", t(label).into()), ("pieces", pieces), ("phrases", phrases())])
 }
 
 /// The findings of a file as the editor takes them.
@@ -105,33 +109,42 @@ fn seek(page: Page, editor: &JsValue, file: usize) {
     let _ = call(editor, "go", &[&units(&page.program.text(file), place.span.start).into()]);
 }
 
+/// Whether the editor has a text of a file that is not read yet: it is newer than findings and places, which come again once it is read.
+fn is_typed(page: Page, file: usize) -> bool {
+    page.program.typed.with_value(|typed| typed.as_ref().is_some_and(|(of, _)| *of == file))
+}
+
 /// The editor of the chosen file.
 #[component]
 pub(super) fn Editor() -> impl IntoView {
     let page = Page::here();
     let handle: Handle = StoredValue::new_local(None);
     let timer = Cell::new(None::<TimeoutHandle>);
-    let changed = move |text: JsValue| {
-        let Some(text) = text.as_string() else { return };
+    let changed = move |file: JsValue, text: JsValue| {
+        let (Some(file), Some(text)) = (file.as_f64(), text.as_string()) else { return };
         if let Some(timer) = timer.take() {
             timer.clear();
         }
-        page.program.typed.set_value(Some((page.view.file.get_untracked(), text)));
+        page.program.typed.set_value(Some((file as usize, text)));
         timer.set(set_timeout_with_handle(move || page.take_typed(), PAUSE).ok());
     };
-    let changed = Closure::<dyn Fn(JsValue)>::new(changed).into_js_value();
+    let changed = Closure::<dyn Fn(JsValue, JsValue)>::new(changed).into_js_value();
     let fix = Closure::<dyn Fn(JsValue, JsValue)>::new(move |diagnostic: JsValue, fix: JsValue| {
         if let (Some(diagnostic), Some(fix)) = (diagnostic.as_f64(), fix.as_f64()) {
             page.apply_fix(diagnostic as usize, fix as usize);
         }
     });
+    let breakpoints = points::all(page);
     let options = options(page, "page.listing");
     set(&options, "changed", &changed);
     set(&options, "fix", &fix.into_js_value());
+    set(&options, "turn", &points::turn(page));
+    navigation::add(page, &options);
     let begin = move |module: &JsValue, host: &JsValue| {
         let at = page.view.file.get_untracked();
-        let editor = call(module, "open", &[host, &page.program.text(at).into(), &options])?;
+        let editor = call(module, "open", &[host, &at.into(), &page.program.text(at).into(), &options])?;
         call(&editor, "mark", &[&findings(page, at)])?;
+        call(&editor, "points", &[&breakpoints.with_untracked(|all| points::lines(page, at, all))])?;
         untrack(|| seek(page, &editor, at));
         Ok(editor)
     };
@@ -140,11 +153,10 @@ pub(super) fn Editor() -> impl IntoView {
         page.view.sought.track();
         page.program.findings.track();
         page.program.written.track();
-        let pending = page.program.pending.get();
-        // Typed text that is not read yet is newer than the findings; this runs again once it is read.
-        let typing = page.program.typed.with_value(|typed| typed.as_ref().is_some_and(|(of, _)| *of == at));
-        if let Some(Some(editor)) = handle.try_get_value().filter(|_| !typing) {
-            let _ = call(&editor, "set", &[&page.program.text(at).into()]);
+        let (pending, breakpoints) = (page.program.pending.get(), breakpoints.get());
+        if let Some(Some(editor)) = handle.try_get_value().filter(|_| !is_typed(page, at)) {
+            let _ = call(&editor, "show", &[&at.into(), &page.program.text(at).into()]);
+            let _ = call(&editor, "points", &[&points::lines(page, at, &breakpoints)]);
             // Until the review of a text is there, the marks of the text before it stay.
             if !pending {
                 let _ = call(&editor, "mark", &[&findings(page, at)]);
@@ -152,7 +164,56 @@ pub(super) fn Editor() -> impl IntoView {
             untrack(|| seek(page, &editor, at));
         }
     });
-    view! { <Bundle handle=handle begin=begin /> }
+    let run = move |name: &'static str| {
+        if let Some(Some(editor)) = handle.try_get_value() {
+            let _ = call(&editor, "run", &[&name.into()]);
+        }
+    };
+    view! {
+        <Commands run=run />
+        <Bundle handle=handle begin=begin />
+    }
+}
+
+/// Names of the editor's commands, with catalog ids of their words and their keys.
+const COMMANDS: [(&str, &str, &str); 7] = [
+    ("outline", "page.go-to-place", "Ctrl+Shift+O"),
+    ("define", "page.definition", "F12"),
+    ("uses", "page.uses", "Shift+F12"),
+    ("meaning", "page.meaning", "Ctrl+I"),
+    ("findings", "page.findings", "Ctrl+."),
+    ("turn", "page.walk-breakpoint", "F9"),
+    ("find", "page.find", "Ctrl+F"),
+];
+
+/// The editor's commands as buttons, for the word and the line of its cursor.
+#[component]
+fn Commands(
+    /// Does a command, by its name.
+    run: impl Fn(&'static str) + Copy + 'static,
+) -> impl IntoView {
+    let button = move |(name, words, keys): (&'static str, &'static str, &'static str)| {
+        let words = t(words);
+        let content = match name {
+            "turn" => "●".into_any(),
+            "find" => view! { <Icon glyph=Glyph::Find /> }.into_any(),
+            _ => words.into_any(),
+        };
+        view! {
+            <button
+                type="button" class="quiet" title=format!("{words} ({keys})") aria-label=words
+                aria-keyshortcuts=keys.replace("Ctrl", "Control") data-asks=(name == "meaning").then_some("")
+                on:click=move |_| run(name)
+            >
+                {content}
+            </button>
+        }
+    };
+    view! {
+        <div class="bar tools commands" role="group" aria-label=t("page.navigation")>
+            {COMMANDS.map(button).collect_view()}
+        </div>
+    }
 }
 
 /// The difference between the program that the form writes and the edited one.

@@ -6,7 +6,13 @@ mod editor;
 
 mod listing_view;
 
+mod navigation;
+
 mod now;
+
+mod phrases;
+
+mod points;
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;

@@ -233,6 +233,20 @@ impl Page {
         });
     }
 
+    /// The project with the text in the editor that it has not taken yet.
+    pub(crate) fn typed_project(self) -> Project {
+        let mut project = self.project.get_untracked();
+        self.program.typed.with_value(|typed| {
+            if let Some((at, text)) = typed {
+                let files = || self.program.written.with_untracked(|written| written.files.clone());
+                if let Some(file) = project.edited.get_or_insert_with(files).0.get_mut(*at) {
+                    file.text.clone_from(text);
+                }
+            }
+        });
+        project
+    }
+
     /// Shows a result among all results.
     pub(crate) fn show_result(self, id: &'static str) {
         self.view.tab.set(Tab::Results);

@@ -47,6 +47,14 @@ pub(crate) enum Request {
     FindHelp(String),
     /// The project with the parts of a table, by the name of its file and its text.
     Parts(String, String),
+    /// What can be typed at a place.
+    Complete(Caret),
+    /// Where the name at a place is defined.
+    Definition(Caret),
+    /// All places of the name at a place.
+    Uses(Caret),
+    /// Programs of all files; below each of them its labels, calls, targets of jumps and variables.
+    Outline,
     /// Errors and warnings of a text that is too large for the page, on the project's control.
     Check(#[serde(with = "serde_wasm_bindgen::preserve")] Blob),
 }
@@ -81,8 +89,54 @@ pub(crate) enum Response {
     Found(Vec<Hit>),
     /// Of [`Request::Parts`].
     Parts(ReadParts),
+    /// Of [`Request::Complete`].
+    Proposals(Proposals),
+    /// Of [`Request::Definition`], [`Request::Uses`] and [`Request::Outline`].
+    Places(Places),
     /// Of [`Request::Check`].
     Check(Report),
+}
+
+/// A place in the editor.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub(crate) struct Caret {
+    /// The file.
+    pub file: u16,
+    /// UTF-16 units of its text before the place.
+    pub units: u32,
+}
+
+/// Proposals for what is typed.
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Proposals {
+    /// UTF-16 units before the text that a proposal takes the place of.
+    pub from: u32,
+    /// Whether the first of them name a program or a block: few, so that they are shown before anything is typed.
+    pub few: bool,
+    /// Texts, and the line beside each of them.
+    pub rows: Vec<(String, String)>,
+}
+
+/// Places of a program.
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Places {
+    /// How many there are; more than rows where those are not all.
+    pub count: u32,
+    /// The first of them.
+    pub rows: Vec<NamedPlace>,
+}
+
+/// A place with what a list shows of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct NamedPlace {
+    /// Name of a program, block or variable; or file and line.
+    pub name: String,
+    /// What it says, or the line.
+    pub text: String,
+    /// Whether it belongs to the place before it, as a block to its program.
+    pub below: bool,
+    /// The place.
+    pub place: Range,
 }
 
 /// Note of a version that was kept before a program was opened.

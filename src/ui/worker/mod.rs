@@ -8,6 +8,8 @@ pub(super) mod diagnostics;
 
 pub(super) mod documents;
 
+pub(super) mod editor;
+
 pub(super) mod help;
 
 pub(super) mod server;

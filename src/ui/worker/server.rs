@@ -10,7 +10,7 @@ use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
 use super::messages::{Finding, Question, Reply, Report, Request, Response, SHOWN};
-use super::{documents, help, shelf};
+use super::{documents, editor, help, shelf};
 use crate::nc::{self, Files};
 use crate::project::Project;
 use crate::project::help::texts::Texts;
@@ -87,6 +87,10 @@ pub fn work(sentences: String, load: Function) {
                 });
             }
             Request::Export => Response::Export(documents::documents(&project)),
+            Request::Complete(caret) => Response::Proposals(editor::complete(&project, caret)),
+            Request::Definition(caret) => Response::Places(editor::definition(&project, caret)),
+            Request::Uses(caret) => Response::Places(editor::uses(&project, caret)),
+            Request::Outline => Response::Places(editor::outline(&project)),
             Request::Check(blob) => {
                 let page = page.clone();
                 // Not Leptos' own: that waits for a mounted page.

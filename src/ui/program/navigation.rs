@@ -1,0 +1,304 @@
+//! What the editor asks: proposals for what is typed, lists of places and findings, definitions. The worker reads the program for it.
+
+use std::rc::Rc;
+
+use js_sys::{Function, Promise};
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsValue;
+use leptos::wasm_bindgen::closure::Closure;
+
+use crate::msg;
+use crate::text::{FileId, LineIndex, Place, utf16};
+use crate::ui::dom::script::{object, set, table};
+use crate::ui::state::Page;
+use crate::ui::words::{say, sign, t, tell_alarm, tone};
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{Caret, NamedPlace, Places, Proposals, Request, Response};
+
+/// Findings in a list at most.
+const FINDINGS: usize = 500;
+
+/// What a row of a list leads to.
+#[derive(Clone, Copy)]
+enum Choice {
+    /// The place is shown.
+    Show(Place),
+    /// The fix of a finding is applied, both by their numbers.
+    Fix(usize, usize),
+}
+
+/// A row of a list: name, text, whether it belongs to the row above.
+type Row = (String, String, bool);
+
+/// The questions of the editor. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+struct Navigation {
+    page: Page,
+    worker: Client,
+    /// What the rows of the last list lead to.
+    choices: StoredValue<Vec<Choice>>,
+}
+
+impl Navigation {
+    /// The place in the chosen file at a count of UTF-16 units.
+    fn caret(self, units: &JsValue) -> Caret {
+        Caret { file: self.page.view.file.get_untracked() as u16, units: units.as_f64().unwrap_or_default() as u32 }
+    }
+
+    /// Asks the worker for places of the program; `then` gets them unless the text has changed meanwhile.
+    fn places(self, request: Request, then: impl FnOnce(Option<Places>) + 'static) {
+        let program = self.page.program;
+        self.page.take_typed();
+        let before = program.written.get_untracked();
+        let then = move |response| {
+            let same = program.written.try_with_untracked(|written| Rc::ptr_eq(written, &before));
+            let typed = program.typed.try_with_value(Option::is_some);
+            match response {
+                Some(Response::Places(places)) if same == Some(true) && typed == Some(false) => then(Some(places)),
+                Some(_) => then(None),
+                None => {
+                    self.page.notices.notify("warn", t("page.no-answer").to_owned());
+                    then(None);
+                }
+            }
+        };
+        self.page.project.with_untracked(|project| self.worker.ask(project, request, then));
+    }
+
+    /// Promises the proposals for what is typed at a place.
+    fn complete(self, units: &JsValue) -> JsValue {
+        let request = Request::Complete(self.caret(units));
+        let project = self.page.typed_project();
+        promise(move |done| {
+            self.worker.ask(&project, request, move |response| {
+                let Some(Response::Proposals(Proposals { from, few, rows })) = response else {
+                    return done(JsValue::NULL);
+                };
+                let rows = table(rows.into_iter().map(|(text, line)| vec![text.into(), line.into()]));
+                done(object([("from", from.into()), ("few", few.into()), ("rows", rows)]));
+            });
+        })
+    }
+
+    /// Shows where the name at a place is defined.
+    fn define(self, units: &JsValue) {
+        let request = Request::Definition(self.caret(units));
+        self.places(request, move |found| match found.map(|found| found.rows.into_iter().next()) {
+            Some(Some(row)) => self.page.show_place(row.place.into()),
+            Some(None) => self.page.notices.notify("info", t("page.no-definition").to_owned()),
+            None => {}
+        });
+    }
+
+    /// Promises a list, by its name; null where it would be empty, undefined where it is to be asked for later.
+    fn list(self, name: &JsValue, units: &JsValue) -> JsValue {
+        let (request, title, empty) = match name.as_string().as_deref() {
+            Some("uses") => (Request::Uses(self.caret(units)), "page.uses", "page.no-definition"),
+            Some("outline") => (Request::Outline, "page.go-to-place", "page.nothing-found"),
+            _ => {
+                let findings = self.findings(units);
+                return Promise::resolve(&findings).into();
+            }
+        };
+        promise(move |done| {
+            self.places(request, move |found| {
+                let Some(Places { count, rows }) = found else { return done(JsValue::NULL) };
+                let row =
+                    |NamedPlace { name, text, below, place }| ((name, text, below), Choice::Show(Place::from(place)));
+                done(self.shown(title, empty, count as usize, rows.into_iter().map(row).collect(), 0));
+            });
+        })
+    }
+
+    /// The findings of all files with their fixes, the first one from a place on chosen; undefined while the text is being read.
+    fn findings(self, units: &JsValue) -> JsValue {
+        let typed = self.page.program.typed.with_value(Option::is_some);
+        self.page.take_typed();
+        if typed || self.page.program.pending.get_untracked() {
+            return JsValue::UNDEFINED;
+        }
+        let Caret { file, units } = self.caret(units);
+        let written = self.page.program.written.get_untracked();
+        let text = written.files.get(FileId(file)).map_or("", |file| file.text.as_str());
+        let here = (FileId(file), utf16::byte(text, units));
+        let lines: Vec<LineIndex> = written.files.0.iter().map(|file| LineIndex::new(&file.text)).collect();
+        let found = self.page.program.findings.get_untracked();
+        let (mut rows, mut chosen) = (Vec::new(), None);
+        for (number, finding) in found.iter().enumerate().take(FINDINGS) {
+            let Some(place) = finding.place else { continue };
+            let (Some(file), Some(lines)) = (written.files.get(place.file), lines.get(usize::from(place.file.0)))
+            else {
+                continue;
+            };
+            let end = (place.file, place.span.end);
+            if end >= here && chosen.is_none_or(|(nearest, _)| end < nearest) {
+                chosen = Some((end, rows.len()));
+            }
+            let line = say(&msg!("page.at-line", file.name.as_str(), lines.line_of(place.span.start)));
+            let name = format!("{} {line}", sign(tone(finding.severity)));
+            rows.push(((name, tell_alarm(finding), false), Choice::Show(place)));
+            let fixes = finding.fixes.iter().enumerate();
+            rows.extend(fixes.map(|(at, fix)| ((say(&fix.title), String::new(), true), Choice::Fix(number, at))));
+        }
+        self.shown("page.findings", "page.no-findings", rows.len(), rows, chosen.map_or(0, |(_, row)| row))
+    }
+
+    /// A list as the editor takes it, its choices kept; null and a notice where it is empty.
+    fn shown(
+        self,
+        title: &'static str,
+        empty: &'static str,
+        count: usize,
+        rows: Vec<(Row, Choice)>,
+        at: usize,
+    ) -> JsValue {
+        if rows.is_empty() {
+            self.page.notices.notify("info", t(empty).to_owned());
+            return JsValue::NULL;
+        }
+        let title = match count > rows.len() {
+            true => say(&msg!("page.list-cut", t(title), rows.len() as u32, count as u32)),
+            false => t(title).to_owned(),
+        };
+        let (rows, choices): (Vec<Row>, Vec<Choice>) = rows.into_iter().unzip();
+        self.choices.set_value(choices);
+        let rows = table(rows.into_iter().map(|(name, text, below)| vec![name.into(), text.into(), below.into()]));
+        object([("title", title.into()), ("rows", rows), ("at", (at as u32).into())])
+    }
+
+    /// Takes a row of the last list.
+    fn choose(self, row: &JsValue) {
+        let row = row.as_f64().unwrap_or_default() as usize;
+        match self.choices.with_value(|choices| choices.get(row).copied()) {
+            Some(Choice::Show(place)) => self.page.show_place(place),
+            Some(Choice::Fix(finding, fix)) => self.page.apply_fix(finding, fix),
+            None => {}
+        }
+    }
+}
+
+/// A promise that `ask` keeps by the function that it gets.
+fn promise(ask: impl FnOnce(Box<dyn FnOnce(JsValue)>) + 'static) -> JsValue {
+    let mut ask = Some(ask);
+    let executor = &mut |resolve: Function, _| {
+        let done = move |value: JsValue| drop(resolve.call1(&JsValue::NULL, &value));
+        if let Some(ask) = ask.take() {
+            ask(Box::new(done));
+        }
+    };
+    Promise::new(executor).into()
+}
+
+/// Adds to the options of the editor what it asks for.
+pub(super) fn add(page: Page, options: &JsValue) {
+    let all = Navigation { page, worker: Client::here(), choices: StoredValue::new(Vec::new()) };
+    let function = |name: &str, answer: Box<dyn Fn(JsValue, JsValue) -> JsValue>| {
+        set(options, name, &Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(answer).into_js_value());
+    };
+    function("complete", Box::new(move |at, _| all.complete(&at)));
+    function("list", Box::new(move |name, at| all.list(&name, &at)));
+    let define = move |at: JsValue, _: JsValue| {
+        all.define(&at);
+        JsValue::UNDEFINED
+    };
+    function("define", Box::new(define));
+    let choose = move |row: JsValue, _: JsValue| {
+        all.choose(&row);
+        JsValue::UNDEFINED
+    };
+    function("choose", Box::new(choose));
+    let [find, close, none] = ["page.find", "page.close", "page.nothing-found"].map(|id| JsValue::from(t(id)));
+    set(options, "words", &object([("find", find), ("close", close), ("none", none)]));
+}
+
+#[cfg(test)]
+mod tests {
+    use js_sys::Array;
+    use leptos::wasm_bindgen::JsCast;
+    use wasm_bindgen_futures::JsFuture;
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::project::Project;
+    use crate::text::{Diagnostic, Span};
+    use crate::ui::dom::script::call;
+    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::worker::editor;
+
+    fn answer(project: &Project, request: Request) -> Option<Response> {
+        Some(match request {
+            Request::Complete(caret) => Response::Proposals(editor::complete(project, caret)),
+            Request::Definition(caret) => Response::Places(editor::definition(project, caret)),
+            Request::Uses(caret) => Response::Places(editor::uses(project, caret)),
+            _ => Response::Places(editor::outline(project)),
+        })
+    }
+
+    /// A page, and the options of its editor.
+    async fn editor() -> (Bench, JsValue) {
+        let options = object([]);
+        let given = options.clone();
+        let bench = mount(move || add(Page::here(), &given)).await;
+        bench.worker.answer_here(answer);
+        (bench, options)
+    }
+
+    /// The rows that a promise brings; none where it brings null.
+    async fn rows(promise: JsValue) -> Vec<Vec<JsValue>> {
+        let found = JsFuture::from(promise.unchecked_into::<Promise>()).await.unwrap();
+        let rows = js_sys::Reflect::get(&found, &"rows".into()).unwrap_or_default();
+        let rows = rows.dyn_into::<Array>().unwrap_or_default();
+        rows.iter().map(|row| row.unchecked_into::<Array>().to_vec()).collect()
+    }
+
+    /// UTF-16 units before the end of a text in the first file.
+    fn behind(bench: &Bench, text: &str) -> JsValue {
+        let all = bench.page.program.text(0);
+        ((all.find(text).unwrap() + text.len()) as u32).into()
+    }
+
+    #[wasm_bindgen_test]
+    async fn proposals_are_those_for_the_text_in_the_editor() {
+        let (bench, options) = editor().await;
+        bench.page.program.typed.set_value(Some((0, "O9100\nG0".to_owned())));
+        let found = rows(call(&options, "complete", &[&8.into(), &JsValue::NULL]).unwrap()).await;
+        assert_eq!(found[0][0], JsValue::from("G00"));
+        assert!(found.iter().all(|row| row[1].as_string().is_some_and(|line| !line.is_empty())));
+        assert!(!bench.page.program.edited.get_untracked(), "asking takes nothing into the project");
+    }
+
+    #[wasm_bindgen_test]
+    async fn row_of_a_list_shows_its_place() {
+        let (bench, options) = editor().await;
+        let at = behind(&bench, "#104");
+        let found = rows(call(&options, "list", &[&"uses".into(), &at]).unwrap()).await;
+        assert!(found.len() > 2, "{}", found.len());
+        call(&options, "choose", &[&1.into()]).unwrap();
+        let place = bench.page.view.sought.get_untracked().unwrap();
+        assert_eq!(place.span.of(&bench.page.program.text(place.file.0.into())), "#104");
+    }
+
+    #[wasm_bindgen_test]
+    async fn row_of_a_fix_applies_it() {
+        let (bench, options) = editor().await;
+        let place = Place { file: FileId(0), span: Span { start: 0, end: 1 } };
+        let found = Diagnostic::error(msg!("page.not-a-value")).at(place);
+        bench.page.program.findings.set(vec![found.fix(msg!("page.taken"), vec![(place, "(fixed)".to_owned())])]);
+        settled().await;
+        let found = rows(call(&options, "list", &[&"findings".into(), &0.into()]).unwrap()).await;
+        assert_eq!(found.iter().map(|row| row[2].as_bool()).collect::<Vec<_>>(), [Some(false), Some(true)]);
+        call(&options, "choose", &[&1.into()]).unwrap();
+        assert!(bench.page.program.text(0).starts_with("(fixed)"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn place_without_a_name_is_told_by_a_notice() {
+        let (bench, options) = editor().await;
+        let nowhere = JsValue::from(0);
+        assert_eq!(rows(call(&options, "list", &[&"uses".into(), &nowhere]).unwrap()).await.len(), 0);
+        call(&options, "define", &[&nowhere]).unwrap();
+        assert_eq!(bench.page.notices.list.with_untracked(Vec::len), 1);
+        assert_eq!(bench.page.notices.said.get_untracked(), t("page.no-definition"));
+        assert_eq!(bench.page.view.sought.get_untracked(), None);
+    }
+}
