@@ -252,6 +252,24 @@ test('findings follow one another by key, and their fixes are in a list', () =>
     await active(page, 'G999').waitFor();
   }));
 
+test('a file with carriage returns has its marks and places where they are', () =>
+  withPage(app, {}, async ({ page }) => {
+    const blocks = Array.from({ length: 12 }, (_, at) => `N${at + 1} G01 X${at}. F100`);
+    const text = ['%', 'O1(RETURNS)', ...blocks, 'GOTO 5', 'G999', 'M30', '%'].join('\r\n');
+    await page.setInputFiles('#open', { name: 'O1.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
+    await page.locator('.listing', { hasText: 'RETURNS' }).waitFor();
+    const content = await edit(page, 'O1.nc');
+    await page.locator('.editor .cm-lintRange-error', { hasText: /^G999$/ }).waitFor();
+    await behind(page, content, 'GOTO 5', 'GOTO 5');
+    await page.keyboard.press('F12');
+    await active(page, /^N5 /).waitFor();
+    await page.keyboard.press('End');
+    await page.keyboard.type(' #10');
+    await option(page, '#100').waitFor();
+    await page.keyboard.press('Enter');
+    await active(page, /^N5 G01 X4\. F100 #\d+$/).waitFor();
+  }));
+
 test('a fix is a press away in the tooltip of its finding', () =>
   withPage(app, {}, async ({ page }) => {
     const content = await edit(page, 'O9101.nc');

@@ -9,6 +9,7 @@ import { completion } from './editor/completion.js';
 import { findings, next, previous, showFindings } from './editor/findings.js';
 import { list } from './editor/list.js';
 import { points, showPoints } from './editor/points.js';
+import { waysOf, withoutReturns } from './editor/returns.js';
 import { theme } from './editor/theme.js';
 import { READ, tellWords } from './editor/words.js';
 
@@ -68,14 +69,15 @@ function openView(host, begin, { label, pieces, phrases }, extensions) {
 const KEPT = { history: historyField };
 const states = new Map();
 
-function stateOf(file, doc, extensions) {
+function stateOf(file, text, extensions) {
+  const doc = withoutReturns(text);
   const before = states.get(file);
   return before?.doc.toString() === doc ? EditorState.fromJSON(before.toJSON(KEPT), { extensions }, KEPT) : EditorState.create({ doc, extensions });
 }
 
-// What keys, buttons and presses ask the page for. `list` promises the list of a name at a place, `define` shows what is named at a place.
-function commandsOf(host, { list: ask, define, turn }, show) {
-  const head = ({ state }) => state.selection.main.head;
+// What keys, buttons and presses ask the page for, about a place of its text. `list` promises the list of a name at a place, `define` shows what is named at a place.
+function commandsOf(host, { list: ask, define, turn }, show, toPage) {
+  const head = ({ state }) => toPage(state.selection.main.head);
   const offer = (name) => (view) => {
     const { doc } = view.state;
     const take = (shown) => {
@@ -91,9 +93,9 @@ function commandsOf(host, { list: ask, define, turn }, show) {
     uses: offer('uses'),
     findings: offer('findings'),
     define: (view) => (define(head(view)), true),
-    turn: (view) => (turn(view.state.doc.lineAt(head(view)).number), true),
+    turn: ({ state }) => (turn(state.doc.lineAt(state.selection.main.head).number), true),
     meaning(view) {
-      view.dispatch({ effects: EditorView.scrollIntoView(head(view)) });
+      view.dispatch({ effects: EditorView.scrollIntoView(view.state.selection.main) });
       return host.dispatchEvent(new CustomEvent('means', { bubbles: true }));
     },
     find: openSearchPanel,
@@ -118,8 +120,10 @@ const press = (define) =>
 // finding and of its fix, `choose` that of a row of a list, `turn` the line of a breakpoint; `complete` promises proposals at a place.
 export function open(host, number, text, options) {
   let file = number;
+  let ways = waysOf(text);
+  const toPage = (at) => ways.toPage(at);
   const lists = list(options.choose, options.words);
-  const commands = commandsOf(host, options, lists.show);
+  const commands = commandsOf(host, options, lists.show, toPage);
   const keys = keymap.of([
     { key: 'F12', run: commands.define },
     { key: 'Shift-F12', run: commands.uses },
@@ -132,9 +136,16 @@ export function open(host, number, text, options) {
     indentWithTab,
   ]);
   const listener = EditorView.updateListener.of(({ docChanged, state, transactions }) => {
-    if (docChanged && !transactions.some((one) => one.annotation(fromPage))) options.changed(file, state.doc.toString());
+    if (!docChanged || transactions.some((one) => one.annotation(fromPage))) return;
+    const typed = state.doc.toString();
+    ways = waysOf(typed);
+    options.changed(file, typed);
   });
-  const parts = [history(), search({ top: true }), highlightSelectionMatches(), findings, points(options.turn), completion(options.complete)];
+  const complete = async (at) => {
+    const found = await options.complete(toPage(at));
+    return found && { ...found, from: ways.toEditor(found.from) };
+  };
+  const parts = [history(), search({ top: true }), highlightSelectionMatches(), findings, points(options.turn), completion(complete)];
   let all;
   const begin = (extensions) => stateOf(file, text, (all = extensions));
   const editor = openView(host, begin, options, [parts, lists.extension, press(commands.define), keys, listener]);
@@ -144,24 +155,25 @@ export function open(host, number, text, options) {
   editor.dispatch({ scrollIntoView: true });
   return {
     // Another file, or another text of this one (undo, a fix); the cursor stays where the text allows.
-    show(number, next) {
+    show(number, text) {
+      ways = waysOf(text);
       if (number !== file) {
         states.set(file, editor.state);
         file = number;
-        return editor.setState(stateOf(file, next, all));
+        return editor.setState(stateOf(file, text, all));
       }
-      const last = editor.state.doc.toString();
+      const [last, next] = [editor.state.doc.toString(), withoutReturns(text)];
       if (next === last) return;
       const head = Math.min(editor.state.selection.main.head, next.length);
       editor.dispatch({ changes: { from: 0, to: last.length, insert: next }, selection: { anchor: head }, annotations: fromPage.of(true) });
     },
     // What the control says about the text.
-    mark: (found) => showFindings(editor, found, options.fix),
+    mark: (found) => showFindings(editor, found.map((one) => ({ ...one, from: ways.toEditor(one.from), to: ways.toEditor(one.to) })), options.fix),
     // The lines with breakpoints.
     points: (lines) => showPoints(editor, lines),
     // The cursor to a place, which is brought into view.
     go(at) {
-      const anchor = Math.min(at, editor.state.doc.length);
+      const anchor = Math.min(ways.toEditor(at), editor.state.doc.length);
       editor.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
       editor.focus();
     },
