@@ -3,7 +3,8 @@
 use super::plant::{AxisPlant, Plant, SpindlePlant};
 use super::plc::{Stops, WordPart};
 use super::setup::Budget;
-use crate::controls::{Alarm, Control, VarKind, VarRange};
+use crate::controls::vars::HALF_RANGE;
+use crate::controls::{Alarm, Control, VarRange};
 use crate::drives::Positioning;
 use crate::drives::speed::STAGES;
 use crate::interp::canon::AXES;
@@ -131,19 +132,16 @@ impl CheckedPlant {
         self.spindle.coasting.is_some() && (stops.inverter_fault || t >= self.power_fails)
     }
 
-    /// Least and largest value of an input, or of half of it, which may be signed or unsigned.
+    /// Least and largest value of an input, or of half of it.
     pub(super) fn input_range(&self, number: u32, part: WordPart) -> (f64, f64) {
         let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
-        match (part, row.map(|row| (row.kind, row.width(number)))) {
-            (WordPart::Whole, Some((VarKind::InputBit, _))) => (0.0, 1.0),
-            (WordPart::Whole, Some((_, Some(width)))) => width.range(),
-            _ => (-32_768.0, 65_535.0),
-        }
+        let whole = row.filter(|_| part == WordPart::Whole).and_then(|row| row.input_range(number));
+        whole.unwrap_or(HALF_RANGE)
     }
 
     /// Whether a variable is written by the PLC.
     pub(super) fn is_input(&self, number: u32) -> bool {
         let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
-        row.is_some_and(|row| matches!(row.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord))
+        row.is_some_and(|row| row.input_range(number).is_some())
     }
 }

@@ -77,7 +77,7 @@ pub mod plan;
 
 pub use gate::Gate;
 pub use milestones::Milestone;
-pub use panel::{Action, Event, Panel};
+pub use panel::{Action, ActionValue, Event, Panel};
 pub use plan::Planner;
 pub use plant::{AxisPlant, PMC_AXES, Plant, SpindlePlant};
 pub use plc::{BenchPlc, GearShift, Io, Plc, ProgramState, Stops, Strobes, WordPart};

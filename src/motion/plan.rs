@@ -160,19 +160,50 @@ impl<P: RunningProgram> Planner<P> {
         }
         let t = if event.t > 0.0 { event.t } else { 0.0 };
         self.panel.add(event);
+        self.forget_from(t);
+    }
+
+    /// Takes other events of the operator: the timeline before the earliest one that differs stays, the rest is planned anew, as if they had
+    /// been known from the beginning. False, and nothing is changed, where only the log is kept: there is no way back.
+    pub fn replace_panel(&mut self, panel: Panel) -> bool {
+        let Some(t) = self.panel.differs_from(&panel) else { return true };
+        if self.keep == Retention::Log {
+            return false;
+        }
+        self.panel = panel;
+        self.forget_from(t);
+        true
+    }
+
+    /// Goes back to the last state before all events at or after `t` (s), which have changed; behind the end of the run, which they may have put
+    /// off, to a state before that.
+    fn forget_from(&mut self, t: f64) {
         self.ended = None;
         if core::mem::take(&mut self.has_last_word) {
             self.records.diagnostics.pop();
         }
-        let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
-        if self.keep != Retention::Log && t <= self.records.timeline.end && known > 0 {
-            self.checkpoints.truncate(known);
-            let Some(last) = self.checkpoints.pop() else { return };
+        if self.keep == Retention::Log || t > self.records.timeline.end && !self.is_over() {
+            return;
+        }
+        while let Some(last) = self.checkpoints.pop() {
+            if last.t > t {
+                continue;
+            }
             self.records.truncate(&last.marks);
             self.state = last.state;
             self.due = last.t;
             self.records.timeline.end = last.t.min(t);
+            if !self.is_over() {
+                break;
+            }
         }
+    }
+
+    /// Whether only the operator, who does nothing any more, can continue the run.
+    fn is_over(&mut self) -> bool {
+        let sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
+        let (next, _) = sim.next();
+        sim.end(next).is_some()
     }
 
     /// Takes the supply away at `t` (s): emergency stop, but the spindle coasts.

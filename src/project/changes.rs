@@ -1,7 +1,7 @@
 //! Difference between two states of a project in words, for lists of steps and versions: `Pitch 8 → 9 mm`.
 
-use super::Project;
 use super::variants::{entries, side_by_side, switches};
+use super::{Project, operator};
 use crate::msg;
 use crate::text::Message;
 use crate::text::catalog::{sentence, words};
@@ -44,8 +44,11 @@ pub fn changes(before: &Project, after: &Project) -> Vec<String> {
     if before.control.id == after.control.id && before.switches != after.switches {
         out.extend(side_by_side(&[switches(before), switches(after)]).iter().filter_map(phrase));
     }
+    if before.panel != after.panel {
+        let one = operator::change_in_words(&before.panel, &after.panel, after.control);
+        out.push(one.unwrap_or_else(|| words("changes.panel").to_owned()));
+    }
     let others = [
-        (before.panel != after.panel, "changes.panel"),
         (before.provenance != after.provenance, "changes.origins"),
         (before.title_block != after.title_block, "changes.title-block"),
         (before.silenced != after.silenced, "changes.silenced"),

@@ -22,6 +22,8 @@ pub mod program;
 
 mod io_names;
 
+pub mod operator;
+
 mod checksum;
 
 pub mod check;

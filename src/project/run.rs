@@ -85,11 +85,21 @@ pub fn of_project(project: &Project, written: &Written, begin: &RunOptions) -> R
     let mut interp = Interp::new(Rc::clone(&written.parsed), start);
     set_up(&mut interp, project, written);
     let machine = project.prepared();
-    // The form sets the knob; the operator may turn it later.
-    let knob =
-        machine.panel().spindle_override.map(|percent| Event { t: 0.0, action: Action::SpindleOverride(percent) });
-    let panel = Panel::new(knob.into_iter().chain(project.panel.events().iter().cloned()));
-    started(interp, &machine.plant(), machine.plc(), panel, begin)
+    started(interp, &machine.plant(), machine.plc(), panel_of(project), begin)
+}
+
+/// The operator's actions of a run: the form sets the knob, which the operator may turn later.
+fn panel_of(project: &Project) -> Panel {
+    let knob = project.prepared().panel().spindle_override;
+    let knob = knob.map(|percent| Event { t: 0.0, action: Action::SpindleOverride(percent) });
+    Panel::new(knob.into_iter().chain(project.panel.events().iter().cloned()))
+}
+
+/// Plans the run of a project, begun without settings, on with the operator's actions as the project now has them: anew from the earliest one
+/// that has changed. False where the run keeps no state to go back to.
+pub fn replan(run: &mut Run, project: &Project) -> bool {
+    let dialect = Rc::clone(run.program().parsed().dialect());
+    run.replace_panel(io_names::panel(&panel_of(project), project.control, &dialect))
 }
 
 /// The run of bare programs, with the switches that they were read with: on the control's bench, or on the plant of a project.
@@ -115,7 +125,9 @@ fn started(mut interp: Interp, plant: &Plant, plc: Box<dyn Plc>, mut panel: Pane
         match setting.action(control, &dialect) {
             Some(Action::Variable(number, value)) => drop(interp.set_variable(number, value)),
             // Inputs are written by the PLC, so they are forced from the start.
-            Some(action) => panel.add(Event { t: 0.0, action }),
+            Some(action) => {
+                panel.add(Event { t: 0.0, action });
+            }
             None => {}
         }
     }

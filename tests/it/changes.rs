@@ -2,7 +2,7 @@
 
 use macroline::controls;
 use macroline::machines::form::Value;
-use macroline::motion::{Action, Event};
+use macroline::motion::{Action, Event, Panel};
 use macroline::nc::Files;
 use macroline::project::Project;
 use macroline::project::changes::{changes, changes_in_words};
@@ -31,7 +31,7 @@ fn each_part_of_a_project_has_its_phrase() {
         (|project| project.move_to(controls::find("gsk-980tdc").unwrap()), "Control GSK 980TDc"),
         (|project| project.name = "Order 7".to_owned(), "Name Order 7"),
         (|project| project.edited = Some(Files::one("O1.nc", "M30")), "Program edited"),
-        (|project| project.panel.add(Event { t: 1.0, action: Action::Hold }), "Operator’s actions"),
+        (|project| project.panel = Panel::new(two_actions()), "Operator’s actions"),
         (|project| project.title_block.number = "ML-1".to_owned(), "Title block"),
         (|project| project.silenced.push("lint.unreachable".to_owned()), "Hidden warnings"),
         (|project| assert!(project.keep_variant("").is_some()), "Variants"),
@@ -39,6 +39,34 @@ fn each_part_of_a_project_has_its_phrase() {
     for (change, phrase) in cases {
         assert!(told(change).iter().any(|told| told == phrase), "{phrase}: {:?}", told(change));
     }
+}
+
+fn two_actions() -> [Event; 2] {
+    [Event { t: 1.0, action: Action::Hold }, Event { t: 2.5, action: Action::SpindleOverride(80.0) }]
+}
+
+#[test]
+fn one_changed_action_of_the_operator_is_told() {
+    let mut before = ribbon();
+    before.panel = Panel::new(two_actions());
+    let [hold, slow] = two_actions();
+    let told = |panel: Panel| {
+        let mut after = before.clone();
+        after.panel = panel;
+        changes(&before, &after)
+    };
+    let panel = |events: &[&Event]| Panel::new(events.iter().map(|event| (*event).clone()));
+    assert_eq!(told(panel(&[&slow])), ["Feed hold at 1 s removed"]);
+    let variable = Event { t: 3.25, action: Action::Variable(107, Some(9.5)) };
+    assert_eq!(told(panel(&[&hold, &slow, &variable])), ["At 3.25 s: #107 = 9.5"]);
+    let late = Event { t: 4.0, ..hold.clone() };
+    assert_eq!(told(panel(&[&slow, &late])), ["Feed hold 1 → 4 s"]);
+    let early = Event { t: 0.5, ..slow.clone() };
+    assert_eq!(told(panel(&[&early, &hold])), ["Spindle override 80 % 2.5 → 0.5 s"]);
+    let fast = Event { action: Action::SpindleOverride(120.0), ..slow.clone() };
+    assert_eq!(told(panel(&[&hold, &fast])), ["At 2.5 s: Spindle override 80 % → 120 %"]);
+    assert_eq!(told(panel(&[&late, &variable])), ["Operator’s actions"], "more than one");
+    assert_eq!(told(Panel::default()), ["Operator’s actions"]);
 }
 
 #[test]

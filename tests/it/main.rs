@@ -18,6 +18,7 @@ mod lsp;
 mod machines;
 mod meaning;
 mod numbers;
+mod operator_actions;
 mod package;
 mod papers;
 mod parts;

@@ -91,7 +91,9 @@ fn example(machine: &str, name: &str) -> Project {
 /// The run of a project, with an operator.
 fn over_time(project: &Project, events: Vec<Event>) -> Run {
     let mut project = project.clone();
-    events.into_iter().for_each(|event| project.panel.add(event));
+    for event in events {
+        project.panel.add(event);
+    }
     let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
     let mut planner = run::of_project(&project, &project.written(), &begin);
     let ended = planner.advance(f64::INFINITY, usize::MAX).ended;

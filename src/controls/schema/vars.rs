@@ -156,7 +156,19 @@ impl VarRange {
             _ => None,
         }
     }
+
+    /// Least and greatest value that the PLC can give a variable; `None` where the PLC does not write it.
+    pub fn input_range(&self, number: u32) -> Option<(f64, f64)> {
+        match self.kind {
+            VarKind::InputBit => Some((0.0, 1.0)),
+            VarKind::InputWord(_) | VarKind::ExchangeWord => Some(self.width(number)?.range()),
+            _ => None,
+        }
+    }
 }
+
+/// Least and greatest value of half an input word, which may be signed or unsigned.
+pub const HALF_RANGE: (f64, f64) = (-32_768.0, 65_535.0);
 
 impl VarKind {
     /// Whether how many there are is an option of the control.

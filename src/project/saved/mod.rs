@@ -183,6 +183,20 @@ pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
     }
 }
 
+/// Whether a text is a panel file: a list of objects, or an empty one, that is no table of parts.
+pub fn is_panel(text: &str) -> bool {
+    let list = text.trim_start_matches('\u{feff}').trim_start().strip_prefix('[');
+    list.is_some_and(|list| list.trim_start().starts_with(['{', ']'])) && !parts::is_table(text)
+}
+
+/// A panel file, one event a line.
+pub fn panel_to_json(panel: &Panel) -> String {
+    // Keys are texts and writing into a text does not fail.
+    let line = |event| serde_json::to_string(&panel::entry(event)).unwrap_or_default();
+    let lines: Vec<String> = panel.events().iter().map(line).collect();
+    if lines.is_empty() { "[]\n".to_owned() } else { format!("[\n  {}\n]\n", lines.join(",\n  ")) }
+}
+
 /// The sentence of a finding about a file, with its line where there is no excerpt beside it.
 pub fn with_line(finding: &Diagnostic, text: &str) -> String {
     let said = sentence(&finding.message);

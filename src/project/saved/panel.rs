@@ -75,13 +75,12 @@ fn actions<'t>(entry: &Entry<'t>, found: &mut Findings<'t>) -> Option<Vec<Action
     let value: &'t RawValue = serde_json::from_str(entry.value.source).ok()?;
     let pair = MapDeserializer::<_, serde_json::Error>::new(once((entry.key.as_str(), value)));
     let action = PanelAction::deserialize(MapAccessDeserializer::new(pair)).ok()?;
-    let percent = |value: f64| (0.0..=1000.0).contains(&value).then_some(value);
-    let limit = |limit, rpm: f64| (rpm >= 0.0).then(|| vec![Action::SpeedLimit(limit, rpm)]);
+    let fitting = |action: Action| action.is_in_range().then(|| vec![action]);
     let pressed = |on: bool, action| Some(if on { vec![action] } else { Vec::new() });
     match action {
-        PanelAction::SpindleOverride(value) => percent(value).map(|value| vec![Action::SpindleOverride(value)]),
-        PanelAction::FeedOverride(value) => percent(value).map(|value| vec![Action::FeedOverride(value)]),
-        PanelAction::RapidOverride(value) => percent(value).map(|value| vec![Action::RapidOverride(value)]),
+        PanelAction::SpindleOverride(percent) => fitting(Action::SpindleOverride(percent)),
+        PanelAction::FeedOverride(percent) => fitting(Action::FeedOverride(percent)),
+        PanelAction::RapidOverride(percent) => fitting(Action::RapidOverride(percent)),
         PanelAction::Start(on) => pressed(on, Action::Start),
         PanelAction::Hold(on) => pressed(on, Action::Hold),
         PanelAction::Reset(on) => pressed(on, Action::Reset),
@@ -92,9 +91,9 @@ fn actions<'t>(entry: &Entry<'t>, found: &mut Findings<'t>) -> Option<Vec<Action
         PanelAction::OptionalStop(on) => Some(vec![Action::OptionalStop(on)]),
         PanelAction::BlockSkip(on) => Some(vec![Action::BlockSkip(on)]),
         PanelAction::ManualS(rpm) => Some(vec![Action::ManualSpeed(rpm)]),
-        PanelAction::LowerSpeedLimit(rpm) => limit(SpeedLimit::Lower, rpm),
-        PanelAction::UpperSpeedLimit(rpm) => limit(SpeedLimit::Upper, rpm),
-        PanelAction::SurfaceSpeedLimit(rpm) => limit(SpeedLimit::Surface, rpm),
+        PanelAction::LowerSpeedLimit(rpm) => fitting(Action::SpeedLimit(SpeedLimit::Lower, rpm)),
+        PanelAction::UpperSpeedLimit(rpm) => fitting(Action::SpeedLimit(SpeedLimit::Upper, rpm)),
+        PanelAction::SurfaceSpeedLimit(rpm) => fitting(Action::SpeedLimit(SpeedLimit::Surface, rpm)),
         PanelAction::Input(inputs) => {
             found.repeated(&inputs);
             let input = |row: Entry| Some(Action::Input(row.key, row.value.value.as_f64()?));

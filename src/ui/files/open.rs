@@ -14,10 +14,10 @@ use crate::project::Project;
 use crate::project::decode::Decoded;
 use crate::project::import::{MAX_PROGRAM, open};
 use crate::project::parts::is_table;
-use crate::project::saved::with_line;
+use crate::project::saved::{is_panel, with_line};
 use crate::ui::dom;
-use crate::ui::state::Page;
 use crate::ui::state::view::Tab;
+use crate::ui::state::{Page, operator};
 use crate::ui::words::{say, t, tone};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::BEFORE_PROGRAM;
@@ -57,28 +57,32 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
     });
 }
 
-/// Reads texts: a project, programs that carry its settings, or any other programs; tables of parts join the project.
+/// Reads texts: a project, programs that carry its settings, or any other programs; tables of parts and the operator's actions join the project.
 fn read(page: Page, worker: Client, files: Vec<nc::File>) {
     let (tables, files): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| is_table(&file.text));
-    if !files.is_empty() {
-        read_programs(page, &files);
+    let (panels, files): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| is_panel(&file.text));
+    let refused = !files.is_empty() && !read_programs(page, &files);
+    if !refused && !panels.is_empty() {
+        operator::take_files(page, &panels);
     }
     tables.iter().for_each(|table| parts::take(page, worker, table));
 }
 
-fn read_programs(page: Page, files: &[nc::File]) {
+/// Reads projects and programs; whether they were taken.
+fn read_programs(page: Page, files: &[nc::File]) -> bool {
     let opened = page.project.with_untracked(|project| open(project, files));
     let text = files.iter().find(|file| file.text.trim_start().starts_with('{')).map_or("", |file| &file.text);
     for told in &opened.diagnostics {
         page.notices.notify(tone(told.severity), with_line(told, text));
     }
-    let Some(project) = opened.project else { return };
+    let Some(project) = opened.project else { return false };
     if project.edited.is_some() && text.is_empty() {
         page.notices.notify("info", t("page.opened-program").to_owned());
         shelf::version_before(page, BEFORE_PROGRAM);
     }
     show(page, project);
     page.notices.say(t("page.opened"));
+    true
 }
 
 /// Puts a project in the place of the present one and shows its first program.
@@ -161,6 +165,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::motion::{Action, Event};
     use crate::ui::testing::{Bench, mount, project, settled};
 
     async fn opened(name: &str, text: &str) -> Bench {
@@ -245,5 +250,33 @@ mod tests {
             (bench.attribute("input", "tabindex"), bench.attribute("input", "aria-label")),
             ("-1".to_owned(), t("page.open").to_owned())
         );
+    }
+
+    #[wasm_bindgen_test]
+    async fn panel_file_takes_the_place_of_the_actions() {
+        let bench = mount(|| ()).await;
+        bench.page.note(Event { t: 1.0, action: Action::Hold });
+        let file = |name: &str, text: &str| nc::File { name: name.to_owned(), text: text.to_owned() };
+        let text = r#"[ { "t": 2.5, "spindle_override": 80 }, { "t": 1, "reset": true } ]"#;
+        read(bench.page, bench.worker, vec![file("panel.json", text)]);
+        assert_eq!(bench.actions(), [Action::Reset, Action::SpindleOverride(80.0)]);
+        assert!(bench.notices()[0].contains("panel.json") && bench.notices()[0].contains('2'));
+        bench.page.undo();
+        assert_eq!(bench.actions(), [Action::Hold]);
+        settled().await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn broken_panel_file_changes_nothing_and_is_told() {
+        let bench = mount(|| ()).await;
+        bench.page.note(Event { t: 1.0, action: Action::Hold });
+        let file = |text: &str| nc::File { name: "panel.json".to_owned(), text: text.to_owned() };
+        let good = file(r#"[ { "t": 2.5, "spindle_override": 80 } ]"#);
+        for files in [vec![file(r#"[ { "t": 1, "dance": true } ]"#), good.clone()], vec![file("[ {"), good]] {
+            read(bench.page, bench.worker, files);
+            assert_eq!(bench.actions(), [Action::Hold]);
+        }
+        assert_eq!(bench.notices().len(), 2);
+        settled().await;
     }
 }

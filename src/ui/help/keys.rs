@@ -5,7 +5,7 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
 use crate::ui::dom;
-use crate::ui::state::{Page, stepping};
+use crate::ui::state::{Page, operator, stepping};
 
 /// Where it is kept that single keys are off (whoever speaks to the computer may need that).
 const OFF: &str = "macroline.keys-off";
@@ -64,6 +64,7 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
         " " if !button => player.toggle(),
         "," => player.step(false),
         "." => player.step(true),
+        "a" => operator::toggle_list(page),
         "Home" if tag != "INPUT" => player.seek(0.0),
         "?" | "/" => page.view.helping.set(true),
         key => return stepping::press(page, key),
@@ -99,6 +100,7 @@ mod tests {
             page.view.helping.set(false);
             assert!(press(page, &key(help)) && page.view.helping.get_untracked(), "{help}");
         }
+        assert!(press(page, &key("a")) && page.view.panel.get_untracked() && page.view.actions.get_untracked());
         assert!(!press(page, &key("q")));
         page.player.playing.set(false);
         crate::ui::testing::settled().await;

@@ -17,13 +17,15 @@ use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{HelpPage, Hit, Request, Response};
 
 /// Keys and their effects.
-const KEYS: [(&str, &str); 11] = [
+const KEYS: [(&str, &str); 13] = [
     ("Space", "page.key-play"),
     (", .", "page.key-step"),
     ("Home", "page.key-start"),
     ("← →", "page.key-arrows"),
     ("↑ ↓", "page.key-fields"),
     ("+ − 0", "page.key-zoom"),
+    ("A", "operator.key-list"),
+    ("← → Delete", "operator.key-mark"),
     ("Enter", "page.key-meaning"),
     ("Ctrl Z", "page.key-undo"),
     ("Ctrl Shift Z", "page.key-redo"),

@@ -3,12 +3,12 @@
 use leptos::html;
 use leptos::prelude::*;
 
+use super::action_marks::ActionMarks;
 use crate::controls::Control;
 use crate::motion::{Milestone, Mode};
 use crate::text::columns;
 use crate::text::number::filled;
 use crate::ui::dom;
-use crate::ui::state::operator::name;
 use crate::ui::state::player::Moment;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{clock, t};
@@ -154,14 +154,9 @@ pub(super) fn Marks(
         let (planned, over) = page.player.planned.get();
         Some((planned, place(planned).filter(|_| over)?))
     };
-    let rows = move || {
-        page.project.with(|project| {
-            let events = project.panel.events().iter();
-            events.map(|event| (event.t, name(&event.action, project.control))).collect::<Vec<_>>()
-        })
-    };
-    let milestones = Memo::new(move |_| {
-        let mut symbols: Vec<f64> = rows().into_iter().map(|row| row.0).collect();
+    let shown = Memo::new(move |_| {
+        let mut symbols: Vec<f64> =
+            page.project.with(|project| project.panel.events().iter().map(|event| event.t).collect());
         symbols.extend(end().map(|(seconds, _)| seconds));
         let width = f64::from(width.get().max(1));
         found.with(|found| placed(found, axis.get(), width, &symbols))
@@ -178,25 +173,14 @@ pub(super) fn Marks(
                 </button>
             }
         };
-        milestones.get().into_iter().map(mark).collect_view()
-    };
-    let actions = move || {
-        let marks = rows().into_iter().filter_map(|(seconds, words)| Some((place(seconds)?, seconds, words)));
-        let mark = |(percent, seconds, words): (f64, f64, String)| {
-            let title = format!("{} s: {words}", clock(seconds));
-            let go = move |_| page.player.seek(seconds);
-            view! {
-                <button type="button" class="mark" tabindex="-1" aria-label=title.clone() title=title style:left=filled("#%", &[percent]) on:click=go></button>
-            }
-        };
-        marks.map(mark).collect_view()
+        shown.get().into_iter().map(mark).collect_view()
     };
     let ended = move || {
         end().map(|(_, percent)| {
             view! { <i class="mark end" style:left=filled("#%", &[percent]) title=t("page.end")></i> }
         })
     };
-    view! { <div class="marks" node_ref=host>{named}{actions}{ended}</div> }
+    view! { <div class="marks" node_ref=host>{named}<ActionMarks axis=axis />{ended}</div> }
 }
 
 #[cfg(test)]
@@ -204,7 +188,6 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::motion::{Action, Event};
     use crate::ui::testing::{Bench, mount, settled, until};
 
     fn rows(rows: &[(f64, &str, u8)]) -> Vec<Named> {
@@ -268,20 +251,6 @@ mod tests {
     async fn marks() -> (Bench, RwSignal<(f64, f64)>) {
         let axis = RwSignal::new((0.0, 10.0));
         (mount(move || view! { <Marks axis=axis /> }).await, axis)
-    }
-
-    #[wasm_bindgen_test]
-    async fn action_of_the_operator_is_marked_and_leads_to_its_time() {
-        let (bench, axis) = marks().await;
-        bench.page.note(Event { t: 2.5, action: Action::Hold });
-        settled().await;
-        assert_eq!(bench.style("button.mark", "left"), "25%");
-        assert!(bench.attribute("button.mark", "aria-label").contains(t("page.hold")));
-        bench.press("button.mark").await;
-        assert_eq!(bench.page.player.head(), 2.5);
-        axis.set((5.0, 10.0));
-        settled().await;
-        assert!(!bench.has("button.mark"));
     }
 
     #[wasm_bindgen_test]

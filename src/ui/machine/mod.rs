@@ -1,5 +1,7 @@
 //! The machine in the middle of the page: verdicts, drawing, film with its charts, operator's panel.
 
+mod action_marks;
+
 mod alarm_screen;
 
 mod charts;
@@ -19,6 +21,8 @@ mod labels;
 mod marks;
 
 mod notices;
+
+mod operator_list;
 
 pub(crate) mod operator_panel;
 

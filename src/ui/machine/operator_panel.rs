@@ -2,13 +2,14 @@
 
 use leptos::prelude::*;
 
+use super::operator_list::OperatorList;
 use crate::math;
-use crate::motion::{Action, Mode, Panel};
+use crate::motion::{Action, Mode};
 use crate::text::catalog::number_text;
 use crate::ui::parts::input::{filled_part, number};
 use crate::ui::parts::{Glyph, Icon, IconButton};
 use crate::ui::state::Page;
-use crate::ui::state::operator::{act, standing};
+use crate::ui::state::operator::{act, clear, standing};
 use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{mode_tone, t};
 
@@ -46,8 +47,13 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
         },
     );
     let step = Memo::new(move |_| page.project.with(|project| project.prepared().panel().override_step));
+    let shown = Memo::new(move |_| open.get() && page.view.actions.get());
+    let listed = move || shown.get();
+    let count = Memo::new(move |_| page.project.with(|project| project.panel.events().len()));
     let lamp = move || format!("lamp {}", player.now.with(|now| mode_tone(now.mode)));
-    let percents = move || format!("S {} %  F {} %", number_text(spindle.get(), 1), number_text(feed.get(), 1));
+    let percent = |letter: char, value: Memo<f64>| {
+        view! { <span>{move || format!("{letter} {} %", number_text(value.get(), 1))}</span> }
+    };
     view! {
         <section class="panel" class:open=open aria-label=t("page.hand")>
             <div class="fold">
@@ -58,19 +64,30 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
                 >
                     <i class=lamp aria-hidden="true"></i>
                     <b>{t("page.hand")}</b>
-                    <span class="percents">{percents}</span>
+                    <span class="percents">{percent('S', spindle)} " " {percent('F', feed)}</span>
                     <span class="space"></span>
                     <Icon glyph=Glyph::Up />
+                </button>
+                <button
+                    type="button" id="panel-list" class="quiet" aria-pressed=move || listed().to_string()
+                    title=t("operator.list-about") on:click=move |_| page.view.toggle_actions()
+                >
+                    <Icon glyph=Glyph::List />
+                    <span class="hidden">{t("operator.actions")}</span>
+                    <b>{count}</b>
                 </button>
                 <button type="button" class="mushroom" aria-label=t("page.estop") title=t("page.estop-about") on:click=move |_| act(page, Action::EmergencyStop)>
                     <i></i>
                 </button>
             </div>
-            <div class="plate" id="panel-body" inert=move || !open.get()>
-                <Knob id="spindle-knob" label="page.spindle-override" value=spindle step=step action=Action::SpindleOverride />
-                <Knob id="feed-knob" label="page.feed-override" value=feed step=Signal::stored(10.0) action=Action::FeedOverride />
-                <Presses />
-                <Told />
+            <div id="panel-body" inert=move || !open.get()>
+                <div class="plate" class:gone=listed>
+                    <Knob id="spindle-knob" label="page.spindle-override" value=spindle step=step action=Action::SpindleOverride />
+                    <Knob id="feed-knob" label="page.feed-override" value=feed step=Signal::stored(10.0) action=Action::FeedOverride />
+                    <Presses />
+                    <Told />
+                </div>
+                {move || listed().then(|| view! { <OperatorList /> })}
             </div>
         </section>
     }
@@ -193,7 +210,6 @@ fn Told() -> impl IntoView {
         told => told,
     };
     let count = move || page.project.with(|project| project.panel.events().len());
-    let clear = move |_| page.edit("", |project| project.panel = Panel::default());
     let has_zero_return = Memo::new(move |_| page.project.with(|project| project.control.zero_return.is_some()));
     view! {
         <p class="changed">
@@ -204,7 +220,7 @@ fn Told() -> impl IntoView {
                 {t("page.zero-return")}
             </button>
             <span id="changed" role="status">{told}</span>
-            <button type="button" class="link clear" class:gone=move || count() == 0 on:click=clear>
+            <button type="button" class="link clear" class:gone=move || count() == 0 on:click=move |_| clear(page)>
                 {t("page.clear-hand")} {move || format!(" ({})", count())}
             </button>
         </p>
@@ -232,6 +248,22 @@ mod tests {
         bench.press("#panel-fold").await;
         assert_eq!(bench.attribute("#panel-fold", "aria-expanded"), "true");
         assert!(!bench.has("#panel-body[inert]"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn list_takes_the_place_of_the_knobs() {
+        let bench = panel().await;
+        bench.page.note(crate::motion::Event { t: 1.0, action: Action::Hold });
+        bench.press("#panel-list").await;
+        assert!(bench.has(".panel.open .hand-list") && bench.has(".plate.gone"));
+        assert_eq!(bench.text("#panel-list b"), "1");
+        assert_eq!(bench.attribute("#panel-list", "aria-pressed"), "true");
+        bench.press("#panel-list").await;
+        assert!(bench.has(".panel.open .plate:not(.gone)") && !bench.has(".hand-list"));
+        bench.press("#panel-list").await;
+        bench.press("#panel-fold").await;
+        assert!(!bench.has(".hand-list"));
+        assert_eq!(bench.attribute("#panel-list", "aria-pressed"), "false");
     }
 
     #[wasm_bindgen_test]

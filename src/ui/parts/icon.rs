@@ -43,6 +43,10 @@ pub(crate) enum Glyph {
     Less,
     /// Magnifying glass.
     Find,
+    /// A list.
+    List,
+    /// Go to a moment.
+    Go,
 }
 
 impl Glyph {
@@ -68,6 +72,8 @@ impl Glyph {
             Glyph::Find => "M7 2.500a4.500 4.500 0 1 1 0 9a4.500 4.500 0 1 1 0-9M10.300 10.300l3.700 3.700",
             Glyph::More => "M8 3.500v9M3.500 8h9",
             Glyph::Less => "M3.500 8h9",
+            Glyph::List => "M6 4h7M6 8h7M6 12h7M3 4v.1M3 8v.1M3 12v.1",
+            Glyph::Go => "M2.500 8h10M9 4.500 12.500 8 9 11.500",
         }
     }
 }

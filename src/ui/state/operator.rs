@@ -1,19 +1,23 @@
-//! Actions of the operator at the play head, and the sentence about their effect.
+//! Actions of the operator: at the play head, with the sentence about their effect, and as a list to change.
 
 use leptos::prelude::*;
 
 use super::Page;
-use crate::controls::Control;
-use crate::drives::speed::SpeedLimit;
-use crate::motion::{Action, Event};
+use crate::motion::{Action, Event, Panel};
+use crate::msg;
+use crate::nc;
+use crate::project::operator::{name, typed_time};
 use crate::project::run;
-use crate::text::catalog::number_text;
-use crate::text::listed;
+use crate::project::saved::{panel_from_json, with_line};
+use crate::text::{Message, listed};
 use crate::ui::dom;
-use crate::ui::words::{clock, short, t, value_of};
+use crate::ui::words::{clock, say, short, t, tone, value_of};
 
 /// Machine seconds after an action at which its effect is reported.
 const EFFECT: f64 = 1.0;
+
+/// Parts of a second that the clock shows.
+const CLOCK: f64 = 1e4;
 
 /// Does an action at the head and tells what it changes: the run a little later, with and without it.
 pub(crate) fn act(page: Page, action: Action) {
@@ -39,6 +43,86 @@ pub(crate) fn act(page: Page, action: Action) {
         dom::mark("knob-answered");
         dom::measure("knob", "knob-turned", "knob-answered");
     });
+}
+
+/// Replaces an action at a place of the list; its new place. Changes with the same key that follow at once are one step of the history.
+pub(crate) fn change(page: Page, at: usize, event: Event, key: &str) -> Option<usize> {
+    let mut to = None;
+    page.edit(key, |project| to = project.panel.replace(at, event));
+    to
+}
+
+/// Adds an action at a time (s), as far as the clock shows it; its place in the list.
+pub(crate) fn add(page: Page, t: f64, action: Action) -> usize {
+    let mut at = 0;
+    // A time that the clock shows stays what it is, whatever its last bit.
+    let event = Event { t: (t * CLOCK + 1e-6).floor() / CLOCK, action };
+    say_of(page, &event, |t, name| msg!("operator.added", t, name));
+    page.edit("", |project| at = project.panel.add(event));
+    at
+}
+
+/// Removes the action at a place of the list.
+pub(crate) fn remove(page: Page, at: usize) {
+    if let Some(event) = event_at(page, at) {
+        say_of(page, &event, |t, name| msg!("operator.removed", t, name));
+    }
+    page.edit("", |project| drop(project.panel.remove(at)));
+}
+
+/// Removes all actions.
+pub(crate) fn clear(page: Page) {
+    page.edit("", |project| project.panel = Panel::default());
+}
+
+/// Shows the list of the actions with the focus on the last one before the head, or hides the list.
+pub(crate) fn toggle_list(page: Page) {
+    page.view.toggle_actions();
+    if page.view.actions.get_untracked() {
+        let head = page.player.head();
+        let next =
+            page.project.with_untracked(|project| project.panel.events().partition_point(|event| event.t <= head));
+        page.view.show_action(next.saturating_sub(1));
+    }
+}
+
+/// The action at a place of the list.
+pub(crate) fn event_at(page: Page, at: usize) -> Option<Event> {
+    page.project.with_untracked(|project| project.panel.events().get(at).cloned())
+}
+
+/// Says a sentence about an action, made of its time and name, to screen readers.
+pub(crate) fn say_of(page: Page, event: &Event, sentence: impl FnOnce(String, String) -> Message) {
+    let name = page.project.with_untracked(|project| name(&event.action, project.control));
+    page.notices.say(say(&sentence(typed_time(event.t), name)));
+}
+
+/// Where an element of the list is after one of them has gone from a place to another.
+pub(crate) fn place_after(at: usize, (from, to): (usize, usize)) -> usize {
+    match at {
+        _ if at == from => to,
+        _ if from < at && at <= to => at - 1,
+        _ if to <= at && at < from => at + 1,
+        _ => at,
+    }
+}
+
+/// Takes the actions of panel files in place of the present ones; none where one of the files has an error.
+pub(crate) fn take_files(page: Page, files: &[nc::File]) {
+    let mut events = Vec::new();
+    let mut told = Vec::new();
+    for file in files {
+        let (panel, found) = panel_from_json(&file.text);
+        told.extend(found.iter().map(|finding| (tone(finding.severity), with_line(finding, &file.text))));
+        events.extend_from_slice(panel.events());
+    }
+    let broken = told.iter().any(|(tone, _)| *tone == "fail");
+    told.into_iter().for_each(|(tone, text)| page.notices.notify(tone, text));
+    if !broken {
+        let names = listed(files.iter().map(|file| file.name.clone()));
+        page.notices.notify("info", say(&msg!("operator.taken", names, events.len() as u32)));
+        page.edit("", |project| project.panel = Panel::new(events));
+    }
 }
 
 /// The position of a switch or knob at a time.
@@ -69,44 +153,12 @@ fn watched(page: Page, t: f64, places: bool) -> Vec<(String, String)> {
     out
 }
 
-/// The name of an action.
-pub(crate) fn name(action: &Action, control: &Control) -> String {
-    let plain = |number: f64| number_text(number, 6);
-    let on = |id: &'static str, on: bool| format!("{} {}", t(id), t(if on { "page.on" } else { "page.off" }));
-    let share = |id: &'static str, percent: f64| format!("{} {} %", t(id), plain(percent));
-    match action {
-        Action::SpindleOverride(percent) => share("page.spindle-override", *percent),
-        Action::FeedOverride(percent) => share("page.feed-override", *percent),
-        Action::RapidOverride(percent) => share("page.rapid-override", *percent),
-        Action::Start => t("page.start").to_owned(),
-        Action::Hold => t("page.hold").to_owned(),
-        Action::Reset => t("page.reset").to_owned(),
-        Action::EmergencyStop => t("page.estop").to_owned(),
-        Action::InverterFault(state) => on("page.inverter-fault", *state),
-        Action::ProgramZeroReturn => t("page.zero-return").to_owned(),
-        Action::SingleBlock(state) => on("page.single-block", *state),
-        Action::OptionalStop(state) => on("page.optional-stop", *state),
-        Action::BlockSkip(state) => on("page.block-skip", *state),
-        Action::ManualSpeed(rpm) => format!("S {}", plain(*rpm)),
-        Action::SpeedLimit(limit, rpm) => {
-            let id = match limit {
-                SpeedLimit::Lower => "page.lower-speed-limit",
-                SpeedLimit::Upper => "page.upper-speed-limit",
-                SpeedLimit::Surface => "page.surface-speed-limit",
-            };
-            format!("{} {}", t(id), plain(*rpm))
-        }
-        Action::Input(name, value) => format!("{name} = {}", plain(*value)),
-        Action::Variable(number, value) => format!("{} = {}", control.variable(*number), value_of(control, *value, 6)),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{mount, project, settled};
+    use crate::ui::testing::{mount, settled};
 
     #[wasm_bindgen_test]
     fn last_setting_before_a_time_counts() {
@@ -122,13 +174,6 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    fn action_is_named_with_value_and_unit() {
-        let control = project().control;
-        assert!(name(&Action::SpindleOverride(80.0), control).ends_with(" 80 %"));
-        assert_eq!(name(&Action::Variable(101, Some(2.0)), control), format!("{} = 2", control.variable(101)));
-    }
-
-    #[wasm_bindgen_test]
     async fn action_is_a_step_that_undo_takes_back() {
         let bench = mount(|| ()).await;
         let page = bench.page;
@@ -139,5 +184,28 @@ mod tests {
         page.undo();
         settled().await;
         assert!(page.project.with_untracked(|project| project.panel.events().is_empty()));
+    }
+
+    #[wasm_bindgen_test]
+    fn places_follow_an_element_that_has_gone_elsewhere() {
+        let after = |moved| [0, 1, 2, 3].map(|at| place_after(at, moved));
+        assert_eq!(after((0, 2)), [2, 0, 1, 3]);
+        assert_eq!(after((3, 1)), [0, 2, 3, 1]);
+        assert_eq!(after((1, 1)), [0, 1, 2, 3]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn list_is_shown_with_the_last_action_before_the_head() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        for t in [1.0, 2.0, 3.0] {
+            page.note(Event { t, action: Action::Hold });
+        }
+        page.player.seek(2.5);
+        toggle_list(page);
+        assert_eq!((page.view.actions.get_untracked(), page.view.action.get_untracked()), (true, Some(1)));
+        toggle_list(page);
+        assert!(!page.view.actions.get_untracked());
+        settled().await;
     }
 }

@@ -370,9 +370,13 @@ impl Page {
             put(self.program.edited, written.edited);
             self.program.written.set(Rc::new(written));
         }
-        if program || before.panel != after.panel {
-            self.program.written.with_untracked(|written| self.player.load(&after, written));
-        }
+        self.program.written.with_untracked(|written| {
+            if program {
+                self.player.load(&after, written);
+            } else if before.panel != after.panel {
+                self.player.replan(&after, written);
+            }
+        });
         put(self.machine, after.machine.id());
         put(self.control, after.control.id);
         self.project.set(after);
@@ -385,7 +389,9 @@ impl Page {
         let before = self.project.get_untracked();
         self.history.update_value(|history| history.note(&before, "", dom::now()));
         self.can.set(self.history.with_value(History::can));
-        self.project.update(|project| project.panel.add(event));
+        self.project.update(|project| {
+            project.panel.add(event);
+        });
     }
 
     /// Sets a field of the form.

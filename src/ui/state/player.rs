@@ -129,6 +129,8 @@ struct State {
     slow_at: f64,
     slicing: bool,
     asked: bool,
+    /// Seconds that were planned before the operator changed the past, until they are planned again: so long the time axis stays.
+    expected: f64,
 }
 
 /// Begins the run of a project; nothing of it is planned yet.
@@ -150,6 +152,7 @@ impl Player {
             slow_at: 0.0,
             slicing: false,
             asked: false,
+            expected: 0.0,
         };
         let player = Player {
             state: StoredValue::new_local(state),
@@ -191,6 +194,7 @@ impl Player {
             state.id = id;
             state.machine = Some(project.prepared());
             state.visible = project.machine.speed();
+            state.expected = 0.0;
         });
         self.walk_away();
         self.walk.update(|walk| walk.points.resolve(&written.parsed));
@@ -203,7 +207,7 @@ impl Player {
             if self.state.is_disposed() {
                 return;
             }
-            let more = self.plan(self.far(), SLICE);
+            let more = self.plan_far();
             self.show();
             dom::mark("rendered");
             dom::measure("edit", "input", "rendered");
@@ -298,13 +302,29 @@ impl Player {
                 planner.event(event.clone());
             }
         });
+        self.replanned();
+        self.settle();
+        event
+    }
+
+    /// Plans on with the operator's actions of a project whose run this is, from the earliest one that has changed.
+    pub(crate) fn replan(self, project: &Project, written: &Written) {
+        let done = self.state.try_update_value(|state| Some(run::replan(state.planner.as_mut()?, project)));
+        if done.flatten() == Some(true) {
+            self.replanned();
+        } else {
+            self.load(project, written);
+        }
+    }
+
+    /// The run has changed: walks again to the block before which it waited.
+    fn replanned(self) {
+        let planned = self.planned.get_untracked().0;
+        self.state.update_value(|state| state.expected = planned.max(state.expected));
         self.plans.update(|count| *count += 1);
-        // The run has changed: walk again to the block before which it waited.
         if self.walk_away() {
             self.walk_to(Goal::Block(0));
         }
-        self.settle();
-        event
     }
 
     /// A variable as the control's screen shows it now, and whether it has changed since the last stop of the debugger.
@@ -407,6 +427,11 @@ impl Player {
         });
         let Some(Some((planned, ended, more))) = more else { return false };
         let over = ended.is_some();
+        self.state.update_value(|state| {
+            if over || planned >= state.expected {
+                state.expected = 0.0;
+            }
+        });
         put(self.ended, ended);
         if self.planned.get_untracked() != (planned, over) {
             self.planned.set((planned, over));
@@ -426,7 +451,7 @@ impl Player {
             if self.state.try_update_value(|state| state.slicing = false).is_none() {
                 return;
             }
-            let more = self.plan(self.far(), SLICE);
+            let more = self.plan_far();
             // Charts of the whole plan cost more than a slice of it.
             let due = self.state.with_value(|state| dom::now() - state.slow_at >= SLOW);
             if due || !more {
@@ -445,9 +470,13 @@ impl Player {
         self.axis(head, 0.0).1.max(head + AHEAD)
     }
 
-    /// Seconds up to which the plan goes in the background.
-    fn far(self) -> f64 {
-        self.soon().max(HORIZON)
+    /// Plans for a slice as far as the plan goes in the background; whether there is more to plan.
+    fn plan_far(self) -> bool {
+        let more = self.plan(self.soon().max(HORIZON), SLICE);
+        if !more {
+            self.state.update_value(|state| state.expected = 0.0);
+        }
+        more
     }
 
     /// Asks for a frame.
@@ -537,7 +566,7 @@ impl Player {
                 let timeline = stop.map_or(run, Debugger::run).timeline();
                 timeline.at(state.head.min(timeline.end()))
             });
-            let axis = self.axis(now.t, planned);
+            let axis = self.axis(now.t, planned.max(state.expected));
             let moment = Moment { run, machine, now: &now, axis, frame, slow, plans };
             self.painters.update_value(|painters| painters.iter_mut().for_each(|paint| paint(&moment)));
             let message = run.timeline().message_at(now.t);

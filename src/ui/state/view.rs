@@ -71,6 +71,10 @@ pub(crate) struct View {
     pub stepping: RwSignal<bool>,
     /// Whether the operator's panel is open.
     pub panel: RwSignal<bool>,
+    /// Whether the open panel shows the list of the operator's actions in place of its knobs.
+    pub actions: RwSignal<bool>,
+    /// The row of that list that is to have the focus, by its place in the list.
+    pub action: RwSignal<Option<usize>>,
     /// Ids of the fields that the chosen result depends on.
     pub causes: RwSignal<Vec<&'static str>>,
     /// The field that the help is about.
@@ -105,6 +109,8 @@ impl View {
             program: RwSignal::new(ProgramView::Listing),
             stepping: RwSignal::new(false),
             panel: RwSignal::new(false),
+            actions: RwSignal::new(false),
+            action: RwSignal::new(None),
             causes: RwSignal::new(Vec::new()),
             about: RwSignal::new(None),
             gallery: RwSignal::new(false),
@@ -117,6 +123,20 @@ impl View {
             compared: RwSignal::new(None),
             kept: RwSignal::new(Kept::Yes),
         }
+    }
+
+    /// Shows the list of the operator's actions, or the panel's knobs again where the list is shown.
+    pub(crate) fn toggle_actions(self) {
+        let shown = self.panel.get_untracked() && self.actions.get_untracked();
+        self.panel.set(true);
+        self.actions.set(!shown);
+    }
+
+    /// Shows the list of the operator's actions with the focus on a row.
+    pub(crate) fn show_action(self, at: usize) {
+        self.panel.set(true);
+        self.actions.set(true);
+        self.action.set(Some(at));
     }
 
     /// Opens help at a place, by its id.

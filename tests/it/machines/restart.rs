@@ -28,7 +28,9 @@ fn outcome(project: &Project, events: &[(f64, Action)]) -> Outcome {
 /// The run with these events, of so many seconds at most.
 pub(super) fn within(seconds: f64, project: &Project, events: &[(f64, Action)]) -> Outcome {
     let mut project = project.clone();
-    events.iter().for_each(|(t, action)| project.panel.add(Event { t: *t, action: action.clone() }));
+    for (t, action) in events {
+        project.panel.add(Event { t: *t, action: action.clone() });
+    }
     let limits = Budget { blocks: 1_000_000, seconds };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };
     let mut planner = run::of_project(&project, &project.written(), &begin);

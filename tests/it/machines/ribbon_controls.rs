@@ -29,7 +29,9 @@ pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {
 /// The project over time, to its end.
 pub(super) fn over_time(project: &Project, events: Vec<Event>) -> Planner<Interp> {
     let mut project = project.clone();
-    events.into_iter().for_each(|event| project.panel.add(event));
+    for event in events {
+        project.panel.add(event);
+    }
     let limits = Budget { blocks: 10_000_000, seconds: 3600.0 };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
     let mut planner = run::of_project(&project, &project.written(), &begin);

@@ -8,7 +8,9 @@ use macroline::project::run::{self, RunOptions};
 
 fn planned(project: &Project, events: &[Event]) -> Planner<Interp> {
     let mut project = project.clone();
-    events.iter().for_each(|event| project.panel.add(event.clone()));
+    for event in events {
+        project.panel.add(event.clone());
+    }
     let limits = Budget { blocks: 1_000_000, seconds: 3600.0 };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
     let mut planner = run::of_project(&project, &project.written(), &begin);

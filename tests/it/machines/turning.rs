@@ -58,7 +58,9 @@ pub(super) fn over_time(project: &Project) -> Planner<Interp> {
 /// A run that has not begun, in which the operator does something.
 pub(super) fn run_of(project: &Project, event: Option<Event>) -> Planner<Interp> {
     let mut project = project.clone();
-    event.into_iter().for_each(|event| project.panel.add(event));
+    if let Some(event) = event {
+        project.panel.add(event);
+    }
     begun(&project, &[])
 }
 

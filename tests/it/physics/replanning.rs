@@ -97,6 +97,31 @@ fn replanning_script_loops_within_the_sampled_time() {
     assert!(lines.contains(&21), "{lines:?}");
 }
 
+#[test]
+fn replaced_actions_keep_the_plan_before_the_first_change() {
+    let events = || vec![at(2.0, Action::FeedOverride(80.0)), at(7.5, Action::FeedOverride(60.0))];
+    let mut planner = planner(&lathe(), events(), busy());
+    planner.advance(9.0, usize::MAX);
+    let mut moved = Panel::new(events());
+    assert_eq!(moved.replace(1, at(8.0, Action::FeedOverride(60.0))), Some(1));
+    assert!(planner.replace_panel(moved.clone()));
+    assert_eq!(planner.timeline().end(), 7.0, "the checkpoint before 7.5 s");
+    planner.advance(9.0, usize::MAX);
+    assert!(planner.replace_panel(moved) && planner.timeline().end() == 9.0, "equal actions change nothing");
+}
+
+#[test]
+fn run_of_which_only_the_log_is_kept_takes_no_other_actions() {
+    let plc = Box::new(BenchPlc::new(0.05, Some(1033)));
+    let (plant, panel) = (plant(), Panel::new([]));
+    let limits = Budget { blocks: 1_000_000, seconds: 3600.0 };
+    let program = Script::new(busy());
+    let mut planner =
+        Planner::new(Setup { program, control: control(), plant: &plant, plc, panel, limits, keep: Retention::Log });
+    assert!(!planner.replace_panel(Panel::new([at(1.0, Action::Hold)])));
+    assert!(planner.panel().events().is_empty());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
@@ -131,6 +156,35 @@ proptest! {
         prop_assert_eq!(once.diagnostics(), bit_by_bit.diagnostics());
         prop_assert_eq!(once.starved(), bit_by_bit.starved());
         prop_assert_eq!(once.timeline().end(), bit_by_bit.timeline().end());
+    }
+
+    #[test]
+    fn replaced_actions_plan_as_from_zero_to_the_bit(
+        before in prop::collection::vec((0.0f64..9.0, action()), 0..6),
+        after in prop::collection::vec((0.0f64..9.0, action()), 0..6),
+        kept in 0.0f64..9.0,
+        until in 0.0f64..11.0,
+        whole in any::<bool>(),
+    ) {
+        let panel = |events: Vec<(f64, Action)>| -> Vec<Event> {
+            events.into_iter().map(|(t, action)| at(if whole { t.round() } else { t }, action)).collect()
+        };
+        let (before, mut after) = (panel(before), panel(after));
+        // What comes before some time stays, as when a list is edited.
+        after.retain(|event| event.t > kept);
+        after.splice(0..0, before.iter().filter(|event| event.t <= kept).cloned());
+        let mut once = planner(&lathe(), after.clone(), busy());
+        once.advance(11.0, usize::MAX);
+        let mut replaced = planner(&lathe(), before, busy());
+        replaced.advance(until, usize::MAX);
+        prop_assert!(replaced.replace_panel(Panel::new(after)));
+        replaced.advance(11.0, usize::MAX);
+        for i in 0..=1100 {
+            let t = f64::from(i) * 0.01;
+            prop_assert_eq!(bits(&once, t), bits(&replaced, t));
+        }
+        prop_assert_eq!(once.diagnostics(), replaced.diagnostics());
+        prop_assert_eq!(once.timeline().end(), replaced.timeline().end());
     }
 
     #[test]
