@@ -199,8 +199,12 @@ test('breakpoints of the editor are those of the debugger', () =>
     await page.locator('[role=status], [aria-live]', { hasText: /^Breakpoint: O9101.nc, line/ }).first().waitFor({ state: 'attached' });
     // A line above moves it along.
     const beside = async (text) => {
-      const [dot, row] = [await points.first().boundingBox(), await line(page, text).first().boundingBox()];
-      return Math.abs(dot.y + dot.height / 2 - row.y - row.height / 2) < 6;
+      for (let turn = 0; turn < 50; turn++) {
+        const [dot, row] = [await points.first().boundingBox(), await line(page, text).first().boundingBox()];
+        if (Math.abs(dot.y + dot.height / 2 - row.y - row.height / 2) < 6) return true;
+        await page.waitForTimeout(100);
+      }
+      return false;
     };
     await content.press('ArrowUp');
     await content.press('Home');

@@ -18,6 +18,7 @@ use crate::ui::dom;
 use crate::ui::dom::script::{call, load, object};
 use crate::ui::dom::turns::in_turn;
 use crate::ui::parts::input::{Choice, filled_part, number};
+use crate::ui::parts::phrases::phrases;
 use crate::ui::parts::scene::{fit, svg};
 use crate::ui::parts::{Dialog, Glyph, IconButton};
 use crate::ui::state::player::begin;
@@ -237,7 +238,7 @@ fn Programs(
         let texts = [same.map(|one| one.text.clone()).unwrap_or_default(), file.text.clone()].map(JsValue::from);
         // The two may be of controls with other words, so none is coloured.
         let pieces = Closure::<dyn Fn(JsValue) -> JsValue>::new(|_| js_sys::Array::new().into()).into_js_value();
-        let options = object([("label", t("compare.program").into()), ("pieces", pieces)]);
+        let options = object([("label", t("compare.program").into()), ("pieces", pieces), ("phrases", phrases())]);
         spawn_local(async move {
             let [before, after] = &texts;
             close();

@@ -20,7 +20,7 @@ pub(super) struct Fitted {
     /// Whether it is wider than its room.
     pub pans: RwSignal<bool>,
     /// Size of the room in pixels.
-    room: StoredValue<(i32, i32)>,
+    room: StoredValue<(f64, f64)>,
     /// Whether it is to be fitted before it is seen.
     due: StoredValue<bool>,
 }
@@ -33,7 +33,7 @@ impl Fitted {
             host: NodeRef::new(),
             drawn: StoredValue::new_local(None),
             pans: RwSignal::new(false),
-            room: StoredValue::new((0, 0)),
+            room: StoredValue::new((0.0, 0.0)),
             due: StoredValue::new(true),
         };
         fitted.host.on_load(move |host| {
@@ -77,13 +77,14 @@ impl Fitted {
 
     /// Reads the size of the room, which makes the browser lay out the page; whether it has changed.
     fn measure(self) -> bool {
-        let size = self.host.try_get_untracked().flatten().map(|host| (host.client_width(), host.client_height()));
-        let change = |room: &mut (i32, i32)| size.is_some_and(|size| core::mem::replace(room, size) != size);
+        let area = self.host.try_get_untracked().flatten().map(|host| host.get_bounding_client_rect());
+        let size = area.map(|area| (area.width(), area.height()));
+        let change = |room: &mut (f64, f64)| size.is_some_and(|size| core::mem::replace(room, size) != size);
         self.room.try_update_value(change) == Some(true)
     }
 
     fn fit(self) {
-        if self.room.try_get_value() == Some((0, 0)) {
+        if self.room.try_get_value() == Some((0.0, 0.0)) {
             self.measure();
         }
         // The page may be gone.

@@ -19,8 +19,8 @@ use crate::text::Message;
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::{Glyph, IconButton};
+use crate::ui::state::Page;
 use crate::ui::state::operator::{add, change, clear, event_at, place_after, remove};
-use crate::ui::state::{Page, put};
 use crate::ui::words::{clock, say, t};
 
 /// Pixels of a row, as in the style sheet.

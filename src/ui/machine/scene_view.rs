@@ -83,10 +83,10 @@ impl Drawn {
 
     /// Keeps labels at their size in pixels and apart in a room of so many pixels; where that is little, the drawing becomes wider than it.
     /// Says whether it did.
-    pub(super) fn fit(&self, (width, height): (i32, i32)) -> bool {
+    pub(super) fn fit(&self, (width, height): (f64, f64)) -> bool {
         let room = self.picture.as_ref().and_then(|picture| Some((picture, picture.parent_element()?)));
-        let Some((picture, parent)) = room.filter(|_| width > 0 && height > 0) else { return false };
-        let ([_, _, wide, high], width, height) = (self.view, f64::from(width), f64::from(height));
+        let Some((picture, parent)) = room.filter(|_| width > 0.0 && height > 0.0) else { return false };
+        let [_, _, wide, high] = self.view;
         let (across, down) = (wide / width, high / height);
         let strip = if parent.class_list().contains("pans") { 0.0 } else { STRIP };
         // Where the height is what it lacks, it would become narrower than its room.

@@ -18,6 +18,8 @@ pub(crate) mod listing;
 
 pub(crate) mod meaning;
 
+pub(crate) mod phrases;
+
 pub(crate) mod scene;
 
 pub(crate) mod sheet_view;

@@ -15,11 +15,11 @@ use crate::ui::dom::{
     script::{call, load, object, set, table},
 };
 use crate::ui::parts::listing::class;
+use crate::ui::parts::phrases::phrases;
 use crate::ui::parts::{Glyph, Icon};
 use crate::ui::state::Page;
 use crate::ui::words::{say, t, tell_alarm, tone};
 
-use super::phrases::phrases;
 use super::{navigation, points};
 
 /// The bundle of the editor.

@@ -10,8 +10,6 @@ mod navigation;
 
 mod now;
 
-mod phrases;
-
 mod points;
 
 use leptos::prelude::*;

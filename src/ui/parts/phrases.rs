@@ -31,7 +31,7 @@ const PHRASES: [(&str, &str); 21] = [
 ];
 
 /// All of them, as the library takes them.
-pub(super) fn phrases() -> JsValue {
+pub(crate) fn phrases() -> JsValue {
     let all = object([]);
     PHRASES.iter().for_each(|(english, id)| set(&all, english, &t(id).into()));
     all
