@@ -270,6 +270,7 @@ test('a file with carriage returns has its marks and places where they are', () 
     await page.keyboard.press('End');
     await page.keyboard.type(' #10');
     await option(page, '#100').waitFor();
+    await page.waitForTimeout(100);
     await page.keyboard.press('Enter');
     await active(page, /^N5 G01 X4\. F100 #\d+$/).waitFor();
   }));
