@@ -112,20 +112,19 @@ impl<'a> Book<'a> {
         }
         first.append(&mut self.rungs);
         let rungs = first;
-        let (bits, words) = self.devices(&rungs);
         let coils: BTreeSet<Bit> = rungs.iter().filter_map(Rung::coil).collect();
+        let (bits, words) = self.devices(&rungs, &coils);
         let (coils, language) = (coils.into_iter().collect(), self.control.plc);
         Ladder { rungs: rungs.into(), language, coils, bits: bits.into(), words: words.into() }
     }
 
-    fn devices(&self, rungs: &[Rung]) -> (Carried<Bit>, Carried<PlcNumber>) {
+    fn devices(&self, rungs: &[Rung], coils: &BTreeSet<Bit>) -> (Carried<Bit>, Carried<PlcNumber>) {
         let bits: BTreeSet<Bit> = rungs.iter().flat_map(Rung::bits).collect();
         let written: BTreeSet<PlcNumber> = rungs.iter().filter_map(Rung::written).collect();
         let words: BTreeSet<PlcNumber> = rungs.iter().flat_map(Rung::read).chain(written.iter().copied()).collect();
         let places = Places::new(&bits, &words);
-        let driven = |bit: Bit| rungs.iter().any(|rung| rung.action == RungAction::Coil(bit));
         let bits = bits.iter().map(|bit| {
-            let device = self.bit(*bit, driven(*bit), &places);
+            let device = self.bit(*bit, coils.contains(bit), &places);
             let (meaning, cite) = self.bit_meanings.get(bit).copied().unwrap_or((device.meaning, device.cite));
             (*bit, Device { meaning, cite, ..device })
         });
