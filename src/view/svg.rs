@@ -42,15 +42,35 @@ fn token(name: &str, theme: Theme) -> &'static str {
 }
 
 /// The scene for the page, at rest or in a pose: words are escaped, colours are tokens, groups carry `data-g` and nodes that poses change
-/// `data-n`. `data-unit` is the most drawing units per pixel for which labels are laid out, 0 without a limit.
+/// `data-n`.
 pub fn page(scene: &Scene, pose: Option<&Pose>, alt: &str) -> String {
-    let mut out = filled("<svg class=\"scene\" viewBox=\"# # # #\"", &scene.view);
-    let _ = write!(out, " data-unit=\"{:.4}\" role=\"img\" aria-label=\"", scene.unit);
-    escape(&mut out, alt);
-    out.push_str("\">");
-    Writer { out: &mut out, scene, pose, place: Place::Page, scale: 1.0 }.write();
+    let mut out = String::from("<svg class=\"scene\" role=\"img\"");
+    for (name, value) in attributes(scene, alt) {
+        let _ = write!(out, " {name}=\"");
+        escape(&mut out, &value);
+        out.push('"');
+    }
+    out.push('>');
+    out.extend(parts(scene, pose));
     out.push_str("</svg>");
     out
+}
+
+/// Attributes of the page's `<svg>` that follow the scene. `data-unit` is the most drawing units per pixel for which labels are laid out, 0
+/// without a limit.
+pub fn attributes(scene: &Scene, alt: &str) -> [(&'static str, String); 3] {
+    let unit = format!("{:.4}", scene.unit);
+    [("viewBox", filled("# # # #", &scene.view)), ("data-unit", unit), ("aria-label", alt.to_owned())]
+}
+
+/// The children of the page's `<svg>`, each as the text of one element: the definitions, then shapes and groups in drawing order.
+pub fn parts(scene: &Scene, pose: Option<&Pose>) -> Vec<String> {
+    let (mut out, mut begins) = (String::new(), Vec::new());
+    Writer { out: &mut out, scene, pose, place: Place::Page, scale: 1.0 }.write(&mut begins);
+    let ends = begins.iter().skip(1).copied().chain([out.len()]);
+    let mut all = vec![out.get(..begins.first().copied().unwrap_or(out.len())).unwrap_or_default().to_owned()];
+    all.extend(begins.iter().zip(ends).map(|(begin, end)| out.get(*begin..end).unwrap_or_default().to_owned()));
+    all
 }
 
 /// Width in pixels of a picture whose labels have room at any size.
@@ -75,7 +95,8 @@ pub fn picture_with(scene: &Scene, pose: &Pose, theme: Theme, items: &[Balloon])
         out,
         "<style>.label{{font:{size} {label}}}.value{{font:600 {size} {figure}}}.engraved{{font-family:{label};font-weight:600}}</style>"
     );
-    Writer { out: &mut out, scene, pose: Some(pose), place: Place::Alone(theme, unit), scale: 1.0 }.write();
+    Writer { out: &mut out, scene, pose: Some(pose), place: Place::Alone(theme, unit), scale: 1.0 }
+        .write(&mut Vec::new());
     if !items.is_empty() {
         balloons::write(&mut out, items, (token("ink", theme), token("bg", theme)), LETTER * unit);
     }
@@ -148,7 +169,8 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn write(&mut self) {
+    /// Writes the definitions, then the nodes in their groups; notes where each element that is in no other begins.
+    fn write(&mut self, begins: &mut Vec<usize>) {
         self.definitions();
         if let Place::Alone(..) = self.place {
             let [x, y, w, h] = self.scene.view;
@@ -162,6 +184,9 @@ impl Writer<'_> {
             let same = open.iter().zip(&chain).take_while(|(a, b)| a == b).count();
             for _ in same..open.len() {
                 self.out.push_str("</g>");
+            }
+            if same == 0 {
+                begins.push(self.out.len());
             }
             chain[same..].iter().for_each(|group| self.open(*group));
             open = chain;

@@ -35,14 +35,15 @@ struct Group {
     parts: Vec<Element>,
     rest: SceneGroup,
     transform: String,
-    opacity: f64,
+    /// Opacity at present, once it is known.
+    opacity: Option<f64>,
 }
 
 /// A part that poses change by its number.
 struct Part {
     element: Element,
-    /// Path or text at present.
-    text: String,
+    /// Path or text at present, once it is known.
+    text: Option<String>,
     /// Letters of the longest text so far.
     longest: usize,
     dash: f64,
@@ -52,9 +53,11 @@ struct Part {
 impl Drawn {
     /// Finds the parts of a drawing in `host`.
     pub(super) fn new(host: &Element, scene: &Scene) -> Drawn {
-        let group = |rest: &SceneGroup| {
-            let opacity = f64::from(u8::from(!rest.hidden));
-            Group { parts: Vec::new(), rest: rest.clone(), transform: String::new(), opacity }
+        let group = |rest: &SceneGroup| Group {
+            parts: Vec::new(),
+            rest: rest.clone(),
+            transform: String::new(),
+            opacity: None,
         };
         let mut groups: Vec<Group> = scene.groups.iter().map(group).collect();
         for part in dom::all(host, "[data-g]") {
@@ -66,7 +69,7 @@ impl Drawn {
         }
         let numbered = |element: Element| {
             let number = element.get_attribute("data-n")?.parse().ok()?;
-            Some((number, Part { element, text: String::new(), longest: 0, dash: f64::NAN, fill: None }))
+            Some((number, Part { element, text: None, longest: 0, dash: f64::NAN, fill: None }))
         };
         let parts = dom::all(host, "[data-n]").into_iter().filter_map(numbered).collect();
         Drawn {
@@ -124,22 +127,22 @@ impl Drawn {
                 group.parts.iter().for_each(|part| dom::set(part, "transform", &text));
                 group.transform.clone_from(&text);
             }
-            if place.opacity != group.opacity {
-                group.opacity = place.opacity;
+            if group.opacity != Some(place.opacity) {
+                group.opacity = Some(place.opacity);
                 let opacity = filled("#", &[place.opacity]);
                 group.parts.iter().for_each(|part| dom::set(part, "opacity", &opacity));
             }
         }
         for (at, d) in &pose.paths {
-            if let Some(part) = self.parts.get_mut(at).filter(|part| part.text != *d) {
+            if let Some(part) = self.parts.get_mut(at).filter(|part| part.text.as_ref() != Some(d)) {
                 dom::set(&part.element, "d", d);
-                part.text.clone_from(d);
+                part.text.get_or_insert_default().clone_from(d);
             }
         }
         for (at, words) in &pose.texts {
-            if let Some(part) = self.parts.get_mut(at).filter(|part| part.text != *words) {
+            if let Some(part) = self.parts.get_mut(at).filter(|part| part.text.as_ref() != Some(words)) {
                 part.element.set_text_content(Some(words));
-                part.text.clone_from(words);
+                part.text.get_or_insert_default().clone_from(words);
                 let letters = columns(words);
                 longer |= letters > part.longest;
                 part.longest = part.longest.max(letters);

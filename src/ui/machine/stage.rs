@@ -13,7 +13,7 @@ use super::pictures::SavePicture;
 use super::scene_view::Drawn;
 use crate::motion::{Mode, RunEnd};
 use crate::ui::dom;
-use crate::ui::parts::scene::{Still, svg};
+use crate::ui::parts::scene::{Shown, Still};
 use crate::ui::parts::{Glyph, IconButton, Later};
 use crate::ui::state::Page;
 use crate::ui::words::{end_words, mode_tone, mode_words, say, t};
@@ -28,16 +28,17 @@ pub(crate) fn Stage() -> impl IntoView {
     let (host, pans) = (fitted.host, fitted.pans);
     // The still is this very drawing, which goes on in it.
     let still = StoredValue::new_local(Still::take());
-    Effect::new(move |_| {
-        let Some(host) = host.get() else { return };
+    Effect::new(move |shown: Option<Shown>| {
+        let mut shown = shown.unwrap_or_default();
+        let Some(host) = host.get() else { return shown };
         page.results.scene.with(|scene| {
-            let still = still.try_update_value(Option::take).flatten();
-            match &still {
-                Some(still) => drop(host.append_child(still)),
-                None => host.set_inner_html(&svg(scene)),
+            match still.try_update_value(Option::take).flatten() {
+                Some(still) => shown.adopt(&host, &still, scene),
+                None => shown.change(&host, scene),
             }
             fitted.take(Drawn::new(&host, scene));
         });
+        shown
     });
     mark_causes(page, host);
     player.paint(move |moment| fitted.show(moment));
@@ -274,6 +275,29 @@ mod tests {
         bench.run().await;
         assert_eq!(bench.all("svg.scene").len(), 1);
         assert_ne!(bench.attribute("svg.scene", "aria-label"), first);
+    }
+
+    #[wasm_bindgen_test]
+    async fn parts_that_a_value_does_not_change_stay_in_the_drawing() {
+        let bench = stage().await;
+        bench.seek(3.0).await;
+        let parts = bench.all("svg.scene > *");
+        let values = [("pitch", 9.0), ("heads", 5.0)];
+        for (field, value) in values {
+            bench.page.set(field, crate::machines::form::Value::Number(value));
+        }
+        bench.run().await;
+        bench.seek(3.0).await;
+        let stayed = parts.iter().filter(|part| part.is_connected()).count();
+        assert!(stayed > parts.len() / 2 && stayed < parts.len(), "{stayed} of {}", parts.len());
+        let drawing = |bench: &Bench| bench.find("svg.scene").inner_html();
+        let changed = drawing(&bench);
+        let project = bench.page.project.get_untracked();
+        drop(bench);
+        let fresh = mount_project(project, || view! { <Stage /> <input id="heads" /> }).await;
+        fresh.run().await;
+        fresh.seek(3.0).await;
+        assert_eq!(changed, drawing(&fresh));
     }
 
     #[wasm_bindgen_test]

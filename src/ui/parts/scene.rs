@@ -4,12 +4,40 @@ use leptos::prelude::*;
 use web_sys::{Element, HtmlElement};
 
 use crate::ui::dom;
+use crate::ui::dom::children;
 use crate::ui::words::t;
 use crate::view::{Scene, svg};
 
 /// The scene with its alternative text. Words in it are escaped.
 pub(crate) fn svg(scene: &Scene) -> String {
     svg::page(scene, None, t(scene.alt))
+}
+
+/// The present scene in the page, as the texts of its parts. With the next one only those parts are written that are not the same.
+#[derive(Default)]
+pub(crate) struct Shown(Vec<String>);
+
+impl Shown {
+    /// Shows a scene as the one drawing of `host`; parts that stay are where the last pose has left them.
+    pub(crate) fn change(&mut self, host: &Element, scene: &Scene) {
+        let Some(picture) = host.first_element_child() else {
+            host.set_inner_html(&svg(scene));
+            self.0 = svg::parts(scene, None);
+            return;
+        };
+        let parts = svg::parts(scene, None);
+        for (name, value) in svg::attributes(scene, t(scene.alt)) {
+            dom::set(&picture, name, &value);
+        }
+        children::change(&picture, &self.0, &parts);
+        self.0 = parts;
+    }
+
+    /// Takes a drawing of this scene that is there already, in whatever pose.
+    pub(crate) fn adopt(&mut self, host: &Element, drawing: &Element, scene: &Scene) {
+        let _ = host.append_child(drawing);
+        self.0 = svg::parts(scene, None);
+    }
 }
 
 /// Keeps labels at their size in pixels, as far as they have room: `--u` is the number of drawing units per pixel, at most `most` where

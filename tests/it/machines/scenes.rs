@@ -1,17 +1,29 @@
 //! The drawings of all machines, at any values of their forms: labels have room, poses move existing parts only.
 
+use std::collections::BTreeSet;
+
 use macroline::machines::form::Value;
 use macroline::machines::{self, AnyMachine, Frame, Samples};
 use macroline::motion::{Budget, Retention};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
-use macroline::view::{Theme, svg};
+use macroline::view::{Pose, Theme, svg};
 
 use super::drawn::{crowded, lost};
 use super::sweep::ends;
 
 const OPTIONS: RunOptions =
     RunOptions { start: None, settings: &[], limits: Budget { blocks: 400, seconds: 12.0 }, keep: Retention::Timeline };
+
+/// What a pose changes. Every pose of a drawing has to change the same: the page keeps parts as the last pose has left them.
+fn moved(pose: &Pose) -> BTreeSet<String> {
+    let groups = pose.placements.iter().map(|place| format!("group {}", place.group));
+    let paths = pose.paths.iter().map(|(id, _)| format!("path {id}"));
+    let texts = pose.texts.iter().map(|(id, _)| format!("text {id}"));
+    let dashes = pose.dashes.iter().map(|(id, _)| format!("dash {id}"));
+    let fills = pose.fills.iter().map(|(id, _)| format!("fill {id}"));
+    groups.chain(paths).chain(texts).chain(dashes).chain(fills).collect()
+}
 
 /// Faults of the drawing of a project, at the start of its run and later.
 fn faults(project: &Project) -> Vec<String> {
@@ -20,10 +32,17 @@ fn faults(project: &Project) -> Vec<String> {
     let mut run = run::of_project(project, &project.written(), &OPTIONS);
     run.advance(OPTIONS.limits.seconds, usize::MAX);
     let end = run.timeline().end();
-    let mut found = Vec::new();
+    let (mut found, mut first) = (Vec::new(), None);
     for (share, option) in [(0.0, false), (0.4, true), (0.9, false)] {
         let pose = machine.pose(&run, &Samples::at(&run, end * share), Frame { step: 0.004, option });
         found.extend(lost(&scene, &pose));
+        let moved = moved(&pose);
+        found.extend(
+            first
+                .get_or_insert_with(|| moved.clone())
+                .symmetric_difference(&moved)
+                .map(|part| format!("{part} only at times")),
+        );
         // Drawings that give no size of their letters are scaled with them.
         if scene.unit > 0.0 {
             found.extend(crowded(&scene, &pose));
