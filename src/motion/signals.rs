@@ -9,14 +9,18 @@ use crate::controls::Alarm;
 use crate::msg;
 use crate::text::Diagnostic;
 
+/// Rounds in which control and PLC agree, at the most.
+const ROUNDS: u32 = 4;
+
 impl<P: RunningProgram> Sim<'_, P> {
     /// Lets the PLC act until it and the spindle agree.
     pub(super) fn scan(&mut self, t: f64) {
-        self.turn(t);
+        // The speed at a cut's diameter and its feed per revolution depend on each other: they agree before the PLC sees them.
+        (0..ROUNDS).all(|_| self.turn(t));
         self.show_pmc(t);
         let waited = self.s.plc.io.stops.axes;
         // A PLC and a control that never agree are left for the next scan.
-        for _ in 0..4 {
+        for _ in 0..ROUNDS {
             self.s.plc.io.spindle_actual =
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.plant.spindle, t));
             let state = self.program_state();

@@ -29,16 +29,16 @@ pub(crate) fn Stage() -> impl IntoView {
     // The still is this very drawing, which goes on in it.
     let still = StoredValue::new_local(Still::take());
     Effect::new(move |shown: Option<Shown>| {
-        let mut shown = shown.unwrap_or_default();
+        let shown = shown.unwrap_or_default();
         let Some(host) = host.get() else { return shown };
         page.results.scene.with(|scene| {
-            match still.try_update_value(Option::take).flatten() {
-                Some(still) => shown.adopt(&host, &still, scene),
+            let shown = match still.try_update_value(Option::take).flatten() {
+                Some(still) => Shown::adopt(&host, &still, scene),
                 None => shown.change(&host, scene),
-            }
+            };
             fitted.take(Drawn::new(&host, scene));
-        });
-        shown
+            shown
+        })
     });
     mark_causes(page, host);
     player.paint(move |moment| fitted.show(moment));

@@ -13,30 +13,39 @@ pub(crate) fn svg(scene: &Scene) -> String {
     svg::page(scene, None, t(scene.alt))
 }
 
-/// The present scene in the page, as the texts of its parts. With the next one only those parts are written that are not the same.
+/// The present scene in the page, as texts. With the next one only what is not the same is written: the browser lays out the whole drawing
+/// again even for the box that it has already.
 #[derive(Default)]
-pub(crate) struct Shown(Vec<String>);
+pub(crate) struct Shown {
+    attributes: [(&'static str, String); 3],
+    parts: Vec<String>,
+}
 
 impl Shown {
+    fn of(scene: &Scene) -> Shown {
+        Shown { attributes: svg::attributes(scene, t(scene.alt)), parts: svg::parts(scene, None) }
+    }
+
     /// Shows a scene as the one drawing of `host`; parts that stay are where the last pose has left them.
-    pub(crate) fn change(&mut self, host: &Element, scene: &Scene) {
+    pub(crate) fn change(self, host: &Element, scene: &Scene) -> Shown {
+        let next = Shown::of(scene);
         let Some(picture) = host.first_element_child() else {
             host.set_inner_html(&svg(scene));
-            self.0 = svg::parts(scene, None);
-            return;
+            return next;
         };
-        let parts = svg::parts(scene, None);
-        for (name, value) in svg::attributes(scene, t(scene.alt)) {
-            dom::set(&picture, name, &value);
+        for ((name, value), old) in next.attributes.iter().zip(&self.attributes) {
+            if *value != old.1 {
+                dom::set(&picture, name, value);
+            }
         }
-        children::change(&picture, &self.0, &parts);
-        self.0 = parts;
+        children::change(&picture, &self.parts, &next.parts);
+        next
     }
 
     /// Takes a drawing of this scene that is there already, in whatever pose.
-    pub(crate) fn adopt(&mut self, host: &Element, drawing: &Element, scene: &Scene) {
+    pub(crate) fn adopt(host: &Element, drawing: &Element, scene: &Scene) -> Shown {
         let _ = host.append_child(drawing);
-        self.0 = svg::parts(scene, None);
+        Shown::of(scene)
     }
 }
 
