@@ -27,9 +27,9 @@ export function oneFile(folder, files) {
   const part = ([name, type, bytes]) => `<script type="text/plain" data-part="${name}" data-type="${type}">${gzipSync(bytes, { level: 9 }).toString('base64')}</script>\n`;
   const loader = readFileSync(fileURLToPath(new URL('../src/ui/one_file.js', import.meta.url)), 'utf8');
   const sheets = [];
-  const sheet = (_, name) => {
+  const sheet = (_, name, rest) => {
     sheets.push(String(read(name)));
-    return `<style>${sheets.at(-1)}</style>`;
+    return `<style${rest}>${sheets.at(-1)}</style>`;
   };
   const icon = `data:image/svg+xml;base64,${read('icon.svg').toString('base64')}`;
   const replace = (text, from, to) => {
@@ -41,7 +41,7 @@ export function oneFile(folder, files) {
     [/ *<link rel="manifest"[^>]*>\n/, ''],
     [/<link rel="(?:modulepreload|preload)"[^>]*>/g, ''],
     [/<link rel="icon"[^>]*>/, `<link rel="icon" href="${icon}">`],
-    [/<link rel="stylesheet" href="\.\/([^"]+)"\/?>/g, sheet],
+    [/<link rel="stylesheet" href="\.\/([^"]+)"([^>]*?)\/?>/g, sheet],
     [/<script type="module"[^>]*><\/script>/, ''],
     [/<\/body>/, () => `${parts.map(part).join('')}<script type="module" data-js data-wasm data-words="en.properties">${loader}</script>\n  </body>`],
     [

@@ -9,19 +9,11 @@ use super::share::{self, ShareButton};
 use super::store;
 use crate::controls;
 use crate::machines;
-use crate::ui::dom;
 use crate::ui::parts::input::Choice;
-use crate::ui::parts::{Glyph, Icon, IconButton, LanguageButtons, Later};
+use crate::ui::parts::{ContrastButton, Glyph, IconButton, LanguageButtons, Later, ThemeButton};
 use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
 use crate::ui::words::t;
-
-/// Where the choice of light and dark is kept.
-const THEME: &str = "macroline.theme";
-
-/// Themes in the order in which the button goes through them, with their words.
-const THEMES: [(&str, &str); 3] =
-    [("", "page.theme-system"), ("light", "page.theme-light"), ("dark", "page.theme-dark")];
 
 /// The header.
 #[component]
@@ -50,6 +42,7 @@ pub(crate) fn Header() -> impl IntoView {
                     <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
                     <LanguageButtons />
                     <ThemeButton />
+                    <ContrastButton />
                     <IconButton glyph=Glyph::Help label=t("page.help") class="help" press=move || page.view.helping.set(true) />
                 </div>
             </Later>
@@ -149,34 +142,13 @@ fn ProjectName() -> impl IntoView {
     }
 }
 
-/// Light, dark, or as the system.
-#[component]
-fn ThemeButton() -> impl IntoView {
-    let stored = dom::stored(THEME).unwrap_or_default();
-    let at = RwSignal::new(THEMES.iter().position(|(id, _)| *id == stored).unwrap_or(0));
-    let theme = move || THEMES.get(at.get()).copied().unwrap_or(THEMES[0]);
-    Effect::new(move |_| {
-        if let Some(root) = document().document_element() {
-            dom::set(&root, "data-theme", theme().0);
-        }
-    });
-    let next = move |_| {
-        at.update(|at| *at = (*at + 1) % THEMES.len());
-        dom::store(THEME, untrack(theme).0);
-    };
-    view! {
-        <button type="button" class="icon theme" aria-label=move || t(theme().1) title=move || t(theme().1) on:click=next>
-            <Icon glyph=Glyph::Theme />
-        </button>
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, mount_project, project, settled};
+    use crate::ui::dom;
+    use crate::ui::testing::{Bench, mount, settled};
 
     async fn header() -> Bench {
         mount(|| view! { <Header /> }).await
@@ -230,26 +202,6 @@ mod tests {
         let bench = header().await;
         bench.type_into(".name", "Order\u{7} 7").await;
         assert_eq!(bench.page.project.with_untracked(|project| project.name.clone()), "Order 7");
-    }
-
-    #[wasm_bindgen_test]
-    async fn theme_goes_round_and_is_remembered() {
-        let bench = header().await;
-        let shown = || document().document_element().unwrap().get_attribute("data-theme").unwrap();
-        let mut seen = Vec::new();
-        for _ in 0..3 {
-            bench.press(".theme").await;
-            seen.push((shown(), bench.attribute(".theme", "aria-label")));
-        }
-        let themes = [THEMES[1], THEMES[2], THEMES[0]].map(|(id, words)| (id.to_owned(), t(words).to_owned()));
-        assert_eq!(seen, themes);
-        bench.press(".theme").await;
-        drop(bench);
-        let bench = mount_project(project(), || view! { <Header /> }).await;
-        assert_eq!(
-            (shown().as_str(), bench.attribute(".theme", "aria-label").as_str()),
-            ("light", t("page.theme-light"))
-        );
     }
 
     #[wasm_bindgen_test]

@@ -8,8 +8,8 @@ use web_sys::{Element, Event};
 use crate::msg;
 use crate::ui::dom;
 use crate::ui::help::keys;
-use crate::ui::parts::LanguageButtons;
 use crate::ui::parts::input::CheckMark;
+use crate::ui::parts::{ContrastButton, LanguageButtons, ThemeButton};
 use crate::ui::state::Page;
 use crate::ui::state::stepping::COMMANDS;
 use crate::ui::words::{say, t};
@@ -257,7 +257,7 @@ fn Hits(
     }
 }
 
-/// Tour, language, and the keys of the page.
+/// Tour, language, appearance, and the keys of the page.
 #[component]
 fn Shortcuts() -> impl IntoView {
     let page = Page::here();
@@ -278,7 +278,7 @@ fn Shortcuts() -> impl IntoView {
     view! {
         <p class="choices">
             <button type="button" class="tour-start" on:click=tour>{t("tour.start")}</button>
-            " " {t("page.language")} " " <LanguageButtons />
+            " " {t("page.language")} " " <LanguageButtons /> " " <ThemeButton /> <ContrastButton />
         </p>
         {dom::is_installable().then(|| view! {
             <p>{t("page.help-offline")} " " <a href="macroline.html" download="macroline.html">{t("page.help-one-file")}</a></p>

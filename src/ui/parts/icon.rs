@@ -35,6 +35,8 @@ pub(crate) enum Glyph {
     Help,
     /// Light, dark, or as the system.
     Theme,
+    /// Contrast.
+    Contrast,
     /// Step through the program.
     Step,
     /// Plus.
@@ -68,6 +70,9 @@ impl Glyph {
             Glyph::Picture => "M8 2v8M5 7l3 3 3-3M3 13h10",
             Glyph::Help => "M5.800 6a2.200 2.200 0 1 1 3.200 2c-.7.4-1 .8-1 1.500M8 12.200v.1",
             Glyph::Theme => "M8 2a6 6 0 1 0 0 12zM8 2a6 6 0 0 1 0 12",
+            Glyph::Contrast => {
+                "M1.500 8q2.600-4.500 6.500-4.500t6.500 4.500q-2.600 4.500-6.500 4.500t-6.500-4.500zM8 6a2 2 0 1 0 0 4a2 2 0 1 0 0-4"
+            }
             Glyph::Step => "M3 4h6M3 8h4M3 12h6M12 5v6M9.800 9 12 11.200 14.200 9",
             Glyph::Find => "M7 2.500a4.500 4.500 0 1 1 0 9a4.500 4.500 0 1 1 0-9M10.300 10.300l3.700 3.700",
             Glyph::More => "M8 3.500v9M3.500 8h9",

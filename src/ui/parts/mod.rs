@@ -1,5 +1,7 @@
 //! Components that several features use.
 
+pub(crate) mod appearance;
+
 pub(crate) mod chart_figure;
 
 pub(crate) mod dialog;
@@ -26,6 +28,7 @@ pub(crate) mod sheet_view;
 
 pub(crate) mod verdict;
 
+pub(crate) use appearance::{ContrastButton, ThemeButton};
 pub(crate) use dialog::{Dialog, DialogButton};
 pub(crate) use icon::{Glyph, Icon, IconButton};
 pub(crate) use language::LanguageButtons;

@@ -56,6 +56,15 @@ pub(crate) struct Compared {
     pub text: String,
 }
 
+/// How the page looks: each a choice as its button counts, from 0.
+#[derive(Clone, Copy)]
+pub(crate) struct Appearance {
+    /// Light, dark or as the system.
+    pub theme: RwSignal<usize>,
+    /// High contrast, standard or as the system.
+    pub contrast: RwSignal<usize>,
+}
+
 /// What is shown. A handle: copies mean the same.
 #[derive(Clone, Copy)]
 pub(crate) struct View {
@@ -97,6 +106,8 @@ pub(crate) struct View {
     pub compared: RwSignal<Option<Compared>>,
     /// Whether the store of this browser has the project.
     pub kept: RwSignal<Kept>,
+    /// Choices of theme and contrast.
+    pub appearance: Appearance,
 }
 
 impl View {
@@ -122,6 +133,7 @@ impl View {
             tour: RwSignal::new(None),
             compared: RwSignal::new(None),
             kept: RwSignal::new(Kept::Yes),
+            appearance: Appearance { theme: RwSignal::new(0), contrast: RwSignal::new(0) },
         }
     }
 
