@@ -1,7 +1,7 @@
 // Help: the meaning of an alarm within two clicks, search, links from the page, both languages, the phone, and the tour.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, start, takeExample, withPage } from './page.mjs';
+import { FIREFOX, PAPER, accessible, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -70,6 +70,34 @@ test('Chinese help is found by Chinese words', () =>
     await page.getByRole('dialog').getByRole('button', { name: chinese('page.close') }).click();
     assert.equal(await page.locator('dialog[open]').count(), 0);
   }));
+
+// Pages of a document, each with its width in points.
+const papers = (pdf) => [...pdf.toString('latin1').matchAll(/\/Type\s*\/Page\b[^]*?\/MediaBox\s*\[0 0 ([\d.]+)/g)].map(([, width]) => Math.round(width));
+
+for (const [locale, colorScheme] of [['en', 'dark'], ['zh-CN', 'light']])
+  test(`the page of help that is read is printed alone and whole, ${locale}`, () =>
+    withPage(app, { locale, colorScheme }, async ({ page }) => {
+      const said = words(locale.slice(0, 2));
+      await page.evaluate(() => (window.print = () => (document.title = 'printed')));
+      await page.keyboard.press('?');
+      await page.locator('.help-body nav button').first().click();
+      await page.locator('#help-parts .parts').waitFor();
+      await page.getByRole('dialog').getByRole('button', { name: said('help.print'), exact: true }).click();
+      assert.equal(await page.title(), 'printed');
+      await page.emulateMedia({ media: 'print' });
+      const shown = (selector) => page.locator(selector).filter({ visible: true }).count();
+      assert.equal(await shown('main, .top, dialog > header, .find, .help-body nav, .help-page .contents, .choices'), 0);
+      assert.equal(await shown('#help-parts img'), 1);
+      assert.ok((await shown('#help-page-title, #help-page h3, #help-page article, .source')) > 100);
+      const cut = await page.evaluate(() => [...document.querySelectorAll('dialog.help, #help-page')].filter((one) => one.scrollHeight > one.clientHeight + 1).length);
+      assert.equal(cut, 0, 'a part of help is cut off');
+      assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).colorScheme), 'light');
+      if (FIREFOX) return;
+      for (const [format, width] of [['A4', 595], ['Letter', 612]]) {
+        const found = papers(await page.pdf({ format }));
+        assert.ok(found.length > 10 && found.every((one) => Math.abs(one - width) <= 1), `${format}: ${found}`);
+      }
+    }));
 
 test('help fits a phone', () =>
   withPage(app, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, async ({ page }) => {

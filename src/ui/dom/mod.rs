@@ -171,6 +171,11 @@ pub(crate) fn is_dark() -> bool {
     chosen == "dark" || chosen.is_empty() && prefers("(prefers-color-scheme: dark)")
 }
 
+/// Opens the browser's dialog for printing; there is nothing to be done where it has none.
+pub(crate) fn print() {
+    let _ = window().print();
+}
+
 /// Sets an attribute; there is nothing to be done where the browser refuses.
 pub(crate) fn set(element: &Element, name: &str, value: &str) {
     let _ = element.set_attribute(name, value);

@@ -183,6 +183,7 @@ pub(super) fn Reader() -> impl IntoView {
                 aria-label=t("help.search") placeholder=t("help.search-example")
                 prop:value=reading.query on:input=move |event| reading.find(event_target_value(&event))
             />
+            <button type="button" class="print" title=t("help.print-about") on:click=|_| dom::print()>{t("help.print")}</button>
         </form>
         <div class="help-body" on:click=move |event| follow(event.unchecked_into())>
             <nav aria-label=t("help.pages")>
@@ -220,6 +221,7 @@ fn Content(
         (Some(shown), _) => {
             let keys = (shown.page == PROGRAMS).then(|| view! { <Shortcuts /> });
             view! {
+                <p class="on-paper source">"macroline · " {t("page.help")}</p>
                 <h2 id="help-page-title">{shown.title}</h2>
                 {keys}
                 <div inner_html=shown.html></div>

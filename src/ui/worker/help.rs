@@ -106,12 +106,19 @@ fn write(out: &mut String, page: &Page, dark: bool) {
     }
 }
 
-/// The drawing with its numbered parts. It is a picture of its own: its gradients have the names of those on the page.
+/// The drawing with its numbered parts. It is a picture of its own: its gradients have the names of those on the page. Paper is never dark.
 fn parts(out: &mut String, page: &Page, section: &HelpSection, dark: bool) {
     let Some(machine) = machines::find(page.id) else { return };
-    let theme = if dark { Theme::Dark } else { Theme::Light };
-    let picture = STANDARD.encode(pages::drawing(machine, page.control, theme));
-    open(out, &format!("img src=\"data:image/svg+xml;base64,{picture}\""), "alt", &page.title);
+    let mut picture = |theme, class| {
+        let data = STANDARD.encode(pages::drawing(machine, page.control, theme));
+        open(out, &format!("img class=\"{class}\" src=\"data:image/svg+xml;base64,{data}\""), "alt", &page.title);
+    };
+    if dark {
+        picture(Theme::Dark, "on-screen");
+        picture(Theme::Light, "on-paper");
+    } else {
+        picture(Theme::Light, "");
+    }
     out.push_str("<ol class=\"parts\">");
     section.parts.iter().for_each(|part| tagged(out, "li", part));
     out.push_str("</ol>");
@@ -199,6 +206,18 @@ mod tests {
         let shown = page(&project(), &texts, "<script>", false);
         assert_eq!((shown.page.as_str(), shown.anchor.as_str()), ("ribbon-line", ""));
         assert!(!shown.html.contains("<script") && shown.html.contains("data:image/svg+xml;base64,"));
+    }
+
+    #[wasm_bindgen_test]
+    fn dark_page_has_a_light_drawing_for_paper() {
+        let texts = Texts::shipped(catalog::spoken());
+        let [light, dark] = [false, true].map(|dark| page(&project(), &texts, "ribbon-line", dark).html);
+        let drawing = |html: &str, class: &str| {
+            let (_, from) = html.split_once(&format!("<img class=\"{class}\" "))?;
+            from.split_once('>').map(|(drawing, _)| drawing.to_owned())
+        };
+        assert_eq!(drawing(&dark, "on-paper"), drawing(&light, ""));
+        assert!(drawing(&dark, "on-screen").is_some_and(|screen| Some(screen) != drawing(&light, "")));
     }
 
     #[wasm_bindgen_test]
