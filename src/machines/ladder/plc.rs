@@ -56,6 +56,10 @@ pub struct LadderPlc {
     image: Image,
     /// Whether one more scan of the same signals would change nothing.
     settled: bool,
+    /// When the next timer of the image closes its contact (s).
+    due: Option<f64>,
+    /// Whether a rung waits for the inverter to report the commanded speed.
+    waits_for_speed: bool,
     strobes: Strobes,
     program: ProgramState,
     /// M code of the last scan.
@@ -90,6 +94,8 @@ impl LadderPlc {
             reads_speed,
             image: Image::default(),
             settled: false,
+            due: None,
+            waits_for_speed: false,
             strobes: Strobes::default(),
             program: ProgramState::Idle,
             code: None,
@@ -246,10 +252,15 @@ impl LadderPlc {
     fn again(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let since = self.strobes.since(t, io).map(|since| since + ANSWER).filter(|due| *due > t);
         let meshed = Some(self.gear.1 + self.wiring.meshing).filter(|due| *due > t);
+        let look = self.waits_for_speed.then_some(t + LOOK);
+        [since, meshed, look, self.due].into_iter().flatten().reduce(f64::min)
+    }
+
+    /// Notes what the image as it now is waits for.
+    fn note_waits(&mut self) {
         let (speed, arrived) = (Bit::Input(MachineContact::AtSpeed), Bit::Signal(SignalRole::SpeedArrived));
-        let looks = !self.image.is_on(speed) && self.ladder.waits_for(&self.image, speed, arrived);
-        let look = looks.then_some(t + LOOK);
-        [since, meshed, look, self.ladder.due(&self.image)].into_iter().flatten().reduce(f64::min)
+        self.due = self.ladder.due(&self.image);
+        self.waits_for_speed = !self.image.is_on(speed) && self.ladder.waits_for(&self.image, speed, arrived);
     }
 }
 
@@ -261,7 +272,7 @@ impl Plc for LadderPlc {
         let alarms =
             [MachineOutput::ReversalAlarm, MachineOutput::GearAlarm].map(|alarm| self.image.is_on(Bit::Output(alarm)));
         let mut wish = None;
-        let due = self.ladder.due(&self.image).is_some_and(|due| due <= t);
+        let due = self.due.is_some_and(|due| due <= t);
         if !self.settled || changed || due || self.block.is_some() {
             self.settled = (0..SCANS).any(|_| {
                 self.ladder.scan(t, &mut self.image);
@@ -272,6 +283,7 @@ impl Plc for LadderPlc {
                 }
                 !self.image.take_changed()
             });
+            self.note_waits();
         }
         self.write(t, io, alarms);
         [wish, self.again(t, io)].into_iter().flatten().reduce(f64::min)
@@ -292,6 +304,8 @@ impl Plc for LadderPlc {
             reads_speed: self.reads_speed,
             image: self.image.clone(),
             settled: self.settled,
+            due: self.due,
+            waits_for_speed: self.waits_for_speed,
             strobes: self.strobes.clone(),
             program: self.program,
             code: self.code,
