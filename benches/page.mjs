@@ -30,6 +30,8 @@ await withPage(app, {}, async ({ page }) => {
   summary('script of a frame', await median(page, 'frame'), 4);
   await page.click('#play');
   await page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));
+  // An hour is longer than the axes stay within the range of the control, unless their coordinates roll over.
+  await field(page, 'endless').selectOption('roll-over');
   await field(page, 'pitch-count').fill('10000000');
   await page.fill('#go-to', '3600');
   await page.press('#go-to', 'Enter');

@@ -46,6 +46,16 @@ test('a machine in another page runs, follows its fields and leads to the whole 
     assert.equal(await whole.locator(`#${await field.getAttribute('id')}`).inputValue(), '60');
   }));
 
+test('a page that asks for another machine in its frame gets it', () =>
+  inside('embed&machine=turning-spindle', {}, async ({ frame }) => {
+    await frame.page().evaluate(() => {
+      const frame = document.querySelector('iframe');
+      frame.src = frame.src.replace('turning-spindle', 'polygon-lathe&lang=zh');
+    });
+    await frame.waitForFunction((title) => document.querySelector('h1')?.textContent === title, words('zh')('polygon.name'));
+    assert.equal(await frame.locator('.field').count(), 3);
+  }));
+
 test('the element of the share dialog shows the project, and its page keeps nothing', () =>
   withPage(app, {}, async ({ page }) => {
     await enter(page.locator('#pitch'), '9.5');

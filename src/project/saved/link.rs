@@ -9,10 +9,8 @@ use super::super::Project;
 use super::super::checksum::crc32;
 use super::super::findings::Findings;
 use super::Loaded;
-use crate::machines;
 use crate::msg;
-use crate::project::examples::NameKind;
-use crate::text::{Diagnostic, Message, listed};
+use crate::text::{Diagnostic, Message};
 
 /// Prefix of a fragment that carries a project; the number of the form follows.
 const PROJECT: &str = "p";
@@ -24,9 +22,6 @@ const FORM: &str = "p2.";
 /// Prefix of the first form, which is still read: the file as zlib data (RFC 1950). Their check sum, Adler-32, misses some changes of one
 /// character: a changed code of the compression changes the same two letters wherever they are next to each other.
 const FIRST_FORM: &str = "p1.";
-
-/// Begin of the fragment of a page inside another one.
-const EMBED: &str = "embed";
 
 /// Longest fragment, in characters. Our choice: browsers take more, mail and chat programs less.
 pub const MAX_LINK: usize = 8000;
@@ -76,35 +71,6 @@ fn packed(file: &str) -> String {
     let deflated = compress_to_vec(file.as_bytes(), LEVEL);
     let check_sum = crc32(&deflated).to_be_bytes();
     URL_SAFE_NO_PAD.encode([&check_sum, deflated.as_slice()].concat())
-}
-
-/// The project that the fragment of a page inside another one asks for (`docs/embedding.md`): behind `embed`, each after `&`, a link, or the ids of
-/// a machine and of a control. `None` where the fragment asks for no such page. Total, as [`Project::from_link`].
-pub fn embedded(fragment: &str) -> Option<Loaded> {
-    let mut parts = fragment.split('&');
-    if parts.next() != Some(EMBED) {
-        return None;
-    }
-    let (mut machine, mut control) = (None, None);
-    for part in parts {
-        match part.split_once('=') {
-            _ if is_link(part) => return Some(Project::from_link(part)),
-            Some(("machine", id)) => machine = Some(id),
-            Some(("control", id)) => control = Some(id),
-            _ => {}
-        }
-    }
-    let machine = machine.or(machines::ALL.first().map(|machine| machine.id())).unwrap_or_default();
-    Some(match Project::named(machine, control, None) {
-        Ok(project) => Loaded { project: Some(project), diagnostics: Vec::new() },
-        Err(unknown) => {
-            let known = listed(unknown.known);
-            let control = unknown.kind == NameKind::Control;
-            let message =
-                if control { msg!("project.embed-control", known) } else { msg!("project.embed-machine", known) };
-            Loaded { project: None, diagnostics: vec![Diagnostic::error(message)] }
-        }
-    })
 }
 
 /// The file in a fragment.

@@ -16,13 +16,15 @@ mod old_options;
 
 mod resolve;
 
+mod embedded;
 mod link;
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+pub use self::embedded::embedded;
 pub use self::history::{StepTexts, steps_from_json, steps_to_json};
-pub use self::link::{MAX_LINK, embedded, is_link};
+pub use self::link::{MAX_LINK, is_link};
 pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
 use self::v1::{ProgramV1, ProjectV1, TitleBlockV1, VariantV1};
 use super::findings::Findings;

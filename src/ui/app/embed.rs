@@ -50,6 +50,7 @@ pub fn EmbeddedApp(
     let page = Page::provide(embedded.begun, embedded.found);
     Still::provide();
     let busy = RwSignal::new(true);
+    begin_anew_at_another_address(page);
     in_turn(move || page.player.begin());
     at_last(move || {
         let _ = busy.try_set(false);
@@ -62,6 +63,17 @@ pub fn EmbeddedApp(
         </main>
         <div class="hidden" role="status">{page.notices.said}</div>
     }
+}
+
+/// Begins anew when the page around asks for something else: a browser does not load a page again for another fragment.
+fn begin_anew_at_another_address(page: Page) {
+    let shown = dom::address().1;
+    dom::hear("hashchange", move |_| {
+        // The page may be gone.
+        if !page.view.kept.is_disposed() && dom::address().1 != shown {
+            let _ = window().location().reload();
+        }
+    });
 }
 
 /// The link to the whole page with the present project.
