@@ -54,7 +54,8 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The rows that differ, in groups with the catalog ids of their titles: entries, results, controls. A group without rows is left out.
+    /// The rows that differ, in groups with the catalog ids of their titles: entries, results, controls. What all have comes first, for two
+    /// machines have little in common. A group without rows is left out.
     pub fn differences(&self) -> Vec<(&'static str, Vec<&ComparedRow>)> {
         let control = std::iter::once(&self.control).chain(&self.switches);
         let groups: [(&'static str, Vec<&ComparedRow>); 3] = [
@@ -63,7 +64,10 @@ impl Comparison {
             ("variants.controls", control.collect()),
         ];
         let mut groups = Vec::from(groups);
-        groups.iter_mut().for_each(|(_, rows)| rows.retain(|row| row.differs));
+        for (_, rows) in &mut groups {
+            rows.retain(|row| row.differs);
+            rows.sort_by_key(|row| row.cells.contains(&None));
+        }
         groups.retain(|(_, rows)| !rows.is_empty());
         groups
     }

@@ -325,3 +325,14 @@ fn report_has_the_offer_beside_the_variants() {
     assert!(!report(&project, "report.html").contains("compared\""));
     assert!(!report(&project, "report.md").contains("Variants"));
 }
+
+#[test]
+fn what_two_machines_share_comes_before_what_one_has_alone() {
+    let named = |machine: &str| (machine.to_owned(), Project::of(machine, None).unwrap());
+    let compared = macroline::project::variants::compare(&[named("turning-spindle"), named("polygon-lathe")]);
+    for (title, rows) in compared.differences() {
+        let alone: Vec<bool> = rows.iter().map(|row| row.cells.contains(&None)).collect();
+        assert!(alone.is_sorted(), "{title}: {alone:?}");
+        assert!(title != "variants.entries" || (!alone[0] && alone[alone.len() - 1]), "{title}: {alone:?}");
+    }
+}
