@@ -3,10 +3,10 @@
 use js_sys::Function;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Answers the page's questions. `sentences` is the catalog of its language, `load` fetches the texts of help; `ui/worker/worker_boot.js` has both.
+/// Answers the page's questions. `sentences` is the catalog of its language, `lengths` the id of its units, `load` fetches the texts of help; `ui/worker/worker_boot.js` has both.
 #[wasm_bindgen]
-pub fn work(sentences: String, load: Function) {
-    macroline::ui::work(sentences, load);
+pub fn work(sentences: String, lengths: String, load: Function) {
+    macroline::ui::work(sentences, &lengths, load);
 }
 
 // The module is started by `work`.

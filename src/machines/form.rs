@@ -6,6 +6,8 @@ mod read;
 
 pub mod rows;
 
+mod shown;
+
 use std::collections::BTreeMap;
 
 use crate::controls::Control;

@@ -5,9 +5,9 @@ use super::machine::{AnyMachine, ControlContext, PreparedMachine};
 use crate::controls::options::SwitchOption;
 use crate::controls::{Control, Switch, Switches};
 use crate::text::catalog::{number_text, words};
-use crate::text::{Citation, Diagnostic, Grade, headed, listed};
-use crate::view::DrawnPart;
+use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
 use crate::view::report::{Input, ListedPart, Open, Report, RunReport, TitleBlock};
+use crate::view::{DrawnPart, Readout};
 
 /// Gathers what machine and control say in the report. `name` is the project's, may be empty; `further` are findings beyond those of the
 /// design, for instance about the program. Title block, run and programs are the project's to fill in.
@@ -36,7 +36,7 @@ pub fn report(
         variable: control.syntax.variable,
         parts: parts(prepared, &inputs),
         inputs,
-        readouts: design.readouts,
+        readouts: design.readouts.into_iter().map(Readout::shown).collect(),
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
         exceeded: Vec::new(),
         sizing: Vec::new(),
@@ -93,7 +93,9 @@ pub fn inputs(machine: &dyn AnyMachine, prepared: &PreparedMachine, values: &Val
 fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
     let value = values.get(field.id).cloned().unwrap_or_else(|| field.default());
     let (text, unit) = match (&field.kind, value) {
-        (KindInfo::Number { unit, decimals, .. }, Value::Number(number)) => (number_text(number, *decimals), *unit),
+        (KindInfo::Number { unit, decimals, .. }, Value::Number(number)) => {
+            (units::exact(number, *decimals, unit), units::unit(unit))
+        }
         (KindInfo::Choice(options), Value::Text(id)) => {
             let label = options.iter().find(|(option, _)| *option == id).map(|(_, label)| *label);
             (label.map_or(id, |label| words(label).to_owned()), "")

@@ -9,6 +9,7 @@ use super::suppress::silence;
 use crate::machines::PreparedMachine;
 use crate::msg;
 use crate::nc::{File, Files};
+use crate::text::units::in_millimetres;
 use crate::text::{Diagnostic, Severity};
 use crate::view::{self, report};
 
@@ -94,7 +95,8 @@ impl Project {
             file("drawing.svg", told.run.drawing.clone()),
         ];
         let of_sizing = options.sizing.map(|sizing| [sizing.bill_sheet(), sizing.terminal_sheet()]);
-        for sheet in of_sizing.iter().flatten().chain(&prepared.sheets()) {
+        // What other programs read has millimetres.
+        for sheet in of_sizing.iter().flatten().chain(&in_millimetres(|| prepared.sheets())) {
             files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet) });
             if !sheet.drawing.is_empty() {
                 files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });

@@ -128,7 +128,7 @@ pub fn readouts_text(readouts: &[Readout]) -> String {
     let mut out = String::new();
     let signs = [verdict_text(Verdict::Ok), verdict_text(Verdict::Warn), words("project.verdict.sign-fail")];
     let signs = signs.into_iter().map(columns).max().unwrap_or(0);
-    for r in readouts {
+    for r in readouts.iter().cloned().map(Readout::shown) {
         let label = words(r.label);
         let value = Fixed(r.value, r.decimals).to_string();
         let limit = r.limit.map_or(String::new(), |limit| {

@@ -18,7 +18,7 @@ use crate::text::lines::line_end;
 use crate::text::listed;
 use crate::view::balloons::balloons;
 use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
-use crate::view::{Theme, svg};
+use crate::view::{Chart, Theme, svg};
 
 /// What a report's run may take: blocks, and seconds of the machine. A longer run is drawn as far as it came.
 const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
@@ -80,7 +80,7 @@ impl Project {
         RunReport {
             drawing: svg::picture_with(&scene, &pose, Theme::Light, &balloons(&scene, &pose, &prepared.parts())),
             figures: figures.into_iter().flatten().collect(),
-            charts: prepared.charts(&run, 0.0, end, POINTS),
+            charts: prepared.charts(&run, 0.0, end, POINTS).into_iter().map(Chart::shown).collect(),
         }
     }
 

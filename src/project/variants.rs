@@ -104,7 +104,7 @@ pub(super) fn entries(project: &Project) -> Vec<Listed> {
 fn results(project: &Project) -> Vec<Listed> {
     let row =
         |row: Readout| (row.id, named(row.label), row.unit, (Fixed(row.value, row.decimals).to_string(), row.verdict));
-    project.design().readouts.into_iter().map(row).collect()
+    project.design().readouts.into_iter().map(Readout::shown).map(row).collect()
 }
 
 /// The open points of the control, each with its setting in words.

@@ -10,6 +10,8 @@ pub mod escape;
 
 pub mod number;
 
+pub mod units;
+
 pub mod message;
 
 pub mod catalog;

@@ -38,6 +38,7 @@ try {
     if (width) root.style.setProperty(column, `${width}px`);
   }
   own = Boolean(kept('project'));
+  root.dataset.lengths = kept('lengths') ?? '';
 } catch {
   // A browser without a store has kept nothing.
 }
@@ -45,8 +46,8 @@ try {
 const asked = [wished, chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
 root.lang = asked.find((code) => languages.includes(code)) ?? languages[0];
 data.words = `${root.lang}.properties`;
-// The machine of a person who has one, or a link to one, is drawn by the module alone; so is one with other than English names.
-if (own || location.hash || root.lang !== languages[0]) still.querySelector('.scene')?.remove();
+// The machine of a person who has one, or a link to one, is drawn by the module alone; so is one with other than English names or in inches.
+if (own || location.hash || root.lang !== languages[0] || root.dataset.lengths === 'inch') still.querySelector('.scene')?.remove();
 
 // Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Names
 // have room everywhere; values wait for the page, which finds places for them. The drawing is not laid out before its scale is known

@@ -17,6 +17,7 @@ use super::worker::client::Client;
 use crate::machines::form::{FieldInfo, Value};
 use crate::motion::Action;
 use crate::project::Project;
+use crate::text::units::{self, Lengths};
 
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
 
@@ -270,5 +271,21 @@ impl Bench {
 impl Drop for Bench {
     fn drop(&mut self) {
         self.host.remove();
+    }
+}
+
+/// Lengths in inches until this is dropped.
+pub(crate) struct InInches;
+
+impl InInches {
+    pub(crate) fn new() -> InInches {
+        units::show(Lengths::Inches);
+        InInches
+    }
+}
+
+impl Drop for InInches {
+    fn drop(&mut self) {
+        units::show(Lengths::Millimetres);
     }
 }

@@ -4,6 +4,7 @@ use crate::controls::Control;
 use crate::motion::{Mode, RunEnd};
 use crate::text::catalog;
 use crate::text::number;
+use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, Message, Phrase, Severity, sentences};
 use crate::view::{Limit, Readout, Verdict};
 
@@ -167,8 +168,12 @@ pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
             Limit::Within(_) => "±",
             Limit::Equal(_) => "=",
         };
-        // Beside a value of four digits.
-        let decimals = if limit.value().abs() >= 1000.0 { 0 } else { readout.decimals };
+        // Beside a value of four digits. A limit in another unit than it was set in is seldom a round number.
+        let decimals = match units::shown() {
+            _ if limit.value().abs() >= 1000.0 => 0,
+            Lengths::Millimetres => readout.decimals,
+            Lengths::Inches => number::decimals_of_four(limit.value(), readout.decimals),
+        };
         format!("{sign} {}", short(limit.value(), decimals))
     })
 }

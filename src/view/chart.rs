@@ -1,6 +1,7 @@
 //! A chart as data: series of points over time, or over another quantity. `plot` draws it.
 
 use crate::controls::Address;
+use crate::text::units;
 
 /// A line of a chart.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +34,19 @@ pub struct Chart {
 }
 
 impl Chart {
+    /// The chart as people read it: lengths in the unit that is shown.
+    pub fn shown(mut self) -> Chart {
+        for (x, y) in self.series.iter_mut().flat_map(|line| &mut line.points) {
+            (*x, *y) = (units::value(*x, self.x_unit), units::value(*y, self.unit));
+        }
+        Chart {
+            least_span: units::value(self.least_span, self.unit),
+            unit: units::unit(self.unit),
+            x_unit: units::unit(self.x_unit),
+            ..self
+        }
+    }
+
     /// Whether its x is the time of the run, in seconds.
     pub fn over_time(&self) -> bool {
         self.x_unit == "s"

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::msg;
-use crate::text::{Citation, Message, MessageValue, Phrase};
+use crate::text::{Citation, Message, MessageValue, Phrase, units};
 
 /// Engineering judgement of a result. It never keeps a program from being exported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -37,6 +37,16 @@ impl Limit {
     pub fn value(self) -> f64 {
         match self {
             Limit::AtMost(value) | Limit::AtLeast(value) | Limit::Within(value) | Limit::Equal(value) => value,
+        }
+    }
+
+    /// The limit with another number.
+    fn map(self, number: impl FnOnce(f64) -> f64) -> Limit {
+        match self {
+            Limit::AtMost(value) => Limit::AtMost(number(value)),
+            Limit::AtLeast(value) => Limit::AtLeast(number(value)),
+            Limit::Within(value) => Limit::Within(number(value)),
+            Limit::Equal(value) => Limit::Equal(number(value)),
         }
     }
 
@@ -112,6 +122,18 @@ impl From<Message> for Advice {
 }
 
 impl Readout {
+    /// The result as people read it: a length in the unit that is shown.
+    pub fn shown(self) -> Readout {
+        let in_unit = |number| units::value(number, self.unit);
+        Readout {
+            value: in_unit(self.value),
+            limit: self.limit.map(|limit| limit.map(in_unit)),
+            decimals: units::decimals(self.decimals, self.unit),
+            unit: units::unit(self.unit),
+            ..self
+        }
+    }
+
     /// The bar to the limit: its filled part and the place of the limit, both in percent of its length; `None` without a limit.
     pub fn bar(&self) -> Option<(f64, f64)> {
         let (value, limit) = (self.value.abs(), self.limit?.value().abs());

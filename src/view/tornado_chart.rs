@@ -3,8 +3,8 @@
 use core::fmt::Write;
 
 use super::svg::escape;
-use crate::text::catalog::number_text;
 use crate::text::number::fill;
+use crate::text::units;
 
 /// A fact of the chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +79,7 @@ impl TornadoChart<'_> {
     fn heading(&self, out: &mut String) {
         out.push_str("<text class=\"f-ink\" x=\"0\" y=\"12\">");
         escape(out, self.title);
-        let _ = write!(out, ": {} {}</text>", number_text(self.value, self.decimals), self.unit);
+        let _ = write!(out, ": {}</text>", units::text(self.value, self.decimals, self.unit));
         for (class, word, x) in [("f-dim", self.changes.0, 0.0), ("f-accent", self.changes.1, 0.5 * WIDTH)] {
             fill(out, &format!("<rect class=\"{class}\" x=\"#\" y=\"20\" width=\"14\" height=\"9\"/>"), &[x]);
             fill(out, "<text class=\"small f-dim\" x=\"#\" y=\"28\">", &[x + 19.0]);
@@ -92,7 +92,7 @@ impl TornadoChart<'_> {
     fn bar(&self, out: &mut String, bar: &TornadoBar, top: f64, place: impl Fn(f64) -> f64) {
         out.push_str("<g><title>");
         escape(out, bar.name);
-        let figure = |value: f64| number_text(value, self.decimals);
+        let figure = |value: f64| units::plain(value, self.decimals, self.unit);
         let _ = write!(out, ": {} … {}</title>", figure(bar.ends.0), figure(bar.ends.1));
         fill(out, "<text class=\"small f-ink\" x=\"0\" y=\"#\">", &[top + 10.0]);
         escape(out, bar.name);

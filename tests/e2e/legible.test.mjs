@@ -1,7 +1,7 @@
 // What is said can be read: no word and no figure is cut off, none lies on another, at every size, in every language.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PAPER, openPanel, start, takeExample, withPage } from './page.mjs';
+import { PAPER, openPanel, ready, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -12,6 +12,8 @@ const SIZES = {
   en: [[1440, 900], [1366, 768], [1280, 720], [1024, 768], [720, 450], [390, 844], [320, 640]],
   zh: [[1366, 768], [1024, 768], [390, 844], [320, 640]],
 };
+// In inches figures are a digit or two longer.
+const IN_INCHES = { en: [[1440, 900], [1024, 768], [390, 844], [320, 640]], zh: [[1366, 768], [390, 844]] };
 const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 
 // Words that reach beyond what clips them: boxes, buttons, the window. The running block and the name of the project may be longer than their
@@ -90,9 +92,16 @@ const atEnd = async (page) => {
   });
 };
 
-for (const [locale, [width, height]] of Object.entries(SIZES).flatMap(([locale, sizes]) => sizes.map((size) => [locale, size]))) {
-  test(`no word and no figure is cut off or covered (${locale}, ${width} × ${height})`, () =>
+const each = (lengths, all) => Object.entries(all).flatMap(([locale, sizes]) => sizes.map(([width, height]) => ({ lengths, locale, width, height })));
+
+for (const { lengths, locale, width, height } of [...each('mm', SIZES), ...each('inch', IN_INCHES)]) {
+  test(`no word and no figure is cut off or covered (${locale}, ${lengths}, ${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height }, locale }, async ({ page }) => {
+      if (lengths === 'inch') {
+        await page.evaluate(() => localStorage.setItem('macroline.lengths', 'inch'));
+        await page.reload();
+        await ready(page);
+      }
       for (const name of MACHINES.map(words(locale))) {
         await page.getByRole('button', { name, exact: true }).click();
         await legible(page, name);

@@ -31,6 +31,7 @@ mod sizing;
 mod stepping;
 mod symbols;
 mod tidy;
+mod units;
 mod variants;
 mod warnings;
 mod writing;

@@ -5,11 +5,15 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 use macroline::project::chance;
 use macroline::project::run_request::BUDGET;
+use macroline::text::units::Lengths;
 
 /// Sizes special CNC machines, writes their macro programs and runs that very text.
 #[derive(Parser)]
 #[command(name = "macroline", version)]
 pub(crate) struct Line {
+    /// Units of lengths in texts and reports; programs, JSON and CSV have mm
+    #[arg(long, global = true, value_enum, default_value_t)]
+    pub(crate) lengths: LengthUnits,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -202,6 +206,25 @@ pub(crate) struct RunArgs {
     /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
     #[arg(long, value_name = "ID")]
     pub(crate) silence: Vec<String>,
+}
+
+/// Units of lengths for people.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LengthUnits {
+    /// Millimetres
+    #[default]
+    Mm,
+    /// Inches, and feet for surface speeds
+    Inch,
+}
+
+impl From<LengthUnits> for Lengths {
+    fn from(units: LengthUnits) -> Lengths {
+        match units {
+            LengthUnits::Mm => Lengths::Millimetres,
+            LengthUnits::Inch => Lengths::Inches,
+        }
+    }
 }
 
 /// How the diagnostics are printed.

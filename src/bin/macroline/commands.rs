@@ -15,6 +15,7 @@ use macroline::project::run::AtStop;
 use macroline::project::size::tell::sheet_text;
 use macroline::project::{Project, answers, drawing, list, origins, parts, request, variants};
 use macroline::text::catalog::{self, words};
+use macroline::text::units;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
 
@@ -29,6 +30,9 @@ pub(crate) fn main() -> ExitCode {
         Ok(line) => line,
         Err(status) => return status,
     };
+    if !line.command.is_for_programs() {
+        units::show(line.lengths.into());
+    }
     output::status(match line.command {
         Command::List { json: true } => print_json(&list::json()),
         Command::List { json: false } => print(&list::text()),
@@ -57,6 +61,27 @@ pub(crate) fn main() -> ExitCode {
         }
         Command::Step(args) => run::step(&args),
     })
+}
+
+impl Command {
+    /// Whether it prints data for programs.
+    fn is_for_programs(&self) -> bool {
+        match self {
+            Command::List { json }
+            | Command::Parts { json, .. }
+            | Command::Design { json, .. }
+            | Command::Size { json, .. }
+            | Command::Compare { json, .. }
+            | Command::Explain { json, .. }
+            | Command::Run { json, .. } => *json,
+            Command::Check { json, format, .. } => *json || *format != Format::Text,
+            Command::New { .. }
+            | Command::Export { .. }
+            | Command::Draw { .. }
+            | Command::Lsp { .. }
+            | Command::Step(_) => false,
+        }
+    }
 }
 
 /// The control that is asked for.

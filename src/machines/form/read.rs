@@ -3,13 +3,18 @@
 use super::{FieldInfo, KindInfo, Value};
 use crate::msg;
 use crate::text::listed;
-use crate::text::{Diagnostic, catalog::number_text, number};
+use crate::text::{Diagnostic, catalog::number_text, number, units};
 
 impl FieldInfo {
     /// Reads typed text: spaces around it, a decimal comma and a minus sign (U+2212) are accepted where they are clear.
     /// An invalid text is an error diagnostic about this field that names the allowed range.
     pub fn read(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
-        read(self, typed)
+        read(self, typed, |number, _, _| number)
+    }
+
+    /// Reads text that a person typed, in the unit that is shown.
+    pub fn typed(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
+        read(self, typed, units::entered)
     }
 
     /// Checks a value that came from a file or a link.
@@ -18,15 +23,16 @@ impl FieldInfo {
     }
 }
 
-fn read(field: &FieldInfo, typed: &str) -> Result<Value, Box<Diagnostic>> {
+/// `in_unit` makes a number of the field's unit of the typed one, its decimals and that unit.
+fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Result<Value, Box<Diagnostic>> {
     let text = typed.trim();
     match &field.kind {
-        KindInfo::Number { .. } => {
+        KindInfo::Number { unit, decimals, .. } => {
             let number = number::read(text).ok_or_else(|| {
                 let wrong = if text.is_empty() { msg!("form.empty") } else { msg!("form.not-a-number", clip(text)) };
                 Box::new(with_range(field, Diagnostic::error(wrong).about(field.id)))
             })?;
-            let value = Value::Number(number);
+            let value = Value::Number(in_unit(number, *decimals, unit));
             check(field, &value).map(|()| value)
         }
         KindInfo::Flag(_) => match text {
@@ -43,13 +49,13 @@ fn read(field: &FieldInfo, typed: &str) -> Result<Value, Box<Diagnostic>> {
 
 fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
     let wrong = match (&field.kind, value) {
-        (KindInfo::Number { min, max, decimals, .. }, Value::Number(number)) => {
+        (KindInfo::Number { unit, min, max, decimals, .. }, Value::Number(number)) => {
             if !number.is_finite() {
                 msg!("form.not-finite")
             } else if number < min {
-                msg!("form.too-small", (*number, 6))
+                msg!("form.too-small", (*number, 6), *unit)
             } else if number > max {
-                msg!("form.too-large", (*number, 6))
+                msg!("form.too-large", (*number, 6), *unit)
             } else if too_fine(*number, *decimals) {
                 if *decimals == 0 {
                     msg!("form.whole-number")

@@ -10,6 +10,7 @@ use crate::motion::Snapshot;
 use crate::motion::snapshot::Mode;
 use crate::text::catalog::words;
 use crate::text::number::figure;
+use crate::text::units;
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
@@ -121,7 +122,7 @@ fn texts(
         (node::SIZE, format!("X {}", figure(across_flats * 0.5 * lathe.words(), 3))),
         (node::PASS, pass(lathe, progress)),
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
-        (node::APART, format!("{} mm", figure(0.5 * across_flats + polygon.p.tip_radius, 2))),
+        (node::APART, units::figure(0.5 * across_flats + polygon.p.tip_radius, 2, "mm")),
         (node::ALONG, format!("Z {}", figure(z, 3))),
         (node::STATE, words(state).to_owned()),
         (node::FORM, form),

@@ -19,6 +19,7 @@ use super::resolved::PolygonLathe;
 use crate::machines::sheets::say;
 use crate::text::catalog::number_text as show;
 use crate::text::number::filled;
+use crate::text::units;
 use crate::view::Scene;
 use crate::view::drawing::{Callout, Drawing};
 use crate::view::look::{Look, Paint};
@@ -67,7 +68,7 @@ const RIGHT: f64 = 1008.0;
 /// Names, dimensions and live values; every one has its own place, whatever the sizes.
 fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let p = &lathe.p;
-    let mm = |value: f64| show(value, 3);
+    let mm = |value: f64| units::text(value, 3, "mm");
     let callout =
         |d: &mut Drawing, field: &'static str, at, anchor, name: &str, values: &[(Option<u16>, &str)], part| {
             d.showing(field, |d| d.callout(&Callout { at, anchor, name, values, part }));
@@ -80,15 +81,15 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     callout(d, "tip-radius", (CUTTER, ROW), "start", &name, &values, None);
     callout(d, "", (632.0, LOW_ROW), "start", &say("polygon.scene.phase"), &[(Some(node::PHASE), "")], None);
     callout(d, "depth", (748.0, LOW_ROW), "start", &say("polygon.scene.pass"), &[(Some(node::PASS), "")], None);
-    let stock = format!("Ø {} mm", mm(p.stock_diameter));
+    let stock = format!("Ø {}", mm(p.stock_diameter));
     let values = [(Some(node::ACROSS), across.as_str()), (None, stock.as_str())];
     callout(d, "across-flats", (RIGHT, LOW_ROW), "end", &say("polygon.scene.close"), &values, None);
     d.text((632.0, 315.0), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
     d.text((632.0, ABOVE), "start", &say("polygon.scene.above"), Font::Label, Paint::Dim);
-    let start = format!("X{} Z{}", mm(0.5 * p.start_x * lathe.words()), mm(p.start_z));
+    let start = format!("X{} Z{}", show(0.5 * p.start_x * lathe.words(), 3), show(p.start_z, 3));
     callout(d, "start-x", (RIGHT, 450.0), "end", &say("polygon.scene.start"), &[(None, &start)], None);
     d.showing("clearance", |d| {
-        let text = format!("{} {} mm", say("polygon.clearance"), mm(p.clearance));
+        let text = format!("{} {}", say("polygon.clearance"), mm(p.clearance));
         d.text((RIGHT, ABOVE), "end", &text, Font::Label, Paint::Dim);
     });
     // Below the slide, wherever it is.
@@ -107,7 +108,8 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 
 /// Distance across flats and tip radius of a polygon.
 pub(super) fn sizes(lathe: &PolygonLathe) -> [String; 2] {
-    [format!("AF {} mm", show(lathe.p.across_flats, 3)), format!("r {} mm", show(lathe.p.tip_radius, 3))]
+    let mm = |value: f64| units::text(value, 3, "mm");
+    [format!("AF {}", mm(lathe.p.across_flats)), format!("r {}", mm(lathe.p.tip_radius))]
 }
 
 /// Leader of the cutter's label to its disc, `away` units from its last place; none where the disc has left the drawing.

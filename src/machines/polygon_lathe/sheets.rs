@@ -13,6 +13,7 @@ use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::machines::stops;
 use crate::math::PI;
 use crate::text::catalog::number_text as show;
+use crate::text::units::{self, Lengths};
 use crate::text::{Citation, Grade, clauses};
 use crate::view::{Row, Sheet};
 
@@ -86,15 +87,15 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
             (at + 1).to_string(),
             (way.cutter + 1).to_string(),
             ratio,
-            show(way.radius, 3),
-            show(way.flatness(), 4),
+            units::dimension(way.radius, 3),
+            units::dimension(way.flatness(), 4),
             if excluded.is_empty() { say("polygon.limit.none") } else { clauses(excluded) },
-            show(way.deviation.0, 4),
-            show(way.deviation.1, 4),
+            units::dimension(way.deviation.0, 4),
+            units::dimension(way.deviation.1, 4),
             show(way.relief * 180.0 / PI, 2),
             show(way.work_speed, 0),
             show(way.tool_speed, 0),
-            format!("{} .. {}", show(way.cutting_speed.0, 0), show(way.cutting_speed.1, 0)),
+            format!("{} .. {}", surface_speed(way.cutting_speed.0), surface_speed(way.cutting_speed.1)),
         ];
         let terms = (f64::from(way.ratio.tool()), f64::from(way.ratio.work()));
         let mut sets = own_shape(lathe.p.sides, (way.cutter + 1) as f64, terms);
@@ -117,10 +118,23 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
             "polygon.readout.relief",
             "polygon.readout.work-speed",
             "polygon.readout.tool-speed",
-            "polygon.sheet.cutting-speed",
+            head_of_speed(),
         ],
         rows: ways(&lathe.p, &lathe.sizes).into_iter().take(WAYS).enumerate().map(way).collect(),
         drawing: String::new(),
+    }
+}
+
+/// A surface speed (m/min) in the unit that [`head_of_speed`] names.
+fn surface_speed(speed: f64) -> String {
+    units::plain(speed, 0, "m/min")
+}
+
+/// Head of a column of surface speeds.
+fn head_of_speed() -> &'static str {
+    match units::shown() {
+        Lengths::Millimetres => "polygon.sheet.cutting-speed",
+        Lengths::Inches => "polygon.sheet.cutting-speed-feet",
     }
 }
 
@@ -132,12 +146,12 @@ fn passes(lathe: &PolygonLathe) -> Option<Sheet> {
     for (at, PolygonLathe { p, sizes, .. }) in (1_u32..).zip(lathe.polygons()) {
         let mut cuts = p.cuts(&p.setup(p.across_flats)?, sizes);
         cuts.sort_by(|(_, a), (_, b)| b.relief.max(0.0).total_cmp(&a.relief.max(0.0)));
-        let speed = |each: f64| show(each * p.work_speed().abs(), 0);
+        let speed = |each: f64| surface_speed(each * p.work_speed().abs());
         rows.extend(cuts.into_iter().map(|(pass, cut)| {
             let pass_text = show(pass, 0);
             let cells = [
                 if lathe.further.is_empty() { pass_text } else { format!("{at}.{pass_text}") },
-                show(p.size(pass), 3),
+                units::dimension(p.size(pass), 3),
                 show(p.per_minute(p.feed_of(pass)), 3),
                 show(cut.relief * 180.0 / PI, 2),
                 format!("{} .. {}", speed(cut.speeds.0), speed(cut.speeds.1)),
@@ -153,7 +167,7 @@ fn passes(lathe: &PolygonLathe) -> Option<Sheet> {
             "polygon.across-flats",
             "polygon.sheet.feed",
             "polygon.readout.relief",
-            "polygon.sheet.cutting-speed",
+            head_of_speed(),
         ],
         rows,
         drawing: String::new(),
@@ -183,11 +197,11 @@ fn inserts(lathe: &PolygonLathe) -> Option<Sheet> {
         let degrees = angle * 180.0 / PI;
         let cells = [
             (insert + 1).to_string(),
-            show(radius, 4),
+            units::dimension(radius, 4),
             show(degrees, 4),
             named.join(" "),
-            show(low, 4),
-            show(high, 4),
+            units::dimension(low, 4),
+            units::dimension(high, 4),
             show(degrees / setup.ratio.value(), 4),
         ];
         row(cells, cite)

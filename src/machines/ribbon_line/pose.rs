@@ -14,6 +14,7 @@ use crate::motion::Snapshot;
 use crate::msg;
 use crate::text::catalog::{number_text as show, sentence};
 use crate::text::number::figure;
+use crate::text::units;
 use crate::view::{Paint, Placement, Pose};
 
 /// Degrees per frame beyond which a roller is drawn as a blurred ring.
@@ -245,13 +246,13 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
     };
     let (_, printed) = state.passed(p);
     vec![
-        (node::UNWOUND, format!("{} {} mm", say("ribbon.scene.unwound"), figure(state.unwound, 0))),
+        (node::UNWOUND, format!("{} {}", say("ribbon.scene.unwound"), units::figure(state.unwound, 0, "mm"))),
         (node::UNWINDER_SPEED, format!("{} r/min", figure(now.spindle.actual, 1))),
         (node::UNWINDER_VOLTS, format!("{} V", figure(now.spindle.volts, 3))),
-        (node::SLACK, format!("{}{} mm", if state.slack >= 0.05 { "+" } else { "" }, figure(state.slack, 1))),
+        (node::SLACK, [if state.slack >= 0.05 { "+" } else { "" }, &units::figure(state.slack, 1, "mm")].concat()),
         (node::LOOP_STATE, state_of_loop),
-        (node::PULL_FEED, format!("{} mm/min", figure(now.axes[line.pull()].feed, 0))),
-        (node::PULL_POSITION, format!("{} mm", figure(state.pulled, 1))),
+        (node::PULL_FEED, units::figure(now.axes[line.pull()].feed, 0, "mm/min")),
+        (node::PULL_POSITION, units::figure(state.pulled, 1, "mm")),
         (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),
         (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),
         (node::DOT_COUNT, sentence(&msg!("ribbon.scene.dots", printed))),

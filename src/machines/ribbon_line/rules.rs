@@ -108,7 +108,8 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     {
         let feed = feeds::followed(line, feed);
         if feed > clamp {
-            let message = msg!("ribbon.above-clamp", axis, feed, clamp);
+            let unit = if field == "clamp-y" && line.degrees() { "°/min" } else { "mm/min" };
+            let message = msg!("ribbon.above-clamp", axis, feed, clamp, unit);
             found.push(Diagnostic::error(message).about(field).hint(feeds::slower_advice(line).message));
         }
     }

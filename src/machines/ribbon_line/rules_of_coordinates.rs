@@ -121,7 +121,8 @@ fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
     if drift.abs() <= limit {
         return ok(AtMost(limit));
     }
-    let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis, (drift, 4), (limit, 4)));
+    let unit = if at == 1 && line.degrees() { "°/h" } else { "mm/h" };
+    let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis, (drift, 4), (limit, 4), unit));
     if at == 1 && !line.degrees() && p.print_axis == PrintAxis::Y {
         advice = advice.setting(msg!("advice.degrees"), [("y-unit", "degrees".to_owned())]);
     }

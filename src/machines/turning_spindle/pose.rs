@@ -13,6 +13,7 @@ use crate::math::PI;
 use crate::motion::Snapshot;
 use crate::text::catalog::number_text as show;
 use crate::text::number::figure;
+use crate::text::units;
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
@@ -89,14 +90,14 @@ fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16
     let across = if lathe.diameters() { diameter } else { radius };
     let mut texts = vec![
         (node::SPEED, format!("{} r/min", figure(spindle.actual, 0))),
-        (node::SURFACE, format!("{} m/min", figure(surface_speed(spindle.actual, diameter), 1))),
-        (node::DIAMETER, format!("Ø {} mm", figure(diameter, 2))),
+        (node::SURFACE, units::figure(surface_speed(spindle.actual, diameter), 1, "m/min")),
+        (node::DIAMETER, format!("Ø {}", units::figure(diameter, 2, "mm"))),
         (node::STAGE, format!("{} {}", say("turning.scene.gear"), gear(lathe, spindle.stage))),
         (node::STAGE_SPEED, format!("{} r/min", figure(stage, 0))),
         (node::VOLTS, format!("{} V", figure(spindle.volts, 3))),
         (node::PASS, format!("{pass} / {}", show(p.passes(), 0))),
         (node::BOUND, bound(spindle.bound).map(say).unwrap_or_default()),
-        (node::LEFT, format!("{} mm", show(p.left(f64::from(progress.done)), 3))),
+        (node::LEFT, units::text(p.left(f64::from(progress.done)), 3, "mm")),
         (node::X, format!("X {}", figure(across, 3))),
         (node::Z, format!("Z {}", figure(z, 3))),
     ];

@@ -26,8 +26,8 @@ use super::resolved::TurningSpindle;
 use crate::machines::sheets::say;
 use crate::math;
 use crate::text::catalog::number_text as show;
-use crate::text::columns;
 use crate::text::number::filled;
+use crate::text::{columns, units};
 use crate::view::Scene;
 use crate::view::drawing::{Callout, Drawing};
 use crate::view::look::{Look, Paint};
@@ -78,7 +78,7 @@ const ROW: f64 = 46.0;
 /// Names, dimensions and live values; every one has its own place, whatever the sizes.
 fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
     let p = &lathe.p;
-    let mm = |value: f64| format!("{} mm", show(value, 3));
+    let mm = |value: f64| units::text(value, 3, "mm");
     let callout =
         |d: &mut Drawing, field: &'static str, at, anchor, id: &'static str, values: &[(Option<u16>, &str)], part| {
             d.showing(field, |d| d.callout(&Callout { at, anchor, name: &say(id), values, part }));
@@ -110,7 +110,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
     let start = format!("X{} Z{}", show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3), show(p.start_z, 3));
     callout(d, "start-x", (RIGHT, 176.0), "end", "turning.scene.start", &[(None, &start)], None);
     d.showing("clearance", |d| {
-        let text = format!("{} {} mm", say("turning.clearance"), show(p.clearance, 3));
+        let text = format!("{} {}", say("turning.clearance"), mm(p.clearance));
         d.text((RIGHT, 226.0), "end", &text, Font::Label, Paint::Dim);
     });
     let slides = [(Some(node::X), ""), (Some(node::Z), "")];
@@ -158,7 +158,7 @@ fn length(d: &mut Drawing, p: &Params, view: &View) {
         };
         let ends = filled("M# #V#M# #V#", &[left, top + 4.0, y + 5.0, right, top + 4.0, y + 5.0]);
         d.path([arrows, ends].concat(), Look::LEAD);
-        let text = format!("{} {} mm", say(id), show(to - from, 3));
+        let text = format!("{} {}", say(id), units::short(to - from, 3));
         let width = 0.6 * LETTER * UNIT * columns(&text) as f64;
         let room = lens::LENS.0 - lens::LENS.2 - right - 34.0;
         let (at, anchor) = if right - left > width + 20.0 {

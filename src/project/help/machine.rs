@@ -9,8 +9,8 @@ use crate::machines::AnyMachine;
 use crate::machines::form::{FieldInfo, KindInfo, Value};
 use crate::project::Project;
 use crate::project::dependence::fields_by_result;
-use crate::text::catalog::{number_text, words};
-use crate::text::{Phrase, clauses};
+use crate::text::catalog::words;
+use crate::text::{Phrase, clauses, units};
 use crate::view::Readout;
 
 /// The page of a machine on a control.
@@ -94,10 +94,9 @@ fn fields(project: &Project, depends: &BTreeMap<&'static str, Vec<&'static str>>
 
 fn range(entry: &mut HelpEntry, field: &FieldInfo, texts: &Texts) {
     match &field.kind {
-        KindInfo::Number { unit, min, max, default, .. } => {
-            let range = format!("{} … {} {unit}", number_text(*min, 6), number_text(*max, 6));
-            entry.fact(texts.words("fact.range"), range);
-            entry.fact(texts.words("fact.default"), format!("{} {unit}", number_text(*default, 6)));
+        KindInfo::Number { .. } => {
+            entry.fact(texts.words("fact.range"), field.range().unwrap_or_default());
+            entry.fact(texts.words("fact.default"), field.text_with_unit(&field.default()));
         }
         KindInfo::Choice(options) => {
             entry.fact(texts.words("fact.choices"), clauses(options.iter().map(|(_, label)| words(label))));
@@ -151,7 +150,7 @@ fn results(project: &Project, depends: &BTreeMap<&'static str, Vec<&'static str>
     for readout in readouts(project) {
         let mut entry = HelpEntry::new(HelpKind::Result, format!("result.{}", readout.id), "", words(readout.label));
         entry.fact(texts.words("fact.formula"), project.control.written(formula(readout.formula)));
-        entry.fact(texts.words("fact.unit"), readout.unit);
+        entry.fact(texts.words("fact.unit"), units::unit(readout.unit));
         if let Some(limit) = readout.limit {
             let judged = match limit.bound() {
                 "most" => "bound.most",

@@ -2,7 +2,6 @@
 
 use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, OperatingEvent};
-use super::tell::with_unit;
 use super::{BillRow, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
 use crate::drives::parts::PartGrade;
@@ -10,7 +9,7 @@ use crate::machines::sheets::{row, say};
 use crate::math::{self, RPM};
 use crate::msg;
 use crate::text::catalog::{number_text, sentence};
-use crate::text::{Citation, Diagnostic, Grade, headed};
+use crate::text::{Citation, Diagnostic, Grade, headed, units};
 use crate::view::{Limit, Row, Sheet, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
@@ -75,11 +74,11 @@ impl Sizing {
     fn cycle_sheet(&self) -> Sheet {
         let cells = self.cycle.as_ref().map(|cycle| {
             [
-                ("size.cycle-time", with_unit(cycle.seconds, 2, "s")),
-                ("size.parts-per-hour", with_unit(3600.0 / cycle.seconds, 1, "1/h")),
-                ("size.given", with_unit(cycle.given, 1, "J")),
-                ("size.returned", with_unit(cycle.returned, 1, "J")),
-                ("size.returned-on-one-bus", with_unit(cycle.returned_on_one_bus, 1, "J")),
+                ("size.cycle-time", units::text(cycle.seconds, 2, "s")),
+                ("size.parts-per-hour", units::text(3600.0 / cycle.seconds, 1, "1/h")),
+                ("size.given", units::text(cycle.given, 1, "J")),
+                ("size.returned", units::text(cycle.returned, 1, "J")),
+                ("size.returned-on-one-bus", units::text(cycle.returned_on_one_bus, 1, "J")),
             ]
         });
         let axes = self.cycle.iter().flat_map(|cycle| self.axes.iter().map(move |axis| (axis, cycle.seconds)));
@@ -106,7 +105,7 @@ impl Sizing {
         let cells = |of: &Growth| {
             let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
             let margin = format!("{:+.0}\u{a0}%", 100.0 * of.margin);
-            row([say(of.label), with_unit(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
+            row([say(of.label), units::text(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
         };
         let least = self.axes.iter().filter_map(|axis| {
             let (label, least) = (headed(say("size.least"), say(axis.name)), axis.least()?);
@@ -115,7 +114,7 @@ impl Sizing {
             Some(row([label, least.name(), String::new(), remark.unwrap_or_default()], RUNS))
         });
         let fastest = self.fastest.as_ref().map(|fastest| {
-            let speed = with_unit(fastest.value.0, fastest.decimals, fastest.value.1);
+            let speed = units::text(fastest.value.0, fastest.decimals, fastest.value.1);
             let label = headed(say("size.fastest"), say(fastest.result.1));
             let cells = [label, speed, String::new(), say(fastest.binding.1)];
             Row { sets: vec![fastest.entry.clone()], ..row(cells, RUNS_OF_FORM) }
@@ -134,7 +133,7 @@ impl Sizing {
         let rows = self.tornadoes.iter().flat_map(|tornado| {
             let name = say(tornado.readout.label);
             tornado.swings.iter().map(move |swing| {
-                let [less, more] = [swing.low, swing.high].map(|share| with_unit(100.0 * share, 1, "%"));
+                let [less, more] = [swing.low, swing.high].map(|share| units::text(100.0 * share, 1, "%"));
                 row([name.clone(), say(swing.label), less, more], RUNS_OF_FORM)
             })
         });
@@ -156,7 +155,7 @@ impl Sizing {
             }
         }
         // The limits carry the units.
-        let limit = |of: &&EnvelopeRow| limit(of).unwrap_or_else(|| of.unit.to_owned());
+        let limit = |of: &&EnvelopeRow| limit(of).unwrap_or_else(|| units::unit(of.unit).to_owned());
         let limits = row([say("sheet.limit")].into_iter().chain(watched.iter().map(limit)).collect::<Vec<_>>(), RUNS);
         let events = OperatingEvent::IDS.iter().map(|(event, _)| *event);
         let events = events.filter(|event| self.envelope.iter().any(|row| row.event == *event));
@@ -189,7 +188,7 @@ impl Sizing {
         let entries: Vec<_> = watched.iter().map(entry).collect();
         let cells = watched.iter().zip(&entries);
         let cells =
-            cells.map(|(of, entry)| entry.map_or(String::new(), |(_, value)| with_unit(value, of.decimals, of.unit)));
+            cells.map(|(of, entry)| entry.map_or(String::new(), |(_, value)| units::text(value, of.decimals, of.unit)));
         let sets: Vec<_> = watched
             .iter()
             .zip(&entries)
@@ -207,7 +206,7 @@ impl Sizing {
         let told = |row: &EnvelopeRow| {
             let quantity = row.axis.map_or_else(|| say(row.label), |axis| format!("{}, {}", say(row.label), say(axis)));
             let limit = limit(row).unwrap_or_default();
-            let value = with_unit(row.value, row.decimals, row.unit);
+            let value = units::text(row.value, row.decimals, row.unit);
             Diagnostic::warning(msg!("size.beyond", say(row.event.name()), quantity, value, limit))
         };
         beyond.map(told).collect()
@@ -223,12 +222,12 @@ fn limit(of: &EnvelopeRow) -> Option<String> {
         Limit::Within(_) => "±",
         Limit::Equal(_) => "=",
     };
-    Some(format!("{sign} {}", with_unit(limit.value(), of.decimals, of.unit)))
+    Some(format!("{sign} {}", units::text(limit.value(), of.decimals, of.unit)))
 }
 
 /// A value of the envelope: with a cross beyond its limit, with a mark where it is the worst of all events.
 fn value(of: &EnvelopeRow) -> String {
-    let value = number_text(of.value, of.decimals);
+    let value = units::plain(of.value, of.decimals, of.unit);
     let value = if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value };
     if of.is_worst { format!("{value} ▲") } else { value }
 }
@@ -265,16 +264,16 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
     let (continuous, peak, effective, at) =
         (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
     let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at };
-    let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| with_unit(torque * per_torque, 2, "A"));
+    let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| units::text(torque * per_torque, 2, "A"));
     let cells = [
         (
             "size.torque",
-            format!("{} ({} {} s)", with_unit(work.peak.0, 3, "Nm"), say("size.at"), number_text(work.peak.1, 2)),
+            format!("{} ({} {} s)", units::text(work.peak.0, 3, "Nm"), say("size.at"), number_text(work.peak.1, 2)),
         ),
-        ("size.effective", with_unit(work.effective, 3, "Nm")),
-        ("size.speed", with_unit(work.speed / RPM, 0, "r/min")),
-        ("size.given", with_unit(work.given, 1, "J")),
-        ("size.returned", with_unit(work.returned, 1, "J")),
+        ("size.effective", units::text(work.effective, 3, "Nm")),
+        ("size.speed", units::text(work.speed / RPM, 0, "r/min")),
+        ("size.given", units::text(work.given, 1, "J")),
+        ("size.returned", units::text(work.returned, 1, "J")),
     ];
     let currents = [("size.current", amperes(work.peak.0)), ("size.effective-current", amperes(work.effective))];
     let currents = currents.into_iter().filter_map(|(label, value)| Some((label, value?)));

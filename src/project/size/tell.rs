@@ -8,7 +8,7 @@ use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tor
 use crate::drives::parts::{Part, PartGrade};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
-use crate::text::catalog::{number_text, sentence, words};
+use crate::text::catalog::{sentence, words};
 use crate::view::{Limit, Sheet};
 
 fn say(id: &'static str) -> &'static str {
@@ -146,9 +146,4 @@ pub fn sheet_text(sheet: &Sheet, rows: usize) -> String {
     }
     out.push('\n');
     out
-}
-
-/// A number with its unit.
-pub(super) fn with_unit(value: f64, decimals: u8, unit: &str) -> String {
-    [number_text(value, decimals).as_str(), unit].join(" ").trim_end().to_owned()
 }

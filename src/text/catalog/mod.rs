@@ -1,8 +1,8 @@
 //! Catalog of sentences, one file per language: turns message ids and values into text.
 //!
 //! The files are Java properties (`key=sentence`), which the tools of translators read, with the places of ICU messages: `{0}`, `{1}` … are
-//! values, `{0, plural, one {head} other {heads}}` is the word that goes with the number of a place. Keys are the ids of messages and labels. The
-//! rows of controls stand in English where they are ([`Phrase`](super::Phrase)); a file of another language has them as keys too.
+//! values, `{0, plural, one {head} other {heads}}` is the word that goes with the number of a place, `{0, unit, mm}` a length with its unit as
+//! it is shown ([`units`]). Keys are the ids of messages and labels. The rows of controls stand in English where they are ([`Phrase`](super::Phrase)); a file of another language has them as keys too.
 //!
 //! One language is spoken at a time ([`speak`]). The command line carries all files with it; the browser loads one beside the page's module.
 
@@ -10,7 +10,8 @@ use std::cell::Cell;
 use std::cmp::Ordering;
 
 use super::message::{Message, MessageValue};
-use super::number::Plain;
+use super::number::{self, Plain};
+use super::units;
 
 /// A language of the sentences.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -159,17 +160,62 @@ pub fn sentence(message: &Message) -> String {
 /// The text of a place that begins here, behind its bracket, and what follows it.
 fn filled<'s>(message: &Message, place: &'s str) -> Option<(String, &'s str)> {
     let (at, behind) = place.split_at_checked(place.find(|c: char| !c.is_ascii_digit())?)?;
-    let value = match message.values.get(at.parse::<usize>().ok()?)? {
+    let value = message.values.get(at.parse::<usize>().ok()?)?;
+    if let Some(behind) = behind.strip_prefix('}') {
+        return Some((plain(value), behind));
+    }
+    if let Some(behind) = behind.strip_prefix(", plural, one {") {
+        let (one, behind) = behind.split_once("} other {")?;
+        let (other, behind) = behind.split_once("}}")?;
+        return Some((if plain(value) == "1" { one } else { other }.to_owned(), behind));
+    }
+    let (kind, behind) = behind.strip_prefix(", ")?.split_once('}')?;
+    let (kind, unit) = kind.split_once(", ").unwrap_or((kind, ""));
+    let unit = unit_named(message, unit);
+    let text = match (kind, unit.as_str()) {
+        ("unit", "") => units::unit(&plain(value)).to_owned(),
+        ("unit", unit) => match length(value, unit) {
+            Some(number) => units::with_unit(&number, unit),
+            None => [plain(value).as_str(), unit].join(" "),
+        },
+        ("number", unit) => length(value, unit).unwrap_or_else(|| plain(value)),
+        _ => return None,
+    };
+    Some((text, behind))
+}
+
+/// A value as text, whatever it measures.
+fn plain(value: &MessageValue) -> String {
+    match value {
         MessageValue::Number(number, decimals) => number_text(*number, *decimals),
         MessageValue::Text(text) => text.clone(),
         MessageValue::Label(key) => words(key).to_owned(),
-    };
-    if let Some(behind) = behind.strip_prefix('}') {
-        return Some((value, behind));
     }
-    let (one, behind) = behind.strip_prefix(", plural, one {")?.split_once("} other {")?;
-    let (other, behind) = behind.split_once("}}")?;
-    Some((if value == "1" { one } else { other }.to_owned(), behind))
+}
+
+/// A unit by its name, or by the number of the place that has it.
+fn unit_named(message: &Message, unit: &str) -> String {
+    let value = unit.parse::<usize>().ok().and_then(|at| message.values.get(at));
+    value.map_or_else(|| unit.to_owned(), plain)
+}
+
+/// Decimals to which an entry of the form is kept where its text has fewer.
+const ENTRY: usize = 3;
+
+/// A number of a metric unit in the unit that is shown. A text is an entry of the form, or several with strokes between: it is shown as the
+/// field shows it. `None` where it is neither.
+fn length(value: &MessageValue, metric: &str) -> Option<String> {
+    match value {
+        MessageValue::Number(number, decimals) => Some(units::plain(*number, *decimals, metric)),
+        MessageValue::Text(text) => {
+            let entry = |text: &str| {
+                let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+                Some(units::exact(number::read(text)?, ENTRY.max(decimals) as u8, metric))
+            };
+            Some(text.split(" / ").map(entry).collect::<Option<Vec<_>>>()?.join(" / "))
+        }
+        MessageValue::Label(_) => None,
+    }
 }
 
 /// A number with at most `decimals` decimals as text; see [`Plain`].

@@ -10,7 +10,7 @@ use super::store;
 use crate::controls;
 use crate::machines;
 use crate::ui::parts::input::Choice;
-use crate::ui::parts::{ContrastButton, Glyph, IconButton, LanguageButtons, Later, ThemeButton};
+use crate::ui::parts::{ContrastButton, Glyph, IconButton, LanguageButtons, Later, LengthsButton, ThemeButton};
 use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
 use crate::ui::words::t;
@@ -41,6 +41,7 @@ pub(crate) fn Header() -> impl IntoView {
                     <ShareButton />
                     <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
                     <LanguageButtons />
+                    <LengthsButton />
                     <ThemeButton />
                     <ContrastButton />
                     <IconButton glyph=Glyph::Help label=t("page.help") class="help" press=move || page.view.helping.set(true) />

@@ -10,8 +10,7 @@ use web_sys::{Element, HtmlElement, HtmlInputElement, MouseEvent};
 use super::value::value_of;
 use crate::machines::form::{FieldInfo, KindInfo, Value};
 use crate::math;
-use crate::text::catalog::number_text;
-use crate::text::number;
+use crate::text::units;
 use crate::ui::dom;
 use crate::ui::state::Page;
 
@@ -103,12 +102,13 @@ impl Drag {
             pull.from = self.present().unwrap_or(pull.from);
         }
         self.pull.set_value(Some(pull));
-        let KindInfo::Number { min, max, decimals, .. } = self.info.kind else { return };
+        let KindInfo::Number { unit, min, max, decimals, .. } = self.info.kind else { return };
         let steps = ((x - pull.x) / STEP).trunc();
-        let value = math::clamp(pull.from + steps * step(pull.from, decimals, pull.fine), min, max);
+        let from = self.info.shown(pull.from);
+        let moved = from + steps * step(from, units::decimals(decimals, unit), pull.fine);
         dom::mark("input");
-        if let Some(value) = number::read(&number_text(value, decimals)) {
-            self.page.set(self.info.id, Value::Number(value));
+        if let Some(value) = self.info.taken(moved) {
+            self.page.set(self.info.id, Value::Number(math::clamp(value, min, max)));
             self.page.entries.show_again();
         }
         event.prevent_default();

@@ -8,10 +8,10 @@ use leptos::prelude::*;
 
 use super::drag::Drag;
 use super::slider::Slider;
-use super::value::{shown, value_of};
+use super::value::value_of;
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
 use crate::math;
-use crate::text::{Severity, headed};
+use crate::text::{Severity, headed, units};
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
 use crate::ui::state::Page;
@@ -35,10 +35,11 @@ pub(super) fn FormField(
         })
     });
     let is_wrong = Signal::derive(move || !wrong.with(String::is_empty));
-    let (unit, class) = match &info.kind {
-        KindInfo::Number { unit, .. } => (*unit, "field"),
-        KindInfo::Flag(_) => ("", "field flag"),
-        KindInfo::Choice(_) | KindInfo::Text(_) => ("", "field wide"),
+    let unit = info.unit();
+    let class = match &info.kind {
+        KindInfo::Number { .. } => "field",
+        KindInfo::Flag(_) => "field flag",
+        KindInfo::Choice(_) | KindInfo::Text(_) => "field wide",
     };
     let from = move || match page.project.with(|project| project.provenance.get(id).copied()) {
         Some(Provenance::Measured) => "measured",
@@ -149,18 +150,18 @@ fn TypedInput(
         let (value, reread) = (value_of(page, &row), page.entries.reread.get());
         let Some(input) = input.get() else { return reread };
         // The text stays where it means the value already: `1,5` is not rewritten into 1.5.
-        let same = row.read(&input.value()).is_ok_and(|typed| typed == value);
+        let same = row.typed(&input.value()).is_ok_and(|typed| typed == value);
         let forced = last != Some(reread);
         let kept = untrack(|| page.entries.refused(id)).is_some() && !forced;
         if !same && !kept {
-            input.set_value(&shown(&row, &value));
+            input.set_value(&row.text(&value));
         }
         reread
     });
     let reader = Arc::clone(&info);
     let take = move |typed: &str| {
         dom::mark("input");
-        match reader.read(typed) {
+        match reader.typed(typed) {
             Ok(value) => page.set(id, value),
             Err(problem) => page.entries.refuse(id, *problem),
         }
@@ -172,12 +173,13 @@ fn TypedInput(
             "ArrowDown" => -1.0,
             _ => return,
         };
-        let (KindInfo::Number { step, min, max, .. }, Some(input)) = (&info.kind, input.get()) else { return };
+        let (KindInfo::Number { unit, step, min, max, .. }, Some(input)) = (&info.kind, input.get()) else { return };
         event.prevent_default();
         let scale = if event.shift_key() { 10.0 } else { 1.0 };
-        let present = info.read(&input.value()).unwrap_or_else(|_| untrack(|| value_of(page, &info)));
+        let present = info.typed(&input.value()).unwrap_or_else(|_| untrack(|| value_of(page, &info)));
         let Value::Number(from) = present else { return };
-        let text = shown(&info, &Value::Number(math::clamp(from + direction * scale * step, *min, *max)));
+        let stepped = info.taken(info.shown(from) + direction * scale * units::step(*step, unit)).unwrap_or(from);
+        let text = info.text(&Value::Number(math::clamp(stepped, *min, *max)));
         input.set_value(&text);
         take(&text);
     };
@@ -199,7 +201,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, field, mount, settled};
+    use crate::ui::testing::{Bench, InInches, field, mount, settled};
 
     async fn mounted(id: &'static str) -> Bench {
         mount(move || view! { <FormField info=field(id) /> }).await
@@ -257,6 +259,19 @@ mod tests {
             assert_eq!(bench.value("#pitch"), shown);
         }
         assert_eq!(bench.setting("pitch"), Some(Value::Number(9.0)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn field_in_inches_keeps_millimetres() {
+        let _inches = InInches::new();
+        let bench = mounted("pitch").await;
+        assert_eq!((bench.value("#pitch").as_str(), bench.text(".unit").as_str()), ("0.31496", "in"));
+        bench.type_into("#pitch", "1,5").await;
+        assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), ("1,5", Some(Value::Number(38.1))));
+        bench.key("#pitch", "ArrowUp", false).await;
+        assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), ("1.505", Some(Value::Number(38.227))));
+        bench.type_into("#pitch", "500").await;
+        assert_eq!(bench.text("#pitch-note"), "500 is too large. Allowed: 0.0004 to 393.7008 in");
     }
 
     #[wasm_bindgen_test]

@@ -2,10 +2,9 @@
 
 use leptos::prelude::*;
 
-use super::value::{shown, value_of};
+use super::value::value_of;
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
 use crate::project::Project;
-use crate::text::catalog::number_text;
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
@@ -29,13 +28,10 @@ pub(crate) fn FieldHelp() -> impl IntoView {
     view! { <div class="popup" id="about" popover="auto">{content}</div> }
 }
 
-fn range(kind: &KindInfo) -> Option<String> {
-    match kind {
-        KindInfo::Number { unit, min, max, .. } => {
-            Some(format!("{} … {} {unit}", number_text(*min, 6), number_text(*max, 6)))
-        }
+fn range(info: &FieldInfo) -> Option<String> {
+    match info.kind {
         KindInfo::Text(max) => Some(format!("{max} {}", t("page.characters"))),
-        _ => None,
+        _ => info.range(),
     }
 }
 
@@ -47,7 +43,7 @@ fn value_of_new(page: Page, info: &FieldInfo) -> Value {
 
 fn default_text(info: &FieldInfo, default: &Value) -> String {
     match (&info.kind, default) {
-        (KindInfo::Number { unit, .. }, _) => format!("{} {unit}", shown(info, default)),
+        (KindInfo::Number { .. }, _) => info.text_with_unit(default),
         (KindInfo::Choice(options), Value::Text(id)) => {
             options.iter().find(|(option, _)| option == id).map_or("", |(_, label)| t(label)).to_owned()
         }
@@ -71,7 +67,12 @@ fn Content(
         page.set(id, default.clone());
         page.entries.show_again();
     };
-    let range = range(&info.kind).map(|range| view! { <dt>{t("page.range")}</dt><dd>{range}</dd> });
+    let row = info.clone();
+    let metric = move || {
+        let text = row.metric_text(&value_of(page, &row))?;
+        Some(view! { <dt>{t("page.in-program")}</dt><dd>{text}</dd> })
+    };
+    let range = range(&info).map(|range| view! { <dt>{t("page.range")}</dt><dd>{range}</dd> });
     view! {
         <h3>{t(info.label)} " " <small>{page.spelled(info.symbol)}</small></h3>
         <p>{t(info.help)}</p>
@@ -79,6 +80,7 @@ fn Content(
             {range}
             <dt>{t("page.default")}</dt>
             <dd>{default_text}</dd>
+            {metric}
         </dl>
         {info.fact.then(|| view! { <Origin id=id /> })}
         <p>
@@ -123,7 +125,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, field, mount, settled};
+    use crate::ui::testing::{Bench, InInches, field, mount, settled};
 
     async fn about(id: &'static str) -> Bench {
         let bench = mount(|| view! { <FieldHelp /> }).await;
@@ -138,6 +140,16 @@ mod tests {
         let bench = about("pitch").await;
         let said = bench.text("#about");
         for part in [t(field("pitch").label), t(field("pitch").help), "0.01 … 10000 mm", "10 mm"] {
+            assert!(said.contains(part), "{part}: {said}");
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn help_in_inches_says_what_the_program_has() {
+        assert!(!about("pitch").await.text("#about").contains(t("page.in-program")));
+        let _inches = InInches::new();
+        let said = about("pitch").await.text("#about");
+        for part in ["0.0004 … 393.7008 in", "0.3937 in", t("page.in-program"), "8 mm"] {
             assert!(said.contains(part), "{part}: {said}");
         }
     }

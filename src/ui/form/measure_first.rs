@@ -2,8 +2,8 @@
 
 use leptos::prelude::*;
 
-use super::value::{shown, value_of};
-use crate::machines::form::{FieldInfo, KindInfo};
+use super::value::value_of;
+use crate::machines::form::FieldInfo;
 use crate::ui::dom::go_to_field;
 use crate::ui::state::{Page, put};
 use crate::ui::words::t;
@@ -69,9 +69,8 @@ fn Fact(
     info: FieldInfo,
 ) -> impl IntoView {
     let page = Page::here();
-    let unit = if let KindInfo::Number { unit, .. } = info.kind { unit } else { "" };
     let (id, label) = (info.id, t(info.label));
-    let value = move || format!("{} {unit}", shown(&info, &value_of(page, &info)));
+    let value = move || info.text_with_unit(&value_of(page, &info));
     view! {
         <button type="button" on:click=move |_| go_to_field(id)>
             <span>{label}</span>

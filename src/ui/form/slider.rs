@@ -7,7 +7,7 @@ use leptos::prelude::*;
 use super::value::value_of;
 use crate::machines::form::{FieldInfo, KindInfo, Value};
 use crate::math;
-use crate::text::catalog::number_text;
+use crate::text::units;
 use crate::ui::dom;
 use crate::ui::parts::input::{filled_part, number};
 use crate::ui::state::Page;
@@ -16,11 +16,13 @@ use crate::ui::words::t;
 /// Positions of a slider.
 const POSITIONS: f64 = 400.0;
 
-/// The range that a slider reaches around the default: from a quarter of it to four times, within the limits of the field.
-fn reach(info: &FieldInfo) -> Option<(f64, f64, f64, u8)> {
-    let KindInfo::Number { min, max, default, step, decimals, .. } = info.kind else { return None };
+/// The range that a slider reaches around the default, and its step, in the unit that is shown: from a quarter of the default to four times,
+/// within the limits of the field.
+fn reach(info: &FieldInfo) -> Option<(f64, f64, f64)> {
+    let KindInfo::Number { unit, min, max, default, step, .. } = info.kind else { return None };
     let (low, high) = (default / 4.0, default * 4.0);
-    Some((math::clamp(low, min, max), math::clamp(high, min, max), step, decimals))
+    let [low, high] = [low, high].map(|end| info.shown(math::clamp(end, min, max)));
+    Some((low, high, units::step(step, unit)))
 }
 
 /// The value at a position: logarithmic, so that halving and doubling are equally far.
@@ -44,21 +46,21 @@ pub(super) fn Slider(
     info: Arc<FieldInfo>,
 ) -> impl IntoView {
     let page = Page::here();
-    let (low, high, step, decimals) = reach(&info)?;
+    let (low, high, step) = reach(&info)?;
     if low >= high {
         return None;
     }
     let label = t(info.label);
     let id = info.id;
-    let place = Memo::new(move |_| match value_of(page, &info) {
-        Value::Number(value) => position(value, low, high),
+    let row = Arc::clone(&info);
+    let place = Memo::new(move |_| match value_of(page, &row) {
+        Value::Number(value) => position(row.shown(value), low, high),
         _ => 0.0,
     });
     let slide = move |event: web_sys::Event| {
         let Some(position) = number(&event) else { return };
         dom::mark("input");
-        let text = number_text(at(position, low, high, step), decimals);
-        if let Some(value) = crate::text::number::read(&text) {
+        if let Some(value) = info.taken(at(position, low, high, step)) {
             page.set(id, Value::Number(value));
             page.entries.show_again();
         }
@@ -78,7 +80,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, field, mount, settled};
+    use crate::ui::testing::{Bench, InInches, field, mount, settled};
 
     async fn mounted() -> Bench {
         mount(|| view! { <Slider info=Arc::new(field("pitch")) /> }).await
@@ -113,6 +115,16 @@ mod tests {
         bench.page.undo();
         settled().await;
         assert_eq!(bench.value("input"), "200");
+    }
+
+    #[wasm_bindgen_test]
+    async fn slider_in_inches_goes_in_steps_of_inches() {
+        let _inches = InInches::new();
+        let bench = mounted().await;
+        assert_eq!(bench.value("input"), "200");
+        bench.type_into("input", "300").await;
+        let shown = field("pitch").text(&bench.setting("pitch").unwrap());
+        assert_eq!((shown.as_str(), bench.setting("pitch")), ("0.63", Some(Value::Number(16.002))));
     }
 
     #[wasm_bindgen_test]

@@ -9,7 +9,7 @@ use crate::msg;
 use crate::ui::dom;
 use crate::ui::help::keys;
 use crate::ui::parts::input::CheckMark;
-use crate::ui::parts::{ContrastButton, LanguageButtons, ThemeButton};
+use crate::ui::parts::{ContrastButton, LanguageButtons, LengthsButton, ThemeButton};
 use crate::ui::state::Page;
 use crate::ui::state::stepping::COMMANDS;
 use crate::ui::words::{say, t};
@@ -280,7 +280,7 @@ fn Shortcuts() -> impl IntoView {
     view! {
         <p class="choices">
             <button type="button" class="tour-start" on:click=tour>{t("tour.start")}</button>
-            " " {t("page.language")} " " <LanguageButtons /> " " <ThemeButton /> <ContrastButton />
+            " " {t("page.language")} " " <LanguageButtons /> " " {t("page.lengths")} " " <LengthsButton /> " " <ThemeButton /> <ContrastButton />
         </p>
         {dom::is_installable().then(|| view! {
             <p>{t("page.help-offline")} " " <a href="macroline.html" download="macroline.html">{t("page.help-one-file")}</a></p>

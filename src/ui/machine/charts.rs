@@ -37,7 +37,8 @@ impl Charts {
         let changed = moment.slow && (self.axis != moment.axis || self.plans != Some(moment.plans));
         if changed {
             (self.axis, self.plans) = (moment.axis, Some(moment.plans));
-            self.charts = moment.machine.charts(moment.run, moment.axis.0, moment.axis.1, POINTS);
+            let charts = moment.machine.charts(moment.run, moment.axis.0, moment.axis.1, POINTS);
+            self.charts = charts.into_iter().map(Chart::shown).collect();
         }
         if changed || self.chosen != chosen {
             self.chosen = chosen;
@@ -66,6 +67,11 @@ impl Charts {
         self.charts.get(self.chosen).or(self.charts.first())
     }
 
+    /// Unit of the chart's values.
+    fn unit(&self) -> &'static str {
+        self.chart().map_or("", |chart| chart.unit)
+    }
+
     /// The lines over time.
     fn lines(&self) -> &[Series] {
         self.chart().filter(|chart| chart.over_time()).map_or(&[], |chart| &chart.series)
@@ -82,17 +88,19 @@ impl Charts {
 
     /// The values of the lines at a time, with their names.
     pub(super) fn values_at(&self, seconds: f64) -> Vec<String> {
+        let unit = self.unit();
         let text = |line: &Series| {
             let (_, value) = point_at(line, seconds)?;
-            Some(format!("{} {}", t(line.label), figure(value, digits(value))))
+            Some(format!("{} {}", t(line.label), figure(value, digits(value, unit))))
         };
         self.lines().iter().filter_map(text).collect()
     }
 
     /// Writes the values at the head; those of a line that only counts have no decimals.
     fn write_values(&self, head: f64) {
+        let unit = self.unit();
         for (line, (place, whole)) in self.lines().iter().zip(&self.values) {
-            let digits = |value: f64| if *whole { 0 } else { digits(value) };
+            let digits = |value: f64| if *whole { 0 } else { digits(value, unit) };
             let text = point_at(line, head).map_or(String::new(), |point| figure(point.1, digits(point.1)));
             place.set_text_content(Some(&text));
         }
@@ -105,11 +113,12 @@ fn point_at(line: &Series, seconds: f64) -> Option<(f64, f64)> {
     line.points.get(at).copied()
 }
 
-/// Decimals that show a value to about five figures.
-fn digits(value: f64) -> u8 {
+/// Decimals that show a value to about five figures; an inch needs one more.
+fn digits(value: f64, unit: &str) -> u8 {
     match value.abs() {
         v if v >= 1000.0 => 0,
         v if v >= 10.0 => 2,
+        _ if unit == "in" => 4,
         _ => 3,
     }
 }
@@ -122,6 +131,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     fn values_have_about_five_figures() {
-        assert_eq!([15079.0, 480.0, 8.1, -1200.0].map(digits), [0, 2, 3, 0]);
+        assert_eq!([15079.0, 480.0, 8.1, -1200.0].map(|value| digits(value, "mm")), [0, 2, 3, 0]);
+        assert_eq!(digits(0.0123, "in"), 4);
     }
 }

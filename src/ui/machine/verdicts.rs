@@ -43,13 +43,14 @@ pub(crate) fn Verdicts() -> impl IntoView {
 pub(super) fn VerdictList() -> impl IntoView {
     let page = Page::here();
     let row = |readout: &crate::view::Readout| {
+        let readout = readout.clone().shown();
         let tone = verdict_tone(readout.verdict);
         view! {
             <li class=tone>
                 <i aria-hidden="true">{sign(tone)}</i> " " {t(readout.label)} " "
                 <b>{four_digits(readout.value, readout.decimals)} " " {readout.unit}</b>
                 <span class="hidden">{verdict_words(readout.verdict)}</span>
-                <span class="n">{limit_sign(readout)}</span>
+                <span class="n">{limit_sign(&readout)}</span>
             </li>
         }
     };

@@ -16,16 +16,18 @@ const LANGUAGE: &str = "macroline.language";
 pub(crate) fn LanguageButtons() -> impl IntoView {
     let page = Page::here();
     let button = |language: Language| {
-        let speak = move |_| {
-            // What is kept is there again after the page is loaded anew.
-            if page.view.kept.get_untracked() == Kept::No || !dom::store(LANGUAGE, language.code()) {
-                return page.notices.notify("warn", t("page.language-unkept").to_owned());
-            }
-            let _ = window().location().reload();
-        };
+        let speak = move |_| open_anew(page, LANGUAGE, language.code());
         view! { <button type="button" class="quiet language" lang=language.code() on:click=speak>{language.name()}</button> }
     };
     Language::ALL.into_iter().filter(|language| *language != spoken()).map(button).collect_view()
+}
+
+/// Keeps a choice that the page takes as it is opened, and opens it anew: what is kept of the project is there again.
+pub(super) fn open_anew(page: Page, key: &str, choice: &str) {
+    if page.view.kept.get_untracked() == Kept::No || !dom::store(key, choice) {
+        return page.notices.notify("warn", t("page.language-unkept").to_owned());
+    }
+    let _ = window().location().reload();
 }
 
 #[cfg(test)]

@@ -16,6 +16,8 @@ pub(crate) mod language;
 
 pub(crate) mod later;
 
+pub(crate) mod lengths;
+
 pub(crate) mod listing;
 
 pub(crate) mod meaning;
@@ -33,3 +35,4 @@ pub(crate) use dialog::{Dialog, DialogButton};
 pub(crate) use icon::{Glyph, Icon, IconButton};
 pub(crate) use language::LanguageButtons;
 pub(crate) use later::Later;
+pub(crate) use lengths::LengthsButton;

@@ -16,6 +16,7 @@ pub(crate) fn VerdictLine(
     #[prop(into)]
     open: Callback<()>,
 ) -> impl IntoView {
+    let readout = readout.shown();
     let (page, id) = (Page::here(), readout.id);
     let tone = verdict_tone(readout.verdict);
     let advice = readout.advice.first().map(|advice| say(&advice.message));
@@ -52,8 +53,8 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, project};
-    use crate::view::Verdict;
+    use crate::ui::testing::{Bench, InInches, mount, project};
+    use crate::view::{Limit, Verdict};
 
     fn readout(id: &str) -> Readout {
         project().design().readouts.into_iter().find(|readout| readout.id == id).unwrap()
@@ -79,6 +80,14 @@ mod tests {
     async fn value_is_shown_with_four_digits_and_unit() {
         let bench = line(Readout { value: 15079.645, ..readout("line-speed") }).await;
         assert_eq!(bench.text(".v").replace('\u{202f}', ""), "15080 mm/min");
+    }
+
+    #[wasm_bindgen_test]
+    async fn value_and_limit_are_shown_in_inches() {
+        let _inches = InInches::new();
+        let limited = Readout { value: 2540.0, limit: Some(Limit::AtMost(5080.0)), ..readout("line-speed") };
+        let bench = line(limited).await;
+        assert_eq!((bench.text(".v"), bench.text(".n")), ("100.0 in/min".to_owned(), "≤ 200".to_owned()));
     }
 
     #[wasm_bindgen_test]

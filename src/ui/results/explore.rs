@@ -8,7 +8,7 @@ use leptos::wasm_bindgen::JsCast;
 
 use super::take::{listed, set, take};
 use crate::machines::PreparedMachine;
-use crate::machines::form::{FieldInfo, KindInfo, Values};
+use crate::machines::form::{FieldInfo, Value, Values};
 use crate::project::Project;
 use crate::text::catalog::number_text;
 use crate::ui::dom;
@@ -48,7 +48,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
             let design = machine.design(&project.provenance);
             (machine, design)
         });
-        let found = machine.explorer(at.get()).unwrap_or_default();
+        let mut found = machine.explorer(at.get()).unwrap_or_default();
         readouts.set(design.readouts);
         shape.set(scene::svg(&found.scene));
         let (view, most) = (found.scene.view, found.scene.unit);
@@ -61,7 +61,8 @@ pub(crate) fn ExploreTab() -> impl IntoView {
             }
         });
         let mut out = String::new();
-        found.charts.iter().for_each(|chart| chart_figure::html(&mut out, chart));
+        let charts = core::mem::take(&mut found.charts);
+        charts.into_iter().for_each(|chart| chart_figure::html(&mut out, &chart.shown()));
         plots.set(out);
         seen.set(found);
     });
@@ -157,7 +158,6 @@ fn Slider(
             take(page, field, values);
         }
     };
-    let unit = if let KindInfo::Number { unit, .. } = &info.kind { *unit } else { "" };
     view! {
         <div class="slider">
             <label for=id.clone()>{t(info.label)}</label>
@@ -171,7 +171,7 @@ fn Slider(
                 on:input=drag
                 on:change=drop
             />
-            <output for=id>{move || format!("{} {unit}", plain(knob.get().value))}</output>
+            <output for=id>{move || info.text_with_unit(&Value::Number(knob.get().value))}</output>
         </div>
     }
 }

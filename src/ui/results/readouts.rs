@@ -72,6 +72,7 @@ fn Row(
     readout: Readout,
 ) -> impl IntoView {
     let (page, id) = (Page::here(), readout.id);
+    let readout = readout.shown();
     let tone = verdict_tone(readout.verdict);
     let limit = limit_text(&readout).map(|limit| view! { <p class="limit">{limit}</p> });
     let more = headed(t(readout.label), t("help.more"));

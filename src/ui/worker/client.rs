@@ -11,7 +11,7 @@ use web_sys::{MessageEvent, Worker};
 use super::messages::{Question, Reply, Request, Response};
 use crate::project::Project;
 use crate::project::help::texts::Texts;
-use crate::text::catalog;
+use crate::text::{catalog, units};
 use crate::ui::dom::script::{address_of, part_for_worker};
 
 /// A running worker. It ends when this is dropped.
@@ -30,6 +30,7 @@ impl Running {
         let (manual, glossary) = Texts::files(catalog::spoken());
         let parts = ["worker.js", "worker_bg.wasm", &words, &manual, glossary].map(part_for_worker);
         let parts = parts.into_iter().collect::<Result<js_sys::Array, _>>().ok()?;
+        parts.unshift(&units::shown().id().into());
         let worker = Worker::new(&address_of("worker_boot.js").ok()?).ok()?;
         worker.post_message(&parts).ok()?;
         let heard = Closure::new(move |event: MessageEvent| {

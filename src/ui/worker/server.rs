@@ -16,6 +16,7 @@ use crate::project::Project;
 use crate::project::help::texts::Texts;
 use crate::project::sensitivity::Sensitivity;
 use crate::project::suppress::silence;
+use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, LineIndex, catalog};
 use crate::ui::words::{counts, sign, t, tell, tone};
 
@@ -43,10 +44,11 @@ async fn texts(load: &Function) -> Option<Texts> {
     Some(texts)
 }
 
-/// Answers the questions of the page in the language of the sentences ([`catalog::speak`]) as long as the worker lives. `load` fetches
-/// the texts of help, those of [`Texts::files`].
-pub fn work(sentences: String, load: Function) {
+/// Answers the questions of the page in the language of the sentences ([`catalog::speak`]), with lengths in the system of this id, as long as
+/// the worker lives. `load` fetches the texts of help, those of [`Texts::files`].
+pub fn work(sentences: String, lengths: &str, load: Function) {
     catalog::speak(sentences.leak());
+    units::show(Lengths::of_id(lengths).unwrap_or(Lengths::Millimetres));
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
     let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
     let page = scope.clone();

@@ -8,6 +8,7 @@ use macroline::machines::{self, AnyMachine};
 use macroline::project::Project;
 use macroline::text::Phrase;
 use macroline::text::catalog::{self, Language};
+use macroline::text::units;
 
 use super::source::{Source, Token, TokenKind};
 use super::{citations, hold, sources};
@@ -105,10 +106,24 @@ fn code_and_english_name_the_same_sentences() {
     hold("Every sentence stands once in the catalog, and is said.", mend, broken);
 }
 
-/// The places `{0}` and `{0, plural, …` of a sentence.
+/// The places `{0}`, `{0, plural, …`, `{0, unit, mm}` of a sentence, and those that name the unit of another, as in `{0, unit, 1}`.
 fn places(sentence: &str) -> BTreeSet<usize> {
-    let number = |tail: &str| tail.split(['}', ',']).next()?.parse().ok();
-    sentence.split('{').skip(1).filter_map(number).collect()
+    let place = |tail: &str| tail.split(['}', ',']).next()?.parse().ok();
+    sentence
+        .split('{')
+        .skip(1)
+        .filter_map(place)
+        .chain(lengths(sentence).filter_map(|(_, unit)| unit.parse().ok()))
+        .collect()
+}
+
+/// The places of a sentence that hold a length, each with its unit, or the place that has it.
+fn lengths(sentence: &str) -> impl Iterator<Item = (usize, &str)> {
+    sentence.split('{').skip(1).filter_map(|tail| {
+        let (place, kind) = tail.split_once('}')?.0.split_once(", ")?;
+        let unit = kind.strip_prefix("unit, ").or_else(|| kind.strip_prefix("number, "))?;
+        Some((place.parse().ok()?, unit))
+    })
 }
 
 /// Every `msg!("id", value, …)`: its line, the id, and how many values.
@@ -271,4 +286,53 @@ fn chinese_follows_its_glossary() {
     };
     let broken = rows.into_iter().flat_map(faults).collect();
     hold("Chinese follows docs/glossary.md.", "see its rules of style", broken);
+}
+
+/// Sentences whose lengths stay in millimetres whatever is shown: what the control reads, or what stands in a program or a parameter.
+const OF_THE_CONTROL: [&str; 12] = [
+    "interp.",
+    "lint.",
+    "motion.",
+    "polygon.feed-too-large",
+    "polygon.feed-too-small",
+    "polygon.x-setting",
+    "ribbon.feed-",
+    "ribbon.follow-measured",
+    "ribbon.knob-stops",
+    "ribbon.per-revolution-instead",
+    "ribbon.revolution-feed-above-limit",
+    "switch.",
+];
+
+#[test]
+fn lengths_in_sentences_are_shown_in_the_units_of_the_reader() {
+    let mut broken = Vec::new();
+    let english = Sentences::of(Language::English);
+    let marked: BTreeMap<&str, BTreeSet<usize>> =
+        english.rows.iter().map(|(id, row)| (id.as_str(), lengths(row).map(|place| place.0).collect())).collect();
+    for language in Language::ALL {
+        for (id, row) in Sentences::of(language).rows {
+            for (_, unit) in lengths(&row).filter(|(_, unit)| unit.parse::<usize>().is_err()) {
+                if !units::converted().any(|known| known == unit) {
+                    broken.push(format!("{}: {id}: “{unit}” is no unit of length", language.code()));
+                }
+            }
+            let own: BTreeSet<usize> = lengths(&row).map(|place| place.0).collect();
+            if marked.get(id.as_str()).is_some_and(|places| *places != own) {
+                broken.push(format!("{}: {id}: other places have units than in English", language.code()));
+            }
+            let bare = units::converted().filter(|unit| {
+                row.split("} ").skip(1).any(|tail| {
+                    tail.strip_prefix(unit)
+                        .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphabetic() || "/²³".contains(c)))
+                })
+            });
+            let stays = OF_THE_CONTROL.iter().any(|of| id.starts_with(of));
+            broken.extend(
+                bare.filter(|_| !stays).map(|unit| format!("{}: {id}: a place before “{unit}”", language.code())),
+            );
+        }
+    }
+    let mend = "`{0, unit, mm}` for a length with its unit, `{0, number, mm}` for its number alone; what the control reads stays in its unit and is listed in OF_THE_CONTROL";
+    hold("Lengths in sentences are shown in the units of the reader.", mend, broken);
 }

@@ -8,6 +8,7 @@ use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::text::catalog::number_text as show;
 use crate::text::number::{fill, filled};
+use crate::text::units;
 use crate::view::drawing::{Drawing, polyline};
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, SceneGroup, Shape};
@@ -63,7 +64,7 @@ pub(in super::super) fn form(lathe: &PolygonLathe, view: &View) -> [String; 3] {
     }
     let name = if lathe.d.curvature >= 0.0 { "polygon.scene.crowned" } else { "polygon.scene.hollow" };
     let scales = lathe.lens_scales.get_or_init(|| scales_text(lathe, view));
-    [say(name), format!("{} mm", show(lathe.d.flatness, 4)), scales.clone()]
+    [say(name), units::text(lathe.d.flatness, 4, "mm"), scales.clone()]
 }
 
 /// Deviation of the sides from their planes along them, mm: none where stock is left.

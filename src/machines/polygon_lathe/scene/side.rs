@@ -7,9 +7,8 @@ use crate::machines::polygon_lathe::progress::Progress;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
-use crate::text::catalog::number_text as show;
-use crate::text::columns;
 use crate::text::number::{fill, filled};
+use crate::text::{columns, units};
 use crate::view::drawing::Drawing;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, LETTER, SceneGroup};
@@ -104,7 +103,7 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, view: &View, half: f64) {
             }
             d.path(filled("M# #H#", &[ends[0], y, ends[1]]), Look::LEAD);
         }
-        let text = format!("{} {} mm", say("polygon.scene.length"), show(lathe.p.length, 3));
+        let text = format!("{} {}", say("polygon.scene.length"), units::short(lathe.p.length, 3));
         let half = 0.3 * LETTER * UNIT * columns(&text) as f64;
         let middle = math::clamp(0.5 * (left + right), LEFT + half, 1008.0 - half);
         d.text((middle, y - 12.0), "middle", &text, Font::Label, Paint::Ink);

@@ -6,14 +6,15 @@ use crate::machines::ribbon_line::params::Params;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
 use crate::text::catalog::number_text as show;
-use crate::text::columns;
 use crate::text::number::{figure, filled};
+use crate::text::{columns, units};
 use crate::view::scene::{LETTER, LINE};
 use crate::view::{Callout, Drawing, Font, Look, Paint, SceneGroup};
 
 /// Names above unwinder, pull rollers and print roller, with their diameters.
 pub(crate) fn names(p: &Params) -> [String; 3] {
-    let name = |id: &'static str, axis: &str, diameter: f64| format!("{}{axis}, Ø {}", say(id), show(diameter, 1));
+    let name =
+        |id: &'static str, axis: &str, diameter: f64| format!("{}{axis}, Ø {}", say(id), units::dimension(diameter, 1));
     let print = format!(" {}", p.print_axis.address());
     [
         name("ribbon.scene.unwinder", "", p.press_roller_diameter),
@@ -24,13 +25,13 @@ pub(crate) fn names(p: &Params) -> [String; 3] {
 
 /// Distance of two dots.
 pub(crate) fn distance(p: &Params) -> String {
-    format!("{} {} mm", say("ribbon.scene.every"), show(p.pitch, 3))
+    format!("{} {}", say("ribbon.scene.every"), units::text(p.pitch, 3, "mm"))
 }
 
 /// A smear as the lens shows it, mm.
 pub(crate) fn smear_text(smear: f64) -> String {
     const MOST: f64 = 999.0;
-    if smear > MOST { format!("> {} mm", show(MOST, 0)) } else { format!("{} mm", figure(smear, 3)) }
+    if smear > MOST { format!("> {}", units::text(MOST, 0, "mm")) } else { units::figure(smear, 3, "mm") }
 }
 
 /// A magnification: `5 ×`, `1/20 ×`.
@@ -59,7 +60,7 @@ pub(crate) fn callouts(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout
         drawing.callout(&Callout { at: (left, base), anchor: "start", name, values: &values, part: Some(part) });
     }
     let reel = &layout.supply;
-    let ribbon = format!("{} × {} mm", show(p.ribbon_thickness, 3), show(p.ribbon_width, 1));
+    let ribbon = format!("{} × {}", units::plain(p.ribbon_thickness, 3, "mm"), units::text(p.ribbon_width, 1, "mm"));
     let line_height = LINE * LETTER * unit;
     drawing.callout(&Callout {
         at: (layout.view[0] + 12.0 * unit, reel.y - reel.r - 26.0 * unit - 2.0 * line_height),
@@ -86,11 +87,11 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let left = layout.view[0];
     let (y, gap) = (layout.floor + 18.0 * unit, 8.0 * unit);
     let wide = |text: &str| LETTER_WIDTH * LETTER * unit * columns(text) as f64;
-    let long = round_step(45.0 * unit);
+    let long = units::metric(round_step(units::value(45.0 * unit, "mm")), "mm");
     let (x, bar) = (left + 12.0 * unit, y - 4.0 * unit);
     let (top, bottom) = (bar - 4.0 * unit, bar + 4.0 * unit);
     drawing.path(filled("M# #V#M# #H#M# #V#", &[x, top, bottom, x, bar, x + long, x + long, top, bottom]), Look::LEAD);
-    let text = format!("{} mm", show(long, 3));
+    let text = units::text(long, 3, "mm");
     let mut end = x + long + 6.0 * unit;
     drawing.text((end, y), "start", &text, Font::Label, Paint::Dim);
     end += wide(&text) + gap;
@@ -118,7 +119,7 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let low = layout.full;
     drawing.place(group::POINTER, SceneGroup { at: (x, 0.0), ..SceneGroup::default() });
     drawing.path(filled("M# #H#", &[left + 4.0 * unit, low, right - 4.0 * unit]), Look::LEAD.dashed(5.0, 4.0));
-    let step = round_step(p.loop_capacity / 8.0);
+    let step = units::metric(round_step(units::value(p.loop_capacity / 8.0, "mm")), "mm");
     let mut d = filled("M# 0V#", &[x, low]);
     let mut mark = 0.0;
     let mut count = 0;
@@ -149,7 +150,7 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
 pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let unit = layout.unit;
     let middle = 0.5 * (layout.unwinder.x + layout.unwinder.r + layout.pull.x - layout.pull.r);
-    let mut limit = format!("{} mm", show(line.p.loop_capacity, 1));
+    let mut limit = units::text(line.p.loop_capacity, 1, "mm");
     if layout.slack.share < 1.0 {
         let factor = 1.0 / layout.slack.share;
         limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));

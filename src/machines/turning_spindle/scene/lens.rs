@@ -7,6 +7,7 @@ use crate::machines::turning_spindle::params::{Params, Path};
 use crate::math;
 use crate::text::catalog::number_text as show;
 use crate::text::number::filled;
+use crate::text::units;
 use crate::view::drawing::{Drawing, polygon};
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, Placement, SceneGroup, Shape};
@@ -62,7 +63,7 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
     d.lens((x, y, r), |d| {
         d.text((x + 66.0, y + 28.0), "end", &times, Font::Label, Paint::Ink);
         d.showing("depth", |d| {
-            d.text((x, y + 70.0), "middle", &format!("{} mm", show(p.depth, 3)), Font::Value, Paint::Ink);
+            d.text((x, y + 70.0), "middle", &units::short(p.depth, 3), Font::Value, Paint::Ink);
         });
     });
 }

@@ -1,0 +1,66 @@
+//! Fields as people see them: lengths in the unit that is shown.
+
+use super::{FieldInfo, KindInfo, Value};
+use crate::text::catalog::number_text;
+use crate::text::{number, units};
+
+/// Decimals of a number that is shown as it was typed.
+const TYPED: u8 = 6;
+
+impl FieldInfo {
+    /// Unit of a number in the project, and its decimals.
+    fn metric(&self) -> (&'static str, u8) {
+        match self.kind {
+            KindInfo::Number { unit, decimals, .. } => (unit, decimals),
+            _ => ("", TYPED),
+        }
+    }
+
+    /// Unit that is shown; empty for what has none.
+    pub fn unit(&self) -> &'static str {
+        units::unit(self.metric().0)
+    }
+
+    /// A number of the field in the unit that is shown.
+    pub fn shown(&self, number: f64) -> f64 {
+        units::value(number, self.metric().0)
+    }
+
+    /// The number of the field, on its last decimal, that is nearest to one in the unit that is shown.
+    pub fn taken(&self, shown: f64) -> Option<f64> {
+        let (unit, decimals) = self.metric();
+        number::read(&number_text(units::metric(shown, unit), decimals))
+    }
+
+    /// A value as the field shows it; [`typed`](FieldInfo::typed) takes it back unchanged.
+    pub fn text(&self, value: &Value) -> String {
+        let (unit, decimals) = self.metric();
+        match value {
+            Value::Number(number) if self.unit() != unit => units::exact(*number, decimals, unit),
+            Value::Number(number) => number_text(*number, decimals.max(TYPED)),
+            Value::Flag(flag) => flag.to_string(),
+            Value::Text(text) => text.clone(),
+        }
+    }
+
+    /// The same with its unit.
+    pub fn text_with_unit(&self, value: &Value) -> String {
+        format!("{} {}", self.text(value), self.unit())
+    }
+
+    /// A number with its unit as files and programs have it, where another unit is shown.
+    pub fn metric_text(&self, value: &Value) -> Option<String> {
+        let (unit, decimals) = self.metric();
+        match value {
+            Value::Number(number) if self.unit() != unit => Some(format!("{} {unit}", number_text(*number, decimals))),
+            _ => None,
+        }
+    }
+
+    /// The range of a number with its unit: `0.01 … 10000 mm`.
+    pub fn range(&self) -> Option<String> {
+        let KindInfo::Number { min, max, .. } = self.kind else { return None };
+        let [min, max] = [min, max].map(|limit| self.text(&Value::Number(limit)));
+        Some(format!("{min} … {max} {}", self.unit()))
+    }
+}

@@ -1,0 +1,66 @@
+//! The choice of millimetres or inches.
+
+use leptos::prelude::*;
+
+use super::language::open_anew;
+use crate::text::units::{self, Lengths};
+use crate::ui::dom;
+use crate::ui::state::Page;
+use crate::ui::words::t;
+
+/// Where the choice of units is kept.
+const LENGTHS: &str = "macroline.lengths";
+
+/// Shows lengths as they were chosen in this browser: millimetres where nothing was.
+pub(crate) fn show_kept() {
+    units::show(dom::stored(LENGTHS).and_then(|id| Lengths::of_id(&id)).unwrap_or(Lengths::Millimetres));
+}
+
+/// The other system of units. Everything that is drawn and written changes with it, so the page is opened anew.
+#[component]
+pub(crate) fn LengthsButton() -> impl IntoView {
+    let page = Page::here();
+    let (other, name, about) = match units::shown() {
+        Lengths::Millimetres => (Lengths::Inches, "page.inches", "page.inches-about"),
+        Lengths::Inches => (Lengths::Millimetres, "page.millimetres", "page.millimetres-about"),
+    };
+    let choose = move |_| open_anew(page, LENGTHS, other.id());
+    view! { <button type="button" class="quiet language lengths" title=t(about) on:click=choose>{t(name)}</button> }
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::state::view::Kept;
+    use crate::ui::testing::{InInches, mount};
+
+    #[wasm_bindgen_test]
+    async fn other_system_of_units_is_offered() {
+        assert_eq!(mount(|| view! { <LengthsButton /> }).await.text("button"), t("page.inches"));
+        let _inches = InInches::new();
+        let bench = mount(|| view! { <LengthsButton /> }).await;
+        assert_eq!(bench.text("button"), t("page.millimetres"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn kept_choice_is_shown_and_nonsense_is_millimetres() {
+        for (kept, shown) in [("inch", Lengths::Inches), ("ell", Lengths::Millimetres), ("mm", Lengths::Millimetres)] {
+            dom::store(LENGTHS, kept);
+            show_kept();
+            let found = units::shown();
+            units::show(Lengths::Millimetres);
+            dom::forget(LENGTHS);
+            assert_eq!(found, shown, "{kept}");
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn page_that_is_not_kept_keeps_its_units() {
+        let bench = mount(|| view! { <LengthsButton /> }).await;
+        bench.page.view.kept.set(Kept::No);
+        bench.press("button").await;
+        assert_eq!(bench.notices(), [t("page.language-unkept")]);
+    }
+}

@@ -1,0 +1,85 @@
+// The page in inches: chosen by a person, typed and shown everywhere, and the program stays as it is.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { accessible, enter, openGroups, openPanel, ready, saved, start, withPage } from './page.mjs';
+import { words } from './words.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
+// What the control has stays in millimetres: its variables and parameters, and the sentence about the word X in the program.
+const OF_THE_CONTROL = ['tab-variables', 'tab-parameters'];
+const program = (page) => page.locator('.listing').first().innerText();
+
+// Opens the page anew in the other units.
+async function turnTo(page, name) {
+  await Promise.all([page.waitForEvent('load'), page.locator('.doing .lengths', { hasText: name }).click()]);
+  await ready(page);
+}
+
+// Texts on the page with a number of millimetres or metres: not in programs, nor where the control's own are shown.
+const metric = (page) =>
+  page.evaluate(() => {
+    const found = new Set();
+    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const control = '.listing, .lengths, option, .panel, script, style, noscript';
+    for (let text; (text = texts.nextNode()); ) {
+      const place = text.parentElement;
+      if (place.closest(control)) continue;
+      const said = text.textContent.trim();
+      if (said.includes('X20')) continue;
+      if (/(\d[\s ]?|^)(mm|µm|m\/min|mm²|mm\/(min|rev|s|h))$/.test(said) || /\d[\s ](mm|µm|m\/min)\b/.test(said)) found.add(`${place.className?.baseVal ?? place.className}: ${said}`);
+    }
+    return [...found];
+  });
+
+test('a person turns to inches, types an inch, and the program keeps millimetres', () =>
+  withPage(app, {}, async ({ page }) => {
+    const field = page.locator('#pitch');
+    const unit = page.locator('.field', { has: field }).locator('.unit');
+    await enter(field, '25.4');
+    await page.getByRole('button', { name: 'O9102.nc' }).click();
+    await page.locator('.listing', { hasText: '#107=25.4' }).first().waitFor();
+    const before = await program(page);
+    await turnTo(page, 'inch');
+    assert.deepEqual([await field.inputValue(), await unit.textContent()], ['1', 'in']);
+    await page.getByRole('button', { name: 'O9102.nc' }).click();
+    assert.equal(await program(page), before);
+    await page.locator('.scene text', { hasText: 'every 1 in' }).first().waitFor({ state: 'attached' });
+    await enter(field, '0.5');
+    await page.locator('.scene text', { hasText: 'every 0.5 in' }).first().waitFor({ state: 'attached' });
+    await page.locator('.listing', { hasText: '#107=12.7' }).first().waitFor();
+    assert.match(await page.locator('.cards').innerText(), /in\/min/);
+    await enter(field, '500');
+    assert.match(await page.locator('#pitch-note').textContent(), /500 is too large.*393\.7008 in/);
+    await enter(field, '0.5');
+    await page.reload();
+    await ready(page);
+    assert.deepEqual([await field.inputValue(), await unit.textContent()], ['0.5', 'in']);
+    const project = JSON.parse(await saved(page, () => page.getByRole('button', { name: 'Save', exact: true }).click()));
+    assert.equal(project.values.pitch, 12.7);
+    await turnTo(page, 'mm');
+    assert.deepEqual([await field.inputValue(), await unit.textContent()], ['12.7', 'mm']);
+  }));
+
+for (const language of ['en', 'zh']) {
+  const say = words(language);
+  for (const name of MACHINES) {
+    test(`no millimetre is left where inches are shown (${name}, ${language})`, () =>
+      withPage(app, { locale: language }, async ({ page }) => {
+        await page.getByRole('button', { name: say(name), exact: true }).click();
+        await turnTo(page, say('page.inches'));
+        await openGroups(page);
+        await openPanel(page);
+        for (const tab of await page.locator('[role=tab]:not(.gone)').all()) {
+          if (OF_THE_CONTROL.includes(await tab.getAttribute('id'))) continue;
+          await tab.click();
+          await page.waitForTimeout(600);
+          assert.deepEqual(await metric(page), [], await tab.textContent());
+        }
+        await accessible(page);
+      }));
+  }
+}

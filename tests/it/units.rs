@@ -1,0 +1,276 @@
+//! Lengths in inches for people: entries, figures, sentences, report; and what stays in millimetres.
+
+use expect_test::expect;
+use macroline::machines::form::{FieldInfo, KindInfo, Value};
+use macroline::machines::{self, AnyMachine};
+use macroline::msg;
+use macroline::project::export::ExportOptions;
+use macroline::project::size::size;
+use macroline::project::{Project, list, origins};
+use macroline::text::catalog::sentence;
+use macroline::text::units::{self, Lengths};
+use macroline::view::svg::picture;
+use macroline::view::{Pose, Theme, report};
+use macroline::{controls, nc};
+use proptest::prelude::*;
+
+/// What a closure makes with lengths in inches.
+fn in_inches<T>(make: impl FnOnce() -> T) -> T {
+    units::show(Lengths::Inches);
+    let made = make();
+    units::show(Lengths::Millimetres);
+    made
+}
+
+fn each_machine() -> impl Iterator<Item = Project> {
+    let of = |machine: &&'static dyn AnyMachine| {
+        machine.controls().iter().map(|id| Project::new(*machine, controls::find(id).unwrap())).collect::<Vec<_>>()
+    };
+    machines::ALL.iter().flat_map(of)
+}
+
+fn fields() -> Vec<FieldInfo> {
+    let all = machines::ALL.iter().flat_map(|machine| machine.fields());
+    all.filter(|field| matches!(field.kind, KindInfo::Number { .. })).collect()
+}
+
+#[test]
+fn figures_have_the_units_that_are_shown() {
+    let shown = || {
+        [
+            units::text(8.0, 3, "mm"),
+            units::text(15_079.645, 3, "mm/min"),
+            units::text(0.25, 3, "mm/rev"),
+            units::text(250.0, 1, "m/min"),
+            units::text(400.0, 2, "mm²"),
+            units::text(1.5, 3, "µm"),
+            units::text(500.0, 0, "m"),
+            units::text(12.5, 1, "Nm"),
+            units::text(6.0, 0, ""),
+            units::dimension(100.0, 1),
+        ]
+        .join("\n")
+    };
+    expect![[r#"
+        8 mm
+        15079.645 mm/min
+        0.25 mm/rev
+        250 m/min
+        400 mm²
+        1.5 µm
+        500 m
+        12.5 Nm
+        6
+        100"#]]
+    .assert_eq(&shown());
+    expect![[r#"
+        0.315 in
+        593.6868 in/min
+        0.0098 in/rev
+        820.2 ft/min
+        0.62 in²
+        59.06 µin
+        1640 ft
+        12.5 Nm
+        6
+        3.94″"#]]
+    .assert_eq(&in_inches(shown));
+}
+
+#[test]
+fn steps_in_inches_are_round_numbers() {
+    let steps = in_inches(|| [0.01, 0.1, 0.5, 1.0, 5.0, 10.0, 1000.0].map(|step| units::step(step, "mm")));
+    assert_eq!(steps.map(|step| (step * 1e6).round() / 1e6), [0.0005, 0.005, 0.02, 0.05, 0.2, 0.5, 50.0]);
+    assert_eq!(units::step(0.1, "mm"), 0.1);
+}
+
+#[test]
+fn typed_inch_is_kept_in_millimetres() {
+    let pitch = fields().into_iter().find(|field| field.id == "pitch").unwrap();
+    let (kept, shown) = in_inches(|| {
+        let kept = pitch.typed("1,5").unwrap();
+        (kept.clone(), (pitch.text(&kept), pitch.unit(), pitch.range().unwrap()))
+    });
+    assert_eq!(kept, Value::Number(38.1));
+    assert_eq!(shown, ("1.5".to_owned(), "in", "0.0004 … 393.7008 in".to_owned()));
+    assert_eq!((pitch.typed("1,5").unwrap(), pitch.unit()), (Value::Number(1.5), "mm"));
+}
+
+#[test]
+fn entry_out_of_range_is_told_in_inches() {
+    let pitch = fields().into_iter().find(|field| field.id == "pitch").unwrap();
+    let told = |typed: &str| {
+        let problem = pitch.typed(typed).unwrap_err();
+        [&problem.message].into_iter().chain(&problem.hints).map(sentence).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(told("-1"), "-1 is too small. Allowed: 0.01 to 10000 mm");
+    assert_eq!(in_inches(|| told("-1")), "-1 is too small. Allowed: 0.0004 to 393.7008 in");
+}
+
+#[test]
+fn value_read_from_a_file_is_no_inch() {
+    let pitch = fields().into_iter().find(|field| field.id == "pitch").unwrap();
+    assert_eq!(in_inches(|| pitch.read("8")).unwrap(), Value::Number(8.0));
+}
+
+proptest! {
+    #[test]
+    fn shown_entry_typed_again_changes_nothing(at in any::<prop::sample::Index>(), part in 0.0_f64..1.0) {
+        let fields = fields();
+        let field = at.get(&fields);
+        let KindInfo::Number { min, max, decimals, .. } = field.kind else { unreachable!() };
+        let number = macroline::text::catalog::number_text(min + part * part * part * (max - min), decimals);
+        let value = Value::Number(macroline::math::clamp(number.parse().unwrap(), min, max));
+        let (shown, read) = in_inches(|| {
+            let shown = field.text(&value);
+            (shown.clone(), field.typed(&shown))
+        });
+        prop_assert_eq!(read, Ok(value), "{} of {}", shown, field.id);
+    }
+}
+
+#[test]
+fn limits_of_a_field_can_be_typed_as_they_are_shown() {
+    for field in fields() {
+        let KindInfo::Number { min, max, .. } = field.kind else { unreachable!() };
+        for limit in [min, max] {
+            let read = in_inches(|| field.typed(&field.text(&Value::Number(limit))));
+            assert_eq!(read, Ok(Value::Number(limit)), "{}", field.id);
+        }
+    }
+}
+
+#[test]
+fn sentence_converts_numbers_and_entries() {
+    let said = || {
+        [
+            msg!("ribbon.slips", (1.5, 3), (2.54, 3), (0.5, 3)),
+            msg!("advice.set-pitch", "62.832"),
+            msg!("advice.set-feeds", "0.25 / 0.1"),
+            msg!("advice.set-feeds", "as now"),
+            msg!("form.allowed", "0.01", "10000", "mm"),
+            msg!("form.allowed", "1", "100", "%"),
+            msg!("ribbon.y-carried", "A", (12.7, 3), "°"),
+        ]
+        .map(|message| sentence(&message))
+        .join("\n")
+    };
+    expect![[r#"
+        The roller's surface runs 1.5 times as fast as the ribbon: each head slips 2.54 mm while it touches, 0.5 are allowed.
+        Set a pitch of 62.832 mm
+        Set 0.25 / 0.1 mm/rev
+        Set as now mm/rev
+        Allowed: 0.01 to 10000 mm
+        Allowed: 1 to 100 %
+        Rounding A to the control's unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&said());
+    expect![[r#"
+        The roller's surface runs 1.5 times as fast as the ribbon: each head slips 0.1 in while it touches, 0.0197 are allowed.
+        Set a pitch of 2.4737 in
+        Set 0.00984 / 0.00394 in/rev
+        Set as now mm/rev
+        Allowed: 0.0004 to 393.7008 in
+        Allowed: 1 to 100 %
+        Rounding A to the control's unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&in_inches(said));
+}
+
+#[test]
+fn verdicts_in_inches_have_converted_limits() {
+    let project = Project::of("polygon-lathe", None).unwrap();
+    let text = in_inches(|| list::readouts_text(&project.design().readouts));
+    let lines: Vec<&str> =
+        text.lines().map(str::trim).filter(|line| line.contains("in") || line.contains("ft")).collect();
+    expect![[r#"
+        ok  Flatness error                                0.00112 in  (at most 0.00394)
+        -  Across flats, measured                         0.7874 in
+        ok  Speed of the tool                                 400 r/min  (within ±2000)
+        ok  Speed of the work                                 200 r/min  (within ±1000)
+        ok  Curvature of a side, positive where crowned        0.02540 1/in
+        -  Lowest deviation of a side                   -0.00112 in
+        -  Highest deviation of a side                   0.00000 in
+        -  Corners from the centre                        0.4921 in
+        ok  Across corners                                 0.9843 in
+        The sides do not meet in stock of 0.9843 in: its corners stay round.
+        -  Area of the section                            0.6016 in²
+        ok  Least cutting speed                             411.1 ft/min  (at least 131.234)
+        ok  Greatest cutting speed                          418.5 ft/min  (at most 820.21)
+        ok  Distance of the axes at the last pass          2.1654 in
+        ok  Depth of the polygon in the stock              0.0984 in  (at most 0.315)
+        -  X offset of the cutter                        -3.5433 in
+        -  Near half axis of the path                     0.3937 in
+        -  Far half axis of the path                      3.9370 in
+        ok  Orientation error                               0.000 °  (within ±0.05)
+        ok  F of roughing                                    3.94 in/min  (at most 236.22)
+        ok  F of finishing                                   1.97 in/min  (at most 236.22)
+        ok  Free length needed                             0.6693 in
+        -  Distance of the marks on a flat                0.0098 in
+        -  Time until the cut can begin                     1.13 s
+        -  Cutting time                                    52.25 s
+        -  Cutting time by milling in polar interpolation           64.8 s
+        -  Milling time over turning time                   1.21
+        -  Greatest cutting force of an insert               875 N
+        -  Inserts in the cut at once                          1
+        ok  X drifts by its scaling                        0.0000 µin/in  (at most 1)
+        ok  Z drifts by its scaling                        0.0000 µin/in  (at most 1)
+        ok  Work drifts by its scaling                     0.0000 µ°/°  (at most 1)
+        ok  Tool drifts by its scaling                     0.0000 µ°/°  (at most 1)"#]]
+    .assert_eq(&lines.join("\n"));
+}
+
+/// Programs and files that other programs read.
+fn files(project: &Project) -> Vec<nc::File> {
+    let export = project.export();
+    export.files.into_iter().filter(|file| !file.name.starts_with("report.") && file.name != "drawing.svg").collect()
+}
+
+#[test]
+fn programs_and_data_are_the_same_in_inches() {
+    for project in each_machine() {
+        let both = [files(&project), in_inches(|| files(&project))];
+        assert!(!both[0].is_empty());
+        for (metric, inch) in both[0].iter().zip(&both[1]) {
+            assert_eq!(metric, inch, "{} {}", project.machine.id(), project.control.id);
+        }
+        assert_eq!(
+            list::readouts_json(&project.design().readouts)[0]["unit"],
+            in_inches(|| list::readouts_json(&project.design().readouts))[0]["unit"].clone()
+        );
+    }
+}
+
+/// Lines in which a number of millimetres stands.
+fn metric_lines(text: &str) -> Vec<&str> {
+    let is_metric = |line: &&str| {
+        let mut before = "";
+        line.split([' ', '\u{a0}', '<', '>', '|', ',', ';', ')', '(']).any(|word| {
+            let number = before.ends_with(|c: char| c.is_ascii_digit());
+            if !word.is_empty() {
+                before = word;
+            }
+            number && units::converted().any(|unit| unit == word && unit != "m")
+        })
+    };
+    text.lines().filter(is_metric).collect()
+}
+
+#[test]
+fn report_in_inches_has_millimetres_only_of_the_control() {
+    // Parameters and what the program has as its words.
+    let of_the_control = |line: &str| line.contains("as X offset of the cutter") || line.contains("X20 ");
+    let mut left = Vec::new();
+    for project in each_machine() {
+        let text = in_inches(|| {
+            let (written, sizing) = (project.written(), size(&project, &project.written()));
+            let options = ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() };
+            let mut told = project.report(&project.prepared(), &written, &options);
+            told.sheets.retain(|sheet| sheet.id != "parameters");
+            told.open.clear();
+            let rows = |html: String| html.replace("</tr>", "\n").replace("</li>", "\n");
+            let scene = picture(&project.prepared().scene(), &Pose::default(), Theme::Light);
+            let texts = [rows(report::html(&told)), report::markdown(&told), sizing.text(), origins::text(&project)];
+            [texts.join("\n"), scene].join("\n")
+        });
+        let lines = metric_lines(&text).into_iter().filter(|line| !of_the_control(line));
+        left.extend(lines.map(|line| format!("{} {}: {line}", project.machine.id(), project.control.id)));
+    }
+    assert!(left.is_empty(), "in millimetres:\n{}", left.join("\n"));
+}
