@@ -83,3 +83,12 @@ for (const language of ['en', 'zh']) {
       }));
   }
 }
+
+test('the header has room for its buttons at every width', () =>
+  withPage(app, {}, async ({ page }) => {
+    for (const width of [1440, 1301, 1300, 1241, 1240, 1181, 1180, 1024, 390]) {
+      await page.setViewportSize({ width, height: 800 });
+      const right = await page.evaluate(() => Math.max(...[...document.querySelectorAll('.top button')].map((button) => button.getBoundingClientRect().right)));
+      assert.ok(right <= width, `${right} of ${width}`);
+    }
+  }));

@@ -280,7 +280,9 @@ fn Shortcuts() -> impl IntoView {
     view! {
         <p class="choices">
             <button type="button" class="tour-start" on:click=tour>{t("tour.start")}</button>
-            " " {t("page.language")} " " <LanguageButtons /> " " {t("page.lengths")} " " <LengthsButton /> " " <ThemeButton /> <ContrastButton />
+            <span class="pair">{t("page.language")} " " <LanguageButtons /></span>
+            <span class="pair">{t("page.lengths")} " " <LengthsButton /></span>
+            <ThemeButton /> <ContrastButton />
         </p>
         {dom::is_installable().then(|| view! {
             <p>{t("page.help-offline")} " " <a href="macroline.html" download="macroline.html">{t("page.help-one-file")}</a></p>
