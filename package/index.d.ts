@@ -65,6 +65,8 @@ export interface Project {
   values: Record<string, number | boolean | string>;
   provenance?: Record<string, string>;
   switches?: Record<string, string>;
+  /** Code of the language of comments, where the control can show it. */
+  comments?: string;
   silenced?: string[];
   panel?: PanelEvent[];
   edited?: File[];

@@ -28,6 +28,8 @@ pub mod header;
 
 pub mod left_out;
 
+pub mod comments;
+
 pub mod writing;
 
 mod ribbon_line;

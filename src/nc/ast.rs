@@ -422,7 +422,7 @@ impl Deck {
     }
 
     /// A text to change.
-    pub(super) fn text_mut(&mut self, id: TextId) -> Option<&mut Box<str>> {
+    pub fn text_mut(&mut self, id: TextId) -> Option<&mut Box<str>> {
         self.texts.get_mut(id.0.get() as usize - 1)
     }
 

@@ -1,6 +1,7 @@
 //! Tree to text, as the control takes it: one program a file, capitals, brackets only where precedence needs them.
 
 use crate::controls::Control;
+use crate::controls::options::CommentCharacters;
 use crate::controls::syntax::Percent;
 use crate::msg;
 use crate::nc::ast::{Block, Deck, Program, Stmt};
@@ -44,12 +45,12 @@ pub struct Emitted {
 
 /// Writes a deck with LF line ends. Forms that the control lacks are rewritten first, see [`lower`](super::lower()). Total.
 pub fn emit(deck: &Deck, control: &Control) -> Emitted {
-    emit_with(deck, control, Newline::Lf)
+    emit_with(deck, control, Newline::Lf, CommentCharacters::Ascii)
 }
 
-/// Writes a deck. Total.
-pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
-    let (low, origins) = lowered(deck, control);
+/// Writes a deck, with these characters in comments. Total.
+pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: CommentCharacters) -> Emitted {
+    let (low, origins) = lowered(deck, control, characters);
     let mut out = Emitted { places: vec![Place::default(); deck.blocks.len()], ..Emitted::default() };
     let eol = newline.text();
     for (index, program) in low.programs.iter().enumerate() {
@@ -78,7 +79,7 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
                 w.text.replace_range(w.start..body, "");
             }
             let place = Place { file, span: Span::new(w.start as u32, w.text.len() as u32) };
-            let written = w.text.len() - w.start;
+            let written = characters.length(w.text.get(w.start..).unwrap_or_default());
             let block_diagnostic = if matches!(block.stmt, Stmt::Bad(_)) {
                 Some(Diagnostic::error(msg!("nc.unreadable-block")))
             } else if w.too_deep {
@@ -141,7 +142,7 @@ fn file_name(deck: &Deck, program: &Program, control: &Control, files: &Files) -
 /// `Span::default()`. All other bytes stay as they were. Total.
 pub fn emit_parsed(parsed: &Parsed, deck: &Deck) -> Emitted {
     let mut files = parsed.files().clone();
-    let (low, origins) = lowered(deck, parsed.control());
+    let (low, origins) = lowered(deck, parsed.control(), parsed.dialect().comment_characters());
     let mut places: Vec<Place> = Vec::with_capacity(deck.blocks.len());
     let mut texts: Vec<(String, usize)> = vec![(String::new(), 0); files.0.len()];
     for program in &parsed.deck().programs {

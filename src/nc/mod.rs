@@ -40,3 +40,4 @@ pub use lower::lower;
 pub use parse::expression::{ParsedFormula, formula};
 pub use parsed::Parsed;
 pub use read::{parse, parse_with};
+pub use write::is_message;

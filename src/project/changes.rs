@@ -51,6 +51,7 @@ pub fn changes(before: &Project, after: &Project) -> Vec<String> {
     let others = [
         (before.provenance != after.provenance, "changes.origins"),
         (before.title_block != after.title_block, "changes.title-block"),
+        (before.comments != after.comments, "changes.comments"),
         (before.silenced != after.silenced, "changes.silenced"),
         (before.parts != after.parts, "changes.parts"),
         (before.variants != after.variants, "changes.variants"),

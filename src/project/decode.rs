@@ -1,5 +1,6 @@
-//! The bytes of a file as text: UTF-8, UTF-16, or bytes that are neither, with the way back to the offsets of the file.
+//! The bytes of a file as text: UTF-8, UTF-16, GBK where the control has it, or bytes that are none of these, with the way back to the offsets of the file.
 
+use super::encode::from_gbk;
 use crate::text::Message;
 
 /// Kinds of files that are no text, by their first bytes, each with the id of the sentence that names it.
@@ -31,7 +32,9 @@ pub enum Encoding {
     Utf8,
     /// UTF-16, in either byte order.
     Utf16,
-    /// Neither: bytes of a national code page, for instance GBK.
+    /// GBK, as the control is set to read it.
+    Gbk,
+    /// None of these: bytes of a national code page.
     Unknown,
 }
 
@@ -44,6 +47,8 @@ pub struct Decoded {
     pub encoding: Encoding,
     /// The sentence that names what the file is, where it is no text; it has no text then.
     pub other: Option<Message>,
+    /// The bytes, where the encoding is unknown.
+    bytes: Vec<u8>,
     /// Offsets in the text and in the file of each piece behind which they differ; empty where they are the same.
     pieces: Vec<(u32, u32)>,
 }
@@ -51,18 +56,17 @@ pub struct Decoded {
 impl Decoded {
     /// Reads the bytes of a file. Total.
     pub fn new(bytes: Vec<u8>) -> Decoded {
-        let pieces = Vec::new();
         if let Some(other) = other_kind(&bytes) {
-            return Decoded { text: String::new(), encoding: Encoding::Utf8, other: Some(other), pieces };
+            return Decoded { other: Some(other), ..Decoded::plain(String::new(), Encoding::Utf8) };
         }
         if let Some(text) = utf16(&bytes) {
-            return Decoded { text, encoding: Encoding::Utf16, other: None, pieces };
+            return Decoded::plain(text, Encoding::Utf16);
         }
         let bytes = match String::from_utf8(bytes) {
-            Ok(text) => return Decoded { text, encoding: Encoding::Utf8, other: None, pieces },
+            Ok(text) => return Decoded::plain(text, Encoding::Utf8),
             Err(error) => error.into_bytes(),
         };
-        let (mut text, mut pieces, mut at) = (String::with_capacity(bytes.len()), pieces, 0);
+        let (mut text, mut pieces, mut at) = (String::with_capacity(bytes.len()), Vec::new(), 0);
         for chunk in bytes.utf8_chunks() {
             pieces.push((text.len() as u32, at as u32));
             text.push_str(chunk.valid());
@@ -74,7 +78,25 @@ impl Decoded {
             }
         }
         pieces.push((text.len() as u32, at as u32));
-        Decoded { text, encoding: Encoding::Unknown, other: None, pieces }
+        Decoded { text, encoding: Encoding::Unknown, other: None, bytes, pieces }
+    }
+
+    fn plain(text: String, encoding: Encoding) -> Decoded {
+        Decoded { text, encoding, other: None, bytes: Vec::new(), pieces: Vec::new() }
+    }
+
+    /// The same in GBK, where the encoding was unknown and all bytes are text in it.
+    pub fn in_gbk(&self) -> Option<Decoded> {
+        let text = from_gbk(&self.bytes).filter(|_| self.encoding == Encoding::Unknown)?;
+        let mut pieces = vec![(0, 0)];
+        let mut file = 0;
+        for (at, c) in text.char_indices() {
+            file += if c.is_ascii() { 1 } else { 2 };
+            if !c.is_ascii() {
+                pieces.push(((at + c.len_utf8()) as u32, file));
+            }
+        }
+        Some(Decoded { pieces, ..Decoded::plain(text, Encoding::Gbk) })
     }
 
     /// The offset in the file of an offset in the text; `None` within a character that is not in the file, and in UTF-16.
@@ -82,7 +104,8 @@ impl Decoded {
         match self.encoding {
             Encoding::Utf8 => Some(at),
             Encoding::Utf16 => None,
-            Encoding::Unknown => {
+            Encoding::Gbk if !self.text.is_char_boundary(at as usize) => None,
+            Encoding::Gbk | Encoding::Unknown => {
                 let next = self.pieces.partition_point(|piece| piece.0 <= at);
                 let (text, file) = *self.pieces.get(next.checked_sub(1)?)?;
                 let offset = file + (at - text);

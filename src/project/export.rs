@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::Project;
 use super::program::Written;
 use super::size::Sizing;
 use super::suppress::silence;
+use super::{Project, encode};
+use crate::controls::options::CommentCharacters;
 use crate::machines::PreparedMachine;
 use crate::msg;
 use crate::nc::{File, Files};
@@ -33,6 +34,8 @@ pub struct Export {
     pub diagnostics: Vec<Diagnostic>,
     /// The program files that places of diagnostics point into.
     pub about: Files,
+    /// Count of the files that are programs, which are the first ones, and their characters.
+    programs: (usize, CommentCharacters),
 }
 
 /// An error for each file with the name of an earlier one; capitals, and points and blanks at the end, do not distinguish names on the cards
@@ -50,6 +53,15 @@ fn same_names(files: &[File]) -> Vec<Diagnostic> {
 }
 
 impl Export {
+    /// Name and bytes of each file, as they leave: programs as the control reads them, all else in UTF-8.
+    pub fn bytes(&self) -> impl Iterator<Item = (&str, Vec<u8>)> {
+        let (programs, own) = self.programs;
+        self.files.iter().enumerate().map(move |(at, file)| {
+            let characters = if at < programs { own } else { CommentCharacters::Utf8 };
+            (file.name.as_str(), encode::bytes(&file.text, characters))
+        })
+    }
+
     /// The files beside the programs: report, sheets, drawings, the project itself.
     pub fn documents(&self) -> &[File] {
         self.files.get(self.about.0.len()..).unwrap_or_default()
@@ -82,7 +94,8 @@ impl Project {
                 diagnostics.extend(same);
             }
         }
-        Export { files, diagnostics, about: written.files.clone() }
+        let programs = (written.files.0.len(), self.characters());
+        Export { files, diagnostics, about: written.files.clone(), programs }
     }
 
     /// The files beside the programs.

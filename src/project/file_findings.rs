@@ -4,6 +4,7 @@ use serde_json::Value as Json;
 
 use super::decode::Decoded;
 use super::render::{Renderer, sarif};
+use crate::controls::options::CommentCharacters;
 use crate::nc::Files;
 use crate::text::{Diagnostic, Severity};
 
@@ -22,6 +23,19 @@ impl Sources {
     /// Files that were not read but written or handed in as text.
     pub fn written(files: Files) -> Sources {
         Sources { files, ..Sources::default() }
+    }
+
+    /// Reads the files of unknown encoding again in the characters of a control.
+    pub fn read_in(&mut self, characters: CommentCharacters) {
+        if characters != CommentCharacters::Gbk {
+            return;
+        }
+        for (file, read) in self.files.0.iter_mut().zip(&mut self.read) {
+            if let Some(gbk) = read.in_gbk() {
+                file.text.clone_from(&gbk.text);
+                *read = gbk;
+            }
+        }
     }
 
     /// What writes diagnostics about them.

@@ -6,6 +6,7 @@ use crate::machines::{self, settings};
 use crate::msg;
 use crate::nc::{self, File, Files};
 use crate::text::Diagnostic;
+use crate::text::catalog::Language;
 
 pub use super::saved::{MAX_PROGRAM, MAX_PROGRAMS};
 
@@ -110,6 +111,8 @@ pub fn restored(text: &str) -> Option<Project> {
 fn restored_beside(present: &Project, text: &str) -> Option<Project> {
     let mut project = restored(text)?;
     project.name.clone_from(&present.name);
+    // No program of the form has other characters in anything but comments.
+    project.comments = if text.is_ascii() { Language::English } else { Language::Chinese };
     if present.control.id == project.control.id {
         project.switches.clone_from(&present.switches);
     }

@@ -26,6 +26,8 @@ pub mod operator;
 
 mod checksum;
 
+pub mod encode;
+
 pub mod check;
 
 pub mod setting;
@@ -93,6 +95,7 @@ use crate::machines::form::{Origins, Values, with_entries};
 use crate::machines::{AnyMachine, ControlContext, Defaults, Design, PreparedMachine};
 use crate::motion::{Action, Event, Panel};
 use crate::nc::Files;
+use crate::text::catalog::Language;
 use crate::view::report::TitleBlock;
 
 /// Everything that a run depends on, and exactly what is saved, but for its id.
@@ -114,6 +117,8 @@ pub struct Project {
     pub provenance: Origins,
     /// Settings of the control's open points.
     pub switches: Switches,
+    /// Language of the comments of the program, where the control can show it.
+    pub comments: Language,
     /// Message ids of suppressed warnings.
     pub silenced: Vec<String>,
     /// Events of the operator panel.
@@ -162,6 +167,7 @@ impl PartialEq for Project {
             && self.values == other.values
             && self.provenance == other.provenance
             && self.switches == other.switches
+            && self.comments == other.comments
             && self.silenced == other.silenced
             && self.panel == other.panel
             && self.edited == other.edited
@@ -185,6 +191,7 @@ impl Project {
             values,
             provenance: Origins::new(),
             switches,
+            comments: Language::English,
             silenced: Vec::new(),
             panel: Panel::default(),
             edited: None,

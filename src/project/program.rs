@@ -3,8 +3,11 @@
 use std::rc::Rc;
 
 use super::Project;
+use crate::controls::options::CommentCharacters;
+use crate::machines::comments;
 use crate::nc::{self, Files, Newline, Parsed};
 use crate::text::Diagnostic;
+use crate::text::catalog::Language;
 
 /// The program files of a project, and the programs as the control reads them.
 #[derive(Debug, Clone)]
@@ -24,14 +27,27 @@ pub struct Written {
 }
 
 impl Project {
+    /// Characters that comments can have on the control, as it is set.
+    pub fn characters(&self) -> CommentCharacters {
+        CommentCharacters::set(self.control, &self.switches)
+    }
+
+    /// The language of the comments that are written: Chinese where that is chosen and the control can show it.
+    pub fn speaks(&self) -> Language {
+        if self.characters() == CommentCharacters::Ascii { Language::English } else { self.comments }
+    }
+
     /// The program: the machine's own, or the edited text.
     pub fn written(&self) -> Written {
-        let plan = self.prepared().program();
+        let mut plan = self.prepared().program();
+        if self.speaks() == Language::Chinese {
+            comments::put_in_chinese(&mut plan.deck, self.control);
+        }
         let (files, mut diagnostics) = match &self.edited {
             Some(files) => (files.clone(), Vec::new()),
             None => {
                 let newline = if plan.crlf { Newline::CrLf } else { Newline::Lf };
-                let emitted = nc::emit_with(&plan.deck, self.control, newline);
+                let emitted = nc::emit_with(&plan.deck, self.control, newline, self.characters());
                 (emitted.files, emitted.diagnostics)
             }
         };

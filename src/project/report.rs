@@ -2,6 +2,7 @@
 
 use super::Project;
 use super::checksum::crc32;
+use super::encode;
 use super::export::ExportOptions;
 use super::program::Written;
 use super::run::{RunOptions, of_project, program_number};
@@ -41,12 +42,12 @@ impl Project {
         let program = |file: &File| PrintedProgram {
             name: file.name.clone(),
             text: file.text.clone(),
-            checksum: checksum(&file.text),
+            checksum: checksum(&encode::bytes(&file.text, self.characters())),
         };
         Report {
             block: self.title_block.clone(),
             date: options.date.to_owned(),
-            checksum: checksum(&self.to_json()),
+            checksum: checksum(self.to_json().as_bytes()),
             run: self.run_report(prepared, written),
             programs: files.iter().map(program).collect(),
             loading: self.loading(written),
@@ -102,7 +103,7 @@ impl Project {
     }
 }
 
-/// The check sum of a text as it leaves: CRC-32 of its bytes.
-fn checksum(text: &str) -> String {
-    format!("{:08X}", crc32(text.as_bytes()))
+/// The check sum of a file as it leaves: CRC-32 of its bytes.
+fn checksum(bytes: &[u8]) -> String {
+    format!("{:08X}", crc32(bytes))
 }

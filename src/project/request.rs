@@ -7,6 +7,7 @@ use super::check::review;
 use super::file_findings::{FileFindings, FileRead, Sources};
 use super::list;
 use super::suppress::silence;
+use crate::controls::options::CommentCharacters;
 use crate::controls::{self, Control, Switches};
 use crate::msg;
 use crate::nc;
@@ -98,6 +99,7 @@ pub fn check(subject: ProgramSource, choices: &Choices) -> Result<Checked, Refus
     let mut findings = match subject {
         ProgramSource::Programs(control, mut programs) => {
             let switches = choices.switched(Switches::default(), control)?;
+            programs.sources.read_in(CommentCharacters::set(control, &switches));
             let parsed = Rc::new(nc::parse_with(&programs.sources.files, control, &switches));
             programs.list.extend(review(&parsed, None, &[]));
             vec![programs]

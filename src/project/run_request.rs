@@ -10,6 +10,7 @@ use super::file_findings::{FileFindings, FileRead, Sources, list_json};
 use super::request::{Choices, ProgramSource, Refused};
 use super::run::{self, AtStop, Run, RunOptions, RunSummary, Setting};
 use super::suppress::silence;
+use crate::controls::options::CommentCharacters;
 use crate::controls::{Control, Dialect, Switches};
 use crate::interp::StartProgram;
 use crate::interp::canon::Line;
@@ -157,6 +158,7 @@ impl Operated {
         };
         let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
         let switches = self.choices.switched(switches, control)?;
+        program.sources.read_in(CommentCharacters::set(control, &switches));
         let parsed = Rc::new(nc::parse_with(&program.sources.files, control, &switches));
         settable(&self.settings, control, parsed.dialect())?;
         let start = program_of_name(self.start.as_deref(), &parsed)?;

@@ -5,6 +5,7 @@ mod changes;
 mod cli;
 mod cli_language;
 mod command;
+mod comments;
 mod completion;
 mod control_differences;
 mod controls;

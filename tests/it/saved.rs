@@ -124,7 +124,7 @@ fn wrong_shapes_are_errors_at_their_place() {
     check(
         &with("  \"values\": {},\n  \"valuess\": {}"),
         expect![[r#"
-            error: This does not have the shape of a project file: unknown field `valuess`, expected one of `version`, `name`, `title_block`, `machine`, `control`, `values`, `provenance`, `switches`, `silenced`, `panel`, `edited`, `parts`, `variants`.
+            error: This does not have the shape of a project file: unknown field `valuess`, expected one of `version`, `name`, `title_block`, `machine`, `control`, `values`, `provenance`, `switches`, `comments`, `silenced`, `panel`, `edited`, `parts`, `variants`.
              --> project.json:6:11
               |
             6 |   "valuess": {}

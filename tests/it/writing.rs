@@ -2,6 +2,7 @@
 
 use expect_test::{Expect, expect};
 use macroline::controls::Address;
+use macroline::controls::options::CommentCharacters;
 use macroline::controls::syntax::Function;
 use macroline::controls::{self, Alarm, Control, Switches, find};
 use macroline::nc::build::*;
@@ -223,7 +224,7 @@ fn missing_syntax_is_lowered_to_the_controls_forms() {
 fn emitted_line_ends_follow_the_choice() {
     let mut b = Builder::new();
     b.program(1, "").words([m(30)]);
-    let out = emit_with(&b.finish(), e60(), Newline::CrLf);
+    let out = emit_with(&b.finish(), e60(), Newline::CrLf, CommentCharacters::Ascii);
     assert_eq!(out.files.0[0].text, "%\r\nO1\r\nM30\r\n%\r\n");
 }
 

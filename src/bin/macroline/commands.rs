@@ -182,7 +182,7 @@ fn export(path: &Path, folder: &Path, date: &str) -> Result<(), Failure> {
     let (export, all) = answers::exported(&project, date, file);
     tell(&all)?;
     verdict(&all)?;
-    export::write(folder, &export.files).map_err(Failure::Outside)?;
+    export::write(folder, &export.bytes().collect::<Vec<_>>()).map_err(Failure::Outside)?;
     let paths = export.files.iter().map(|file| format!("{}\n", folder.join(&file.name).display()));
     print(&paths.collect::<String>())
 }

@@ -8,7 +8,6 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use macroline::msg;
-use macroline::nc::File;
 use macroline::text::catalog::sentence;
 
 use crate::language::failed;
@@ -16,8 +15,11 @@ use crate::language::failed;
 /// Why an export failed, and the path that it failed at.
 type Failed = String;
 
+/// Name and bytes of a file.
+type NamedBytes<'e> = (&'e str, Vec<u8>);
+
 /// Writes files into a folder, which is made where it is missing. On failure the folder is as it was before.
-pub(crate) fn write(folder: &Path, files: &[File]) -> Result<(), Failed> {
+pub(crate) fn write(folder: &Path, files: &[NamedBytes]) -> Result<(), Failed> {
     let made = make(folder)?;
     let done = lock(folder).and_then(|_lock| {
         let mut change = Change { folder, files, temporary: 0, kept: Vec::new(), placed: Vec::new() };
@@ -76,7 +78,7 @@ fn lock(folder: &Path) -> Result<fs::File, Failed> {
 /// An export on its way.
 struct Change<'f> {
     folder: &'f Path,
-    files: &'f [File],
+    files: &'f [NamedBytes<'f>],
     /// Files that were written under their temporary names, from the first on.
     temporary: usize,
     /// Files that were in the way, by index: they are kept under other temporary names.
@@ -87,7 +89,7 @@ struct Change<'f> {
 
 impl Change<'_> {
     fn target(&self, at: usize) -> PathBuf {
-        self.folder.join(&self.files[at].name)
+        self.folder.join(self.files[at].0)
     }
 
     /// A name that no other process takes, and no file of an export has.
@@ -105,7 +107,7 @@ impl Change<'_> {
         for at in 0..self.files.len() {
             let path = self.hidden(at, "new");
             self.temporary = at + 1;
-            write_new(&path, &self.files[at].text).map_err(|error| failed(&self.target(at), &error))?;
+            write_new(&path, &self.files[at].1).map_err(|error| failed(&self.target(at), &error))?;
         }
         for at in 0..self.files.len() {
             let target = self.target(at);
@@ -139,10 +141,10 @@ impl Change<'_> {
 }
 
 /// Writes a file under a temporary name, down to the disk.
-fn write_new(path: &Path, text: &str) -> io::Result<()> {
+fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
     // The folder is locked, so a file of this name was left by a killed process.
     let _ = fs::remove_file(path);
     let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(bytes)?;
     file.sync_all()
 }

@@ -41,6 +41,7 @@ pub(super) const SWITCHES: &[Switch] = &[
         CoordinateRange::of(&[CoordinateRange::Program, CoordinateRange::Machine, CoordinateRange::NoAlarm]),
         MEMORY,
     ),
+    switch(CommentCharacters::of(&[CommentCharacters::Ascii, CommentCharacters::Gbk, CommentCharacters::Utf8]), MEMORY),
     switch(MCodes::of(&[MCodes::Alarm, MCodes::LastActs]), MEMORY),
     switch(StartupFeed::of(&[StartupFeed::G98, StartupFeed::G99]), PARAMETERS).parameter("No.182#0"),
     switch(

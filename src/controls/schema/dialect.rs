@@ -44,6 +44,8 @@ pub struct Dialect {
 /// How the text of a program is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ReadingRules {
+    /// Characters of comments.
+    pub(crate) characters: CommentCharacters,
     /// Characters of a block at most.
     pub(crate) block_chars: u32,
     /// Characters of a label at most; 0 where the control has none.
@@ -179,6 +181,11 @@ impl Dialect {
         axis < 32 && self.rotary & 1 << axis != 0
     }
 
+    /// Characters that comments can have.
+    pub fn comment_characters(&self) -> CommentCharacters {
+        self.reading.characters
+    }
+
     /// The rules of the spindle.
     pub fn spindle(&self) -> SpindleRules {
         self.spindle
@@ -216,6 +223,10 @@ impl ReadingRules {
     fn new(control: &Control, set: &Settings) -> ReadingRules {
         let syntax = &control.syntax;
         ReadingRules {
+            characters: match set.comment_characters {
+                Some(characters) => characters,
+                None => CommentCharacters::Ascii,
+            },
             block_chars: match set.block_length {
                 Some(BlockLength::Chars200) => 200,
                 Some(BlockLength::Chars512) => 512,

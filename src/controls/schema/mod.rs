@@ -30,6 +30,8 @@ pub mod spindle;
 
 pub mod drive;
 
+pub mod characters;
+
 pub mod control;
 
 pub mod dialect;

@@ -275,6 +275,8 @@ switches! {
         block_length: BlockLength = "block-length" { Chars200 = "200", Chars512 = "512" }
         /// GOTOF and GOTOB to block numbers.
         block_number_jumps: BlockNumberJumps = "block-number-jumps" { No = "no", Yes = "yes" }
+        /// Characters of comments, in the bytes that the control reads.
+        comment_characters: CommentCharacters = "comment-characters" { Ascii = "ascii", Gbk = "gbk", Utf8 = "utf-8" }
         /// G22 and G23.
         codes_g22_g23: CodesG22G23 = "codes-g22-g23" { Alarm = "alarm", RadiusAndDiameter = "radius-and-diameter" }
     }

@@ -7,7 +7,7 @@ use crate::machines::sheets::{row, say};
 use crate::machines::writing;
 use crate::math;
 use crate::nc::build::{Builder, NewWord, g, m, p as p_word, real, s, word, x, z};
-use crate::nc::{self, Deck, File, Newline};
+use crate::nc::{self, Deck, File};
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
@@ -93,7 +93,7 @@ fn turn(lathe: &PolygonLathe, add: &mut impl FnMut(Vec<NewWord>, &'static str)) 
 /// The program as text, and each block with its note.
 fn written(lathe: &PolygonLathe) -> Option<(File, Vec<(String, &'static str)>)> {
     let (deck, notes) = deck(lathe)?;
-    let emitted = nc::emit_with(&deck, lathe.control, Newline::Lf);
+    let emitted = nc::emit(&deck, lathe.control);
     let text = emitted.files.0.into_iter().next()?.text;
     let block = |place: &crate::text::Place| {
         let (start, end) = (place.span.start as usize, place.span.end as usize);

@@ -15,6 +15,7 @@
 mod other_forms;
 mod symbolic;
 
+use crate::controls::options::CommentCharacters;
 use crate::controls::{Address, Control};
 use crate::nc::ast::{self, Block, Deck, Expr, ExprId, JumpDirection, Stmt, TextId, WordValue};
 use crate::nc::dec::Dec;
@@ -25,14 +26,14 @@ use symbolic::{no_names, with_names};
 
 /// The deck as the control can take it.
 pub fn lower(deck: &Deck, control: &Control) -> Deck {
-    lowered(deck, control).0
+    lowered(deck, control, CommentCharacters::Ascii).0
 }
 
 /// The deck as the control can take it, and for each of its blocks the index of the block that it comes from.
-pub(super) fn lowered(deck: &Deck, control: &Control) -> (Deck, Vec<u32>) {
+pub(super) fn lowered(deck: &Deck, control: &Control, characters: CommentCharacters) -> (Deck, Vec<u32>) {
     let mut low = deck.clone();
     if control.syntax.names().is_none() {
-        plain_texts(&mut low);
+        plain_texts(&mut low, characters);
     }
     whole_signs(&mut low);
     if control.syntax.point_alarm {
@@ -43,15 +44,15 @@ pub(super) fn lowered(deck: &Deck, control: &Control) -> (Deck, Vec<u32>) {
         origins = no_if_then(&mut low);
     }
     match &control.syntax.names() {
-        Some(names) => with_names(&mut low, control, names, &mut origins),
+        Some(names) => with_names(&mut low, (control, characters), names, &mut origins),
         None => no_names(&mut low, control),
     }
     other_forms(&mut low, control);
-    short_texts(&mut low, control);
+    short_texts(&mut low, control, characters);
     (low, origins)
 }
 
-fn plain_texts(deck: &mut Deck) {
+fn plain_texts(deck: &mut Deck, characters: CommentCharacters) {
     for comment in &mut deck.texts {
         let plain = |c: char| match c {
             '(' => '[',
@@ -59,6 +60,7 @@ fn plain_texts(deck: &mut Deck) {
             '%' | ';' => ' ',
             c if c.is_ascii_graphic() => c.to_ascii_uppercase(),
             c if c.is_whitespace() || c.is_control() => ' ',
+            c if characters.has(c) => c,
             _ => '?',
         };
         *comment = comment.chars().map(plain).collect();
@@ -149,7 +151,8 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
 }
 
 /// Blocks stay below the control's length, messages within what its screen shows.
-fn short_texts(deck: &mut Deck, control: &Control) {
+fn short_texts(deck: &mut Deck, control: &Control, characters: CommentCharacters) {
+    let clip = |deck: &mut Deck, text, room| clip(deck, text, room, characters);
     let room = control.syntax.block_chars.saturating_sub(1);
     for at in 0..deck.programs.len() {
         let Some((title, number)) = deck.programs.get(at).and_then(|p| Some((p.title?, p.number))) else { continue };
@@ -162,7 +165,7 @@ fn short_texts(deck: &mut Deck, control: &Control) {
         }
         let Some(comment) = block.comment else { continue };
         let message = is_message(deck, control, &block);
-        if deck.text(Some(comment)).len() <= (if message { control.syntax.message_chars } else { 0 }) {
+        if characters.length(deck.text(Some(comment))) <= (if message { control.syntax.message_chars } else { 0 }) {
             continue;
         }
         let before = text_length(deck, control, &block);
@@ -173,9 +176,15 @@ fn short_texts(deck: &mut Deck, control: &Control) {
     }
 }
 
-/// Shortens a text, which is ASCII by now.
-fn clip(deck: &mut Deck, comment: TextId, room: usize) {
-    if let Some(text) = deck.text_mut(comment).filter(|text| text.len() > room) {
-        *text = text.chars().take(room).collect::<String>().trim_end().into();
+/// Shortens a text to so many bytes; it has only characters of the control by now.
+fn clip(deck: &mut Deck, comment: TextId, mut room: usize, characters: CommentCharacters) {
+    if let Some(text) = deck.text_mut(comment).filter(|text| characters.length(text) > room) {
+        let fits = |c: &char| {
+            let width = characters.width(*c);
+            let fits = width <= room;
+            room = if fits { room - width } else { 0 };
+            fits
+        };
+        *text = text.chars().take_while(fits).collect::<String>().trim_end().into();
     }
 }

@@ -9,6 +9,7 @@
 //! | `no_names` | calls by name, messages, statements without a form there | `M98`, a comment |
 
 use crate::controls::Address;
+use crate::controls::options::CommentCharacters;
 use crate::controls::syntax::Names;
 use crate::controls::{Alarm, Code, CodeId, Control};
 use crate::nc::ast::{BadBlock, Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
@@ -18,18 +19,24 @@ use crate::nc::lex::names::number_in;
 use crate::text::Span;
 
 /// All rewrites for a language with names; `origins` follows the blocks.
-pub(super) fn with_names(deck: &mut Deck, control: &Control, names: &Names, origins: &mut Vec<u32>) {
-    texts(deck);
+pub(super) fn with_names(
+    deck: &mut Deck,
+    (control, characters): (&Control, CommentCharacters),
+    names: &Names,
+    origins: &mut Vec<u32>,
+) {
+    texts(deck, characters);
     programs(deck, control, names);
     points(deck, names);
     jumps(deck, origins);
     titles(deck, origins);
 }
 
-fn plain(c: char) -> char {
+fn plain(c: char, characters: CommentCharacters) -> char {
     match c {
         c if c.is_ascii_graphic() => c,
         c if c.is_whitespace() || c.is_control() => ' ',
+        c if characters.has(c) => c,
         _ => '?',
     }
 }
@@ -40,7 +47,8 @@ fn rewrite(deck: &mut Deck, id: Option<TextId>, change: impl Fn(char) -> char) {
     }
 }
 
-fn texts(deck: &mut Deck) {
+fn texts(deck: &mut Deck, characters: CommentCharacters) {
+    let plain = |c| plain(c, characters);
     for at in 0..deck.blocks.len() {
         let block = deck.blocks[at];
         rewrite(deck, block.comment, plain);

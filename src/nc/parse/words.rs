@@ -57,7 +57,8 @@ impl<'a> Reader<'a> {
     pub(in crate::nc) fn note_foreign(&mut self, from: usize, to: usize) {
         let text = self.file.text.get(from..to).unwrap_or("");
         if self.notes.foreign.is_none() && !text.is_ascii() {
-            let found = text.char_indices().find(|(_, c)| !c.is_ascii());
+            let characters = self.tables.rules.characters;
+            let found = text.char_indices().find(|(_, c)| !characters.has(*c));
             let span = |(offset, c): (usize, char)| {
                 let start = (from + offset) as u32;
                 crate::text::Span::new(start, start + c.len_utf8() as u32)

@@ -20,7 +20,7 @@ pub(in crate::nc) const FACTOR: u8 = 6;
 const BLOCK_TEXT: usize = 10_000;
 
 /// Whether the comment of a block is a message to the operator: `#3000=1(…)`.
-pub(in crate::nc) fn is_message(deck: &Deck, control: &Control, block: &Block) -> bool {
+pub fn is_message(deck: &Deck, control: &Control, block: &Block) -> bool {
     let (Stmt::Assign { to, .. } | Stmt::IfThen { to, .. }) = block.stmt else { return false };
     let Expr::Var(number) = deck.expr(to) else { return false };
     control.var(number).is_some_and(|row| matches!(row.kind, VarKind::AlarmMessage | VarKind::StopMessage))

@@ -36,7 +36,7 @@ use crate::machines::form::{Value, Values};
 use crate::machines::{self, AnyMachine};
 use crate::motion::Panel;
 use crate::msg;
-use crate::text::catalog::sentence;
+use crate::text::catalog::{Language, sentence};
 use crate::text::{Diagnostic, LineIndex, Message};
 
 /// Version that is written.
@@ -72,6 +72,7 @@ impl Project {
             values: Some(values(&self.values)),
             provenance: self.provenance.iter().map(|(id, from)| (id, resolve::provenance_word(*from).into())).collect(),
             switches: switches(&self.switches),
+            comments: (self.comments != Language::English).then(|| self.comments.code().to_owned()),
             silenced: self.silenced.clone(),
             panel: self.panel.events().iter().map(panel::entry).collect(),
             edited: self.edited.as_ref().map(|files| files.0.iter().map(program).collect()),

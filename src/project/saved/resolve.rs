@@ -16,6 +16,7 @@ use crate::project::findings::{Findings, clip};
 use crate::project::json::{Entries, Located, kind_word};
 use crate::project::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::project::{Project, parts};
+use crate::text::catalog::Language;
 use crate::text::{Diagnostic, listed};
 use crate::view::report::TitleBlock;
 
@@ -63,6 +64,7 @@ pub(super) fn project<'t>(
     values(saved_values, machine, &mut project.values, &mut found);
     origins(&saved.provenance, machine, &mut project, &mut found);
     project.switches = switches(&saved.switches, control, &mut found);
+    project.comments = saved.comments.as_deref().and_then(Language::of_code).unwrap_or(Language::English);
     project.silenced = saved.silenced.iter().map(|id| clip(&warning_id(id))).collect();
     project.panel = panel::read(&saved.panel, &mut found);
     let (parts, about_parts) = parts::from_entries(found.text(), &saved.parts);

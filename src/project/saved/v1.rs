@@ -29,6 +29,9 @@ pub(super) struct ProjectV1<'t> {
     /// Setting by id of the switch.
     #[serde(borrow, default, skip_serializing_if = "Entries::is_empty")]
     pub(super) switches: Entries<'t>,
+    /// Code of the language of comments; English where it is missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) comments: Option<String>,
     /// Ids of warnings.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) silenced: Vec<String>,

@@ -171,6 +171,14 @@ pub(crate) fn is_dark() -> bool {
     chosen == "dark" || chosen.is_empty() && prefers("(prefers-color-scheme: dark)")
 }
 
+/// The text of bytes in GBK, where all of them are; the browser has the table.
+pub(crate) fn gbk(bytes: &JsValue) -> Option<String> {
+    let options = web_sys::TextDecoderOptions::new();
+    options.set_fatal(true);
+    let decoder = web_sys::TextDecoder::new_with_label_and_options("gbk", &options).ok()?;
+    decoder.decode_with_buffer_source(bytes.unchecked_ref()).ok()
+}
+
 /// Opens the browser's dialog for printing; there is nothing to be done where it has none.
 pub(crate) fn print() {
     let _ = window().print();

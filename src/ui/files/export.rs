@@ -8,6 +8,7 @@ use leptos::wasm_bindgen::prelude::wasm_bindgen;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use web_sys::Window;
 
+use crate::nc::File;
 use crate::project::Project;
 use crate::text::Place;
 use crate::ui::dom::script::{call, load, table};
@@ -31,14 +32,14 @@ extern "C" {
     fn print(tab: &Window, html: &str) -> Result<(), JsValue>;
 }
 
-/// Name and text of a file.
-type NamedText = (String, String);
+/// Name and bytes of a file.
+type NamedBytes = (String, Vec<u8>);
 
 /// An export that is offered.
 #[derive(Clone)]
 struct Export {
     /// Programs first.
-    files: Arc<[NamedText]>,
+    files: Arc<[NamedBytes]>,
     /// Findings about fields and program.
     remarks: Vec<Remark>,
 }
@@ -88,8 +89,13 @@ pub(crate) fn ExportDialog() -> impl IntoView {
             let Some(Response::Export(documents)) = response else {
                 return page.notices.notify("fail", t("page.no-answer").to_owned());
             };
-            let programs = written.files.0.iter().map(|file| (file.name.clone(), file.text.clone()));
-            export.set(Some(Export { files: programs.chain(documents.files).collect(), remarks: documents.remarks }));
+            let mut coded = documents.programs.into_iter();
+            let bytes = |text: &str| text.as_bytes().to_vec();
+            let program = |file: &File| (file.name.clone(), coded.next().unwrap_or_else(|| bytes(&file.text)));
+            let programs: Vec<_> = written.files.0.iter().map(program).collect();
+            let others = documents.files.into_iter().map(|(name, text)| (name, text.into_bytes()));
+            export
+                .set(Some(Export { files: programs.into_iter().chain(others).collect(), remarks: documents.remarks }));
             open.set(true);
         };
         page.project.with_untracked(|project| worker.ask(project, Request::Export, take));
@@ -175,8 +181,8 @@ fn Offered(
     let files = Arc::clone(&export.files);
     let row = move |at: usize| {
         let files = Arc::clone(&files);
-        let (name, text) = files.get(at)?.clone();
-        let size = say(&crate::msg!("page.bytes", figure(text.len() as f64, 0)));
+        let (name, bytes) = files.get(at)?;
+        let (name, size) = (name.clone(), say(&crate::msg!("page.bytes", figure(bytes.len() as f64, 0))));
         Some(view! {
             <tr>
                 <th scope="row">{name}</th>
@@ -189,7 +195,8 @@ fn Offered(
     let page = Page::here();
     let files = Arc::clone(&export.files);
     let all = move |_| save_all(page, Arc::clone(&files));
-    let report = export.files.iter().find(|(name, _)| name == REPORT).map(|(_, html)| html.clone());
+    let report = export.files.iter().find(|(name, _)| name == REPORT);
+    let report = report.map(|(_, html)| String::from_utf8_lossy(html).into_owned());
     let show_report = move |_| {
         if let Some(html) = &report {
             show(page, html);
@@ -209,10 +216,12 @@ fn Offered(
 }
 
 /// Saves all files as one archive.
-fn save_all(page: Page, files: Arc<[NamedText]>) {
+fn save_all(page: Page, files: Arc<[NamedBytes]>) {
     let name = page.project.with_untracked(Project::archive_name);
     wasm_bindgen_futures::spawn_local(async move {
-        let list = table(files.iter().map(|(name, text)| vec![name.into(), text.into()]));
+        let list = table(
+            files.iter().map(|(name, bytes)| vec![name.into(), js_sys::Uint8Array::from(bytes.as_slice()).into()]),
+        );
         let archive = load(ARCHIVE).await.and_then(|module| call(&module, "zip", &[&list]));
         match archive.and_then(|archive| archive.dyn_into::<js_sys::Uint8Array>()) {
             Ok(bytes) => dom::download(&name, "application/zip", &bytes.to_vec()),
@@ -232,9 +241,9 @@ fn show(page: Page, html: &str) {
     }
 }
 
-fn save(files: &[NamedText], at: usize) {
-    if let Some((name, text)) = files.get(at) {
-        dom::download(name, "text/plain", text.as_bytes());
+fn save(files: &[NamedBytes], at: usize) {
+    if let Some((name, bytes)) = files.get(at) {
+        dom::download(name, "text/plain", bytes);
     }
 }
 
@@ -249,6 +258,7 @@ mod tests {
 
     fn documents(_: &crate::project::Project, _: Request) -> Option<Response> {
         Some(Response::Export(Documents {
+            programs: Vec::new(),
             files: vec![("report.html".to_owned(), "<p>".to_owned())],
             remarks: Vec::new(),
         }))
@@ -312,7 +322,7 @@ mod tests {
                 place: Some(Place { file: FileId(1), span: Span::new(0, 1) }.into()),
             };
             let remarks = vec![remark(true, "refuses"), remark(false, "remarks")];
-            Some(Response::Export(Documents { files: Vec::new(), remarks }))
+            Some(Response::Export(Documents { programs: Vec::new(), files: Vec::new(), remarks }))
         });
         asked(&bench).await;
         assert_eq!(bench.all(".remarks li").len(), 1);

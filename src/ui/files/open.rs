@@ -9,9 +9,10 @@ use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, FileList};
 use super::large::{LargeFile, Source, check};
 use super::parts;
 use super::shelf;
+use crate::controls::options::CommentCharacters;
 use crate::nc;
 use crate::project::Project;
-use crate::project::decode::Decoded;
+use crate::project::decode::{Decoded, Encoding};
 use crate::project::import::{MAX_PROGRAM, open};
 use crate::project::parts::is_table;
 use crate::project::saved::{is_panel, with_line};
@@ -51,10 +52,17 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
             if let Some(other) = decoded.other {
                 return page.notices.notify("fail", format!("{}: {}", file.name(), say(&other)));
             }
-            texts.push(nc::File { name: file.name(), text: decoded.text });
+            let gbk = decoded.encoding == Encoding::Unknown && page.project.with_untracked(reads_gbk);
+            let text = gbk.then(|| dom::gbk(&buffer)).flatten().unwrap_or(decoded.text);
+            texts.push(nc::File { name: file.name(), text });
         }
         read(page, worker, texts);
     });
+}
+
+/// Whether the control is set to read comments in GBK.
+fn reads_gbk(project: &Project) -> bool {
+    project.characters() == CommentCharacters::Gbk
 }
 
 /// Reads texts: a project, programs that carry its settings, or any other programs; tables of parts and the operator's actions join the project.

@@ -3,7 +3,9 @@
 use leptos::prelude::*;
 
 use crate::controls::Switch;
+use crate::controls::options::CommentCharacters;
 use crate::text::Grade;
+use crate::text::catalog::Language;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::Page;
@@ -34,9 +36,37 @@ fn Switches() -> impl IntoView {
         <div class="sheets">
             <h3>{t("page.switches")}</h3>
             <p class="lead">{t("page.switches-lead")}</p>
-            <table class="switches"><tbody>{rows}</tbody></table>
+            <table class="switches"><tbody>{rows} <CommentLanguage /></tbody></table>
         </div>
     }
+}
+
+/// The language of comments, where the control can show more than one.
+#[component]
+fn CommentLanguage() -> impl IntoView {
+    let page = Page::here();
+    let offered = Memo::new(move |_| page.project.with(|project| project.characters() != CommentCharacters::Ascii));
+    let options: Vec<_> = Language::ALL.map(|one| (one.code().to_owned(), one.name().to_owned())).into();
+    let chosen = Signal::derive(move || page.project.with(|project| project.comments.code().to_owned()));
+    let take = move |code: String| {
+        if let Some(language) = Language::of_code(&code) {
+            page.edit("", |project| project.comments = language);
+        }
+    };
+    let row = move || {
+        view! {
+            <tr class="comments">
+                <td title=t("page.comments-about")>{t("page.comments")}</td>
+                <td>
+                    <Choice
+                        attr:aria-label=t("page.comments") options=Signal::stored(options.clone()) chosen=chosen choose=take
+                    />
+                </td>
+                <td></td>
+            </tr>
+        }
+    };
+    move || offered.get().then(&row)
 }
 
 /// One open point.
@@ -86,6 +116,24 @@ mod tests {
 
     use super::*;
     use crate::ui::testing::{Bench, mount, settled};
+
+    #[wasm_bindgen_test]
+    async fn language_of_comments_is_offered_where_the_control_shows_it() {
+        let bench = parameters().await;
+        let gsk = crate::controls::find("gsk-980tdc").unwrap();
+        bench.page.edit("", |project| project.move_to(gsk));
+        settled().await;
+        assert!(!bench.has(".comments"));
+        let row = gsk.switch("comment-characters").unwrap();
+        bench.page.edit("", |project| project.switches.set(row, "utf-8"));
+        settled().await;
+        bench.choose(".comments select", "zh").await;
+        let title = bench.page.program.written.with_untracked(|written| written.files.0[0].text.clone());
+        assert!(title.contains("印点生产线"), "{title}");
+        bench.page.undo();
+        settled().await;
+        assert_eq!(bench.value(".comments select"), "en");
+    }
 
     async fn parameters() -> Bench {
         mount(|| view! { <ParametersTab /> }).await

@@ -357,7 +357,8 @@ impl Page {
     fn follow(self, before: &Project, after: Project) {
         let machine = before.machine.id() != after.machine.id() || before.control.id != after.control.id;
         let values = machine || before.values != after.values || before.provenance != after.provenance;
-        let program = values || before.switches != after.switches || before.edited != after.edited;
+        let written = before.switches != after.switches || before.comments != after.comments;
+        let program = values || written || before.edited != after.edited;
         if values {
             self.results.design.set(Rc::new(after.design()));
             let prepared = after.prepared();

@@ -1,7 +1,7 @@
 //! Sheets as HTML for the page, and the documents of an export.
 
 use super::messages::{Documents, Range, ReadParts, Remark, Sheets};
-use crate::project::Project;
+use crate::controls::options::CommentCharacters;
 use crate::project::chance;
 use crate::project::export::ExportOptions;
 use crate::project::meaning::{self, Subject, Table};
@@ -9,6 +9,7 @@ use crate::project::parts;
 use crate::project::saved::with_line;
 use crate::project::size::{size, size_telling};
 use crate::project::variants::compare;
+use crate::project::{Project, encode};
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity, columns};
 use crate::ui::words::{say, sign, t, tell, tone, verdict_tone, verdict_words};
 use crate::view::svg::escape;
@@ -296,7 +297,14 @@ pub(super) fn documents(project: &Project) -> Documents {
         field: found.field.unwrap_or_default().to_owned(),
         place: found.place.map(Range::from),
     };
+    let programs = match project.characters() {
+        CommentCharacters::Gbk => {
+            written.files.0.iter().map(|file| encode::bytes(&file.text, CommentCharacters::Gbk)).collect()
+        }
+        CommentCharacters::Ascii | CommentCharacters::Utf8 => Vec::new(),
+    };
     Documents {
+        programs,
         files: export.documents().iter().map(|file| (file.name.clone(), file.text.clone())).collect(),
         remarks: export.diagnostics.iter().map(remark).collect(),
     }

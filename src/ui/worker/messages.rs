@@ -233,9 +233,11 @@ pub(crate) struct ReadParts {
     pub remarks: Vec<(bool, String)>,
 }
 
-/// The documents of an export. The programs are not among them: the page exports the very files that it runs.
+/// The documents of an export. The page exports the very programs that it runs; it has no table of GBK.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Documents {
+    /// Bytes of the programs, in their order, where the control reads them in GBK.
+    pub programs: Vec<Vec<u8>>,
     /// Name and text: report, sheets, drawings, the project itself.
     pub files: Vec<(String, String)>,
     /// Findings about fields and program.

@@ -18,6 +18,12 @@ use super::{fixtures, log_of, settings, start_on};
 const UNTOLD: &[(&str, &str, &str)] = &[
     ("fanuc-0i-tf", "pmc-override", "no machine turns PMC axes on this control"),
     ("fanuc-0i-mf", "pmc-override", "no machine turns PMC axes on this control"),
+    ("gsk-980tdc", "comment-characters", "comments move nothing: comments.rs"),
+    ("knd-k2000t", "comment-characters", "comments move nothing: comments.rs"),
+    ("fanuc-0i-tf", "comment-characters", "comments move nothing: comments.rs"),
+    ("fanuc-0i-mf", "comment-characters", "comments move nothing: comments.rs"),
+    ("sinumerik-802d", "comment-characters", "comments move nothing: comments.rs"),
+    ("sinumerik-808d", "comment-characters", "comments move nothing: comments.rs"),
 ];
 
 /// Programs beside the fixtures that set the switch: control, maker or nothing for all, switch, text.

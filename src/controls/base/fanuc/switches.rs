@@ -11,6 +11,7 @@ use crate::text::{Citation, Grade};
 const NUMBERS: &[Switch] = &[
     switch(DecimalPoint::of(&[DecimalPoint::Increments, DecimalPoint::Millimetres]), MEMORY).parameter("3401#0"),
     switch(ArgumentPoint::of(&[ArgumentPoint::Increments, ArgumentPoint::AsWritten]), ARGUMENTS),
+    switch(CommentCharacters::of(&[CommentCharacters::Ascii, CommentCharacters::Gbk, CommentCharacters::Utf8]), MEMORY),
     switch(PointBehindVariable::of(&[PointBehindVariable::Alarm, PointBehindVariable::Ignored]), MEMORY),
     switch(Assignments::of(&[Assignments::One, Assignments::Several]), MEMORY),
     switch(WordFormula::of(&[WordFormula::AsIs, WordFormula::InBrackets]), MEMORY),

@@ -25,6 +25,7 @@ const RANGE: Citation = Citation::new("R0 to R249 on 802S and 802C", Grade::Sist
 /// One row per point; the first option is the default.
 pub const SWITCHES: &[Switch] = &[
     switch(Diameter::of(&[Diameter::Diameter, Diameter::Radius]), MEMORY).parameter("MD20100"),
+    switch(CommentCharacters::of(&[CommentCharacters::Ascii, CommentCharacters::Gbk, CommentCharacters::Utf8]), MEMORY),
     switch(StartupMotion::of(&[StartupMotion::G1, StartupMotion::G0]), MEMORY).label("switch.startup-motion-named"),
     switch(StartupFeed::of(&[StartupFeed::G95, StartupFeed::G94]), MEMORY),
     switch(StartupPath::of(&[StartupPath::G60, StartupPath::G64]), MEMORY),
