@@ -23,10 +23,10 @@ const languages = ['en', 'zh'];
 let chosen = null;
 let own = false;
 
-// Inside another page the address chooses the language, and nothing is read from this browser's store (`docs/embedding.md`).
+// Inside another page the address chooses language and units, and nothing is read from this browser's store (`docs/embedding.md`).
 const [first, ...wishes] = location.hash.slice(1).split('&');
 const embedded = first === 'embed';
-const wished = embedded ? wishes.find((wish) => wish.startsWith('lang='))?.slice(5) : null;
+const wished = (name) => (embedded ? wishes.find((wish) => wish.startsWith(`${name}=`))?.slice(name.length + 1) : null);
 if (embedded) still.replaceChildren(notice);
 
 try {
@@ -38,12 +38,12 @@ try {
     if (width) root.style.setProperty(column, `${width}px`);
   }
   own = Boolean(kept('project'));
-  root.dataset.lengths = kept('lengths') ?? '';
+  root.dataset.lengths = wished('lengths') ?? kept('lengths') ?? '';
 } catch {
   // A browser without a store has kept nothing.
 }
 
-const asked = [wished, chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
+const asked = [wished('lang'), chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
 root.lang = asked.find((code) => languages.includes(code)) ?? languages[0];
 data.words = `${root.lang}.properties`;
 // The machine of a person who has one, or a link to one, is drawn by the module alone; so is one with other than English names or in inches.

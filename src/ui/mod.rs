@@ -52,7 +52,7 @@ pub fn open(sentences: String) {
             });
         });
     }
-    parts::lengths::show_kept();
+    parts::lengths::show_chosen();
     in_turn(|| {
         Beginning::in_turns(|beginning| {
             leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> }));

@@ -46,14 +46,14 @@ test('a machine in another page runs, follows its fields and leads to the whole 
     assert.equal(await whole.locator(`#${await field.getAttribute('id')}`).inputValue(), '60');
   }));
 
-test('a page that asks for another machine in its frame gets it', () =>
+test('a page that asks for another machine, language and unit in its frame gets them', () =>
   inside('embed&machine=turning-spindle', {}, async ({ frame }) => {
     await frame.page().evaluate(() => {
       const frame = document.querySelector('iframe');
-      frame.src = frame.src.replace('turning-spindle', 'polygon-lathe&lang=zh');
+      frame.src = frame.src.replace('turning-spindle', 'polygon-lathe&lang=zh&lengths=inch');
     });
     await frame.waitForFunction((title) => document.querySelector('h1')?.textContent === title, words('zh')('polygon.name'));
-    assert.equal(await frame.locator('.field').count(), 3);
+    assert.deepEqual(await frame.locator('.field .unit').allTextContents(), ['in', 'in', 'in']);
   }));
 
 test('the element of the share dialog shows the project, and its page keeps nothing', () =>

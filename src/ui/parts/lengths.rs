@@ -4,16 +4,16 @@ use leptos::prelude::*;
 
 use super::language::open_anew;
 use crate::text::units::{self, Lengths};
-use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
 /// Where the choice of units is kept.
 const LENGTHS: &str = "macroline.lengths";
 
-/// Shows lengths as they were chosen in this browser: millimetres where nothing was.
-pub(crate) fn show_kept() {
-    units::show(dom::stored(LENGTHS).and_then(|id| Lengths::of_id(&id)).unwrap_or(Lengths::Millimetres));
+/// Shows lengths as `boot.js` has noted the choice of this browser, or of the page around: millimetres where there is none.
+pub(crate) fn show_chosen() {
+    let chosen = document().document_element().and_then(|root| root.get_attribute("data-lengths"));
+    units::show(chosen.and_then(|id| Lengths::of_id(&id)).unwrap_or(Lengths::Millimetres));
 }
 
 /// The other system of units. Everything that is drawn and written changes with it, so the page is opened anew.
@@ -33,6 +33,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::ui::dom;
     use crate::ui::state::view::Kept;
     use crate::ui::testing::{InInches, mount};
 
@@ -45,14 +46,15 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn kept_choice_is_shown_and_nonsense_is_millimetres() {
-        for (kept, shown) in [("inch", Lengths::Inches), ("ell", Lengths::Millimetres), ("mm", Lengths::Millimetres)] {
-            dom::store(LENGTHS, kept);
-            show_kept();
+    async fn choice_is_shown_and_nonsense_is_millimetres() {
+        let root = document().document_element().unwrap();
+        for (chosen, shown) in [("inch", Lengths::Inches), ("ell", Lengths::Millimetres), ("", Lengths::Millimetres)] {
+            dom::set(&root, "data-lengths", chosen);
+            show_chosen();
             let found = units::shown();
             units::show(Lengths::Millimetres);
-            dom::forget(LENGTHS);
-            assert_eq!(found, shown, "{kept}");
+            root.remove_attribute("data-lengths").unwrap();
+            assert_eq!(found, shown, "{chosen}");
         }
     }
 
