@@ -44,15 +44,14 @@ pub fn open(sentences: String) {
         web_sys::console::error_1(&panic.to_string().into());
         broken(&panic.to_string());
     }));
+    parts::lengths::show_chosen();
     if Embedded::is_asked_for() {
-        // An embedded page reads nothing that was chosen in this browser: it has millimetres.
         return in_turn(|| {
             Embedded::in_turns(|embedded| {
                 leptos::mount::mount_to_body(|| embedded.map(|embedded| view! { <EmbeddedApp embedded=embedded /> }));
             });
         });
     }
-    parts::lengths::show_chosen();
     in_turn(|| {
         Beginning::in_turns(|beginning| {
             leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> }));
