@@ -74,7 +74,7 @@ for (const colorScheme of ['light', 'dark'])
     }));
 
 test('high contrast is chosen beside the theme and stays chosen', () =>
-  withPage(app, {}, async ({ page }) => {
+  withPage(app, { viewport: { width: 1600, height: 900 } }, async ({ page }) => {
     const ink = () => page.evaluate(() => getComputedStyle(document.body).color);
     const standard = await ink();
     await page.getByRole('button', { name: say('page.contrast-system') }).click();

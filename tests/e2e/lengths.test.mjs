@@ -19,6 +19,9 @@ async function turnTo(page, name) {
   await ready(page);
 }
 
+// A header that has room for the choice of units; in a shorter one it is in help.
+const WIDE = { width: 1600, height: 900 };
+
 // Texts on the page with a number of millimetres or metres: not in programs, nor where the control's own are shown.
 const metric = (page) =>
   page.evaluate(() => {
@@ -36,7 +39,7 @@ const metric = (page) =>
   });
 
 test('a person turns to inches, types an inch, and the program keeps millimetres', () =>
-  withPage(app, {}, async ({ page }) => {
+  withPage(app, { viewport: WIDE }, async ({ page }) => {
     const field = page.locator('#pitch');
     const unit = page.locator('.field', { has: field }).locator('.unit');
     await enter(field, '25.4');
@@ -68,7 +71,7 @@ for (const language of ['en', 'zh']) {
   const say = words(language);
   for (const name of MACHINES) {
     test(`no millimetre is left where inches are shown (${name}, ${language})`, () =>
-      withPage(app, { locale: language }, async ({ page }) => {
+      withPage(app, { locale: language, viewport: WIDE }, async ({ page }) => {
         await page.getByRole('button', { name: say(name), exact: true }).click();
         await turnTo(page, say('page.inches'));
         await openGroups(page);
@@ -86,7 +89,7 @@ for (const language of ['en', 'zh']) {
 
 test('the header has room for its buttons at every width', () =>
   withPage(app, {}, async ({ page }) => {
-    for (const width of [1440, 1301, 1300, 1241, 1240, 1181, 1180, 1024, 390]) {
+    for (const width of [1600, 1501, 1500, 1440, 1301, 1300, 1241, 1240, 1181, 1180, 1024, 390]) {
       await page.setViewportSize({ width, height: 800 });
       const right = await page.evaluate(() => Math.max(...[...document.querySelectorAll('.top button')].map((button) => button.getBoundingClientRect().right)));
       assert.ok(right <= width, `${right} of ${width}`);
