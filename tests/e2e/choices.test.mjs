@@ -1,7 +1,7 @@
 // A person chooses another control, another machine, or opens a file that names them; all that was typed stays, and undo goes back.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, enter, goTo, openPanel, ready, saved, showSteps, start, takeExample, withPage } from './page.mjs';
+import { PAPER, accessible, enter, goTo, listing, openPanel, ready, saved, showSteps, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -201,7 +201,7 @@ test('files of another control open: project, written program, kept project', ()
     const project = await saved(page, () => page.getByRole('button', { name: 'Save', exact: true }).click());
     await page.getByRole('button', { name: 'L9100.SPF' }).click();
     await line(page, 'PITCH=7.25').waitFor();
-    const program = (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');
+    const program = await listing(page);
     for (const [name, buffer] of [['project.json', project], ['L9100.SPF', Buffer.from(program)]]) {
       await page.evaluate(() => {
         window.addEventListener('pagehide', () => localStorage.clear());

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { unzipSync } from 'fflate';
-import { accessible, enter, saved, start, withPage } from './page.mjs';
+import { accessible, enter, listing, saved, start, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -59,5 +59,5 @@ test('control that shows only ASCII gets English comments', () =>
     await characters(page, 'ascii');
     await tab(page, 0);
     await page.locator('.listing', { hasText: 'RIBBON LINE' }).waitFor();
-    assert.ok(!/[\u4e00-\u9fff]/.test(await page.locator('.listing').innerText()));
+    assert.doesNotMatch(await listing(page), /[\u4e00-\u9fff]/);
   }));

@@ -1,7 +1,7 @@
 // The page in inches: chosen by a person, typed and shown everywhere, and the program stays as it is.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, enter, openGroups, openPanel, ready, saved, start, withPage } from './page.mjs';
+import { accessible, enter, listing, openGroups, openPanel, ready, saved, start, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -11,7 +11,6 @@ after(() => app?.close());
 const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 // What the control has stays in millimetres: its variables and parameters, and the sentence about the word X in the program.
 const OF_THE_CONTROL = ['tab-variables', 'tab-parameters'];
-const program = (page) => page.locator('.listing').first().innerText();
 
 // Opens the page anew in the other units.
 async function turnTo(page, name) {
@@ -45,11 +44,11 @@ test('a person turns to inches, types an inch, and the program keeps millimetres
     await enter(field, '25.4');
     await page.getByRole('button', { name: 'O9102.nc' }).click();
     await page.locator('.listing', { hasText: '#107=25.4' }).first().waitFor();
-    const before = await program(page);
+    const before = await listing(page);
     await turnTo(page, 'inch');
     assert.deepEqual([await field.inputValue(), await unit.textContent()], ['1', 'in']);
     await page.getByRole('button', { name: 'O9102.nc' }).click();
-    assert.equal(await program(page), before);
+    assert.equal(await listing(page), before);
     await page.locator('.scene text', { hasText: 'every 1 in' }).first().waitFor({ state: 'attached' });
     await enter(field, '0.5');
     await page.locator('.scene text', { hasText: 'every 0.5 in' }).first().waitFor({ state: 'attached' });

@@ -164,6 +164,9 @@ export async function openPanel(page) {
   if ((await page.locator('#panel-fold').getAttribute('aria-expanded')) === 'false') await page.click('#panel-fold');
 }
 
+// The text of the listing, lines out of sight too: the browser draws them when they come into it, and their inner text is empty until then.
+export const listing = async (page) => (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');
+
 // Shows the commands that step through the program.
 export const showSteps = (page, say = words('en')) => page.getByRole('button', { name: say('page.walk-short'), exact: true }).click();
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, enter, goTo, openGroups, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
+import { PAPER, accessible, enter, goTo, listing, openGroups, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -179,7 +179,7 @@ test('the programs of an export are those that the page runs', () =>
     });
     await field(page, 'pitch').fill('9.5');
     await page.getByRole('button', { name: 'O9100.nc' }).click();
-    const shown = (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');
+    const shown = await listing(page);
     await page.click('#export');
     const row = page.getByRole('row', { name: /O9100\.nc/ });
     const file = await saved(page, () => row.getByRole('button').click());
@@ -308,9 +308,9 @@ test('a program dropped on the page restores the form', () =>
   withPage(app, {}, async ({ page }) => {
     await field(page, 'pitch').fill('7.25');
     await page.getByRole('button', { name: 'O9101.nc' }).click();
-    const text = await page.locator('.listing li[data-l] code').allTextContents();
+    const text = await listing(page);
     await field(page, 'pitch').fill('3');
-    await page.setInputFiles('#open', { name: 'O9101.nc', mimeType: 'text/plain', buffer: Buffer.from(text.join('\n')) });
+    await page.setInputFiles('#open', { name: 'O9101.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
     await page.getByText('the form is as it was then').waitFor();
     assert.equal(await field(page, 'pitch').inputValue(), '7.25');
   }));
