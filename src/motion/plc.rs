@@ -138,6 +138,11 @@ impl Default for Io {
 }
 
 impl Io {
+    /// What of it the speed of the spindle depends on: whether the PLC holds it, its gear stage, the volts while it shifts, and the override.
+    pub(super) fn spindle_orders(&self) -> (bool, u8, Option<f64>, f64) {
+        (self.stops.spindle, self.gear, self.gear_volts, self.spindle_override_out)
+    }
+
     /// Nothing waits for FIN any more.
     pub(super) fn clear_strobes(&mut self) {
         (self.m_strobe, self.s_strobe, self.t_strobe, self.gear_wanted) = (None, None, None, None);

@@ -23,7 +23,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         for _ in 0..ROUNDS {
             self.s.plc.io.spindle_actual =
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.plant.spindle, t));
-            let state = self.program_state();
+            let (state, orders) = (self.program_state(), self.s.plc.io.spindle_orders());
             self.s.plc.io.stops.program = state;
             let wish = self.s.plc.program.scan(t, &mut self.s.plc.io);
             (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (false, false);
@@ -50,7 +50,8 @@ impl<P: RunningProgram> Sim<'_, P> {
                     self.s.exec = Exec::Idle;
                 }
             }
-            let changed = self.turn(t) || self.program_state() != state;
+            let ordered = answered || self.s.plc.io.spindle_orders() != orders;
+            let changed = ordered && self.turn(t) || self.program_state() != state;
             if !changed && !answered {
                 break;
             }

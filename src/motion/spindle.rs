@@ -24,6 +24,19 @@ pub(super) struct SpeedCommand {
     pub(super) coasts: bool,
 }
 
+impl SpeedCommand {
+    /// Relative difference of two commands of one moment, below which speed and feed have agreed: far below the bend of the speed between
+    /// two moments, and far above the last digit.
+    const AGREED: f64 = 1e-9;
+
+    /// Whether this command, found again at the same moment, has settled.
+    pub(super) fn agrees(&self, last: &SpeedCommand) -> bool {
+        let is_near = |a: f64, b: f64| (a - b).abs() <= SpeedCommand::AGREED * b.abs();
+        let is_same = SpeedCommand { from: last.from, to: last.to, span: last.span, ..*self } == *last;
+        is_same && is_near(self.from, last.from) && is_near(self.to, last.to) && is_near(self.span, last.span)
+    }
+}
+
 /// Whether a spindle turns by speed or goes to an angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum SpindleMode {

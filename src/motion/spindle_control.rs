@@ -16,6 +16,8 @@ pub(super) struct Surface {
     pub(super) until: f64,
     /// When the next speed is commanded (s).
     pub(super) again: f64,
+    /// The moment (s) that was looked at last, and the diameter (mm) then: what is commanded at a moment moves the axis only after it.
+    pub(super) seen: (f64, f64),
 }
 
 /// Travel of the spindle to an angle.

@@ -59,9 +59,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         let coasted = last.is_some_and(|last| last.command.coasts) && sign == 0;
         let command =
             SpeedCommand { from, to, span, sign, stage: self.gear(), bound, coasts: without_current || coasted };
-        if last.is_some_and(|last| {
-            last.command == command && last.control == SpindleMode::Speed && (span == 0.0 || last.t == t)
-        }) {
+        let is_followed = |last: &Ramp| {
+            let same = if span > 0.0 { last.t == t && command.agrees(&last.command) } else { command == last.command };
+            same && last.control == SpindleMode::Speed
+        };
+        if last.is_some_and(is_followed) {
             return false;
         }
         let limited = self.s.spindle.surface.is_none() && command.sign != 0;

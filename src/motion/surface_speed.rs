@@ -25,8 +25,8 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// While a cut moves the axis of constant surface speed: speed now and after a step, and the step (s).
-    pub(super) fn following(&self, t: f64) -> Option<(f64, f64, f64)> {
-        let surface = self.s.spindle.surface.filter(|surface| t < surface.until)?;
+    pub(super) fn following(&mut self, t: f64) -> Option<(f64, f64, f64)> {
+        let mut surface = self.s.spindle.surface.filter(|surface| t < surface.until)?;
         let plant = self.plant.axes.get(surface.axis)?;
         let end = match &self.s.exec {
             Exec::Moving(motion) => motion.end_time().min(surface.until),
@@ -34,12 +34,16 @@ impl<P: RunningProgram> Sim<'_, P> {
         };
         let diameter = |t: f64| 2.0 * (self.out.timeline.path.commanded(surface.axis, plant, t) - surface.zero).abs();
         let rpm = |diameter: f64| surface_rpm(surface.speed, diameter).min(FASTEST);
-        let mut span = MEASURE.min(end - t);
-        let here = diameter(t);
-        if span < LEAST * 1e-3 {
+        if surface.seen.0 != t {
+            surface.seen = (t, diameter(t));
+            self.s.spindle.surface = Some(surface);
+        }
+        let here = surface.seen.1;
+        let whole = MEASURE.min(end - t);
+        if whole < LEAST * 1e-3 {
             return Some((rpm(here), rpm(here), 0.0));
         }
-        let mut there = diameter(t + span);
+        let (mut span, mut there) = (whole, diameter(t + whole));
         let rate = (there - here).abs() / span;
         let (bound, bound_later) = (self.held(rpm(here)).1, self.held(rpm(there)).1);
         if rate > 0.0 && (bound == Bound::None || bound != bound_later) {
@@ -51,6 +55,8 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let to_edge = (limit_diameter(surface.speed, edge) - here).abs() / rate;
                 span = span.min(to_edge.max(LEAST));
             }
+        }
+        if span < whole {
             there = diameter(t + span);
         }
         Some((rpm(here), rpm(there), span))
@@ -62,7 +68,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         let zero = zero as f64 * scale;
         let before = self.s.spindle.surface.filter(|before| before.axis == at);
         let until = before.map_or(f64::NEG_INFINITY, |before| before.until);
-        self.s.spindle.surface = Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY });
+        self.s.spindle.surface =
+            Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY, seen: (f64::NEG_INFINITY, 0.0) });
         self.s.spindle.square = Some((axis, zero));
         // Without a known turning centre the first work zero is taken for it.
         let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));

@@ -18,6 +18,8 @@ const LOOK: f64 = 0.01;
 const SCANS: u32 = 24;
 /// Stages that a gear box has at most.
 const STAGES: u8 = 8;
+/// The speed that the control puts out.
+const FINAL: PlcNumber = PlcNumber::Signal(SignalRole::SpindleFinal);
 
 /// The machine that the ladder is wired to.
 #[derive(Debug, Clone, Copy)]
@@ -56,6 +58,8 @@ pub struct LadderPlc {
     image: Image,
     /// Whether one more scan of the same signals would change nothing.
     settled: bool,
+    /// The signals as the last scan has left them, and when the next one is due if they stay as they are (s).
+    left: Option<(Box<Io>, Option<f64>)>,
     /// When the next timer of the image closes its contact (s).
     due: Option<f64>,
     /// Whether a rung waits for the inverter to report the commanded speed.
@@ -83,7 +87,7 @@ impl LadderPlc {
         let named: BTreeSet<Bit> = contacts.map(|contact| contact.bit).collect();
         let named = named.into_iter().collect();
         let valves = (2..=STAGES).filter(|stage| ladder.drives(Bit::Output(MachineOutput::Gear(*stage)))).collect();
-        let reads_speed = !ladder.word(PlcNumber::Signal(SignalRole::SpindleFinal)).is_empty();
+        let reads_speed = !ladder.word(FINAL).is_empty();
         LadderPlc {
             ladder,
             wiring,
@@ -94,6 +98,7 @@ impl LadderPlc {
             reads_speed,
             image: Image::default(),
             settled: false,
+            left: None,
             due: None,
             waits_for_speed: false,
             strobes: Strobes::default(),
@@ -119,7 +124,7 @@ impl LadderPlc {
         image.put(PlcNumber::Signal(SignalRole::MCode), io.m_strobe.map_or(0.0, f64::from));
         // It changes all the time under constant surface speed: only for ladders that read it.
         if self.reads_speed {
-            image.put(PlcNumber::Signal(SignalRole::SpindleFinal), io.spindle_command.abs().round());
+            image.put(FINAL, final_speed(io));
         }
         image.put(PlcNumber::Knob, self.wiring.knob.nearest(io.spindle_override));
         image.put(PlcNumber::FeedKnob, io.feed_override);
@@ -256,6 +261,21 @@ impl LadderPlc {
         [since, meshed, look, self.due].into_iter().flatten().reduce(f64::min)
     }
 
+    /// Whether a scan at `t` would change nothing: the signals are as the last one has left them, and nothing is due before it was to be
+    /// asked again. Speeds may be others, as long as the ladder sees the same of them.
+    fn rests(&mut self, t: f64, io: &Io) -> bool {
+        let at_speed = Bit::Input(MachineContact::AtSpeed);
+        let Some((left, again)) = self.left.as_mut().filter(|_| self.settled && self.block.is_none()) else {
+            return false;
+        };
+        (left.spindle_actual, left.spindle_command) = (io.spindle_actual, io.spindle_command);
+        again.is_none_or(|again| t < again)
+            && **left == *io
+            && (self.named.binary_search(&at_speed).is_err()
+                || self.state(at_speed, io) == Some(self.image.is_on(at_speed)))
+            && (!self.reads_speed || self.image.number(FINAL) == final_speed(io))
+    }
+
     /// Notes what the image as it now is waits for.
     fn note_waits(&mut self) {
         let (speed, arrived) = (Bit::Input(MachineContact::AtSpeed), Bit::Signal(SignalRole::SpeedArrived));
@@ -264,8 +284,16 @@ impl LadderPlc {
     }
 }
 
+/// The speed (r/min) that the control puts out, as the PLC reads it.
+fn final_speed(io: &Io) -> f64 {
+    io.spindle_command.abs().round()
+}
+
 impl Plc for LadderPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
+        if self.rests(t, io) {
+            return self.left.as_ref().and_then(|left| left.1);
+        }
         self.image.take_changed();
         self.read(t, io);
         let changed = self.image.take_changed();
@@ -286,7 +314,9 @@ impl Plc for LadderPlc {
             self.note_waits();
         }
         self.write(t, io, alarms);
-        [wish, self.again(t, io)].into_iter().flatten().reduce(f64::min)
+        let again = [wish, self.again(t, io)].into_iter().flatten().reduce(f64::min);
+        self.left = Some((Box::new(io.clone()), again));
+        again
     }
 
     fn watches_inverter(&self) -> bool {
@@ -304,6 +334,7 @@ impl Plc for LadderPlc {
             reads_speed: self.reads_speed,
             image: self.image.clone(),
             settled: self.settled,
+            left: self.left.clone(),
             due: self.due,
             waits_for_speed: self.waits_for_speed,
             strobes: self.strobes.clone(),
