@@ -27,6 +27,7 @@ let own = false;
 const [first, ...wishes] = location.hash.slice(1).split('&');
 const embedded = first === 'embed';
 const wished = (name) => (embedded ? wishes.find((wish) => wish.startsWith(`${name}=`))?.slice(name.length + 1) : null);
+root.toggleAttribute('data-embedded', embedded);
 if (embedded) still.replaceChildren(notice);
 
 try {

@@ -161,26 +161,32 @@ pub(super) fn Marks(
         let width = f64::from(width.get().max(1));
         found.with(|found| placed(found, axis.get(), width, &symbols))
     });
-    let named = move || {
-        let mark = |mark: Placed| {
-            let title = format!("{} s: {}", clock(mark.t), mark.words);
-            let class = if mark.side == Some(Side::Left) { "event left" } else { "event" };
-            let words = mark.side.map(|_| mark.words);
-            let go = move |_| page.player.seek(mark.t);
-            view! {
-                <button type="button" class=class tabindex="-1" aria-label=title.clone() title=title style:left=filled("#%", &[mark.at]) on:click=go>
-                    {words}
-                </button>
+    // A mark changes in place: while a field is dragged, each moves with every step.
+    let named = move |at: usize| {
+        let mark = Memo::new(move |_| shown.with(|shown| shown.get(at).cloned()));
+        let of = move |what: fn(&Placed) -> String| mark.with(|mark| mark.as_ref().map(what).unwrap_or_default());
+        let class = move || of(|mark| if mark.side == Some(Side::Left) { "event left" } else { "event" }.to_owned());
+        let title = move || of(|mark| format!("{} s: {}", clock(mark.t), mark.words));
+        let left = move || of(|mark| filled("#%", &[mark.at]));
+        let words = move || of(|mark| mark.side.map_or_else(String::new, |_| mark.words.clone()));
+        let go = move |_| {
+            if let Some(t) = mark.with(|mark| mark.as_ref().map(|mark| mark.t)) {
+                page.player.seek(t);
             }
         };
-        shown.get().into_iter().map(mark).collect_view()
+        view! {
+            <button type="button" class=class tabindex="-1" aria-label=title title=title style:left=left on:click=go>
+                {words}
+            </button>
+        }
     };
-    let ended = move || {
-        end().map(|(_, percent)| {
-            view! { <i class="mark end" style:left=filled("#%", &[percent]) title=t("page.end")></i> }
-        })
+    let count = move || 0..shown.with(Vec::len);
+    let percent = Memo::new(move |_| end().map(|(_, percent)| percent));
+    let left = move || filled("#%", &[percent.get().unwrap_or_default()]);
+    let ended = view! {
+        <Show when=move || percent.with(Option::is_some)><i class="mark end" style:left=left title=t("page.end")></i></Show>
     };
-    view! { <div class="marks" node_ref=host>{named}<ActionMarks axis=axis />{ended}</div> }
+    view! { <div class="marks" node_ref=host><For each=count key=|at| *at children=named /><ActionMarks axis=axis />{ended}</div> }
 }
 
 #[cfg(test)]

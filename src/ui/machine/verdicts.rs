@@ -6,7 +6,7 @@ use leptos::prelude::*;
 
 use crate::machines::Design;
 use crate::ui::parts::Later;
-use crate::ui::parts::verdict::VerdictLine;
+use crate::ui::parts::verdict::VerdictLines;
 use crate::ui::state::Page;
 use crate::ui::words::{four_digits, limit_sign, sign, t, verdict_tone, verdict_words};
 
@@ -15,24 +15,18 @@ use crate::ui::words::{four_digits, limit_sign, sign, t, verdict_tone, verdict_w
 pub(crate) fn Verdicts() -> impl IntoView {
     let page = Page::here();
     let design = page.results.design;
-    let ids = Memo::new(move |_| {
-        design.with(|design| {
-            let headline = design.readouts.iter().filter(|readout| readout.headline);
-            headline.map(|readout| readout.id).collect::<Vec<_>>()
-        })
+    let headline = Memo::new(move |_| {
+        let of = |design: &Rc<Design>| design.readouts.iter().filter(|readout| readout.headline).cloned().collect();
+        design.with(of)
     });
-    let rooms =
-        move || ids.get_untracked().into_iter().map(|_| view! { <div class="card plain"></div> }).collect_view();
-    // Only the lines whose results have changed are written anew.
-    let line = move |id: &'static str| {
-        let own = move |design: &Rc<Design>| design.readouts.iter().find(|readout| readout.id == id).cloned();
-        let readout = Memo::new(move |_| design.with(own));
-        move || readout.get().map(|readout| view! { <VerdictLine readout=readout open=move || page.show_result(id) /> })
+    let rooms = move || {
+        let count = headline.with_untracked(Vec::len);
+        (0..count).map(|_| view! { <div class="card plain"></div> }).collect_view()
     };
     view! {
         <section class="cards" aria-label=t("page.headline") class:old=move || page.is_stale()>
             <div class="row">
-                <Later meanwhile=rooms><For each=move || ids.get() key=|id| *id children=line /></Later>
+                <Later meanwhile=rooms><VerdictLines readouts=headline /></Later>
             </div>
         </section>
     }

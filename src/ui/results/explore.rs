@@ -14,7 +14,7 @@ use crate::text::catalog::number_text;
 use crate::ui::dom;
 use crate::ui::parts::input::{filled_part, number};
 use crate::ui::parts::sheet_view::SheetView;
-use crate::ui::parts::verdict::VerdictLine;
+use crate::ui::parts::verdict::VerdictLines;
 use crate::ui::parts::{chart_figure, scene};
 use crate::ui::state::Page;
 use crate::ui::words::t;
@@ -66,19 +66,14 @@ pub(crate) fn ExploreTab() -> impl IntoView {
         plots.set(out);
         seen.set(found);
     });
-    let results = move || {
+    let results = Signal::derive(move || {
         let wanted = seen.with(|seen| seen.results.clone());
         let is_wanted = |readout: &Readout| match wanted.is_empty() {
             true => readout.headline,
             false => wanted.contains(&readout.id),
         };
-        let headline = readouts.get().into_iter().filter(is_wanted);
-        let line = |readout: Readout| {
-            let id = readout.id;
-            view! { <VerdictLine readout=readout open=move || page.show_result(id) /> }
-        };
-        headline.map(line).collect_view()
-    };
+        readouts.get().into_iter().filter(is_wanted).collect::<Vec<_>>()
+    });
     let knobs = move || {
         let (fields, first) = page.project.with_untracked(|project| {
             let explorer = project.prepared().explorer(at.get()).unwrap_or_default();
@@ -118,7 +113,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
         {shapes}
         <div class="shape" node_ref=shape_host inner_html=move || shape.get()></div>
         <div class="knobs">{knobs}</div>
-        <div class="row">{results}</div>
+        <div class="row"><VerdictLines readouts=results /></div>
         <div class="ways" hidden=move || { at.get() > 0 } on:click=choose><SheetView which=|sheets| sheets.ways /></div>
         <div class="plots" inner_html=move || plots.get()></div>
     }
