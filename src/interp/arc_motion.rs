@@ -54,11 +54,12 @@ impl RunState {
             Impossible::NoCenter => Trap::alarm(Alarm::Arc, msg!("interp.arc-no-center")),
             Impossible::Deviation(start, end) => {
                 let tolerance = cx.control.limits.arc_tolerance;
-                let message = msg!("interp.arc-deviation", millimetres(start), millimetres(end), tolerance);
+                let message =
+                    msg!("interp.arc-deviation", start = millimetres(start), end = millimetres(end), tolerance);
                 Trap::alarm(Alarm::Arc, message)
             }
             Impossible::Radius(radius, least) => {
-                let message = msg!("interp.arc-radius", millimetres(radius), millimetres(least));
+                let message = msg!("interp.arc-radius", radius = millimetres(radius), least = millimetres(least));
                 Trap::alarm(Alarm::ArcRadius, message)
             }
         })?;

@@ -69,7 +69,10 @@ impl RunState {
         let limits = &cx.control.limits;
         let macros = self.macro_depth();
         if callee.arguments.is_some() && macros >= limits.macro_depth as usize {
-            return Err(Trap::alarm(Alarm::MacroNesting, msg!("interp.macro-nesting", u32::from(limits.macro_depth))));
+            return Err(Trap::alarm(
+                Alarm::MacroNesting,
+                msg!("interp.macro-nesting", most = u32::from(limits.macro_depth)),
+            ));
         }
         if callee.arguments.is_none() && self.frames.len() - macros >= cx.shared.rules.running.sub_depth as usize {
             let most = u32::from(cx.shared.rules.running.sub_depth);
@@ -101,8 +104,11 @@ impl RunState {
     fn program_of(&self, cx: &BlockContext, number: f64) -> Run<u32> {
         let found = if (1.0..4e9).contains(&number) { cx.shared.index.program(number as u32) } else { None };
         let hint = msg!("interp.hint-program");
-        let trap =
-            || Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", (number, 0))).hint(hint).behind(&[Address::P]);
+        let trap = || {
+            Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", program = (number, 0)))
+                .hint(hint)
+                .behind(&[Address::P])
+        };
         found.ok_or_else(trap)
     }
 
@@ -113,9 +119,11 @@ impl RunState {
         match repeats {
             None => Ok(1),
             Some(repeats) if (f64::from(min)..=f64::from(max)).contains(&repeats) => Ok(repeats as u32),
-            Some(repeats) => {
-                Err(Trap::alarm(Alarm::RepeatRange, msg!("interp.value-range", repeats, min, max)).behind(at))
-            }
+            Some(repeats) => Err(Trap::alarm(
+                Alarm::RepeatRange,
+                msg!("interp.value-range", value = repeats, least = min, most = max),
+            )
+            .behind(at)),
         }
     }
 
@@ -152,7 +160,8 @@ impl RunState {
                 let wanted = if (1.0..4e9).contains(&number) { number as u32 } else { 0 };
                 let found = cx.shared.index.sequence(program, wanted, first);
                 found.ok_or_else(|| {
-                    Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))).behind(&[Address::H])
+                    Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", number = (number, 0)))
+                        .behind(&[Address::H])
                 })?
             }
         };
@@ -164,7 +173,7 @@ impl RunState {
     pub(super) fn call_named(&mut self, cx: &mut BlockContext, name: TextId, repeats: Option<ExprId>) -> Run<()> {
         let name = cx.deck.text(Some(name));
         let Some(program) = cx.shared.index.named(name) else {
-            let trap = Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", name));
+            let trap = Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", program = name));
             return Err(trap.hint(msg!("interp.hint-program")));
         };
         let max = cx.control.limits.repeat_max;
@@ -173,7 +182,7 @@ impl RunState {
             Some(id) => {
                 let repeats = self.number(cx, id)?.round();
                 if !(1.0..=f64::from(max)).contains(&repeats) {
-                    let message = msg!("interp.value-range", repeats, 1_u32, max);
+                    let message = msg!("interp.value-range", value = repeats, least = 1_u32, most = max);
                     return Err(Trap::alarm(Alarm::RepeatRange, message).part(id));
                 }
                 repeats as u32
@@ -242,7 +251,7 @@ impl RunState {
         let first = words.iter().position(|word| Some(word.letter) == letter).filter(|at| caller.word != Some(*at));
         if let Some(word) = first.and_then(|at| words.get(at)).filter(|_| cx.control.raises(Alarm::ArgumentAddress)) {
             let letter = word.letter.to_string();
-            let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));
+            let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", address = letter));
             return Err(trap.within(word.span(block)));
         }
         let arguments = self.arguments(cx, block, words, caller)?;
@@ -290,7 +299,7 @@ impl RunState {
             if matches!(letter, Address::G | Address::N | Address::O) && !all {
                 if caller.word.is_some_and(|caller| caller < at) && cx.control.raises(Alarm::ArgumentAddress) {
                     let letter = letter.to_string();
-                    let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));
+                    let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", address = letter));
                     return Err(trap.within(word.span(block)));
                 }
                 continue;
@@ -319,7 +328,7 @@ impl RunState {
                         }
                     };
                     if set >= SETS {
-                        let trap = Trap::alarm(Alarm::ArgumentSets, msg!("interp.argument-sets", SETS as u32));
+                        let trap = Trap::alarm(Alarm::ArgumentSets, msg!("interp.argument-sets", most = SETS as u32));
                         return Err(trap.within(word.span(block)));
                     }
                     3 * set + 4 + at

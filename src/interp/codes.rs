@@ -83,7 +83,7 @@ impl RunState {
                     }
                     let Some(row) = cx.codes().row(id) else {
                         let written = self.raw(cx, block, word)?.unwrap_or(0.0);
-                        let trap = Trap::alarm(Alarm::UnknownCode, msg!("interp.unknown-code", written));
+                        let trap = Trap::alarm(Alarm::UnknownCode, msg!("interp.unknown-code", number = written));
                         return Err(trap.within(word.span(block)));
                     };
                     self.g_code(cx, row, at, codes);
@@ -143,14 +143,14 @@ impl RunState {
                 _ => continue,
             }
             if behind == most && cx.shared.rules.running.m_alarm {
-                let trap = Trap::alarm(Alarm::Auxiliaries, msg!("interp.m-codes", u32::from(most)));
+                let trap = Trap::alarm(Alarm::Auxiliaries, msg!("interp.m-codes", most = u32::from(most)));
                 return Err(trap.within(word.span(block)));
             }
         }
         if behind >= most
             && let Some(word) = words.get(at)
         {
-            self.remark(cx, word.span(block), msg!("interp.m-code-dropped", u32::from(most)));
+            self.remark(cx, word.span(block), msg!("interp.m-code-dropped", most = u32::from(most)));
         }
         Ok(behind >= most)
     }

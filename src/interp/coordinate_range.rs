@@ -38,7 +38,10 @@ impl RunState {
         let name = cx.control.axes.get(axis).map_or_else(String::new, |axis| axis.letter.to_string());
         let at = self.coordinate(frame, to, axis) as f64 / cx.shared.units.per_unit;
         let max = cx.control.limits.coordinate_max;
-        let trap = Trap::alarm(Alarm::CoordinateRange, msg!("interp.coordinate-range", name, (at, 4), max));
+        let trap = Trap::alarm(
+            Alarm::CoordinateRange,
+            msg!("interp.coordinate-range", axis = name, value = (at, 4), limit = max),
+        );
         trap.hint(msg!("interp.endless-axis"))
     }
 }

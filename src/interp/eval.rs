@@ -126,10 +126,10 @@ impl RunState {
             let guard = cx.control.guard(&name);
             match value {
                 Ok(_) if cx.control.var(number).is_some_and(|row| row.kind == VarKind::Vacant) => {
-                    trap = trap.hint(msg!("interp.hint-divisor-null", name));
+                    trap = trap.hint(msg!("interp.hint-divisor-null", variable = name));
                 }
-                Ok(x) if x.is_nan() => trap = trap.hint(msg!("interp.hint-divisor-vacant", name, guard)),
-                Ok(0.0) => trap = trap.hint(msg!("interp.hint-divisor-zero", name, guard)),
+                Ok(x) if x.is_nan() => trap = trap.hint(msg!("interp.hint-divisor-vacant", variable = name, guard)),
+                Ok(0.0) => trap = trap.hint(msg!("interp.hint-divisor-zero", variable = name, guard)),
                 _ => {}
             }
         }
@@ -144,6 +144,6 @@ pub(super) fn variable_number(cx: &BlockContext, x: f64) -> Run<u32> {
         Ok(whole as u32)
     } else {
         let name = format!("{}{}", cx.control.syntax.variable, number_text(x, 0));
-        Err(Trap::alarm(Alarm::VariableRange, msg!("interp.no-such-variable", name)))
+        Err(Trap::alarm(Alarm::VariableRange, msg!("interp.no-such-variable", variable = name)))
     }
 }

@@ -26,7 +26,7 @@ impl RunState {
             (rpm, true) if rpm > 0.0 => Ok(rpm),
             _ => Err(Trap::alarm(
                 Alarm::Budget,
-                msg!("interp.other-spindle-at-rest", u32::from(self.modal.spindle.master)),
+                msg!("interp.other-spindle-at-rest", spindle = u32::from(self.modal.spindle.master)),
             )),
         }
     }
@@ -38,7 +38,7 @@ pub(super) fn no_feed(cx: &BlockContext, feed: Option<f64>) -> Trap {
     match feed {
         None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
         Some(_) => Trap::alarm(Alarm::FeedZero, msg!("interp.feed-zero"))
-            .hint(msg!("interp.hint-feed-zero", cx.control.guard(&format!("{}…", cx.control.syntax.variable))))
+            .hint(msg!("interp.hint-feed-zero", guard = cx.control.guard(&format!("{}…", cx.control.syntax.variable))))
             .behind(&[Address::F]),
     }
 }

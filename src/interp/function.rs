@@ -27,9 +27,12 @@ impl RunState {
         };
         let row = cx.control.macros.functions.iter().find(|row| f64::from(row.0) == number);
         let Some(&(_, operation)) = row else {
-            return Err(Trap::alarm(Alarm::CallFunction, msg!("interp.no-function", (number, 0))).behind(&[Address::H]));
+            return Err(Trap::alarm(Alarm::CallFunction, msg!("interp.no-function", number = (number, 0)))
+                .behind(&[Address::H]));
         };
-        let missing = |letter: &str| Trap::alarm(Alarm::CallOperands, msg!("interp.no-operand", letter, (number, 0)));
+        let missing = |letter: &str| {
+            Trap::alarm(Alarm::CallOperands, msg!("interp.no-operand", address = letter, number = (number, 0)))
+        };
         // Constants count as they are written.
         let mut operand = |letter: Address, needed: bool| match word(letter) {
             Some(Word { value: WordValue::Number(dec), .. }) => Ok(dec.to_f64()),

@@ -24,7 +24,7 @@ impl RunState {
     #[cold]
     fn faulty_loop(&self, cx: &BlockContext, block: &Block, alarm: Alarm) -> Trap {
         let message = match alarm {
-            Alarm::DoNesting => msg!("interp.do-nesting", u32::from(cx.control.syntax.do_depth)),
+            Alarm::DoNesting => msg!("interp.do-nesting", most = u32::from(cx.control.syntax.do_depth)),
             _ => msg!("interp.do-pair"),
         };
         let place = |span: Span| Place { file: self.file, span };
@@ -59,14 +59,16 @@ impl RunState {
         let whole = (number - number.round()).abs() < WHOLE;
         let number = if whole { number.round() } else { number };
         if !cx.control.syntax.sequence_numbers().contains(&number) {
-            return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 9))).behind(&[Address::P]));
+            return Err(
+                Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", number = (number, 9))).behind(&[Address::P])
+            );
         }
         let found = || cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1));
         let Some(to) = whole.then(found).flatten() else {
-            return Err(Trap::alarm(missing, msg!("interp.no-sequence", (number, 9))).behind(&[Address::P]));
+            return Err(Trap::alarm(missing, msg!("interp.no-sequence", number = (number, 9))).behind(&[Address::P]));
         };
         if cx.shared.index.enters_loop(self.program, from, to) {
-            return Err(Trap::alarm(Alarm::IntoLoop, msg!("interp.into-loop", (number, 0))));
+            return Err(Trap::alarm(Alarm::IntoLoop, msg!("interp.into-loop", number = (number, 0))));
         }
         self.at = to;
         Ok(())

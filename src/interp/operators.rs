@@ -22,10 +22,10 @@ pub(super) const WHOLE: f64 = 1e-6;
 fn bits(cx: &BlockContext, x: f64) -> Run<i32> {
     let whole = x.round();
     if cx.control.macros.whole_bits && (x - whole).abs() >= WHOLE {
-        return Err(Trap::alarm(Alarm::NotWhole, msg!("interp.not-whole", (x, 9))));
+        return Err(Trap::alarm(Alarm::NotWhole, msg!("interp.not-whole", value = (x, 9))));
     }
     if whole.abs() > 4_294_967_295.0 {
-        return Err(Trap::alarm(Alarm::Calculation, msg!("interp.not-32-bits", x)));
+        return Err(Trap::alarm(Alarm::Calculation, msg!("interp.not-32-bits", value = x)));
     }
     // The upper half of the unsigned range wraps to negative numbers.
     Ok(whole as i64 as i32)
@@ -33,7 +33,7 @@ fn bits(cx: &BlockContext, x: f64) -> Run<i32> {
 
 /// Decimal digits of a whole number as groups of four bits, or back.
 fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
-    let error = || Trap::alarm(Alarm::Calculation, msg!("interp.not-bcd", x));
+    let error = || Trap::alarm(Alarm::Calculation, msg!("interp.not-bcd", value = x));
     let mut rest = x.round() as i64;
     if rest < 0 || rest > 99_999_999 && from == 10 || rest > 0x9999_9999 {
         return Err(error());
@@ -54,7 +54,7 @@ fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
 pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> Run<f64> {
     let outside = |alarm: Alarm| {
         let name = cx.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
-        Err(Trap::alarm(alarm, msg!("interp.outside-domain", name, (x, 9))))
+        Err(Trap::alarm(alarm, msg!("interp.outside-domain", function = name, value = (x, 9))))
     };
     let result = match function {
         Function::Sin => math::sin_cos_degrees(x).0,
@@ -142,7 +142,7 @@ pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
             Ok(if cx.shared.rules.numbers.atan_turn && angle < 0.0 { angle + 360.0 } else { angle })
         }
         Op::Power if a < 0.0 && b != b.trunc() || a == 0.0 && b < 0.0 => {
-            Err(Trap::alarm(Alarm::Calculation, msg!("interp.no-power", (a, 9), (b, 9))))
+            Err(Trap::alarm(Alarm::Calculation, msg!("interp.no-power", base = (a, 9), exponent = (b, 9))))
         }
         Op::Power => in_range(cx, math::pow(a, b)),
         Op::And | Op::Or | Op::Xor if cx.control.macros.truths => truth(match op {

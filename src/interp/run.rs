@@ -103,13 +103,13 @@ impl RunState {
             row.map_or(String::new(), |row| cx.control.code_name(row.id))
         };
         let hint = if self.frames.is_empty() {
-            msg!("interp.hint-end-main", name(Code::EndRewind))
+            msg!("interp.hint-end-main", code = name(Code::EndRewind))
         } else {
-            msg!("interp.hint-end-sub", name(Code::SubEnd))
+            msg!("interp.hint-end-sub", code = name(Code::SubEnd))
         };
         let number = program.map_or(0, |program| program.number).to_string();
         let name = program.and_then(|program| program.name).map(|name| cx.deck.text(Some(name)).to_owned());
-        let message = msg!("interp.no-end", name.unwrap_or(number), cx.control.program_ends());
+        let message = msg!("interp.no-end", program = name.unwrap_or(number), code = cx.control.program_ends());
         self.fail(cx.shared, Trap::alarm(Alarm::NoProgramEnd, message).hint(hint))
     }
 }

@@ -117,7 +117,7 @@ impl RunState {
     pub(super) fn orient(&mut self, cx: &BlockContext, angle: f64, approach: Approach) -> Run<()> {
         let within = approach == Approach::Incremental || (0.0..360.0).contains(&angle);
         if !within && !cx.shared.rules.spindle.angle_wraps {
-            return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", (angle, 9))));
+            return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", angle = (angle, 9))));
         }
         self.queue.push(Canon::Orient { angle: if within { angle } else { turn(angle) }, approach });
         Ok(())

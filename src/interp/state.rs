@@ -116,7 +116,7 @@ impl RunState {
                 let trap = if number == 0 {
                     Trap::alarm(Alarm::NoProgram, msg!("interp.no-program-at-all"))
                 } else {
-                    Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", number))
+                    Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", program = number))
                 };
                 self.fail(shared, trap);
             }

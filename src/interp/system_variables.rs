@@ -72,7 +72,10 @@ impl RunState {
             VarKind::WorkPosition => finite_or_zero(cx.world.position(axis)) - millimetres(self.modal.zero[axis]),
             VarKind::SkipPosition => millimetres(self.skip[axis].saturating_sub(self.modal.zero[axis])),
             VarKind::AlarmMessage | VarKind::StopMessage => {
-                return Err(Trap::alarm(Alarm::VariableSide, msg!("interp.write-only", cx.control.variable(number))));
+                return Err(Trap::alarm(
+                    Alarm::VariableSide,
+                    msg!("interp.write-only", variable = cx.control.variable(number)),
+                ));
             }
             VarKind::WorkOffset(system) | VarKind::WorkOffsetShown(system) => {
                 millimetres(self.modal.offset(system, axis))
@@ -123,12 +126,15 @@ impl RunState {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         if !row.kind.writable() {
             let alarm = if row.kind == VarKind::Vacant { Alarm::VacantWritten } else { Alarm::ReadOnly };
-            let message = msg!("interp.read-only", cx.control.variable(number), row.text);
+            let message = msg!("interp.read-only", variable = cx.control.variable(number), meaning = row.text);
             return Err(with_common(cx, Trap::alarm(alarm, message)));
         }
         let slot = cx.shared.index.stored_at(row, at as usize, number);
         if value.is_nan() && cx.control.raises(Alarm::VacantValue) {
-            return Err(Trap::alarm(Alarm::VacantValue, msg!("interp.vacant-value", cx.control.variable(number))));
+            return Err(Trap::alarm(
+                Alarm::VacantValue,
+                msg!("interp.vacant-value", variable = cx.control.variable(number)),
+            ));
         }
         let value = zero_if_vacant(value);
         let counted =
@@ -188,7 +194,10 @@ impl RunState {
     fn suppress(&mut self, cx: &BlockContext, kind: VarKind, slot: Option<u16>, value: f64) -> Run<()> {
         let whole = value.round();
         if !(0.0..=255.0).contains(&whole) {
-            return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, 0_u32, 255_u32)));
+            return Err(Trap::alarm(
+                Alarm::OutOfRange,
+                msg!("interp.value-range", value, least = 0_u32, most = 255_u32),
+            ));
         }
         if let Some(slot) = slot {
             self.vars.set_common(slot, whole);
@@ -210,7 +219,7 @@ impl RunState {
         let axis = (number - row.first) as usize;
         if increments.abs() > units.coordinate_max as f64 {
             let max = cx.control.limits.coordinate_max;
-            return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, -max, max)));
+            return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, least = -max, most = max)));
         }
         if axis >= cx.control.axes.len().min(AXES) {
             return Err(no_such_variable(cx, number));
@@ -223,7 +232,7 @@ impl RunState {
     /// A value beyond the range of a PLC variable is written.
     #[cold]
     fn remark_output(&self, cx: &mut BlockContext, block: &Block, number: u32, written: f64, taken: f64) {
-        let message = msg!("interp.output-range", cx.control.variable(number), (written, 9), taken);
+        let message = msg!("interp.output-range", variable = cx.control.variable(number), value = (written, 9), taken);
         self.remark(cx, block.span, message);
     }
 
@@ -258,7 +267,7 @@ fn fit(width: Option<Width>, x: f64) -> f64 {
 pub(super) fn user_alarm(cx: &BlockContext, block: &Block, number: f64) -> Trap {
     let (min, max) = cx.control.macros.user_alarms;
     if !(f64::from(min)..=f64::from(max)).contains(&number) {
-        return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", number, min, max));
+        return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", value = number, least = min, most = max));
     }
     let shown = cx.shared.rules.running.user_alarm_base.map(|base| base + number as u32);
     let text = cx.deck.text(block.comment).trim_start_matches('/');
@@ -271,8 +280,10 @@ pub(super) fn user_alarm(cx: &BlockContext, block: &Block, number: f64) -> Trap 
 fn no_such_variable(cx: &BlockContext, number: u32) -> Trap {
     let name = cx.control.variable(number);
     let message = match cx.control.var(number) {
-        Some(row) if row.kind.common() => msg!("nc.variable-not-fitted", name, row.text, cx.control.fitted_by()),
-        _ => msg!("interp.no-such-variable", name),
+        Some(row) if row.kind.common() => {
+            msg!("nc.variable-not-fitted", variable = name, meaning = row.text, switch = cx.control.fitted_by())
+        }
+        _ => msg!("interp.no-such-variable", variable = name),
     };
     with_common(cx, Trap::alarm(Alarm::VariableRange, message))
 }
@@ -280,7 +291,10 @@ fn no_such_variable(cx: &BlockContext, number: u32) -> Trap {
 /// There is no alarm for what only the simulation lacks, and a made-up value would be worse.
 #[cold]
 fn not_simulated(cx: &BlockContext, number: u32, row: &VarRange) -> Trap {
-    Trap::alarm(Alarm::Budget, msg!("interp.variable-not-simulated", cx.control.variable(number), row.text))
+    Trap::alarm(
+        Alarm::Budget,
+        msg!("interp.variable-not-simulated", variable = cx.control.variable(number), meaning = row.text),
+    )
 }
 
 /// The way out: a variable that is free to use.

@@ -168,7 +168,7 @@ impl RunState {
     /// The master spindle is not the machine's own, and is asked for more than is simulated of it.
     #[cold]
     pub(super) fn other_spindle_asked(&self) -> Trap {
-        Trap::alarm(Alarm::Budget, msg!("interp.other-spindle", u32::from(self.modal.spindle.master)))
+        Trap::alarm(Alarm::Budget, msg!("interp.other-spindle", spindle = u32::from(self.modal.spindle.master)))
     }
 
     /// Where a rotary axis ends that goes to an angle, by a way of its own or without passing 0: less than a turn from where it is.
@@ -177,7 +177,7 @@ impl RunState {
         let turn = (360.0 * cx.shared.units.per_unit) as i64;
         if !(0..turn).contains(&angle) && !cx.shared.rules.spindle.angle_wraps {
             let angle = angle as f64 / cx.shared.units.per_unit;
-            return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", (angle, 9))));
+            return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", angle = (angle, 9))));
         }
         let from = self.position[axis];
         if matches!(way, Dimensioning::Plain | Dimensioning::Absolute) {

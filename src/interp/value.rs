@@ -110,7 +110,7 @@ impl RunState {
             && dec.to_f64().fract() != 0.0
         {
             let letter = word.letter.to_string();
-            self.remark(cx, word.span(block), msg!("interp.decimals-dropped", letter));
+            self.remark(cx, word.span(block), msg!("interp.decimals-dropped", address = letter));
         }
     }
 
@@ -224,7 +224,7 @@ impl RunState {
         if (min..=max).contains(&speed) {
             Ok(Some(speed))
         } else if surface {
-            let message = msg!("interp.surface-range", (speed, 9), min, max);
+            let message = msg!("interp.surface-range", speed = (speed, 9), least = min, most = max);
             Err(Trap::alarm(Alarm::SurfaceRange, message).within(word.span(block)))
         } else {
             Err(self.out_of_range(cx, block, word, min, max))
@@ -250,7 +250,7 @@ impl RunState {
         let value = self.raw(cx, block, word).ok().flatten().unwrap_or(0.0);
         let equals = if word.letter.is_long() { "=" } else { "" };
         let address = cx.control.address(word.letter) + equals;
-        let message = msg!("interp.word-range", address, (value, 9), min, max);
+        let message = msg!("interp.word-range", address, value = (value, 9), least = min, most = max);
         let alarm = match word.letter {
             Address::F => Alarm::FeedRange,
             Address::S => Alarm::SpeedRange,

@@ -222,7 +222,7 @@ impl RunState {
             Address::Ar => {
                 values.turn = self.raw(cx, block, word)?;
                 if let Some(turn) = values.turn.filter(|turn| !(*turn > 0.0 && *turn < 360.0)) {
-                    let trap = Trap::alarm(Alarm::Arc, msg!("interp.arc-angle", (turn, 9)));
+                    let trap = Trap::alarm(Alarm::Arc, msg!("interp.arc-angle", angle = (turn, 9)));
                     return Err(trap.within(word.span(block)));
                 }
             }
@@ -326,7 +326,7 @@ impl RunState {
             let corner = cx.control.syntax.corners.iter().any(|corner| corner.0 == word.letter);
             let thread = self.modal.motion == Code::Thread && cx.control.syntax.threads_per_inch == Some(word.letter);
             if uses & class == 0 && !corner && !thread {
-                let message = msg!("interp.idle-word", cx.control.address(word.letter));
+                let message = msg!("interp.idle-word", address = cx.control.address(word.letter));
                 if cx.control.raises(Alarm::IdleAddress) {
                     return Err(Trap::alarm(Alarm::IdleAddress, message).within(word.span(block)));
                 }

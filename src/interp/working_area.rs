@@ -28,7 +28,10 @@ impl RunState {
                 let limit = if at < low[k] { low[k] } else { high[k] };
                 let [at, limit] = [at, limit].map(|place| place as f64 / cx.shared.units.per_unit);
                 let letter = axis.letter.to_string();
-                let trap = Trap::alarm(Alarm::WorkingArea, msg!("interp.working-area", letter, (at, 4), (limit, 4)));
+                let trap = Trap::alarm(
+                    Alarm::WorkingArea,
+                    msg!("interp.working-area", axis = letter, value = (at, 4), limit = (limit, 4)),
+                );
                 let own = axis.letter.after(Address::X).and_then(|at| LINEAR_AXES.chunks(1).nth(at));
                 return Err(trap.behind(own.unwrap_or(&LINEAR_AXES)));
             }

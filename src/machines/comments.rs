@@ -4,7 +4,7 @@ use crate::controls::Control;
 use crate::nc::{Deck, is_message};
 use crate::text::catalog::words_of;
 
-/// Chinese by the English comment, sorted by key. `{0}` is a value: an axis, a number.
+/// Chinese by the English comment, sorted by key. `{axis}` is the place of a value.
 const CHINESE: &str = include_str!("comments_zh.properties");
 
 /// Puts the comments and titles of a deck in Chinese. Messages to the operator, settings of the form and what has no Chinese stay as they are.

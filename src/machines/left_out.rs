@@ -32,6 +32,6 @@ impl LeftOut {
         let behind = Place { file: program.file, span: Span::at(block.span.end) };
         let fix = (behind, format!(" {}", self.text));
         let finding = Diagnostic::warning((self.finding)()).at(Place { file: program.file, span: block.span });
-        Some(finding.fix(msg!("nc.fix.left-out", self.text), vec![fix]))
+        Some(finding.fix(msg!("nc.fix.left-out", block = self.text), vec![fix]))
     }
 }

@@ -400,7 +400,7 @@ impl PreparedMachine {
         design.diagnostics.splice(0..0, self.invalid.iter().cloned());
         let assumed = assumed(&self.facts, origins);
         if !assumed.is_empty() {
-            let message = msg!("form.assumed", assumed.len() as u32, listed(&assumed));
+            let message = msg!("form.assumed", count = assumed.len() as u32, fields = listed(&assumed));
             design.diagnostics.push(Diagnostic::info(message).kind(DiagnosticKind::AssumedFacts));
         }
         design

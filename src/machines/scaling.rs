@@ -153,9 +153,9 @@ pub fn judge(control: &Control, drive: &AxisDrive) -> Option<Judgement> {
     let limit = AtMost(MOST);
     match drive.error(control) {
         _ if !AxisDrive::is_scaled(control) => None,
-        None => fail(None, [msg!("scaling.no-ratio", drive.axis).into()]),
+        None => fail(None, [msg!("scaling.no-ratio", axis = drive.axis).into()]),
         Some(error) if 1e6 * error.abs() > MOST => {
-            warn(limit, [msg!("scaling.drifts", drive.axis, (1e6 * error, 4)).into()])
+            warn(limit, [msg!("scaling.drifts", axis = drive.axis, millionths = (1e6 * error, 4)).into()])
         }
         Some(_) => ok(limit),
     }

@@ -84,7 +84,10 @@ impl<P: RunningProgram> Sim<'_, P> {
                     Exec::Alarm(diagnostic)
                 }
                 Some(Over::Blocks) => {
-                    self.out.report(Diagnostic::warning(msg!("motion.out-of-blocks", self.plant.limits.blocks as f64)));
+                    self.out.report(Diagnostic::warning(msg!(
+                        "motion.out-of-blocks",
+                        count = self.plant.limits.blocks as f64
+                    )));
                     Exec::OutOfBlocks
                 }
                 Some(Over::Program) | None => Exec::Finished,
@@ -167,7 +170,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let missing = to.mask & !self.plant.fitted;
         for k in (0..AXES).filter(|k| missing & (1 << k) != 0) {
             let letter = self.plant.axes[k].name();
-            self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", letter));
+            self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", axis = letter));
         }
         let scale = &self.plant.scale;
         core::array::from_fn(|k| {

@@ -60,8 +60,10 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         if self.s.path.flow_end.take().is_some_and(|end| t > end) {
             self.s.starved += 1;
-            let (block, logic) = (self.plant.block_time * 1e3, self.plant.macro_time * 1e3);
-            self.say_kind(Once::Starved as u32, DiagnosticKind::Starved, || msg!("motion.starved", block, logic));
+            let (block_time, macro_time) = (self.plant.block_time * 1e3, self.plant.macro_time * 1e3);
+            self.say_kind(Once::Starved as u32, DiagnosticKind::Starved, || {
+                msg!("motion.starved", block_time, macro_time)
+            });
         }
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
             self.say_clamped(motion.limit, motion.limiting, feed);
@@ -88,10 +90,10 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.s.spindle.commanded = false;
             return;
         }
-        let values = ((ramp.speed(t).abs(), 0), (ramp.target.abs(), 0), (left, 2));
+        let (speed, commanded, time) = ((ramp.speed(t).abs(), 0), (ramp.target.abs(), 0), (left, 2));
         let finding = match pace {
-            Pace::Rapid => Diagnostic::info(msg!("motion.rapid-while-ramping", values.0, values.1, values.2)),
-            _ => Diagnostic::warning(msg!("motion.cut-while-ramping", values.0, values.1, values.2)),
+            Pace::Rapid => Diagnostic::info(msg!("motion.rapid-while-ramping", speed, commanded, time)),
+            _ => Diagnostic::warning(msg!("motion.cut-while-ramping", speed, commanded, time)),
         };
         self.say_here(finding);
     }
@@ -102,7 +104,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if feed > slowed * (1.0 + 1e-9) {
             let axis = self.plant.axes[limiting];
             self.say(Once::Clamp as u32 + limiting as u32, || {
-                msg!("motion.axis-clamp", axis.name(), axis.clamp, feed, slowed)
+                msg!("motion.axis-clamp", axis = axis.name(), clamp = axis.clamp, feed, slowed)
             });
         }
     }

@@ -73,7 +73,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                     let (least, most) = self.plant.input_range(key.0, key.1);
                     let taken = math::clamp(*value, least, most);
                     if taken != *value {
-                        let message = msg!("interp.output-range", name.as_str(), (*value, 9), taken);
+                        let message = msg!("interp.output-range", variable = name.as_str(), value = (*value, 9), taken);
                         self.out.report(Diagnostic::warning(message));
                     }
                     self.s.plc.io.forced.insert(key, taken);
@@ -103,13 +103,17 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         let runs = self.s.exec.runs() && !self.holding();
         if runs && !self.plant.spindle.rules.manual_in_automatic {
-            self.out.report(Diagnostic::warning(msg!("motion.manual-speed-refused", rpm)));
+            self.out.report(Diagnostic::warning(msg!("motion.manual-speed-refused", speed = rpm)));
             return;
         }
         let turning = &mut self.s.spindle;
         if (self.s.exec.runs() || matches!(self.s.exec, Exec::Stopped)) && turning.direction != 0 {
             let programmed = f64::from(turning.direction) * turning.speed;
-            self.out.report(Diagnostic::warning(msg!("motion.manual-speed-taken", rpm, (programmed, 3))));
+            self.out.report(Diagnostic::warning(msg!(
+                "motion.manual-speed-taken",
+                speed = rpm,
+                programmed = (programmed, 3)
+            )));
         }
         (turning.surface, turning.orienting) = (None, None);
         (turning.speed, turning.direction) = (rpm.abs(), sense(rpm));

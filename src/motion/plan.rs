@@ -100,7 +100,7 @@ impl<P: RunningProgram> Planner<P> {
             if t > until || t == f64::INFINITY {
                 if until >= self.plant.limits.seconds {
                     self.records.timeline.end = until;
-                    self.last_word(Diagnostic::info(msg!("motion.out-of-seconds", self.plant.limits.seconds)));
+                    self.last_word(Diagnostic::info(msg!("motion.out-of-seconds", time = self.plant.limits.seconds)));
                     self.ended = Some(RunEnd::Seconds);
                 } else {
                     self.records.timeline.end = until.max(self.records.timeline.end);

@@ -71,8 +71,10 @@ impl<P: RunningProgram> Sim<'_, P> {
             let wanted = now * self.override_share();
             let stage = command.stage;
             self.say(Once::SpindleClamp as u32, || match bound {
-                Bound::Output => msg!("motion.output-full", wanted, f64::from(stage), (to, 3)),
-                _ => msg!("motion.spindle-clamp", wanted, to),
+                Bound::Output => {
+                    msg!("motion.output-full", commanded = wanted, stage = f64::from(stage), full = (to, 3))
+                }
+                _ => msg!("motion.spindle-clamp", commanded = wanted, clamp = to),
             });
         }
         self.put_ramp(t, command);

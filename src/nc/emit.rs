@@ -83,11 +83,15 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: C
             let block_diagnostic = if matches!(block.stmt, Stmt::Bad(_)) {
                 Some(Diagnostic::error(msg!("nc.unreadable-block")))
             } else if w.too_deep {
-                Some(Diagnostic::error(msg!("nc.formula-too-long", DEPTH)))
+                Some(Diagnostic::error(msg!("nc.formula-too-long", most = DEPTH)))
             } else if written >= control.syntax.block_chars {
-                Some(Diagnostic::warning(msg!("nc.long-block", written as u32, control.syntax.block_chars as u32 - 1)))
+                Some(Diagnostic::warning(msg!(
+                    "nc.long-block",
+                    count = written as u32,
+                    most = control.syntax.block_chars as u32 - 1
+                )))
             } else if shortened(deck, &low, block) {
-                Some(Diagnostic::warning(msg!("nc.clipped-text", w.deck.text(block.comment))))
+                Some(Diagnostic::warning(msg!("nc.clipped-text", text = w.deck.text(block.comment))))
             } else {
                 None
             };

@@ -29,11 +29,11 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
     let mut later = Vec::new();
     for (index, file) in files.0.iter().enumerate() {
         let Ok(id) = u16::try_from(index) else {
-            found.push(Diagnostic::error(msg!("nc.too-many-files", u32::from(u16::MAX))));
+            found.push(Diagnostic::error(msg!("nc.too-many-files", most = u32::from(u16::MAX))));
             break;
         };
         if u32::try_from(file.text.len()).is_err() {
-            found.push(Diagnostic::error(msg!("nc.file-too-large", file.name.as_str())));
+            found.push(Diagnostic::error(msg!("nc.file-too-large", file = file.name.as_str())));
             continue;
         }
         let mut reader = Reader::new(control, &tables, FileId(id), &file.text, deck);
@@ -49,7 +49,7 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
     Diagnostic::in_order(&mut found);
     if found.len() > FINDINGS {
         found.truncate(FINDINGS);
-        found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));
+        found.push(Diagnostic::info(msg!("nc.more-findings", most = FINDINGS as u32)));
     }
     deck.shrink();
     expr_spans.shrink_to_fit();

@@ -99,12 +99,11 @@ impl Chance {
     /// The chance as a table: the sentence, then the results that fail.
     pub fn sheet(&self) -> Sheet {
         let cite = Citation::new("assumed facts drawn evenly within a tenth", Grade::Inferred);
-        let told = msg!("chance.hold", (self.share(self.hold), 1), self.draws, self.facts);
+        let told = msg!("chance.hold", percent = (self.share(self.hold), 1), machines = self.draws, facts = self.facts);
         let first = row([sentence(&told), String::new()], cite);
-        let fails = self
-            .failing
-            .iter()
-            .map(|(_, label, count)| row([say(label), sentence(&msg!("chance.share", (self.share(*count), 1)))], cite));
+        let fails = self.failing.iter().map(|(_, label, count)| {
+            row([say(label), sentence(&msg!("chance.share", percent = (self.share(*count), 1)))], cite)
+        });
         Sheet {
             id: "chance",
             title: "sheet.chance",

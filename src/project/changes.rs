@@ -14,7 +14,7 @@ const TOLD: usize = 3;
 pub fn changes_in_words(before: &Project, after: &Project) -> String {
     let all = changes(before, after);
     let rest = all.len().saturating_sub(TOLD);
-    let more = (rest > 0).then(|| sentence(&msg!("changes.more", rest as u32)));
+    let more = (rest > 0).then(|| sentence(&msg!("changes.more", count = rest as u32)));
     match all.is_empty() {
         true => words("changes.none").to_owned(),
         false => crate::text::clauses(all.into_iter().take(TOLD).chain(more)),
@@ -25,7 +25,7 @@ pub fn changes_in_words(before: &Project, after: &Project) -> String {
 /// of the two has follows from another difference and is left out.
 pub fn changes(before: &Project, after: &Project) -> Vec<String> {
     if before.machine.id() != after.machine.id() {
-        return vec![sentence(&msg!("changes.machine", words(after.machine.name())))];
+        return vec![sentence(&msg!("changes.machine", machine = words(after.machine.name())))];
     }
     let mut out = Vec::new();
     let mut told = |differs: bool, message: Message| {
@@ -33,8 +33,8 @@ pub fn changes(before: &Project, after: &Project) -> Vec<String> {
             out.push(sentence(&message));
         }
     };
-    told(before.control.id != after.control.id, msg!("changes.control", after.control.name));
-    told(before.name != after.name && !after.name.is_empty(), msg!("changes.name", after.name.as_str()));
+    told(before.control.id != after.control.id, msg!("changes.control", control = after.control.name));
+    told(before.name != after.name && !after.name.is_empty(), msg!("changes.name", name = after.name.as_str()));
     told(before.name != after.name && after.name.is_empty(), msg!("changes.no-name"));
     told(before.edited != after.edited && after.edited.is_some(), msg!("changes.edited"));
     told(before.edited != after.edited && after.edited.is_none(), msg!("changes.written"));
@@ -64,7 +64,13 @@ pub fn changes(before: &Project, after: &Project) -> Vec<String> {
 fn phrase(row: &ComparedRow) -> Option<String> {
     match row.cells.as_slice() {
         [Some((before, _)), Some((after, _))] if row.differs => {
-            let told = msg!("changes.value", row.label.as_str(), before.as_str(), after.as_str(), row.unit);
+            let told = msg!(
+                "changes.value",
+                field = row.label.as_str(),
+                before = before.as_str(),
+                after = after.as_str(),
+                unit = row.unit
+            );
             Some(sentence(&told).trim_end().to_owned())
         }
         _ => None,

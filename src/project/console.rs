@@ -169,9 +169,10 @@ impl<'f> Console<'f> {
         let levels = self.debugger().levels();
         let Some(now) = levels.first() else { return String::new() };
         let mut out = self.renderer.excerpt(now.place).unwrap_or_default();
-        out += &format!("  = {}", line(&msg!("console.now", self.level(now), (self.debugger().t(), 4))));
+        out +=
+            &format!("  = {}", line(&msg!("console.now", program = self.level(now), time = (self.debugger().t(), 4))));
         if let Some(place) = self.debugger().executing().filter(|place| *place != now.place) {
-            out += &format!("  = {}", line(&msg!("console.executing", self.renderer.block(place))));
+            out += &format!("  = {}", line(&msg!("console.executing", block = self.renderer.block(place))));
         }
         out
     }
@@ -188,9 +189,13 @@ impl<'f> Console<'f> {
         let entered = match level.entered {
             Entered::Start => program,
             Entered::Subprogram => sentence(&msg!("console.subprogram", program)),
-            Entered::Macro => sentence(&msg!("console.macro", program, level.level as u32)),
+            Entered::Macro => sentence(&msg!("console.macro", program, level = level.level as u32)),
         };
-        if level.again == 0 { entered } else { sentence(&msg!("console.again", entered, level.again)) }
+        if level.again == 0 {
+            entered
+        } else {
+            sentence(&msg!("console.again", program = entered, count = level.again))
+        }
     }
 
     fn go(&mut self, goal: Goal) -> String {
@@ -202,8 +207,10 @@ impl<'f> Console<'f> {
     fn halted(&self, halt: &Halt) -> String {
         let mut out = match &halt.stop {
             Stop::Reached => String::new(),
-            Stop::Breakpoint(number) => line(&msg!("console.breakpoint", *number)),
-            Stop::Condition(number, why) => line(&msg!("console.no-condition", *number)) + &self.renderer.text(why),
+            Stop::Breakpoint(number) => line(&msg!("console.breakpoint", number = *number)),
+            Stop::Condition(number, why) => {
+                line(&msg!("console.no-condition", number = *number)) + &self.renderer.text(why)
+            }
             Stop::Ended(RunEnd::ProgramEnd) => line(&msg!("console.program-end")),
             Stop::Ended(RunEnd::Stop) => line(&msg!("console.waits")),
             Stop::Ended(RunEnd::Alarm(_)) => line(&msg!("console.alarm")),
@@ -227,7 +234,7 @@ impl<'f> Console<'f> {
             Ok(value) => format!("{text} = {}", value_text(value, self.control())),
             Err(why) => headed(text, headline(&why)),
         };
-        line(&msg!("console.watch", number, told))
+        line(&msg!("console.watch", number, text = told))
     }
 
     fn changed(&self) -> String {
@@ -237,10 +244,11 @@ impl<'f> Console<'f> {
         }
         let (earlier, newest) = self.debugger().run().given();
         let names = self.debugger().run().program().names();
-        let newest: Vec<String> =
-            newest.map(|canon| format!("  {}", line(&msg!("console.gives", canon.line(names).to_string())))).collect();
+        let newest: Vec<String> = newest
+            .map(|canon| format!("  {}", line(&msg!("console.gives", command = canon.line(names).to_string()))))
+            .collect();
         if earlier > 0 {
-            out += &format!("  {}", line(&msg!("console.gives-many", (earlier + newest.len()) as u32)));
+            out += &format!("  {}", line(&msg!("console.gives-many", count = (earlier + newest.len()) as u32)));
         }
         out + &newest.concat()
     }
@@ -266,14 +274,14 @@ impl<'f> Console<'f> {
         let locals = locals_text(level);
         let number = level.level as u32;
         if locals.is_empty() {
-            line(&msg!("console.locals-vacant", number))
+            line(&msg!("console.locals-vacant", level = number))
         } else {
-            format!("{}{locals}\n", sentence(&msg!("console.locals", number)))
+            format!("{}{locals}\n", sentence(&msg!("console.locals", level = number)))
         }
     }
 
     fn location(&self, text: &str) -> Result<(Location, Place), String> {
-        self.session.location(text).ok_or_else(|| line(&msg!("console.no-block", text)))
+        self.session.location(text).ok_or_else(|| line(&msg!("console.no-block", place = text)))
     }
 
     fn set_break(&mut self, rest: &str) -> Result<String, String> {
@@ -285,7 +293,7 @@ impl<'f> Console<'f> {
         let (location, at) = self.location(place)?;
         let added = self.session.set_break(location, condition);
         let number = added.map_err(|why| expression_error(condition.trim(), &why))?;
-        Ok(line(&msg!("console.breakpoint-set", number, self.renderer.block(at))))
+        Ok(line(&msg!("console.breakpoint-set", number, block = self.renderer.block(at))))
     }
 
     fn breaks(&self) -> String {
@@ -293,8 +301,8 @@ impl<'f> Console<'f> {
         for point in self.session.points.list() {
             let condition = if point.condition.is_empty() { String::new() } else { format!(" if {}", point.condition) };
             let block = point.place.map_or_else(String::new, |place| self.renderer.block(place));
-            let hits = sentence(&msg!("console.hits", format!("{block}{condition}"), point.hits));
-            let told = if point.on { hits } else { sentence(&msg!("console.off", hits)) };
+            let hits = sentence(&msg!("console.hits", breakpoint = format!("{block}{condition}"), hits = point.hits));
+            let told = if point.on { hits } else { sentence(&msg!("console.off", breakpoint = hits)) };
             out += &format!("{}  {told}\n", point.number);
         }
         if out.is_empty() { line(&msg!("console.no-breakpoints")) } else { out }
@@ -359,7 +367,7 @@ fn chosen(text: &str) -> Option<Option<u32>> {
 }
 
 fn no_such(number: &str, list: &str) -> String {
-    line(&msg!("console.no-such", number, list))
+    line(&msg!("console.no-such", number, command = list))
 }
 
 fn locals_text(level: &Level) -> String {

@@ -34,9 +34,13 @@ impl Unknown {
     pub fn message(&self, machine: &str, control: Option<&str>, example: Option<&str>) -> Message {
         let known = listed(&self.known);
         match self.kind {
-            NameKind::Machine => msg!("request.no-machine", machine, known),
-            NameKind::Control => msg!("request.wrong-control", machine, control.unwrap_or_default(), known),
-            NameKind::Example => msg!("request.no-example", machine, example.unwrap_or_default(), known),
+            NameKind::Machine => msg!("request.no-machine", machine, machines = known),
+            NameKind::Control => {
+                msg!("request.wrong-control", machine, control = control.unwrap_or_default(), controls = known)
+            }
+            NameKind::Example => {
+                msg!("request.no-example", machine, example = example.unwrap_or_default(), examples = known)
+            }
         }
     }
 }

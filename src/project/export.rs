@@ -46,7 +46,7 @@ fn same_names(files: &[File]) -> Vec<Diagnostic> {
     for file in files {
         let name = file.name.to_lowercase().trim_end_matches(['.', ' ']).to_owned();
         if let Some(first) = known.insert(name, &file.name) {
-            found.push(Diagnostic::error(msg!("project.same-name", first.as_str(), file.name.as_str())));
+            found.push(Diagnostic::error(msg!("project.same-name", file = first.as_str(), other = file.name.as_str())));
         }
     }
     found

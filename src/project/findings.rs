@@ -50,7 +50,7 @@ impl<'t> Findings<'t> {
         let mut known = BTreeSet::new();
         for entry in &entries.0 {
             if !known.insert(entry.key.as_str()) {
-                self.error(msg!("project.twice", clip(&entry.key)), entry.source);
+                self.error(msg!("project.twice", name = clip(&entry.key)), entry.source);
             }
         }
     }
@@ -60,7 +60,7 @@ impl<'t> Findings<'t> {
         Diagnostic::in_order(&mut self.list);
         if self.more > 0 {
             let severity = self.list.iter().map(|finding| finding.severity).min().unwrap_or(Severity::Error);
-            let more = Diagnostic::error(msg!("project.more", self.more));
+            let more = Diagnostic::error(msg!("project.more", count = self.more));
             self.list.push(Diagnostic { severity, ..more });
         }
         self.list

@@ -34,10 +34,10 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
     let refused = |diagnostics| Opened { project: None, diagnostics };
     let error = |message| refused(vec![Diagnostic::error(message)]);
     if let [first, second, ..] = projects[..] {
-        return error(msg!("project.several-projects", first.name.as_str(), second.name.as_str()));
+        return error(msg!("project.several-projects", file = first.name.as_str(), other = second.name.as_str()));
     }
     if let Some(file) = others.iter().find(|file| files.len() > 1 && !is_text(&file.text)) {
-        return error(msg!("project.not-a-text", file.name.as_str()));
+        return error(msg!("project.not-a-text", file = file.name.as_str()));
     }
     let given: Vec<File> =
         others.iter().map(|file| File { name: file.name.clone(), text: bare(&file.text).to_owned() }).collect();
@@ -63,9 +63,9 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
             let (given, left_aside) = without_documents(given);
             project.edited = differing(&project, &given);
             let told = if project.edited.is_some() {
-                msg!("project.form-restored-edited", from)
+                msg!("project.form-restored-edited", file = from)
             } else {
-                msg!("project.form-restored", from)
+                msg!("project.form-restored", file = from)
             };
             Opened {
                 project: Some(project),
@@ -83,7 +83,7 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
 /// The programs without the documents that lie beside them in an export, and what is said about those.
 fn without_documents(given: Files) -> (Files, Option<Diagnostic>) {
     let (left, programs): (Vec<File>, Vec<File>) = given.0.into_iter().partition(is_document);
-    let told = (!left.is_empty()).then(|| Diagnostic::info(msg!("project.documents-left", left.len() as u32)));
+    let told = (!left.is_empty()).then(|| Diagnostic::info(msg!("project.documents-left", count = left.len() as u32)));
     (Files(programs), told)
 }
 
@@ -123,11 +123,12 @@ fn restored_beside(present: &Project, text: &str) -> Option<Project> {
 pub fn programs(files: &[File]) -> Result<Files, Diagnostic> {
     let bytes: usize = files.iter().map(|file| file.text.len()).sum();
     if files.len() > MAX_PROGRAMS {
-        let message = msg!("project.too-many-programs", files.len() as u32, MAX_PROGRAMS as u32);
+        let message = msg!("project.too-many-programs", count = files.len() as u32, most = MAX_PROGRAMS as u32);
         return Err(Diagnostic::error(message));
     }
     if bytes > MAX_PROGRAM {
-        let message = msg!("project.program-too-large", (bytes as f64 / 1e6, 1), (MAX_PROGRAM as f64 / 1e6, 0));
+        let message =
+            msg!("project.program-too-large", size = (bytes as f64 / 1e6, 1), most = (MAX_PROGRAM as f64 / 1e6, 0));
         return Err(Diagnostic::error(message));
     }
     Ok(Files(files.to_vec()))

@@ -53,7 +53,8 @@ fn rotary(control: &controls::Control, letter: controls::Address) -> bool {
 pub fn text() -> String {
     let mut out = format!("{}\n", words("project.list.machines"));
     for machine in machines::ALL {
-        let about = msg!("project.list.machine", words(machine.name()), listed(machine.controls()));
+        let about =
+            msg!("project.list.machine", machine = words(machine.name()), controls = listed(machine.controls()));
         out += &format!("  {:<20} {}\n", machine.id(), sentence(&about));
         out += &format!("  {:<20} {}\n", "", words("project.list.examples"));
         for example in machine.examples() {
@@ -66,10 +67,11 @@ pub fn text() -> String {
         out += &format!("  {:<20} {}\n", control.id, control.name);
         let axes = bench.axes.iter().map(|a| {
             let unit = if rotary(control, a.letter) { "°/min" } else { "mm/min" };
-            sentence(&msg!("project.list.axis", a.letter.to_string(), a.clamp, unit))
+            sentence(&msg!("project.list.axis", axis = a.letter.to_string(), clamp = a.clamp, unit))
         });
         let full = bench.gears.first().copied().unwrap_or(0.0);
-        let told = msg!("project.list.bench", listed(axes), full, bench.volts_full, bench.ramp);
+        let told =
+            msg!("project.list.bench", axes = listed(axes), speed = full, volts = bench.volts_full, ramp = bench.ramp);
         out += &format!("  {:<20} {}\n", "", sentence(&told));
         out += &format!("  {:<20} {}\n", "", words("project.list.switches"));
         for switch in control.switches {
@@ -133,7 +135,7 @@ pub fn readouts_text(readouts: &[Readout]) -> String {
         let value = Fixed(r.value, r.decimals).to_string();
         let limit = r.limit.map_or(String::new(), |limit| {
             let shown = number_text(limit.value(), r.decimals.max(3));
-            format!("  {}", sentence(&msg!("project.list.limit", sentence(&limit.message(shown)))))
+            format!("  {}", sentence(&msg!("project.list.limit", limit = sentence(&limit.message(shown)))))
         });
         let sign = match r.verdict {
             Verdict::None => "-",

@@ -150,12 +150,12 @@ impl<'a> Words<'a> {
             Table::Interface => of_register(self, word).or_else(|| of_program(self, word)),
             Table::Parameters => {
                 let row = control.params.iter().find(|row| row.number == word)?;
-                let says = vec![told(row.text), msg!("meaning.parameter", row.name)];
+                let says = vec![told(row.text), msg!("meaning.parameter", parameter = row.name)];
                 Some(meaning(word, Subject::Parameter, says, row.unit, row.cite))
             }
             Table::Alarms => {
                 let row = control.alarms.iter().find(|row| row.number == word)?;
-                let says = vec![told(row.text), msg!("meaning.alarm", control.name)];
+                let says = vec![told(row.text), msg!("meaning.alarm", control = control.name)];
                 Some(meaning(word, Subject::Alarm, says, "", row.cite))
             }
         }
@@ -164,7 +164,7 @@ impl<'a> Words<'a> {
 
 /// The text of a row as a sentence.
 fn told(text: Phrase) -> Message {
-    msg!("meaning.row", text)
+    msg!("meaning.row", meaning = text)
 }
 
 fn meaning(
@@ -212,7 +212,7 @@ pub(super) fn code_says(row: &CodeDef) -> Vec<Message> {
 fn of_code(control: &Control, text: &str) -> Option<Meaning> {
     let id = control.code_written(text)?;
     let Some(row) = control.code(id) else {
-        let (word, says) = (control.code_name(id), vec![msg!("meaning.no-row", control.name)]);
+        let (word, says) = (control.code_name(id), vec![msg!("meaning.no-row", control = control.name)]);
         return Some(Meaning { word, subject: Subject::Code(id), says, unit: "", cite: None });
     };
     let says = code_says(row);
@@ -223,7 +223,7 @@ fn of_code(control: &Control, text: &str) -> Option<Meaning> {
 pub(super) fn variable_says(row: &VarRange) -> Vec<Message> {
     let mut says = vec![told(row.text)];
     if !row.device.is_empty() {
-        says.push(msg!("meaning.register", row.device));
+        says.push(msg!("meaning.register", register = row.device));
     }
     if !row.kind.writable() {
         says.push(msg!("meaning.read-only"));
@@ -366,7 +366,7 @@ pub(super) fn signal_says(control: &Control, row: &Signal) -> Vec<Message> {
     let mut says = vec![told(row.text)];
     says.push(if row.plc_writes { msg!("meaning.plc-writes") } else { msg!("meaning.control-writes") });
     if let Some(variable) = variable_of(row.role) {
-        says.push(msg!("meaning.as-variable", control.variable(variable)));
+        says.push(msg!("meaning.as-variable", variable = control.variable(variable)));
     }
     says
 }

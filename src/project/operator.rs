@@ -157,8 +157,10 @@ pub fn read_value(action: &Action, text: &str, control: &Control) -> Result<Acti
         let limit = |number: f64| format!("{} {}", number_text(number, DECIMALS), unit(action)).trim_end().to_owned();
         match (least == f64::MIN, most == f64::MAX) {
             _ if variable => msg!("page.not-a-value"),
-            (false, false) => msg!("operator.value-between", kind, number_text(least, DECIMALS), limit(most)),
-            (false, true) => msg!("operator.value-from", kind, limit(least)),
+            (false, false) => {
+                msg!("operator.value-between", kind, least = number_text(least, DECIMALS), most = limit(most))
+            }
+            (false, true) => msg!("operator.value-from", kind, least = limit(least)),
             _ => msg!("operator.value-number", kind),
         }
     })
@@ -196,12 +198,12 @@ pub(super) fn change_in_words(before: &Panel, after: &Panel, control: &Control) 
     let named = |event: &Event| (typed_time(event.t), name(&event.action, control));
     let (from, to) = match (before, after) {
         ([], [added]) => {
-            let (t, name) = named(added);
-            return Some(sentence(&msg!("operator.added", t, name)));
+            let (time, action) = named(added);
+            return Some(sentence(&msg!("operator.added", time, action)));
         }
         ([removed], []) => {
-            let (t, name) = named(removed);
-            return Some(sentence(&msg!("operator.removed", t, name)));
+            let (time, action) = named(removed);
+            return Some(sentence(&msg!("operator.removed", time, action)));
         }
         ([from, passed @ ..], [others @ .., to]) if passed == others => (from, to),
         ([others @ .., from], [to, passed @ ..]) if passed == others => (from, to),
@@ -209,9 +211,10 @@ pub(super) fn change_in_words(before: &Panel, after: &Panel, control: &Control) 
     };
     let ((was, name), (is, _)) = (named(from), named(to));
     if from.action == to.action {
-        return Some(sentence(&msg!("operator.moved", name, was, is)));
+        return Some(sentence(&msg!("operator.moved", action = name, before = was, after = is)));
     }
     let (kind, other) = (kind_name(&from.action, control), kind_name(&to.action, control));
     let (old, new) = (value_name(&from.action, control)?, value_name(&to.action, control)?);
-    (from.t == to.t && kind == other).then(|| sentence(&msg!("operator.changed", was, kind, old, new)))
+    (from.t == to.t && kind == other)
+        .then(|| sentence(&msg!("operator.changed", time = was, kind, before = old, after = new)))
 }

@@ -119,13 +119,14 @@ pub fn text(project: &Project) -> String {
         let result = readouts.iter().find(|readout| readout.id == flip.readout);
         let result = result.map_or(flip.readout, |readout| words(readout.label));
         let change = words(if flip.factor < 1.0 { "project.flip.less" } else { "project.flip.more" });
-        let change = msg!("project.flip", change, result, verdict_text(flip.from), verdict_text(flip.to));
+        let change =
+            msg!("project.flip", change, result, before = verdict_text(flip.from), after = verdict_text(flip.to));
         out += &format!("  {} {}\n", left(&named(flip.field), 44), sentence(&change));
     }
     let others = assumed_facts(project).into_iter().filter(|id| found.iter().all(|flip| flip.field != *id));
     let others: Vec<String> = others.map(named).collect();
     if !others.is_empty() {
-        out += &format!("\n{}\n", sentence(&msg!("project.assumed-as-well", listed(others))));
+        out += &format!("\n{}\n", sentence(&msg!("project.assumed-as-well", fields = listed(others))));
     }
     out
 }

@@ -70,14 +70,14 @@ impl<'f> Renderer<'f> {
             out += &format!("{:width$}--> {}\n", "", sentence(&msg!("project.field", field)));
         }
         if let (Some(alarm), Some(wording)) = (diagnostic.alarm.as_deref(), diagnostic.wording) {
-            let shown = sentence(&msg!("project.control-shows", alarm, wording));
+            let shown = sentence(&msg!("project.control-shows", alarm, text = wording));
             out += &format!("{:width$} = {shown}\n", "");
         }
         for hint in &diagnostic.hints {
             out += &format!("{:width$} = {}\n", "", sentence(hint));
         }
         for (fix, mended) in fixes.iter().zip(&mended) {
-            out += &format!("{}\n", sentence(&msg!("project.help", sentence(&fix.title))));
+            out += &format!("{}\n", sentence(&msg!("project.help", text = sentence(&fix.title))));
             let Some((first, lines)) = mended else { continue };
             out += &format!("{:width$} |\n", "");
             for (line, number) in lines.iter().zip(*first..) {
@@ -212,9 +212,9 @@ fn word(severity: Severity) -> &'static str {
 pub fn summary(diagnostics: &[Diagnostic]) -> String {
     let count = |severity| diagnostics.iter().filter(|d| d.severity == severity).count() as u32;
     let counts = [
-        (count(Severity::Error), msg!("project.errors", count(Severity::Error))),
-        (count(Severity::Warning), msg!("project.warnings", count(Severity::Warning))),
-        (count(Severity::Info), msg!("project.remarks", count(Severity::Info))),
+        (count(Severity::Error), msg!("project.errors", count = count(Severity::Error))),
+        (count(Severity::Warning), msg!("project.warnings", count = count(Severity::Warning))),
+        (count(Severity::Info), msg!("project.remarks", count = count(Severity::Info))),
     ];
     let counts: Vec<String> =
         counts.into_iter().filter(|(count, _)| *count > 0).map(|(_, told)| sentence(&told)).collect();

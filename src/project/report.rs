@@ -97,8 +97,8 @@ impl Project {
         };
         let locked = |name: &&str| program_number(name).is_some_and(|number| (9000..=9999).contains(&number));
         let locked = names.iter().any(locked).then(|| msg!("form.report.locked"));
-        let first = [msg!("form.report.load", listed(names))].into_iter().chain(locked);
-        let line_ends = msg!("form.report.line-ends", if ends == "\n" { "LF" } else { "CR LF" });
+        let first = [msg!("form.report.load", files = listed(names))].into_iter().chain(locked);
+        let line_ends = msg!("form.report.line-ends", ends = if ends == "\n" { "LF" } else { "CR LF" });
         first.chain([percent, line_ends, msg!("form.report.transfer")]).collect()
     }
 }

@@ -48,7 +48,7 @@ impl Choices {
     /// The ids of the warnings that are left out, where there are warnings with these ids.
     pub fn known_silenced(&self) -> Result<Vec<String>, Message> {
         match self.silenced.iter().find(|id| catalog::id(id).is_none()) {
-            Some(id) => Err(msg!("request.no-warning", id.as_str())),
+            Some(id) => Err(msg!("request.no-warning", id = id.as_str())),
             None => Ok(self.silenced.clone()),
         }
     }
@@ -59,11 +59,11 @@ impl Choices {
             let (id, value) = (id.as_str(), value.as_str());
             let Some(row) = control.switch(id) else {
                 let known = control.switches.iter().map(|row| row.id());
-                return Err(msg!("request.no-switch", control.name, id, listed(known)));
+                return Err(msg!("request.no-switch", control = control.name, switch = id, switches = listed(known)));
             };
             if !row.takes(value) {
                 let values = list::switch_values(row);
-                return Err(msg!("request.switch-value", id, value, values));
+                return Err(msg!("request.switch-value", switch = id, value, values));
             }
             switches.set(row, value);
         }
@@ -75,14 +75,14 @@ impl Choices {
 pub fn control(id: &str) -> Result<&'static Control, Message> {
     controls::find(id).ok_or_else(|| {
         let known = controls::ALL.iter().map(|control| control.id);
-        msg!("request.no-control", id, listed(known))
+        msg!("request.no-control", control = id, controls = listed(known))
     })
 }
 
 /// Refuses more files than places can tell apart.
 pub fn few_files(count: usize) -> Result<(), Message> {
     let most = usize::from(u16::MAX);
-    if count > most { Err(msg!("request.too-many-files", count as u32, most as u32)) } else { Ok(()) }
+    if count > most { Err(msg!("request.too-many-files", count = count as u32, most = most as u32)) } else { Ok(()) }
 }
 
 /// Diagnostics of a check, and how many warnings were left out.

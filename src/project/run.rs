@@ -331,8 +331,10 @@ impl RunSummary {
     /// The end as one line for people.
     pub fn text(&self) -> String {
         let axes: Vec<String> = self.axes.iter().map(|(axis, at)| format!("{axis}{}", number_text(*at, 3))).collect();
-        let turned =
-            self.turned.iter().map(|axis| msg!("project.run.turned", words(axis.name), (axis.rpm, 1), axis.angle));
+        let turned = self
+            .turned
+            .iter()
+            .map(|axis| msg!("project.run.turned", axis = words(axis.name), speed = (axis.rpm, 1), angle = axis.angle));
         let ended = match self.ended {
             RunEnd::ProgramEnd => words("project.run.program-end"),
             RunEnd::Stop => words("project.run.stop"),
@@ -340,7 +342,8 @@ impl RunSummary {
             RunEnd::Blocks => words("project.run.blocks"),
             RunEnd::Seconds => words("project.run.seconds"),
         };
-        let end = msg!("project.run.end", ended, self.blocks.to_string(), format!("{:.3}", self.time));
+        let end =
+            msg!("project.run.end", end = ended, count = self.blocks.to_string(), time = format!("{:.3}", self.time));
         clauses([sentence(&end), axes.join(" ")].into_iter().chain(turned.map(|axis| sentence(&axis))))
     }
 }

@@ -71,13 +71,13 @@ pub struct FinishedRun {
 /// The program of a name, if one is given.
 pub(super) fn program_of_name(name: Option<&str>, parsed: &nc::Parsed) -> Result<Option<StartProgram>, Message> {
     let Some(name) = name else { return Ok(None) };
-    run::program_meant(name, parsed).map(Some).ok_or_else(|| msg!("request.start", name))
+    run::program_meant(name, parsed).map(Some).ok_or_else(|| msg!("request.start", program = name))
 }
 
 /// Refuses variables and inputs that cannot be set on this control.
 fn settable(settings: &[Setting], control: &Control, dialect: &Dialect) -> Result<(), Message> {
     match settings.iter().find(|setting| setting.action(control, dialect).is_none()) {
-        Some(setting) => Err(msg!("request.not-settable", setting.name.as_str())),
+        Some(setting) => Err(msg!("request.not-settable", name = setting.name.as_str())),
         None => Ok(()),
     }
 }

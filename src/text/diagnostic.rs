@@ -36,7 +36,7 @@ pub enum Severity {
 }
 
 /// A change of text that mends a diagnostic.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Fix {
     /// Label of its button.
     pub title: Message,
@@ -70,20 +70,19 @@ pub enum DiagnosticKind {
     ShortBlocks,
     /// The machine waited for the control to read blocks, in a run.
     Starved,
-    /// An alarm that the program raises itself; the last value of its message is the program's text, or its number alone.
+    /// An alarm that the program raises itself; `text` of its message is the program's text, where it has one.
     ProgramAlarm,
-    /// Facts of the form that are only assumed; the values of the message are their count and their fields.
+    /// Facts of the form that are only assumed; `count` and `fields` of the message are their count and the ids of their fields.
     AssumedFacts,
 }
 }
 
 /// One finding.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
     /// Severity.
     pub severity: Severity,
     /// Kind, for diagnostics that code acts on.
-    #[serde(skip)]
     pub kind: DiagnosticKind,
     /// Message.
     pub message: Message,

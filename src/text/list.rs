@@ -41,8 +41,8 @@ fn joined<S: AsRef<str>>(items: impl IntoIterator<Item = S>, between: &str) -> S
     out
 }
 
-/// What a row of the catalog has between its places `{0}` and `{1}`.
+/// What a row of the catalog has between its two places.
 fn between(key: &'static str) -> &'static str {
-    let row = catalog::words(key);
-    row.strip_prefix("{0}").and_then(|row| row.strip_suffix("{1}")).unwrap_or(", ")
+    let behind = catalog::words(key).split_once('}').and_then(|(_, behind)| behind.rsplit_once('{'));
+    behind.map_or(", ", |(between, _)| between)
 }

@@ -1,10 +1,7 @@
-//! A message: the id of a sentence and its values. `catalog` turns it into text.
-
-use serde::Serialize;
+//! A message: the id of a sentence and the values of its places by name. `catalog` turns it into text.
 
 /// A value inside a sentence.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum MessageValue {
     /// A number and how many decimals are shown at most.
     Number(f64, u8),
@@ -44,27 +41,47 @@ impl From<String> for MessageValue {
     }
 }
 
-/// A sentence to be said: `id` names it in the catalog, `values` fill its places `{0}`, `{1}` ….
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// A sentence to be said: `id` names it in the catalog, `values` fill its places by their names, `{speed}`.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Message {
     /// Id in the catalog, `area.subject`, for instance `nc.unknown-code`.
     pub id: &'static str,
-    /// Values for the placeholders of the sentence.
-    pub values: Vec<MessageValue>,
+    /// The values of the places, each with the name of its place.
+    pub values: Vec<(&'static str, MessageValue)>,
 }
 
 impl Message {
-    /// A sentence with its values; for `msg!`. A function, because a call takes less code at each use than its body.
+    /// A sentence with the values of its places and their names, each with a space behind it; for `msg!`. A function, because a call takes less
+    /// code at each use than its body, and one text takes less than a list of names.
     #[inline(never)]
-    pub fn new<const N: usize>(id: &'static str, values: [MessageValue; N]) -> Message {
-        Message { id, values: values.into() }
+    pub fn new<const N: usize>(id: &'static str, mut names: &'static str, values: [MessageValue; N]) -> Message {
+        Message { id, values: values.map(|value| (first_name(&mut names), value)).into() }
+    }
+
+    /// The value of a place.
+    pub fn value(&self, name: &str) -> Option<&MessageValue> {
+        self.values.iter().find(|(place, _)| *place == name).map(|(_, value)| value)
     }
 }
 
-/// `msg!("area.subject", value, …)`: a [`Message`]. Every id is in the catalog (held by a test).
+/// Takes the first name off a list of names.
+fn first_name(names: &mut &'static str) -> &'static str {
+    let (first, others) = names.split_once(' ').unwrap_or((names, ""));
+    *names = others;
+    first
+}
+
+/// `msg!("area.subject", speed = expression, limit)`: a [`Message`]; `limit` is short for `limit = limit`. Every id is in the catalog, and its
+/// sentence has places of these names (held by a test).
 #[macro_export]
 macro_rules! msg {
-    ($id:literal $(, $value:expr)* $(,)?) => {
-        $crate::text::Message::new($id, [$($crate::text::MessageValue::from($value)),*])
+    ($id:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
+        $crate::text::Message::new($id, concat!($(stringify!($name), " "),*), [$($crate::msg!(@ $name $(= $value)?)),*])
+    };
+    (@ $name:ident) => {
+        $crate::text::MessageValue::from($name)
+    };
+    (@ $name:ident = $value:expr) => {
+        $crate::text::MessageValue::from($value)
     };
 }

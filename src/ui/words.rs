@@ -236,7 +236,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     fn findings_are_counted_by_severity() {
-        let found = [Diagnostic::error(crate::msg!("page.broken")), Diagnostic::info(crate::msg!("page.broken"))];
+        let found = [Diagnostic::error(crate::msg!("page.vacant")), Diagnostic::info(crate::msg!("page.vacant"))];
         assert_eq!(counts(&found).map(|row| row.1), [1, 0, 1]);
     }
 }

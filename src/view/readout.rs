@@ -82,10 +82,10 @@ impl Limit {
     /// The limit as a phrase, `at most 20000`; `shown` is its number as text.
     pub fn message(self, shown: String) -> Message {
         match self {
-            Limit::AtMost(_) => msg!("readout.at-most", shown),
-            Limit::AtLeast(_) => msg!("readout.at-least", shown),
-            Limit::Within(_) => msg!("readout.within", shown),
-            Limit::Equal(_) => msg!("readout.exactly", shown),
+            Limit::AtMost(_) => msg!("readout.at-most", limit = shown),
+            Limit::AtLeast(_) => msg!("readout.at-least", limit = shown),
+            Limit::Within(_) => msg!("readout.within", limit = shown),
+            Limit::Equal(_) => msg!("readout.exactly", limit = shown),
         }
     }
 }
@@ -111,7 +111,7 @@ impl Advice {
 impl Advice {
     /// The note that the remedy before it makes another result fail; `label` is that result's.
     pub fn turns_red(label: &'static str) -> Advice {
-        Advice::from(Message::new("advice.turns-red", [MessageValue::Label(label)]))
+        Advice::from(msg!("advice.turns-red", result = MessageValue::Label(label)))
     }
 }
 

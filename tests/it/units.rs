@@ -144,13 +144,13 @@ fn limits_of_a_field_can_be_typed_as_they_are_shown() {
 fn sentence_converts_numbers_and_entries() {
     let said = || {
         [
-            msg!("ribbon.slips", (1.5, 3), (2.54, 3), (0.5, 3)),
-            msg!("advice.set-pitch", "62.832"),
-            msg!("advice.set-feeds", "0.25 / 0.1"),
-            msg!("advice.set-feeds", "as now"),
-            msg!("form.allowed", "0.01", "10000", "mm"),
-            msg!("form.allowed", "1", "100", "%"),
-            msg!("ribbon.y-carried", "A", (12.7, 3), "°"),
+            msg!("ribbon.slips", ratio = (1.5, 3), smear = (2.54, 3), limit = (0.5, 3)),
+            msg!("advice.set-pitch", pitch = "62.832"),
+            msg!("advice.set-feeds", feeds = "0.25 / 0.1"),
+            msg!("advice.set-feeds", feeds = "as now"),
+            msg!("form.allowed", least = "0.01", most = "10000", unit = "mm"),
+            msg!("form.allowed", least = "1", most = "100", unit = "%"),
+            msg!("ribbon.y-carried", axis = "A", drift = (12.7, 3), unit = "°"),
         ]
         .map(|message| sentence(&message))
         .join("\n")

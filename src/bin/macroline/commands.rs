@@ -198,7 +198,9 @@ fn explain(word: &str, path: Option<&Path>, id: Option<&str>, json: bool) -> Res
             let control = control(id)?;
             let machine = control.map_or_else(|| machines::ALL.first().copied(), pages::machine_on);
             let project = machine.and_then(|machine| Project::of(machine.id(), control.map(|control| control.id)));
-            project.ok_or_else(|| Failure::usage(&msg!("request.no-control", id.unwrap_or_default(), "")))?
+            project.ok_or_else(|| {
+                Failure::usage(&msg!("request.no-control", control = id.unwrap_or_default(), controls = ""))
+            })?
         }
     };
     let help = Help::new(project.machine, project.control, &Texts::shipped(catalog::spoken()));

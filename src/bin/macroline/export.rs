@@ -101,7 +101,7 @@ impl Change<'_> {
         for at in 0..self.files.len() {
             let target = self.target(at);
             if fs::symlink_metadata(&target).is_ok_and(|there| there.is_dir()) {
-                return Err(sentence(&msg!("cli.folder-in-the-way", target.display().to_string())));
+                return Err(sentence(&msg!("cli.folder-in-the-way", folder = target.display().to_string())));
             }
         }
         for at in 0..self.files.len() {

@@ -20,7 +20,7 @@ use crate::output::{Failure, refuse};
 fn read(path: &Path) -> Result<Decoded, Failure> {
     let bytes = std::fs::read(path).map_err(|error| Failure::Usage(failed(path, &error)))?;
     if u32::try_from(bytes.len()).is_err() {
-        return Err(Failure::usage(&msg!("cli.file-too-large", path.display().to_string())));
+        return Err(Failure::usage(&msg!("cli.file-too-large", file = path.display().to_string())));
     }
     Ok(Decoded::new(bytes))
 }
@@ -111,7 +111,8 @@ fn only_project(paths: &[PathBuf]) -> Result<&Path, Failure> {
 /// Switches, `ID=VALUE` each, and ids of warnings that are left out.
 pub(crate) fn choices(switches: &[String], silenced: &[String]) -> Result<Choices, Failure> {
     let switch = |text: &String| {
-        let (id, value) = text.split_once('=').ok_or_else(|| Failure::usage(&msg!("cli.switch", text.as_str())))?;
+        let (id, value) =
+            text.split_once('=').ok_or_else(|| Failure::usage(&msg!("cli.switch", text = text.as_str())))?;
         Ok((id.to_owned(), value.to_owned()))
     };
     let switches = switches.iter().map(switch).collect::<Result<_, Failure>>()?;

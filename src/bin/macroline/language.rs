@@ -122,11 +122,11 @@ fn argument_in_words(argument: Arg) -> Arg {
             None => value.get_name().to_owned(),
         };
         if !values.is_empty() {
-            told += &sentence(&msg!("cli.possible-values", clauses(values.iter().map(value))));
+            told += &sentence(&msg!("cli.possible-values", values = clauses(values.iter().map(value))));
         }
         let default: Vec<_> = argument.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
         if default.iter().any(|value| !value.is_empty()) {
-            told += &sentence(&msg!("cli.default", listed(default)));
+            told += &sentence(&msg!("cli.default", values = listed(default)));
         }
     }
     argument.help(told.clone()).long_help(told).hide_default_value(true).hide_possible_values(true)
@@ -150,14 +150,14 @@ fn refused(error: Error) -> ExitCode {
 
 /// An error of clap in the language that is spoken: what is wrong, what is like it, and the usage.
 fn error_text(error: &Error) -> String {
-    let mut lines = vec![sentence(&msg!("cli.error", sentence(&error_message(error))))];
+    let mut lines = vec![sentence(&msg!("cli.error", reason = sentence(&error_message(error))))];
     let known = told(error, ContextKind::ValidValue);
     if !known.is_empty() {
-        lines.push(format!("  {}", sentence(&msg!("cli.possible-values", known)).trim_start()));
+        lines.push(format!("  {}", sentence(&msg!("cli.possible-values", values = known)).trim_start()));
     }
     let similar = [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue];
     for similar in similar.map(|kind| told(error, kind)).iter().filter(|similar| !similar.is_empty()) {
-        lines.push(format!("\n  {}", sentence(&msg!("cli.similar", similar.as_str()))));
+        lines.push(format!("\n  {}", sentence(&msg!("cli.similar", similar = similar.as_str()))));
     }
     let usage = told(error, ContextKind::Usage);
     if !usage.is_empty() {
@@ -182,12 +182,14 @@ fn error_message(error: &Error) -> Message {
     let (argument, value) = (told(ContextKind::InvalidArg), told(ContextKind::InvalidValue));
     match error.kind() {
         ErrorKind::ArgumentConflict if told(ContextKind::PriorArg) == argument => msg!("cli.error.repeated", argument),
-        ErrorKind::ArgumentConflict => msg!("cli.error.conflict", argument, told(ContextKind::PriorArg)),
+        ErrorKind::ArgumentConflict => msg!("cli.error.conflict", argument, other = told(ContextKind::PriorArg)),
         ErrorKind::InvalidValue if value.is_empty() => msg!("cli.error.no-value", argument),
         ErrorKind::InvalidValue | ErrorKind::ValueValidation => msg!("cli.error.invalid-value", value, argument),
-        ErrorKind::InvalidSubcommand => msg!("cli.error.no-command", told(ContextKind::InvalidSubcommand)),
-        ErrorKind::MissingRequiredArgument => msg!("cli.error.missing", argument),
-        ErrorKind::MissingSubcommand => msg!("cli.error.missing-command", told(ContextKind::InvalidSubcommand)),
+        ErrorKind::InvalidSubcommand => msg!("cli.error.no-command", command = told(ContextKind::InvalidSubcommand)),
+        ErrorKind::MissingRequiredArgument => msg!("cli.error.missing", arguments = argument),
+        ErrorKind::MissingSubcommand => {
+            msg!("cli.error.missing-command", command = told(ContextKind::InvalidSubcommand))
+        }
         ErrorKind::TooManyValues => msg!("cli.error.unexpected-value", value, argument),
         ErrorKind::UnknownArgument => msg!("cli.error.unexpected", argument),
         _ => msg!("cli.error.unreadable"),

@@ -145,7 +145,7 @@ pub(crate) fn refused(why: Refused, format: impl Into<Format>) -> Failure {
 
 /// Prints the number of warnings that were left out.
 pub(crate) fn tell_silenced(count: usize) -> Result<(), Failure> {
-    if count > 0 { say(&(sentence(&msg!("cli.silenced", count as u32)) + "\n")) } else { Ok(()) }
+    if count > 0 { say(&(sentence(&msg!("cli.silenced", count = count as u32)) + "\n")) } else { Ok(()) }
 }
 
 /// Prints a text that is JSON already.

@@ -98,7 +98,7 @@ pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
     }
     let found = FileFindings { sources: Sources::default(), list: console.diagnostics().to_vec() };
     if wrong > 0 && !terminal {
-        return Err(Failure::usage(&msg!("cli.commands-failed", wrong)));
+        return Err(Failure::usage(&msg!("cli.commands-failed", count = wrong)));
     }
     files.push(found);
     verdict(&files)

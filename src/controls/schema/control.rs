@@ -167,7 +167,7 @@ impl Control {
     pub fn free_to_use(&self) -> Option<Message> {
         let of = |kind| self.vars.iter().find(|row| row.kind == kind);
         let range = of(VarKind::Common).or_else(|| of(VarKind::Retained))?;
-        Some(msg!("control.free-to-use", self.variable(range.first), self.variable(range.last)))
+        Some(msg!("control.free-to-use", first = self.variable(range.first), last = self.variable(range.last)))
     }
 
     /// A jump on the condition that something is not above 0, as an example.

@@ -29,7 +29,8 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
     match &field.kind {
         KindInfo::Number { unit, decimals, .. } => {
             let number = number::read(text).ok_or_else(|| {
-                let wrong = if text.is_empty() { msg!("form.empty") } else { msg!("form.not-a-number", clip(text)) };
+                let wrong =
+                    if text.is_empty() { msg!("form.empty") } else { msg!("form.not-a-number", text = clip(text)) };
                 Box::new(with_range(field, Diagnostic::error(wrong).about(field.id)))
             })?;
             let value = Value::Number(in_unit(number, *decimals, unit));
@@ -38,7 +39,7 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
         KindInfo::Flag(_) => match text {
             "true" => Ok(Value::Flag(true)),
             "false" => Ok(Value::Flag(false)),
-            _ => Err(Box::new(Diagnostic::error(msg!("form.not-a-flag", clip(text))).about(field.id))),
+            _ => Err(Box::new(Diagnostic::error(msg!("form.not-a-flag", text = clip(text))).about(field.id))),
         },
         KindInfo::Choice(_) | KindInfo::Text(_) => {
             let value = Value::Text(text.to_owned());
@@ -53,14 +54,14 @@ fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
             if !number.is_finite() {
                 msg!("form.not-finite")
             } else if number < min {
-                msg!("form.too-small", (*number, 6), *unit)
+                msg!("form.too-small", value = (*number, 6), unit = *unit)
             } else if number > max {
-                msg!("form.too-large", (*number, 6), *unit)
+                msg!("form.too-large", value = (*number, 6), unit = *unit)
             } else if too_fine(*number, *decimals) {
                 if *decimals == 0 {
                     msg!("form.whole-number")
                 } else {
-                    msg!("form.too-many-decimals", u32::from(*decimals))
+                    msg!("form.too-many-decimals", most = u32::from(*decimals))
                 }
             } else {
                 return Ok(());
@@ -71,13 +72,13 @@ fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
             if options.iter().any(|(option, _)| option == id) {
                 return Ok(());
             }
-            msg!("form.no-such-choice", clip(id), listed(options.iter().map(|(id, _)| *id)))
+            msg!("form.no-such-choice", text = clip(id), choices = listed(options.iter().map(|(id, _)| *id)))
         }
         (KindInfo::Text(max), Value::Text(text)) => {
             if text.chars().count() <= *max {
                 return Ok(());
             }
-            msg!("form.text-too-long", *max as u32)
+            msg!("form.text-too-long", most = *max as u32)
         }
         _ => msg!("form.wrong-kind"),
     };
@@ -94,9 +95,9 @@ fn with_range(field: &FieldInfo, diagnostic: Diagnostic) -> Diagnostic {
     match &field.kind {
         KindInfo::Number { unit, min, max, decimals, .. } => diagnostic.hint(msg!(
             "form.allowed",
-            number_text(*min, (*decimals).max(6)),
-            number_text(*max, (*decimals).max(6)),
-            *unit
+            least = number_text(*min, (*decimals).max(6)),
+            most = number_text(*max, (*decimals).max(6)),
+            unit = *unit
         )),
         _ => diagnostic,
     }

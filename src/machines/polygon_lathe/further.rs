@@ -86,15 +86,16 @@ pub(super) fn errors(
         for (number, before) in (1_u32..).zip(lathe.polygons().take(at + 1)) {
             let (p, q) = (&before.p, &other.p);
             if p.from_face < q.far_end() && q.from_face < p.far_end() {
-                let message = msg!("polygon.overlap", number, (p.from_face, 3), (p.far_end(), 3));
+                let message = msg!("polygon.overlap", number, from = (p.from_face, 3), to = (p.far_end(), 3));
                 all.extend(field("from-face", at).map(|id| (message, id)));
             }
             if p.tool == q.tool && p.inserts != q.inserts {
-                let message = msg!("polygon.same-cutter", q.tool, p.inserts, q.inserts);
+                let message = msg!("polygon.same-cutter", tool = q.tool, inserts = p.inserts, needed = q.inserts);
                 all.push((message, ["second-tool", "third-tool"][at.min(1)]));
             }
             if p.tool == q.tool && p.tip_radius != q.tip_radius {
-                let message = msg!("polygon.same-radius", q.tool, (p.tip_radius, 3), (q.tip_radius, 3));
+                let message =
+                    msg!("polygon.same-radius", tool = q.tool, radius = (p.tip_radius, 3), needed = (q.tip_radius, 3));
                 all.extend(field("tip-radius", at).map(|id| (message, id)));
             }
         }

@@ -82,9 +82,9 @@ fn scaling_tool(lathe: &PolygonLathe) -> Option<Judgement> {
 /// The flattest cutter and ratio on this tip circle as advice, or that none is possible; nothing where the form has it already.
 fn better(lathe: &PolygonLathe) -> Option<Advice> {
     let ways = ways_as_set(&lathe.p, &lathe.sizes);
-    let Some(best) = ways.first() else { return Some(msg!("polygon.no-way", lathe.p.sides).into()) };
+    let Some(best) = ways.first() else { return Some(msg!("polygon.no-way", count = lathe.p.sides).into()) };
     if !best.limits.is_empty() {
-        return Some(msg!("polygon.no-better", (best.flatness(), 4)).into());
+        return Some(msg!("polygon.no-better", flatness = (best.flatness(), 4)).into());
     }
     let (inserts, ratio) = (best.cutter as u32 + 1, best.ratio);
     let same =
@@ -95,8 +95,15 @@ fn better(lathe: &PolygonLathe) -> Option<Advice> {
     }
     let mut sets = own_shape(lathe.p.sides, f64::from(inserts), (tool, work));
     sets.push(near(FIELDS, "tip-radius", best.radius));
-    let advice = msg!("polygon.better", inserts, work, tool, (best.radius, 3), (best.flatness(), 4));
-    Some(Advice::from(advice).setting(msg!("advice.set-cutter", inserts, work, tool), sets))
+    let advice = msg!(
+        "polygon.better",
+        inserts,
+        work_turns = work,
+        tool_turns = tool,
+        radius = (best.radius, 3),
+        flatness = (best.flatness(), 4)
+    );
+    Some(Advice::from(advice).setting(msg!("advice.set-cutter", inserts, work_turns = work, tool_turns = tool), sets))
 }
 
 /// Deviation (mm) that counts as zero.
@@ -140,14 +147,18 @@ fn mended(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
             advice.push(same_sense(lathe));
             return advice;
         }
-        advice.push(msg!("polygon.less-hollow", (flat_ratio(d.distance, p.tip_radius), 3)).into());
+        advice.push(msg!("polygon.less-hollow", ratio = (flat_ratio(d.distance, p.tip_radius), 3)).into());
     }
     if !other_sides(lathe) && uneven(lathe) && d.even && d.ratio == 2.0 && d.meets && p.sides >= 3.0 {
         let radius = ellipse::radius_for(0.5 * p.across_flats, p.sides as u32, p.flatness);
-        let larger = Advice::from(msg!("polygon.larger-cutter", (radius, 1)));
+        let larger = Advice::from(msg!("polygon.larger-cutter", radius = (radius, 1)));
         let set = up(FIELDS, "tip-radius", radius);
         let fits = radius <= p.greatest_radius;
-        advice.push(if fits { larger.setting(msg!("advice.set-tips", set.1.as_str()), [set]) } else { larger });
+        advice.push(if fits {
+            larger.setting(msg!("advice.set-tips", radius = set.1.as_str()), [set])
+        } else {
+            larger
+        });
     }
     advice.extend(better(lathe));
     advice
@@ -157,7 +168,7 @@ fn mended(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
 fn same_sense(lathe: &PolygonLathe) -> Advice {
     let p = &lathe.p;
     let set = near(FIELDS, "tool-ratio", p.tool_ratio.abs() * p.work_ratio.signum());
-    Advice::from(msg!("polygon.wrong-sense")).setting(msg!("advice.set-q", set.1.as_str()), [set])
+    Advice::from(msg!("polygon.wrong-sense")).setting(msg!("advice.set-q", tool_turns = set.1.as_str()), [set])
 }
 
 fn sides(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -166,7 +177,7 @@ fn sides(lathe: &PolygonLathe) -> Option<Judgement> {
     if !other_sides(lathe) {
         return ok(limit);
     }
-    fail(limit, mended(lathe, Fault::Sides, msg!("polygon.other-sides", d.sides, p.sides)))
+    fail(limit, mended(lathe, Fault::Sides, msg!("polygon.other-sides", sides = d.sides, wanted = p.sides)))
 }
 
 fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -175,7 +186,10 @@ fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
     if !uneven(lathe) {
         return ok(limit);
     }
-    fail(limit, mended(lathe, Fault::Flatness, msg!("polygon.not-flat", (d.flatness, 4), (p.flatness, 4))))
+    fail(
+        limit,
+        mended(lathe, Fault::Flatness, msg!("polygon.not-flat", flatness = (d.flatness, 4), limit = (p.flatness, 4))),
+    )
 }
 
 /// Hollow sides. They can be crowned in their middle all the same: then the curvature is no reason.
@@ -183,7 +197,7 @@ fn hollow(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let limit = (d.curvature < 0.0).then_some(AtLeast(0.0));
     if is_hollow(lathe) {
-        return fail(limit, mended(lathe, Fault::Hollow, msg!("polygon.hollow-sides", (d.hollow, 4))));
+        return fail(limit, mended(lathe, Fault::Hollow, msg!("polygon.hollow-sides", height = (d.hollow, 4))));
     }
     if d.ratio < 0.0 && p.hollow { warn(limit, [same_sense(lathe)]) } else { ok(None) }
 }
@@ -194,7 +208,7 @@ fn corners(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.meets || p.sides <= 2.0 {
         return ok(None);
     }
-    Some(Judgement { advice: vec![msg!("polygon.round-corners", (p.stock_diameter, 3)).into()], ..ok(None)? })
+    Some(Judgement { advice: vec![msg!("polygon.round-corners", stock = (p.stock_diameter, 3)).into()], ..ok(None)? })
 }
 
 fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -203,8 +217,14 @@ fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
     let limit = AtMost(p.relief);
     if lacks_relief(lathe) {
         let fact = match d.relief_needed >= 90.0 {
-            true => msg!("polygon.cannot-cut", d.relief_pass, (size, 3)),
-            false => msg!("polygon.little-relief", (d.relief_needed, 2), (p.relief, 1), d.relief_pass, (size, 3)),
+            true => msg!("polygon.cannot-cut", pass = d.relief_pass, size = (size, 3)),
+            false => msg!(
+                "polygon.little-relief",
+                needed = (d.relief_needed, 2),
+                relief = (p.relief, 1),
+                pass = d.relief_pass,
+                size = (size, 3)
+            ),
         };
         return fail(limit, mended(lathe, Fault::Relief, fact));
     }
@@ -222,7 +242,7 @@ fn with_b(speed: f64, advice: impl Fn(f64) -> Message) -> Advice {
     if !(1.0..=MOST_B).contains(&speed) {
         return msg!("polygon.no-b").into();
     }
-    Advice::from(advice(speed)).setting(msg!("advice.set-b", (speed, 0)), [near(FIELDS, "speed", speed)])
+    Advice::from(advice(speed)).setting(msg!("advice.set-b", speed = (speed, 0)), [near(FIELDS, "speed", speed)])
 }
 
 fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) -> Option<Judgement> {
@@ -235,14 +255,14 @@ fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) 
 fn tool_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.p;
     too_fast(lathe.d.tool_speed, p.tool_limit, p.tool_ratio, |speed| {
-        msg!("polygon.tool-too-fast", (p.tool_limit, 0), speed)
+        msg!("polygon.tool-too-fast", limit = (p.tool_limit, 0), speed)
     })
 }
 
 fn work_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.p;
     too_fast(lathe.d.work_speed, p.work_limit, p.work_ratio, |speed| {
-        msg!("polygon.work-too-fast", (p.work_limit, 0), speed)
+        msg!("polygon.work-too-fast", limit = (p.work_limit, 0), speed)
     })
 }
 
@@ -253,7 +273,7 @@ fn slowest(lathe: &PolygonLathe) -> Option<Judgement> {
         return ok(limit);
     }
     let speed = (p.speed * p.slowest_cut / d.slowest_cut).ceil();
-    warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-slowly", (speed, 0)))])
+    warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-slowly", speed = (speed, 0)))])
 }
 
 fn fastest(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -263,16 +283,16 @@ fn fastest(lathe: &PolygonLathe) -> Option<Judgement> {
         return ok(limit);
     }
     let speed = (p.speed * p.fastest_cut / d.fastest_cut).floor();
-    warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-fast", (speed, 0)))])
+    warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-fast", speed = (speed, 0)))])
 }
 
 fn distance(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let (low, high) = (p.least_distance, p.greatest_distance);
     if d.distance < low {
-        fail(AtLeast(low), [msg!("polygon.too-near", (low, 2)).into()])
+        fail(AtLeast(low), [msg!("polygon.too-near", least = (low, 2)).into()])
     } else if d.distance > high {
-        fail(AtMost(high), [msg!("polygon.too-far", (high, 2)).into()])
+        fail(AtMost(high), [msg!("polygon.too-far", most = (high, 2)).into()])
     } else {
         ok(None)
     }
@@ -287,11 +307,17 @@ fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
         return ok(AtMost(overhang));
     }
     let stock = down(FIELDS, "stock-diameter", p.across_flats + 2.0 * overhang);
-    let fact = msg!("polygon.body-touches", (d.reach - overhang, 3), (d.reach, 3), stock.1.as_str());
+    let fact = msg!(
+        "polygon.body-touches",
+        overlap = (d.reach - overhang, 3),
+        overhang = (d.reach, 3),
+        diameter = stock.1.as_str()
+    );
     let set = up(FIELDS, "overhang", d.reach);
     let fits = d.reach < p.tip_radius;
     let advice = Advice::from(fact);
-    let advice = if fits { advice.setting(msg!("advice.set-overhang", set.1.as_str()), [set]) } else { advice };
+    let advice =
+        if fits { advice.setting(msg!("advice.set-overhang", overhang = set.1.as_str()), [set]) } else { advice };
     fail(AtMost(overhang), [advice])
 }
 
@@ -308,9 +334,9 @@ fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
     if (d.orientation_error - d.phase_on_work).abs() <= SEEN {
         return warn(limit, []);
     }
-    let advice = Advice::from(msg!("polygon.turned", (d.orientation_error, 3), (d.work_start, 3)));
+    let advice = Advice::from(msg!("polygon.turned", error = (d.orientation_error, 3), angle = (d.work_start, 3)));
     let set = near(FIELDS, "work-start", d.work_start);
-    warn(limit, [advice.setting(msg!("advice.set-a", (d.work_start, 3)), [set])])
+    warn(limit, [advice.setting(msg!("advice.set-a", angle = (d.work_start, 3)), [set])])
 }
 
 /// Axes whose time constants or gains differ; both have the greater time constant and the lower gain as a remedy.
@@ -326,12 +352,13 @@ fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
         near(FIELDS, "work-gain", soft),
         near(FIELDS, "tool-gain", soft),
     ];
-    let advice = Advice::from(msg!("polygon.out-of-phase", (d.phase, 3), (d.phase_on_work, 3)));
+    let advice =
+        Advice::from(msg!("polygon.out-of-phase", tool_angle = (d.phase, 3), work_angle = (d.phase_on_work, 3)));
     warn(None, [advice.setting(msg!("advice.make-equal"), sets)])
 }
 
 fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
-    let advice = Advice::from(msg!("polygon.coasts", (lathe.d.coast_phase, 0)));
+    let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.coast_phase, 0)));
     warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held".to_owned())])])
 }
 
@@ -342,13 +369,17 @@ fn insert(lathe: &PolygonLathe) -> Option<Judgement> {
     if depth.abs() <= p.flatness {
         return ok(limit);
     }
-    warn(limit, [msg!("polygon.insert-deep", insert, (depth, 4)).into()])
+    warn(limit, [msg!("polygon.insert-deep", insert, depth = (depth, 4)).into()])
 }
 
 fn insert_turn(lathe: &PolygonLathe) -> Option<Judgement> {
     let (insert, turn) = lathe.d.insert_turn;
     let limit = Within(SEEN);
-    if turn.abs() <= SEEN { ok(limit) } else { warn(limit, [msg!("polygon.insert-turned", insert, (turn, 3)).into()]) }
+    if turn.abs() <= SEEN {
+        ok(limit)
+    } else {
+        warn(limit, [msg!("polygon.insert-turned", insert, angle = (turn, 3)).into()])
+    }
 }
 
 /// The code has no word for a lead.
@@ -357,7 +388,7 @@ fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
     if p.lead == 0.0 {
         return ok(None);
     }
-    fail(None, [msg!("polygon.no-twist", (d.twist_speed, 3)).into()])
+    fail(None, [msg!("polygon.no-twist", speed = (d.twist_speed, 3)).into()])
 }
 
 /// The feed of a field in mm/min against the clamp of the slide.
@@ -366,8 +397,8 @@ fn within_clamp(field: &'static str, per_turn: f64, feed: f64, clamp: f64) -> Op
         return ok(AtMost(clamp));
     }
     let set = down(FIELDS, field, per_turn * clamp / feed);
-    let advice = Advice::from(msg!("polygon.above-clamp", (feed, 0), (clamp, 0)));
-    fail(AtMost(clamp), [advice.setting(msg!("advice.set-feed", set.1.as_str()), [set])])
+    let advice = Advice::from(msg!("polygon.above-clamp", feed = (feed, 0), clamp = (clamp, 0)));
+    fail(AtMost(clamp), [advice.setting(msg!("advice.set-feed", feed = set.1.as_str()), [set])])
 }
 
 fn clamp(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -405,36 +436,39 @@ fn errors_of(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     let mut found = Vec::new();
     let mut error = |message: Message, field: &'static str| found.push((message, field));
     if p.work_ratio == 0.0 {
-        error(msg!("polygon.zero-ratio", "D"), "work-ratio");
+        error(msg!("polygon.zero-ratio", field = "D"), "work-ratio");
     }
     if p.tool_ratio == 0.0 {
-        error(msg!("polygon.zero-ratio", "Q"), "tool-ratio");
+        error(msg!("polygon.zero-ratio", field = "Q"), "tool-ratio");
     }
     if p.across_flats >= p.stock_diameter {
-        error(msg!("polygon.nothing-to-cut", (p.across_flats, 3), (p.stock_diameter, 3)), "across-flats");
+        error(
+            msg!("polygon.nothing-to-cut", size = (p.across_flats, 3), stock = (p.stock_diameter, 3)),
+            "across-flats",
+        );
     } else if p.work_ratio != 0.0 && p.tool_ratio != 0.0 && !d.cuts {
         error(msg!("polygon.no-section"), "tool-ratio");
     }
     if p.passes() > PASSES {
-        error(msg!("polygon.too-many-passes", PASSES), "depth");
+        error(msg!("polygon.too-many-passes", most = PASSES), "depth");
     }
     if p.is_behind_face() && p.length < p.insert_width {
-        error(msg!("polygon.wide-insert", (p.insert_width, 3), (p.length, 3)), "length");
+        error(msg!("polygon.wide-insert", width = (p.insert_width, 3), length = (p.length, 3)), "length");
     }
     for (text, most, field) in
         [(&p.radius_errors, RADIUS_ERROR, "radius-errors"), (&p.angle_errors, ANGLE_ERROR, "angle-errors")]
     {
         if errors(text, p.inserts as usize, most).is_none() {
-            error(msg!("polygon.bad-errors", p.inserts, most), field);
+            error(msg!("polygon.bad-errors", count = p.inserts, most), field);
         }
     }
     let (least, most) = (lathe.control.limits.feed_increment, lathe.control.limits.feed_max);
     let infeed = p.is_behind_face().then_some((d.infeed, "infeed"));
     for (feed, field) in [(d.feed, "feed"), (d.finish_feed, "finish-feed")].into_iter().chain(infeed) {
         if feed < least && p.work_ratio != 0.0 {
-            error(msg!("polygon.feed-too-small", (feed, 6), least), field);
+            error(msg!("polygon.feed-too-small", feed = (feed, 6), least), field);
         } else if feed > most {
-            error(msg!("polygon.feed-too-large", (feed, 0), most), field);
+            error(msg!("polygon.feed-too-large", feed = (feed, 0), most), field);
         }
     }
     found
@@ -474,16 +508,25 @@ fn slot_errors(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     for ((slot, fields), after) in p.slots.iter().zip(fields).zip([false, true]).filter(|((slot, _), _)| slot.on) {
         let [diameter, length, chamfer, depth, pitch, thread_length, speed, feed] = fields;
         if slot.diameter >= p.stock_diameter {
-            found.push((msg!("polygon.nothing-to-turn", (slot.diameter, 3), (p.stock_diameter, 3)), diameter));
+            found.push((
+                msg!("polygon.nothing-to-turn", diameter = (slot.diameter, 3), stock = (p.stock_diameter, 3)),
+                diameter,
+            ));
         }
         if p.free_length > 0.0 && slot.length + p.clearance > p.free_length {
-            found.push((msg!("polygon.near-jaws", (slot.length + p.clearance, 3), (p.free_length, 3)), length));
+            found.push((
+                msg!("polygon.near-jaws", needed = (slot.length + p.clearance, 3), length = (p.free_length, 3)),
+                length,
+            ));
         }
         if slot.chamfer >= 0.5 * slot.diameter || slot.chamfer > slot.length {
-            found.push((msg!("polygon.wide-chamfer", (slot.diameter, 3), (slot.length, 3)), chamfer));
+            found.push((
+                msg!("polygon.wide-chamfer", diameter = (slot.diameter, 3), length = (slot.length, 3)),
+                chamfer,
+            ));
         }
         if slot.speed > spindle_top(lathe) {
-            found.push((msg!("polygon.fast-spindle", (spindle_top(lathe), 0)), speed));
+            found.push((msg!("polygon.fast-spindle", most = (spindle_top(lathe), 0)), speed));
         }
         let clamp = p.clamp_x.min(p.clamp_z);
         let (least, most) = (lathe.control.limits.feed_increment, lathe.control.limits.feed_max.min(clamp));
@@ -491,9 +534,9 @@ fn slot_errors(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
         for (each, field) in [(slot.feed, feed)].into_iter().chain(threads) {
             let feed = each * slot.speed;
             if feed < least {
-                found.push((msg!("polygon.feed-too-small", (feed, 6), least), field));
+                found.push((msg!("polygon.feed-too-small", feed = (feed, 6), least), field));
             } else if feed > most {
-                found.push((msg!("polygon.above-clamp", (feed, 0), (most, 0)), field));
+                found.push((msg!("polygon.above-clamp", feed = (feed, 0), clamp = (most, 0)), field));
             }
         }
         if slot.is_endless(p.stock_diameter) {
@@ -501,16 +544,16 @@ fn slot_errors(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
         }
         if slot.pitch > 0.0 {
             if slot.least_diameter() <= 0.0 {
-                found.push((msg!("polygon.coarse-thread", (slot.diameter, 3)), pitch));
+                found.push((msg!("polygon.coarse-thread", diameter = (slot.diameter, 3)), pitch));
             }
             if slot.thread_length > slot.length {
-                found.push((msg!("polygon.long-thread", (slot.length, 3)), thread_length));
+                found.push((msg!("polygon.long-thread", length = (slot.length, 3)), thread_length));
             }
         }
         let covers =
             |lathe: &&PolygonLathe| after && lathe.p.from_face < slot.length && lathe.d.corner * 2.0 > slot.diameter;
         for (number, other) in (1_u32..).zip(lathe.polygons()).filter(|(_, lathe)| covers(lathe)) {
-            found.push((msg!("polygon.turned-off", number, (other.p.from_face, 3)), length));
+            found.push((msg!("polygon.turned-off", number, from = (other.p.from_face, 3)), length));
         }
     }
     found
@@ -528,14 +571,14 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     faults.extend(slot_errors(lathe));
     let mut error = |message: Message, field: &'static str| faults.push((message, field));
     if p.free_length > 0.0 && lathe.free_length() > p.free_length {
-        error(msg!("polygon.near-jaws", (lathe.free_length(), 3), (p.free_length, 3)), "free-length");
+        error(msg!("polygon.near-jaws", needed = (lathe.free_length(), 3), length = (p.free_length, 3)), "free-length");
     }
     let least = p.clear_diameter();
     if p.start_x < least {
-        error(msg!("polygon.start-in-stock", (p.start_x, 3), (least, 3)), "start-x");
+        error(msg!("polygon.start-in-stock", start = (p.start_x, 3), least = (least, 3)), "start-x");
     }
     if p.start_z < p.clearance {
-        error(msg!("polygon.start-in-stock", (p.start_z, 3), (p.clearance, 3)), "start-z");
+        error(msg!("polygon.start-in-stock", start = (p.start_z, 3), least = (p.clearance, 3)), "start-z");
     }
     let mut found: Vec<Diagnostic> =
         faults.into_iter().map(|(message, field)| Diagnostic::error(message).about(field)).collect();
@@ -546,7 +589,12 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     for PolygonLathe { p, d, .. } in lathe.polygons() {
         if !cutters.contains(&p.tool) {
             cutters.push(p.tool);
-            found.push(Diagnostic::info(msg!("polygon.x-setting", (p.across_flats, 3), (d.offset, 3), p.tool)));
+            found.push(Diagnostic::info(msg!(
+                "polygon.x-setting",
+                size = (p.across_flats, 3),
+                offset = (d.offset, 3),
+                tool = p.tool
+            )));
         }
     }
     found.push(Diagnostic::info(msg!("polygon.reconstructed")));

@@ -31,8 +31,8 @@ fn with_feeds(lathe: &PolygonLathe, spindle: Spindle, asked: Asked, fact: Messag
     let values: Vec<&str> = sets.iter().map(|(_, typed)| typed.as_str()).collect();
     let least = values.iter().filter_map(|typed| typed.parse().ok()).fold(f64::INFINITY, f64::min);
     let button = match values.as_slice() {
-        [one] => msg!("advice.set-feed", *one),
-        several => msg!("advice.set-feeds", several.join(" / ").as_str()),
+        [one] => msg!("advice.set-feed", feed = *one),
+        several => msg!("advice.set-feeds", feeds = several.join(" / ").as_str()),
     };
     let advice = Advice::from(fact);
     if least < LEAST_FEED { advice } else { advice.setting(button, sets) }
@@ -48,27 +48,39 @@ fn cut(lathe: &PolygonLathe, spindle: Spindle, of: Asked, told: impl Fn(f64, f64
 }
 
 pub(super) fn tool_peak(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Tool, Asked::Peak, |asked, limit| msg!("polygon.tool-stalls", (asked, 1), (limit, 1)))
+    cut(lathe, Spindle::Tool, Asked::Peak, |asked, limit| {
+        msg!("polygon.tool-stalls", torque = (asked, 1), limit = (limit, 1))
+    })
 }
 
 pub(super) fn work_peak(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Work, Asked::Peak, |asked, limit| msg!("polygon.work-stalls", (asked, 1), (limit, 1)))
+    cut(lathe, Spindle::Work, Asked::Peak, |asked, limit| {
+        msg!("polygon.work-stalls", torque = (asked, 1), limit = (limit, 1))
+    })
 }
 
 pub(super) fn tool_mean(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Tool, Asked::Mean, |asked, limit| msg!("polygon.tool-overheats", (asked, 2), (limit, 2)))
+    cut(lathe, Spindle::Tool, Asked::Mean, |asked, limit| {
+        msg!("polygon.tool-overheats", torque = (asked, 2), limit = (limit, 2))
+    })
 }
 
 pub(super) fn work_mean(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Work, Asked::Mean, |asked, limit| msg!("polygon.work-overheats", (asked, 2), (limit, 2)))
+    cut(lathe, Spindle::Work, Asked::Mean, |asked, limit| {
+        msg!("polygon.work-overheats", torque = (asked, 2), limit = (limit, 2))
+    })
 }
 
 pub(super) fn tool_power(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Tool, Asked::Power, |asked, limit| msg!("polygon.tool-lacks-power", (asked, 3), (limit, 3)))
+    cut(lathe, Spindle::Tool, Asked::Power, |asked, limit| {
+        msg!("polygon.tool-lacks-power", power = (asked, 3), limit = (limit, 3))
+    })
 }
 
 pub(super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Work, Asked::Power, |asked, limit| msg!("polygon.work-lacks-power", (asked, 3), (limit, 3)))
+    cut(lathe, Spindle::Work, Asked::Power, |asked, limit| {
+        msg!("polygon.work-lacks-power", power = (asked, 3), limit = (limit, 3))
+    })
 }
 
 /// The run-up against the drive. Both axes get the same ramp, so that they keep their ratio on it.
@@ -81,14 +93,18 @@ fn run_up(lathe: &PolygonLathe, spindle: Spindle, told: impl Fn(f64, f64) -> Mes
     let ramp = (1000.0 * lathe.ramp()).max(p.work_time_constant).max(p.tool_time_constant);
     let advice = Advice::from(told(asked, limit));
     let sets = ["work-time-constant", "tool-time-constant"].map(|field| up(FIELDS, field, ramp));
-    let button = msg!("advice.set-ramps", sets[0].1.as_str());
+    let button = msg!("advice.set-ramps", time = sets[0].1.as_str());
     fail(AtMost(limit), [if ramp <= LONGEST_RAMP { advice.setting(button, sets) } else { advice }])
 }
 
 pub(super) fn tool_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_up(lathe, Spindle::Tool, |asked, limit| msg!("polygon.tool-ramp-short", (asked, 1), (limit, 1)))
+    run_up(lathe, Spindle::Tool, |asked, limit| {
+        msg!("polygon.tool-ramp-short", torque = (asked, 1), limit = (limit, 1))
+    })
 }
 
 pub(super) fn work_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_up(lathe, Spindle::Work, |asked, limit| msg!("polygon.work-ramp-short", (asked, 1), (limit, 1)))
+    run_up(lathe, Spindle::Work, |asked, limit| {
+        msg!("polygon.work-ramp-short", torque = (asked, 1), limit = (limit, 1))
+    })
 }

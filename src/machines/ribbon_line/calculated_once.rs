@@ -7,7 +7,7 @@ use crate::view::Advice;
 /// An advice to calculate the published listing before its loop, where its passes are in time then: by the milliseconds that they need.
 pub(super) fn calculated_once(p: &Params, in_time: impl Fn(f64) -> bool) -> Option<Advice> {
     let needed = Params { variant: Variant::Precomputed, ..p.clone() }.pass_needed() * 1000.0;
-    let advice = Advice::from(msg!("ribbon.precomputed-in-time", (needed, 1)));
+    let advice = Advice::from(msg!("ribbon.precomputed-in-time", needed = (needed, 1)));
     (p.variant == Variant::Published && in_time(needed))
         .then(|| advice.setting(msg!("advice.precomputed"), [("variant", "precomputed".to_owned())]))
 }

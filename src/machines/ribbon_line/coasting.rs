@@ -67,7 +67,7 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let time = seconds(line, line.fast.actual_speed);
-    let said = msg!("ribbon.coasts-too-long", (time, 2), (needed.ceil(), 0), (capacity, 0));
+    let said = msg!("ribbon.coasts-too-long", time = (time, 2), needed = (needed.ceil(), 0), capacity = (capacity, 0));
     let mut advice = Vec::new();
     // The brake that stops the unwinder in the time in which the loop fills up.
     let speed = line.fast.line_speed / 60.0;
@@ -76,9 +76,9 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     if left > 0.0 {
         let torque = load::braking(line.p.unwinding.inertia * CM2, line.fast.actual_speed * RPM, left);
         let set = up(FIELDS, "unwinder-motor-brake", torque - line.mechanics.unwinder);
-        advice.push(Advice::from(said.clone()).setting(msg!("advice.set-motor-brake", set.1.as_str()), [set]));
+        advice.push(Advice::from(said.clone()).setting(msg!("advice.set-motor-brake", torque = set.1.as_str()), [set]));
     }
     let set = up(FIELDS, "loop-capacity", needed);
-    advice.push(Advice::from(said).setting(msg!("advice.set-loop", set.1.as_str()), [set]));
+    advice.push(Advice::from(said).setting(msg!("advice.set-loop", capacity = set.1.as_str()), [set]));
     fail(limit, advice)
 }

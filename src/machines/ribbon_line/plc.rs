@@ -41,7 +41,7 @@ impl Plc for RibbonPlc {
             && io.stops.program == ProgramState::Running
             && io.spindle_command != 0.0
         {
-            io.notice = Some(msg!("ribbon.knob-left", (percent, 0), (typed, 0)));
+            io.notice = Some(msg!("ribbon.knob-left", percent = (percent, 0), programmed = (typed, 0)));
         }
         next
     }

@@ -255,6 +255,6 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
         (node::PULL_POSITION, units::figure(state.pulled, 1, "mm")),
         (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),
         (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),
-        (node::DOT_COUNT, sentence(&msg!("ribbon.scene.dots", printed))),
+        (node::DOT_COUNT, sentence(&msg!("ribbon.scene.dots", count = printed))),
     ]
 }

@@ -122,24 +122,24 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     }
     if p.spindle_speed > limits.speed_max {
         found.push(
-            Diagnostic::error(msg!("ribbon.speed-above-range", (p.spindle_speed, 0), limits.speed_max))
+            Diagnostic::error(msg!("ribbon.speed-above-range", speed = (p.spindle_speed, 0), most = limits.speed_max))
                 .about("spindle-speed"),
         );
     }
     if d.vector_feed > 0.0 && d.vector_feed < limits.feed_increment {
-        let message = msg!("ribbon.feed-below-increment", (d.vector_feed, 6), limits.feed_increment);
+        let message = msg!("ribbon.feed-below-increment", feed = (d.vector_feed, 6), step = limits.feed_increment);
         found.push(Diagnostic::error(message).about("spindle-speed"));
     }
     found.extend(coordinates::long_blocks(line));
     if cams::has_no_time(line) {
-        let message = msg!("ribbon.cam-no-time", (p.contact_length, 3), (p.pitch, 3));
+        let message = msg!("ribbon.cam-no-time", length = (p.contact_length, 3), pitch = (p.pitch, 3));
         found.push(Diagnostic::warning(message).about("contact-length"));
     }
     if !program::overrides_can_be_off(line) {
         found.push(Diagnostic::info(msg!("ribbon.override-acts")));
     }
     if !line.control.macros.common_kept {
-        found.push(Diagnostic::info(msg!("form.values-are-lost", program::SETUP)));
+        found.push(Diagnostic::info(msg!("form.values-are-lost", program = program::SETUP)));
     }
     found
 }

@@ -29,8 +29,16 @@ pub(super) fn advice(line: &RibbonLine) -> Option<Message> {
     let peak = (end.start_torque(), 2);
     let speed = end.speed_by_start().min(end.speed_by_heat());
     let effective = (end.effective_torque(), 2);
-    (speed >= 1.0)
-        .then(|| msg!("ribbon.match-cam", peak, (end.most(), 2), effective, (end.most_effective(), 2), (speed, 0)))
+    (speed >= 1.0).then(|| {
+        msg!(
+            "ribbon.match-cam",
+            torque = peak,
+            limit = (end.most(), 2),
+            effective,
+            effective_limit = (end.most_effective(), 2),
+            speed = (speed, 0)
+        )
+    })
 }
 
 fn not_written(line: &RibbonLine) -> Option<Judgement> {
@@ -49,7 +57,7 @@ fn torque(line: &RibbonLine, (now, end): (f64, f64), most: f64, speed: f64) -> O
     if limit.holds(now) {
         return ok(limit);
     }
-    let sentence = msg!("ribbon.cam-torque", (end, 2), (most, 2), (speed, 0));
+    let sentence = msg!("ribbon.cam-torque", torque = (end, 2), limit = (most, 2), speed = (speed, 0));
     let unwinder = (line.fast.actual_speed * speed / line.fast.line_speed).floor();
     fail(limit, [if unwinder >= 1.0 { feeds::with_speed(line, unwinder, sentence) } else { sentence.into() }])
 }
@@ -76,7 +84,10 @@ fn lag(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(now.longest_lag()) {
         return ok(limit);
     }
-    warn(limit, [Advice::from(msg!("ribbon.cam-turns-back", (-now.travel(), 3), (now.longest_lag(), 3)))])
+    warn(
+        limit,
+        [Advice::from(msg!("ribbon.cam-turns-back", difference = (-now.travel(), 3), most = (now.longest_lag(), 3)))],
+    )
 }
 
 /// Time of a short block against the time that the control needs for a block with a macro statement for its end point and F.
@@ -91,7 +102,7 @@ fn block_time(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let speed = (now.speed_by_blocks(needed), 0);
-    warn(limit, [Advice::from(msg!("ribbon.cam-blocks-too-short", (lasts, 1), (needed, 1), speed))])
+    warn(limit, [Advice::from(msg!("ribbon.cam-blocks-too-short", time = (lasts, 1), needed = (needed, 1), speed))])
 }
 
 /// Smear that ramp and lag of the axis leave of a correction by short blocks.
@@ -102,5 +113,5 @@ fn smear(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let left = (100.0 * end.followed(), 1);
-    warn(limit, [Advice::from(msg!("ribbon.cam-blocks-smoothed", left, (end.smear_of_blocks(), 3)))])
+    warn(limit, [Advice::from(msg!("ribbon.cam-blocks-smoothed", percent = left, smear = (end.smear_of_blocks(), 3)))])
 }

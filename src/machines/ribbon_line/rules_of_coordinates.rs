@@ -22,9 +22,9 @@ pub(super) fn long_blocks(line: &RibbonLine) -> Option<Diagnostic> {
     let (axis, pitch) = if d.y_stroke > pull { (line.letter(), d.y_stroke) } else { ("X".to_owned(), pull) };
     let max = limits.coordinate_max;
     (pitches * pitch > max).then(|| {
-        Diagnostic::error(msg!("ribbon.block-too-long", axis, (pitches * pitch, 3), max))
+        Diagnostic::error(msg!("ribbon.block-too-long", axis, travel = (pitches * pitch, 3), most = max))
             .about("pitches-per-block")
-            .hint(msg!("ribbon.fewer-pitches", ((max / pitch).floor(), 0)))
+            .hint(msg!("ribbon.fewer-pitches", count = ((max / pitch).floor(), 0)))
     })
 }
 
@@ -61,7 +61,7 @@ fn roll_parameters(line: &RibbonLine) -> String {
 fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
     let set = |id: &str| [("endless", id.to_owned())];
     if line.control.param(ParamRole::AxisRollOver).is_some() {
-        let advice = Advice::from(msg!("ribbon.range-roll-over", roll_parameters(line)));
+        let advice = Advice::from(msg!("ribbon.range-roll-over", parameters = roll_parameters(line)));
         return vec![advice.setting(msg!("advice.roll-over"), set("roll-over"))];
     }
     if product_fits && line.p.endless != Endless::Shift && line.control.can(Code::SetCoordinates) {
@@ -75,27 +75,30 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
 pub(super) fn range(line: &RibbonLine) -> Option<Judgement> {
     let max = line.control.limits.coordinate_max;
     let Some((axis, travel)) = farthest(line) else {
-        let advice = msg!("ribbon.range-endless", roll_parameters(line), max);
+        let advice = msg!("ribbon.range-endless", parameters = roll_parameters(line), limit = max);
         return Some(Judgement { verdict: Verdict::Ok, limit: None, advice: vec![advice.into()] });
     };
     let with = |advice: Advice, fits: bool| [vec![advice], endless_axes(line, fits)].concat();
     let products = (max / (travel * line.p.count())).floor();
     if products < 1.0 {
         let pitches = (max / travel).floor();
-        let advice = Advice::from(msg!("ribbon.range-product", axis, max, (pitches, 0)));
+        let advice = Advice::from(msg!("ribbon.range-product", axis, limit = max, count = (pitches, 0)));
         let set = match line.p.is_length(line.control) {
             true => down(FIELDS, "product-length", pitches * line.p.pitch),
             false => down(FIELDS, "pitch-count", pitches),
         };
-        let button = msg!("advice.shorter-product", pitches);
+        let button = msg!("advice.shorter-product", count = pitches);
         return fail(None, with(if pitches >= 1.0 { advice.setting(button, [set]) } else { advice }, false));
     }
     let seconds = (range_time(line), 0);
     if line.p.endless == Endless::Shift && line.dialect.running.range != Some(CoordinateFrame::Machine) {
-        let advice = msg!("ribbon.range-shifted", axis, max, seconds, (products, 0));
+        let advice = msg!("ribbon.range-shifted", axis, limit = max, time = seconds, products = (products, 0));
         return Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] });
     }
-    warn(None, with(msg!("ribbon.range-open", axis, max, seconds, (products, 0)).into(), true))
+    warn(
+        None,
+        with(msg!("ribbon.range-open", axis, limit = max, time = seconds, products = (products, 0)).into(), true),
+    )
 }
 
 /// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors: what is left of the ratio when parameters have taken it as
@@ -122,7 +125,7 @@ fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
         return ok(AtMost(limit));
     }
     let unit = if at == 1 && line.degrees() { "°/h" } else { "mm/h" };
-    let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis, (drift, 4), (limit, 4), unit));
+    let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis, drift = (drift, 4), limit = (limit, 4), unit));
     if at == 1 && !line.degrees() && p.print_axis == PrintAxis::Y {
         advice = advice.setting(msg!("advice.degrees"), [("y-unit", "degrees".to_owned())]);
     }

@@ -35,26 +35,27 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
     let one = |button: fn(&str) -> Message, entry: (&'static str, String)| (button(&entry.1), vec![entry]);
     let (button, entries) = match part {
         Part::RunOut => {
-            one(|mm| msg!("advice.set-run-out", mm), down(FIELDS, "roller-run-out", p.roller_run_out * share))
+            one(|run_out| msg!("advice.set-run-out", run_out), down(FIELDS, "roller-run-out", p.roller_run_out * share))
         }
         Part::Encoders => one(
             |pulses| msg!("advice.set-encoder", pulses),
             up(FIELDS, "encoder-resolution", p.encoder_resolution / share),
         ),
-        Part::Backlash => {
-            one(|minutes| msg!("advice.set-backlash", minutes), down(FIELDS, "gear-backlash", p.gear_backlash * share))
-        }
+        Part::Backlash => one(
+            |backlash| msg!("advice.set-backlash", backlash),
+            down(FIELDS, "gear-backlash", p.gear_backlash * share),
+        ),
         Part::Strain => one(
-            |newtons| msg!("advice.set-tension-behind", newtons),
+            |force| msg!("advice.set-tension-behind", force),
             down(FIELDS, "tension-behind", p.web.tension_behind * share),
         ),
         Part::Lag => (msg!("advice.make-equal"), equal_entries(p)),
     };
-    let values = ((of.total(), 3), (p.dot_tolerance, 3), say(part.name()), (mm, 3));
+    let (error, tolerance, part, part_error) = ((of.total(), 3), (p.dot_tolerance, 3), say(part.name()), (mm, 3));
     let told = if alone {
-        msg!("ribbon.dot-error", values.0, values.1, values.2, values.3)
+        msg!("ribbon.dot-error", error, tolerance, part, part_error)
     } else {
-        msg!("ribbon.dot-error-of-several", values.0, values.1, values.2, values.3)
+        msg!("ribbon.dot-error-of-several", error, tolerance, part, part_error)
     };
     warn(limit, [Advice::from(told).setting(button, entries)])
 }

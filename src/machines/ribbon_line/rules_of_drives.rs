@@ -47,14 +47,17 @@ fn peak(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
     }
     let ramp = end.shortest_ramp() * 1e3;
     if ramp > LONGEST {
-        return fail(limit, [Advice::from(msg!("ribbon.peak-torque-motor", (end.duty.peak / end.limits.peak, 2)))]);
+        return fail(
+            limit,
+            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (end.duty.peak / end.limits.peak, 2)))],
+        );
     }
     // Both axes must have the same ramp: their ratio is wrong in every ramp else.
     let set = up(FIELDS, "time-constant-x", ramp);
     let milliseconds: f64 = set.1.parse().unwrap_or(ramp);
     let both = [set.clone(), ("time-constant-y", set.1)];
-    let sentence = msg!("ribbon.peak-torque", (end.duty.peak, 2), (most, 2), (milliseconds, 1));
-    fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", (milliseconds, 1)), both)])
+    let sentence = msg!("ribbon.peak-torque", torque = (end.duty.peak, 2), limit = (most, 2), time = (milliseconds, 1));
+    fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", time = (milliseconds, 1)), both)])
 }
 
 fn peak_x(line: &RibbonLine) -> Option<Judgement> {
@@ -73,7 +76,16 @@ fn effective(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
     }
     let stall = end.duty.effective / end.limits.effective;
     let share = (100.0 * end.limits.effective, 1);
-    fail(limit, [Advice::from(msg!("ribbon.effective-torque", (end.duty.effective, 2), (most, 2), (stall, 2), share))])
+    fail(
+        limit,
+        [Advice::from(msg!(
+            "ribbon.effective-torque",
+            torque = (end.duty.effective, 2),
+            limit = (most, 2),
+            stall_torque = (stall, 2),
+            percent = share
+        ))],
+    )
 }
 
 fn effective_x(line: &RibbonLine) -> Option<Judgement> {
@@ -89,7 +101,10 @@ fn inertia(axis: &ServoAxis) -> Option<Judgement> {
     if limit.holds(ratio) {
         return ok(limit);
     }
-    warn(limit, [Advice::from(msg!("ribbon.inertia-ratio", (ratio, 1), (axis.limits.inertia_ratio, 1)))])
+    warn(
+        limit,
+        [Advice::from(msg!("ribbon.inertia-ratio", ratio = (ratio, 1), limit = (axis.limits.inertia_ratio, 1)))],
+    )
 }
 
 fn inertia_x(line: &RibbonLine) -> Option<Judgement> {
@@ -108,8 +123,8 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     }
     let set = up(FIELDS, "pinch-force", line.p.pull.pinch_force * end / GRIP);
     let force: f64 = set.1.parse().unwrap_or_default();
-    let advice = Advice::from(msg!("ribbon.nip-slips", (end, 1), (force, 1)))
-        .setting(msg!("advice.set-pinch", (force, 1)), [set]);
+    let advice = Advice::from(msg!("ribbon.nip-slips", percent = (end, 1), force = (force, 1)))
+        .setting(msg!("advice.set-pinch", force = (force, 1)), [set]);
     if end > 100.0 { fail(limit, [advice]) } else { warn(limit, [advice]) }
 }
 
@@ -123,12 +138,12 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     // The brake that the motor's torque leaves behind gear and friction.
     let at_roller = most * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
     let brake = at_roller / (p.press_roller_diameter / 2e3);
-    let advice = Advice::from(msg!("ribbon.unwinder-torque", (torque, 2), (most, 2)));
+    let advice = Advice::from(msg!("ribbon.unwinder-torque", torque = (torque, 2), limit = (most, 2)));
     let advice = match brake > 0.0 {
         true => {
             let set = down(FIELDS, "reel-brake", brake);
             let shown: f64 = set.1.parse().unwrap_or(brake);
-            advice.setting(msg!("advice.set-brake", (shown, 2)), [set])
+            advice.setting(msg!("advice.set-brake", force = (shown, 2)), [set])
         }
         false => advice,
     };
@@ -142,7 +157,7 @@ fn unwinder_load(line: &RibbonLine) -> Option<Judgement> {
         return None;
     }
     let set = near(FIELDS, "unwinder-load", share.min(200.0));
-    let sentence = msg!("ribbon.unwinder-load-differs", (p.unwinder_load, 2), (share, 2));
+    let sentence = msg!("ribbon.unwinder-load-differs", load = (p.unwinder_load, 2), needed = (share, 2));
     let shown: f64 = set.1.parse().unwrap_or(share);
-    warn(None, [Advice::from(sentence).setting(msg!("advice.set-load", (shown, 2)), [set])])
+    warn(None, [Advice::from(sentence).setting(msg!("advice.set-load", load = (shown, 2)), [set])])
 }

@@ -21,11 +21,11 @@ pub(super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
     }
     let mut advice = vec![slower_advice(line)];
     if line.control.can(Code::FeedPerRevolution) && d.feed_per_revolution <= limits.revolution_feed_max {
-        let instead = Advice::from(msg!("ribbon.per-revolution-instead", (d.feed_per_revolution, 3)));
+        let instead = Advice::from(msg!("ribbon.per-revolution-instead", feed = (d.feed_per_revolution, 3)));
         let set = [("feed-form", "per-revolution".to_owned())];
         advice.push(if p.spindle_encoder { instead.setting(msg!("advice.per-revolution"), set) } else { instead });
     }
-    Some((msg!("ribbon.feed-above-limit", d.vector_feed, max), advice))
+    Some((msg!("ribbon.feed-above-limit", feed = d.vector_feed, most = max), advice))
 }
 
 /// A feed as it is driven, mm/min.
@@ -71,8 +71,8 @@ pub(super) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advi
         sets.push(down(FIELDS, "speed-clamp", speed));
     }
     let button = match sets.first() {
-        Some((id, typed)) if *id == "spindle-speed" => msg!("advice.set-speed", typed.as_str()),
-        Some((_, typed)) => msg!("advice.clamp-speed", typed.as_str()),
+        Some((id, typed)) if *id == "spindle-speed" => msg!("advice.set-speed", speed = typed.as_str()),
+        Some((_, typed)) => msg!("advice.clamp-speed", speed = typed.as_str()),
         None => return advice.into(),
     };
     Advice::from(advice).setting(button, sets)
@@ -81,8 +81,10 @@ pub(super) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advi
 pub(super) fn slower_advice(line: &RibbonLine) -> Advice {
     match fastest(line) {
         speed if speed < 1.0 => msg!("ribbon.no-speed").into(),
-        speed if line.d.actual_speed > speed => with_speed(line, speed, msg!("ribbon.run-slower", (speed, 0))),
-        speed => with_speed(line, speed, msg!("ribbon.knob-too-far", (line.knob_end(), 1), (speed, 0))),
+        speed if line.d.actual_speed > speed => with_speed(line, speed, msg!("ribbon.run-slower", speed = (speed, 0))),
+        speed => {
+            with_speed(line, speed, msg!("ribbon.knob-too-far", percent = (line.knob_end(), 1), speed = (speed, 0)))
+        }
     }
 }
 
@@ -113,11 +115,16 @@ pub(super) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
         if limit.holds(line.d.vector_feed) {
             return ok(limit);
         }
-        let feed = msg!("ribbon.knob-stops", (line.knob_end(), 1), (line.fast.vector_feed, 0), line.feed_max());
+        let feed = msg!(
+            "ribbon.knob-stops",
+            percent = (line.knob_end(), 1),
+            feed = (line.fast.vector_feed, 0),
+            most = line.feed_max()
+        );
         return fail(limit, [feed.into(), slower_advice(line)]);
     };
     let speed = fastest(line);
-    let short = with_speed(line, speed, msg!("ribbon.feed-above-range", line.feed_max(), (speed, 0)));
+    let short = with_speed(line, speed, msg!("ribbon.feed-above-range", most = line.feed_max(), speed = (speed, 0)));
     advice.splice(0..0, (speed >= 1.0).then_some(short).into_iter().chain([message.into()]));
     fail(limit, advice)
 }
@@ -131,11 +138,14 @@ pub(super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
     }
     let (feed, limit, step) = (d.feed_per_revolution, line.feed_max(), limits.feed_increment);
     if feed > limit {
-        return fail(AtMost(limit), [msg!("ribbon.revolution-feed-above-limit", (feed, 3), limit).into()]);
+        return fail(
+            AtMost(limit),
+            [msg!("ribbon.revolution-feed-above-limit", feed = (feed, 3), most = limit).into()],
+        );
     }
     let drift = (1.0 - (feed / step).round() * step / feed) * d.line_speed;
     if drift.abs() > 1.0 && !line.p.dancer {
-        return warn(AtMost(limit), [with_dancer(msg!("ribbon.feed-in-steps", step, (drift.abs(), 1)))]);
+        return warn(AtMost(limit), [with_dancer(msg!("ribbon.feed-in-steps", step, rate = (drift.abs(), 1)))]);
     }
     ok(AtMost(limit))
 }
@@ -145,10 +155,10 @@ pub(super) fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Opti
     let limit = AtMost(max * line.knob_share());
     if !limit.holds(speed) {
         let slower = line.d.actual_speed * rated.min(max) / speed;
-        let advice = msg!("ribbon.motor-too-fast", (speed / line.knob_share(), 0), (max, 0));
+        let advice = msg!("ribbon.motor-too-fast", speed = (speed / line.knob_share(), 0), limit = (max, 0));
         fail(limit, [with_speed(line, slower, advice)])
     } else if speed > rated {
-        warn(AtMost(rated), [msg!("ribbon.motor-above-rated", (speed, 0), (rated, 0)).into()])
+        warn(AtMost(rated), [msg!("ribbon.motor-above-rated", speed = (speed, 0), rated = (rated, 0)).into()])
     } else {
         ok(AtMost(rated.min(limit.value())))
     }
@@ -192,15 +202,27 @@ pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
             let set = up(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
             let count = set.1.parse().unwrap_or(p.block_pitches());
             let sentence = match steady {
-                true => msg!("ribbon.more-pitches-to-turn", (turned, 1), (lasts, 1), knob, (count, 0)),
-                false => msg!("ribbon.more-pitches", (needed, 1), (lasts, 1), knob, (count, 0)),
+                true => msg!(
+                    "ribbon.more-pitches-to-turn",
+                    needed = (turned, 1),
+                    time = (lasts, 1),
+                    percent = knob,
+                    count = (count, 0)
+                ),
+                false => msg!(
+                    "ribbon.more-pitches",
+                    needed = (needed, 1),
+                    time = (lasts, 1),
+                    percent = knob,
+                    count = (count, 0)
+                ),
             };
-            Advice::from(sentence).setting(msg!("advice.set-pitches", set.1.as_str()), [set])
+            Advice::from(sentence).setting(msg!("advice.set-pitches", count = set.1.as_str()), [set])
         }
         Variant::Published | Variant::Precomputed => {
             let sentence = match steady {
-                true => msg!("ribbon.published-to-turn", (turned, 1), (lasts, 1)),
-                false => msg!("ribbon.published-too-slow", (needed, 1), (lasts, 1)),
+                true => msg!("ribbon.published-to-turn", needed = (turned, 1), time = (lasts, 1)),
+                false => msg!("ribbon.published-too-slow", needed = (needed, 1), time = (lasts, 1)),
             };
             Advice::from(sentence).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned())])
         }
@@ -214,16 +236,22 @@ pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let limit = AtMost(d.top_volts);
     if d.asked_speed > d.top_speed {
-        let advice = msg!("ribbon.saturates", (d.asked_speed, 1), (d.top_speed, 1), (d.override_limit, 1));
+        let advice = msg!(
+            "ribbon.saturates",
+            asked = (d.asked_speed, 1),
+            speed = (d.top_speed, 1),
+            percent = (d.override_limit, 1)
+        );
         return fail(limit, [with_speed(line, d.top_speed, advice)]);
     }
     if p.speed_clamp > p.speed_at_10v {
-        let advice = Advice::from(msg!("ribbon.clamp-above-output", (p.speed_clamp, 1), (p.speed_at_10v, 1)));
+        let advice =
+            Advice::from(msg!("ribbon.clamp-above-output", clamp = (p.speed_clamp, 1), speed = (p.speed_at_10v, 1)));
         let set = down(FIELDS, "speed-clamp", p.speed_at_10v);
-        return warn(limit, [advice.setting(msg!("advice.clamp-speed", set.1.as_str()), [set])]);
+        return warn(limit, [advice.setting(msg!("advice.clamp-speed", speed = set.1.as_str()), [set])]);
     }
     if d.volts_command < FEW_VOLTS && d.actual_speed > 0.0 {
-        return warn(AtLeast(FEW_VOLTS), [msg!("ribbon.few-volts", (d.volts_command, 3)).into()]);
+        return warn(AtLeast(FEW_VOLTS), [msg!("ribbon.few-volts", volts = (d.volts_command, 3)).into()]);
     }
     ok(limit)
 }
@@ -234,7 +262,7 @@ const FEW_VOLTS: f64 = 0.5;
 pub(super) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
     let d = &line.d;
     if d.frequency < 5.0 && d.actual_speed > 0.0 {
-        warn(AtLeast(5.0), [msg!("ribbon.low-frequency", (d.frequency, 2)).into()])
+        warn(AtLeast(5.0), [msg!("ribbon.low-frequency", frequency = (d.frequency, 2)).into()])
     } else {
         ok(None)
     }

@@ -33,18 +33,18 @@ pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
         let smear = web::smear(with_heads, p.contact_length);
         let diameter = |advice: Message| {
             let set = near(FIELDS, "print-roller-diameter", d.matching_diameter);
-            Advice::from(advice).setting(msg!("advice.set-diameter", (d.matching_diameter, 2)), [set])
+            Advice::from(advice).setting(msg!("advice.set-diameter", diameter = (d.matching_diameter, 2)), [set])
         };
         let count = near(FIELDS, "heads", heads);
         let pitch = near(FIELDS, "pitch", d.matching_pitch);
         vec![
-            diameter(msg!("ribbon.slips-short", (d.matching_diameter, 2), (heads, 0))),
-            msg!("ribbon.slips", (d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3)).into(),
-            diameter(msg!("ribbon.match-diameter", (d.matching_diameter, 2), (p.heads, 0))),
-            Advice::from(msg!("ribbon.match-heads", (heads, 0), (with_heads, 5), (smear, 3)))
-                .setting(msg!("advice.set-heads", heads), [count]),
-            Advice::from(msg!("ribbon.match-pitch", (d.matching_pitch, 3)))
-                .setting(msg!("advice.set-pitch", pitch.1.as_str()), [pitch]),
+            diameter(msg!("ribbon.slips-short", diameter = (d.matching_diameter, 2), heads = (heads, 0))),
+            msg!("ribbon.slips", ratio = (d.surface_ratio, 3), smear = (d.smear, 3), limit = (p.smear_limit, 3)).into(),
+            diameter(msg!("ribbon.match-diameter", diameter = (d.matching_diameter, 2), heads = (p.heads, 0))),
+            Advice::from(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)))
+                .setting(msg!("advice.set-heads", count = heads), [count]),
+            Advice::from(msg!("ribbon.match-pitch", pitch = (d.matching_pitch, 3)))
+                .setting(msg!("advice.set-pitch", pitch = pitch.1.as_str()), [pitch]),
         ]
         .into_iter()
         .chain(rules_of_cams::advice(line).map(Advice::from))
@@ -61,7 +61,7 @@ pub(super) fn pi(line: &RibbonLine) -> Option<Judgement> {
     match line.p.pi {
         PiForm::Exact => ok(None),
         PiForm::Short => {
-            let advice = msg!("ribbon.pi-short", (line.d.pi_drift, 2), (line.d.pi_drift * 60.0, 0));
+            let advice = msg!("ribbon.pi-short", rate = (line.d.pi_drift, 2), length = (line.d.pi_drift * 60.0, 0));
             let set = [("pi", "exact".to_owned())];
             warn(Equal(0.0), [Advice::from(advice).setting(msg!("advice.exact-pi"), set)])
         }
@@ -79,8 +79,8 @@ pub(super) fn thickness(line: &RibbonLine) -> Option<Judgement> {
     }
     let effective = p.press_roller_diameter + p.ribbon_thickness;
     let set = near(FIELDS, "press-roller-diameter", effective);
-    let advice = Advice::from(msg!("ribbon.thickness", (d.thickness_error, 2), (effective, 3)));
-    let button = msg!("advice.set-diameter", (effective, 2));
+    let advice = Advice::from(msg!("ribbon.thickness", percent = (d.thickness_error, 2), diameter = (effective, 3)));
+    let button = msg!("advice.set-diameter", diameter = (effective, 2));
     warn(limit, [advice.setting(button, [set, ("effective-diameter", "true".to_owned())])])
 }
 
@@ -91,8 +91,8 @@ fn resolution(micrometres: f64, line: &RibbonLine) -> Option<Judgement> {
         return ok(AtMost(limit));
     }
     let set = up(FIELDS, "encoder-resolution", p.encoder_resolution * micrometres / limit);
-    let advice = Advice::from(msg!("ribbon.coarse-encoder", (limit, 3)));
-    warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", set.1.as_str()), [set])])
+    let advice = Advice::from(msg!("ribbon.coarse-encoder", error = (limit, 3)));
+    warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", pulses = set.1.as_str()), [set])])
 }
 
 pub(super) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
@@ -112,15 +112,16 @@ pub(super) fn length(line: &RibbonLine) -> Option<Judgement> {
     let tolerance = if p.rest == Rest::Alarm { 0.001 } else { p.dot_tolerance };
     let limit = Within(tolerance);
     let whole = near(FIELDS, "product-length", p.count() * p.pitch);
-    let whole_length =
-        |advice: Message| Advice::from(advice).setting(msg!("advice.set-length", whole.1.as_str()), [whole.clone()]);
+    let whole_length = |advice: Message| {
+        Advice::from(advice).setting(msg!("advice.set-length", length = whole.1.as_str()), [whole.clone()])
+    };
     if p.pitches_of_length() < 1.0 {
         return fail(None, [whole_length(msg!("ribbon.length-below-pitch"))]);
     }
     if p.length_error().abs() <= tolerance {
         return ok(limit);
     }
-    let advice = whole_length(msg!("ribbon.length-rest", (p.length_error(), 3), (p.count(), 0)));
+    let advice = whole_length(msg!("ribbon.length-rest", difference = (p.length_error(), 3), count = (p.count(), 0)));
     let shorter =
         Advice::from(msg!("ribbon.length-shorten")).setting(msg!("advice.shorten"), [("rest", "shorten".to_owned())]);
     match p.rest {
@@ -131,6 +132,6 @@ pub(super) fn length(line: &RibbonLine) -> Option<Judgement> {
 
 pub(super) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
     let unit = if line.degrees() { "°" } else { "mm" };
-    let advice = msg!("ribbon.y-carried", line.letter(), (line.d.y_drift, 3), unit);
+    let advice = msg!("ribbon.y-carried", axis = line.letter(), drift = (line.d.y_drift, 3), unit);
     Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })
 }

@@ -35,15 +35,20 @@ pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
     let mut say =
         |message: Message| advice.push(Advice::from(message).setting(msg!("advice.make-equal"), sets.clone()));
     if p.time_constant_x != p.time_constant_y {
-        say(msg!("ribbon.unequal-time-constants", (p.time_constant_x, 1), line.letter(), (p.time_constant_y, 1)));
+        say(msg!(
+            "ribbon.unequal-time-constants",
+            time_x = (p.time_constant_x, 1),
+            axis = line.letter(),
+            time = (p.time_constant_y, 1)
+        ));
     }
     if p.position_gain_x != p.position_gain_y {
         say(msg!(
             "ribbon.unequal-gains",
-            (p.position_gain_x, 2),
-            line.letter(),
-            (p.position_gain_y, 2),
-            (d.register_error, 3)
+            gain_x = (p.position_gain_x, 2),
+            axis = line.letter(),
+            gain = (p.position_gain_y, 2),
+            error = (d.register_error, 3)
         ));
     }
     if advice.is_empty() {
@@ -62,7 +67,7 @@ fn matching_dwell(line: &RibbonLine) -> f64 {
 /// An advice with the entry of a loop that holds `needed` mm, where the form takes one so large.
 fn with_loop(advice: Advice, needed: f64, more: Vec<(&'static str, String)>) -> Advice {
     let set = up(FIELDS, "loop-capacity", needed);
-    let button = msg!("advice.set-loop", set.1.as_str());
+    let button = msg!("advice.set-loop", capacity = set.1.as_str());
     advice.setting(button, more.into_iter().chain([set]).collect::<Vec<_>>())
 }
 
@@ -75,12 +80,12 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     }
     let sum = msg!(
         "ribbon.loop-too-small",
-        (d.loop_needed.ceil(), 0),
-        (p.loop_capacity, 0),
-        (d.slack_start.abs(), 0),
-        (d.slack_run.abs(), 0),
-        (d.slack_stop.abs(), 0),
-        (d.slack_interruption, 0)
+        needed = (d.loop_needed.ceil(), 0),
+        capacity = (p.loop_capacity, 0),
+        start = (d.slack_start.abs(), 0),
+        run = (d.slack_run.abs(), 0),
+        stop = (d.slack_stop.abs(), 0),
+        hold = (d.slack_interruption, 0)
     );
     let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
     // A feed per revolution follows the unwinder from standstill: the best wait is none.
@@ -89,8 +94,8 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     let dwelt = Params { wait: Wait::Dwell, dwell: dwell.1.parse().unwrap_or(p.dwell), ..p.clone() };
     let left = Derived::new(&dwelt, line.control.bench.output_bits).loop_needed;
     if left < d.loop_needed {
-        let message = msg!("ribbon.matching-dwell", dwell.1.as_str(), (left.ceil(), 0));
-        let button = msg!("advice.set-dwell", dwell.1.as_str());
+        let message = msg!("ribbon.matching-dwell", time = dwell.1.as_str(), capacity = (left.ceil(), 0));
+        let button = msg!("advice.set-dwell", time = dwell.1.as_str());
         advice.push(if left <= p.loop_capacity {
             Advice::from(message).setting(button, wait)
         } else {
@@ -98,7 +103,7 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
         });
     }
     if d.slack_run != 0.0 && !p.dancer {
-        advice.push(with_dancer(msg!("ribbon.run-fills", (d.slack_run.abs(), 0))));
+        advice.push(with_dancer(msg!("ribbon.run-fills", length = (d.slack_run.abs(), 0))));
     }
     fail(limit, advice)
 }
@@ -109,12 +114,12 @@ const DRIFT: f64 = 50.0;
 /// Advice for blocks that the control reads slower than the axes carry them out; `kept` is the share of the speed that is left, %.
 fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
     let RibbonLine { p, d, .. } = line;
-    let message = msg!("ribbon.starved", kept);
+    let message = msg!("ribbon.starved", percent = kept);
     let ready = Params { variant: Variant::ReadyMade, ..p.clone() };
     let pitches = ready.pass_needed() * line.following(d) / d.pitch_time;
     let set = up(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
     match p.variant {
-        Variant::ReadyMade => Advice::from(message).setting(msg!("advice.set-pitches", set.1.as_str()), [set]),
+        Variant::ReadyMade => Advice::from(message).setting(msg!("advice.set-pitches", count = set.1.as_str()), [set]),
         Variant::Published | Variant::Precomputed => {
             Advice::from(message).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned()), set])
         }
@@ -129,9 +134,9 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let lasts = p.loop_capacity / rate.abs() * 60.0;
     let fills = if rate > 0.0 {
-        msg!("ribbon.loop-fills", (rate, 0), (line.p.loop_capacity, 0), (lasts, 0))
+        msg!("ribbon.loop-fills", rate = (rate, 0), capacity = (line.p.loop_capacity, 0), time = (lasts, 0))
     } else {
-        msg!("ribbon.loop-empties", (-rate, 0), (line.p.loop_capacity, 0), (lasts, 0))
+        msg!("ribbon.loop-empties", rate = (-rate, 0), capacity = (line.p.loop_capacity, 0), time = (lasts, 0))
     };
     let mut advice = vec![Advice::from(fills)];
     // What exact stops and starved blocks take from X; no dancer brings it back.
@@ -139,7 +144,7 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
     if lost > DRIFT {
         let kept = (d.speed_kept * 100.0, 1);
         advice.push(match p.path_mode {
-            PathMode::ExactStop => Advice::from(msg!("ribbon.stops-lose", kept))
+            PathMode::ExactStop => Advice::from(msg!("ribbon.stops-lose", percent = kept))
                 .setting(msg!("advice.continuous"), [("path-mode", "continuous".to_owned())]),
             PathMode::Continuous => starved(line, kept),
         });
@@ -190,11 +195,11 @@ pub(super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
     let Some((percent, rpm, rate)) = worst_knob(line).filter(|(_, _, rate)| rate.abs() > DRIFT) else {
         return ok(limit);
     };
-    let turns = msg!("ribbon.knob-alone", (percent, 0), (rpm, 1), (rate, 0));
+    let turns = msg!("ribbon.knob-alone", percent = (percent, 0), speed = (rpm, 1), rate = (rate, 0));
     let lock = [("knob-use", "locked".to_owned())];
     let mut advice = vec![Advice::from(turns).setting(msg!("advice.lock-knob"), lock)];
     if line.control.can(Code::FeedPerRevolution) {
-        let follow = msg!("ribbon.follow-measured", (line.d.feed_per_revolution, 3));
+        let follow = msg!("ribbon.follow-measured", feed = (line.d.feed_per_revolution, 3));
         let set = [("feed-form", "per-revolution".to_owned())];
         advice.push(if line.p.spindle_encoder {
             Advice::from(follow).setting(msg!("advice.per-revolution"), set)
@@ -209,7 +214,7 @@ pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let d = &line.d;
     let limit = AtMost(d.tension_limit);
     if d.tension > d.tension_limit {
-        fail(limit, [with_dancer(msg!("ribbon.stiff-web", (d.tension, 0), (d.tension_limit, 0)))])
+        fail(limit, [with_dancer(msg!("ribbon.stiff-web", tension = (d.tension, 0), limit = (d.tension_limit, 0)))])
     } else {
         ok(limit)
     }
@@ -221,6 +226,7 @@ pub(super) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
     if p.path_mode != PathMode::ExactStop || d.cycles_per_minute <= 100.0 {
         return None;
     }
-    let advice = Advice::from(msg!("ribbon.start-stop", (d.cycles_per_minute, 0), (d.start_stop_speed, 0)));
+    let advice =
+        Advice::from(msg!("ribbon.start-stop", stops = (d.cycles_per_minute, 0), percent = (d.start_stop_speed, 0)));
     warn(None, [advice.setting(msg!("advice.continuous"), [("path-mode", "continuous".to_owned())])])
 }

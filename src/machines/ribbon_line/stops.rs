@@ -21,8 +21,13 @@ pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
 /// The table, with the ribbon (mm) that each interruption lays into the loop.
 pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     let (d, print) = (&line.d, line.p.print_axis.address().to_string());
-    let laid = |mm: f64| msg!("ribbon.stops.laid", (mm, 0));
-    let again = msg!("ribbon.stops.laid-twice", (d.slack_hold, 0), (d.slack_resume, 0), (d.slack_interruption, 0));
+    let laid = |mm: f64| msg!("ribbon.stops.laid", length = (mm, 0));
+    let again = msg!(
+        "ribbon.stops.laid-twice",
+        hold = (d.slack_hold, 0),
+        restart = (d.slack_resume, 0),
+        pause = (d.slack_interruption, 0)
+    );
     let goes_on = match line.in_step() {
         true => msg!("ribbon.stops.start-in-step"),
         false => msg!("ribbon.stops.start"),
@@ -42,9 +47,9 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         operator,
         cite: MODEL,
     };
-    let block = msg!("ribbon.stops.axes-block", print.as_str());
+    let block = msg!("ribbon.stops.axes-block", axis = print.as_str());
     vec![
-        row(Interruption::Hold, msg!("ribbon.stops.axes-hold", print.as_str()), again.clone(), goes_on.clone()),
+        row(Interruption::Hold, msg!("ribbon.stops.axes-hold", axis = print.as_str()), again.clone(), goes_on.clone()),
         row(Interruption::BlockStop, block.clone(), again, goes_on),
         row(
             Interruption::Alarm,
@@ -57,7 +62,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         ),
         row(
             Interruption::Reset,
-            msg!("ribbon.stops.axes-reset", print.as_str()),
+            msg!("ribbon.stops.axes-reset", axis = print.as_str()),
             laid(d.slack_hold),
             anew(
                 |axis| msg!("ribbon.stops.anew", axis),
@@ -66,7 +71,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         ),
         row(
             Interruption::EmergencyStop,
-            msg!("ribbon.stops.axes-emergency", print.as_str()),
+            msg!("ribbon.stops.axes-emergency", axis = print.as_str()),
             laid(d.slack_hold),
             anew(
                 |axis| msg!("ribbon.stops.clear", axis),
@@ -75,7 +80,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         ),
         row(
             Interruption::InverterFault,
-            msg!("ribbon.stops.axes-reset", print.as_str()),
+            msg!("ribbon.stops.axes-reset", axis = print.as_str()),
             laid(coasting::laid(line, d)),
             anew(
                 |axis| msg!("ribbon.stops.fault", axis),

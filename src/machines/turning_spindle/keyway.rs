@@ -30,19 +30,20 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         return;
     };
     if p.keyway_depth >= 0.5 * diameter {
-        let message = msg!("turning.keyway-too-deep", (p.keyway_depth, 3), (0.5 * diameter, 3));
+        let message = msg!("turning.keyway-too-deep", depth = (p.keyway_depth, 3), limit = (0.5 * diameter, 3));
         found.push(Diagnostic::error(message).about("keyway-depth"));
     } else if p.keyway_depth > p.keyway_width {
-        let message = msg!("turning.keyway-deeper-than-wide", (p.keyway_depth, 3), (p.keyway_width, 3));
+        let message =
+            msg!("turning.keyway-deeper-than-wide", depth = (p.keyway_depth, 3), diameter = (p.keyway_width, 3));
         found.push(Diagnostic::warning(message).about("keyway-depth"));
     }
     if p.keyway_length < p.keyway_width {
-        let message = msg!("turning.keyway-too-short", (p.keyway_length, 3), (p.keyway_width, 3));
+        let message = msg!("turning.keyway-too-short", length = (p.keyway_length, 3), diameter = (p.keyway_width, 3));
         found.push(Diagnostic::error(message).about("keyway-length"));
     }
     let end = p.keyway_start + p.keyway_length;
     if p.path == Path::Turning && end > p.length {
-        let message = msg!("turning.keyway-beyond-shoulder", (end, 3), (p.length, 3));
+        let message = msg!("turning.keyway-beyond-shoulder", end = (end, 3), length = (p.length, 3));
         found.push(Diagnostic::error(message).about("keyway-length"));
     }
     if p.lock_code > 0.0 && p.release_code <= 0.0 {

@@ -49,8 +49,9 @@ fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
     let limit = AtMost(p.chuck_limit);
     if p.upper_limit > p.chuck_limit {
         let set = down(FIELDS, "upper-limit", p.chuck_limit);
-        let advice = Advice::from(msg!("turning.limit-above-chuck", (p.upper_limit, 0), (p.chuck_limit, 0)))
-            .setting(msg!("advice.set-speed", set.1.as_str()), [set]);
+        let advice =
+            Advice::from(msg!("turning.limit-above-chuck", speed = (p.upper_limit, 0), limit = (p.chuck_limit, 0)))
+                .setting(msg!("advice.set-speed", speed = set.1.as_str()), [set]);
         return if d.speed_smallest.max(d.speed_largest) >= p.chuck_limit {
             fail(limit, [advice])
         } else {
@@ -68,10 +69,10 @@ fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
     }
     let advice = msg!(
         "turning.limited",
-        (d.limit_diameter, 3),
-        (d.surface_smallest, 1),
-        (d.limited_share * 100.0, 0),
-        (d.high, 0)
+        diameter = (d.limit_diameter, 3),
+        surface_speed = (d.surface_smallest, 1),
+        percent = (d.limited_share * 100.0, 0),
+        speed = (d.high, 0)
     );
     let middle = 0.5 * (d.smallest + d.largest);
     let judgement = if d.limit_diameter > middle { warn(AtMost(middle), []) } else { ok(AtMost(middle)) };
@@ -88,9 +89,9 @@ fn few(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     let limit = if volts < 0.0 { AtMost(-FEW_VOLTS) } else { AtLeast(FEW_VOLTS) };
     let several = lathe.p.stages().nth(1).is_some();
     let advice = if several {
-        with_best_stage(lathe, msg!("turning.few-volts", (volts, 3)))
+        with_best_stage(lathe, msg!("turning.few-volts", volts = (volts, 3)))
     } else {
-        msg!("turning.few-volts-alone", (volts, 3)).into()
+        msg!("turning.few-volts-alone", volts = (volts, 3)).into()
     };
     warn(limit, [advice])
 }
@@ -116,11 +117,17 @@ fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { d, p, .. } = lathe;
     if d.bound == Bound::Output {
         let asked = if lathe.rules().low_always { d.asked.max(p.lower_limit) } else { d.asked };
-        let advice = msg!("turning.output-full", f64::from(d.stage), (d.stage_top, 0), (asked, 0));
+        let advice =
+            msg!("turning.output-full", stage = f64::from(d.stage), full = (d.stage_top, 0), speed = (asked, 0));
         return fail(None, [with_best_stage(lathe, advice)]);
     }
     if d.bound == Bound::Gear && lathe.surface() && d.stage_top < p.upper_limit {
-        let advice = msg!("turning.stage-too-slow", f64::from(d.stage), (d.stage_top, 0), (p.upper_limit, 0));
+        let advice = msg!(
+            "turning.stage-too-slow",
+            stage = f64::from(d.stage),
+            full = (d.stage_top, 0),
+            limit = (p.upper_limit, 0)
+        );
         return warn(AtLeast(p.upper_limit), [with_best_stage(lathe, advice)]);
     }
     ok(None)
@@ -134,18 +141,18 @@ fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let set = down(FIELDS, "gear-time", 2.0 * patience);
     let advice = Advice::from(msg!(
         "turning.gear-too-late",
-        (shift.meshing, 2),
-        (patience, 2),
-        (2.0 * patience, 2),
-        (p.gear_time, 2)
+        time = (shift.meshing, 2),
+        wait = (patience, 2),
+        shorter = (2.0 * patience, 2),
+        present = (p.gear_time, 2)
     ));
-    fail(None, [advice.setting(msg!("advice.set-gear-time", set.1.as_str()), [set])])
+    fail(None, [advice.setting(msg!("advice.set-gear-time", time = set.1.as_str()), [set])])
 }
 
 /// An advice with the feed that is `share` of the present one.
 fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     let set = down(FIELDS, "feed", lathe.p.feed * share);
-    Advice::from(message).setting(msg!("advice.set-feed", set.1.as_str()), [set])
+    Advice::from(message).setting(msg!("advice.set-feed", feed = set.1.as_str()), [set])
 }
 
 fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -162,7 +169,7 @@ fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
     if d.feed_top <= clamp {
         return ok(AtMost(clamp));
     }
-    let advice = msg!("turning.above-clamp", (d.feed_top, 0), (clamp, 0));
+    let advice = msg!("turning.above-clamp", feed = (d.feed_top, 0), clamp = (clamp, 0));
     fail(AtMost(clamp), [with_feed(lathe, clamp / d.feed_top, advice)])
 }
 
@@ -180,14 +187,15 @@ fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     if lasts >= needed {
         return None;
     }
-    let advice = msg!("turning.blocks-too-slow", (lasts, 0), (needed, 0));
+    let advice = msg!("turning.blocks-too-slow", time = (lasts, 0), needed = (needed, 0));
     warn(None, [with_feed(lathe, lasts / needed, advice)])
 }
 
 fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     let d = &lathe.d;
     if d.acceleration_needed > d.acceleration {
-        let advice = msg!("turning.spindle-lags", (d.acceleration_needed, 0), (d.acceleration, 0));
+        let advice =
+            msg!("turning.spindle-lags", needed = (d.acceleration_needed, 0), acceleration = (d.acceleration, 0));
         return warn(AtMost(d.acceleration), [with_feed(lathe, d.acceleration / d.acceleration_needed, advice)]);
     }
     // A spindle without a ramp has no limit.
@@ -196,7 +204,7 @@ fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// What a motor may give for a part of its time, where that suffices: a warning, and how long.
 fn overloaded(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
-    warn(AtMost(limit), [msg!("turning.overload", (lathe.p.motor_overload, 0)).into()])
+    warn(AtMost(limit), [msg!("turning.overload", percent = (lathe.p.motor_overload, 0)).into()])
 }
 
 fn power(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -216,13 +224,24 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     let advice = match slower >= 1.0 && d.torque <= d.torque_most {
         true => {
             let set = down(FIELDS, "cutting-speed", slower);
-            Advice::from(msg!("turning.too-little-power", (d.power, 2), (rated, 2), (slower, 0)))
-                .setting(msg!("advice.set-cutting-speed", set.1.as_str()), [set])
+            Advice::from(msg!(
+                "turning.too-little-power",
+                power = (d.power, 2),
+                limit = (rated, 2),
+                speed = (slower, 0)
+            ))
+            .setting(msg!("advice.set-cutting-speed", speed = set.1.as_str()), [set])
         }
-        false if slower >= 1.0 => {
-            with_depth(lathe, rated / d.power, msg!("turning.slower-lacks-torque", (d.power, 2), (rated, 2)))
-        }
-        false => with_depth(lathe, rated / d.power, msg!("turning.far-too-little-power", (d.power, 2), (rated, 2))),
+        false if slower >= 1.0 => with_depth(
+            lathe,
+            rated / d.power,
+            msg!("turning.slower-lacks-torque", power = (d.power, 2), limit = (rated, 2)),
+        ),
+        false => with_depth(
+            lathe,
+            rated / d.power,
+            msg!("turning.far-too-little-power", power = (d.power, 2), limit = (rated, 2)),
+        ),
     };
     fail(AtMost(most), [advice])
 }
@@ -238,7 +257,7 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     if lathe.p.material == Material::None || depth < LEAST_DEPTH || passes.passes() >= super::derive::PASSES {
         return advice;
     }
-    advice.setting(msg!("advice.set-depth", set.1.as_str()), [set])
+    advice.setting(msg!("advice.set-depth", depth = set.1.as_str()), [set])
 }
 
 /// Least depth of cut (mm) that an advice names: below it an edge rubs.
@@ -257,13 +276,18 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if d.torque <= most {
         return overloaded(lathe, rated);
     }
-    let message =
-        msg!("turning.too-little-torque", (d.torque, 1), (d.speed_largest, 0), (rated, 1), f64::from(d.stage));
+    let message = msg!(
+        "turning.too-little-torque",
+        torque = (d.torque, 1),
+        speed = (d.speed_largest, 0),
+        limit = (rated, 1),
+        stage = f64::from(d.stage)
+    );
     let advice = match stronger_stage(lathe) {
         Some(stage) => {
             let gear = (1..).zip(Gear::OPTIONS.iter().skip(1)).find(|(number, _)| *number == stage);
             let sets = gear.map(|(_, (id, _))| ("gear", (*id).to_owned()));
-            Advice::from(message).setting(msg!("advice.set-stage", f64::from(stage)), Vec::from_iter(sets))
+            Advice::from(message).setting(msg!("advice.set-stage", stage = f64::from(stage)), Vec::from_iter(sets))
         }
         None => with_depth(lathe, rated / d.torque, message),
     };
@@ -294,7 +318,10 @@ fn travels(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let along = along.max(if lathe.keyway().is_some() { p.start_z + p.keyway_start + p.keyway_length } else { 0.0 });
     for (field, needed, travel) in [("travel-x", cross, p.travel_x), ("travel-z", along, p.travel_z)] {
         if travel > 0.0 && needed > travel {
-            found.push(Diagnostic::error(msg!("turning.beyond-travel", (needed, 3), (travel, 3))).about(field));
+            found.push(
+                Diagnostic::error(msg!("turning.beyond-travel", needed = (needed, 3), travel = (travel, 3)))
+                    .about(field),
+            );
         }
     }
 }
@@ -305,7 +332,7 @@ fn ranges(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let rules = &lathe.control.spindle;
     let mut check = |field: &'static str, value: f64, unit: &'static str, range: Option<(f64, f64)>| {
         if let Some((low, high)) = range.filter(|(low, high)| !(*low..=*high).contains(&value)) {
-            let message = msg!("turning.parameter-range", (value, 3), (low, 3), (high, 3), unit);
+            let message = msg!("turning.parameter-range", value = (value, 3), least = (low, 3), most = (high, 3), unit);
             found.push(Diagnostic::error(message).about(field));
         }
     };
@@ -329,61 +356,70 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
         "finished-diameter"
     };
     if largest >= p.stock_diameter {
-        let message = msg!("turning.nothing-to-cut", (largest, 3), (p.stock_diameter, 3));
+        let message = msg!("turning.nothing-to-cut", diameter = (largest, 3), stock = (p.stock_diameter, 3));
         found.push(Diagnostic::error(message).about(field));
     }
     if p.path == Path::Turning && p.finished_diameter <= 0.0 || largest <= 0.0 && p.path == Path::Taper {
         found.push(Diagnostic::error(msg!("turning.nothing-left")).about("finished-diameter"));
     }
     if p.passes() >= super::derive::PASSES {
-        found.push(Diagnostic::error(msg!("turning.too-many-passes", super::derive::PASSES)).about("depth"));
+        found.push(Diagnostic::error(msg!("turning.too-many-passes", count = super::derive::PASSES)).about("depth"));
     }
     if p.start_x <= p.stock_diameter + 2.0 * p.clearance {
         let least = p.stock_diameter + 2.0 * p.clearance;
-        found.push(Diagnostic::error(msg!("turning.start-in-stock", (p.start_x, 3), (least, 3))).about("start-x"));
+        found.push(
+            Diagnostic::error(msg!("turning.start-in-stock", start = (p.start_x, 3), least = (least, 3)))
+                .about("start-x"),
+        );
     }
     travels(lathe, &mut found);
     if p.upper_limit > limits.speed_max {
-        let message = msg!("turning.speed-above-range", (p.upper_limit, 0), limits.speed_max);
+        let message = msg!("turning.speed-above-range", speed = (p.upper_limit, 0), most = limits.speed_max);
         found.push(Diagnostic::error(message).about("upper-limit"));
     }
     if p.feed > limits.revolution_feed_max {
-        let message = msg!("turning.feed-above-range", (p.feed, 3), limits.revolution_feed_max);
+        let message = msg!("turning.feed-above-range", feed = (p.feed, 3), most = limits.revolution_feed_max);
         found.push(Diagnostic::error(message).about("feed"));
     }
     if p.cutting_speed <= 0.0 {
-        found.push(Diagnostic::error(msg!("turning.speed-is-zero", lathe.form.cutting_speed)).about("cutting-speed"));
+        found.push(
+            Diagnostic::error(msg!("turning.speed-is-zero", speed = lathe.form.cutting_speed)).about("cutting-speed"),
+        );
     } else if p.cutting_speed != lathe.form.cutting_speed {
-        found.push(Diagnostic::warning(msg!("turning.whole-speed", p.cutting_speed)).about("cutting-speed"));
+        found.push(Diagnostic::warning(msg!("turning.whole-speed", speed = p.cutting_speed)).about("cutting-speed"));
     }
     if !lathe.surface() && d.asked <= 0.0 && p.cutting_speed > 0.0 {
-        let message = msg!("turning.fixed-is-zero", (p.cutting_speed, 2), (p.stock_diameter, 3));
+        let message = msg!("turning.fixed-is-zero", speed = (p.cutting_speed, 2), stock = (p.stock_diameter, 3));
         found.push(Diagnostic::error(message).about("cutting-speed"));
     }
     if p.override_percent != lathe.form.override_percent {
-        found.push(Diagnostic::warning(msg!("turning.knob-steps", p.override_percent)).about("override"));
+        found.push(Diagnostic::warning(msg!("turning.knob-steps", percent = p.override_percent)).about("override"));
     }
     ranges(lathe, &mut found);
     if lathe.form.speed_mode != p.speed_mode {
-        found.push(Diagnostic::info(msg!("turning.no-surface-speed", lathe.control.name)));
+        found.push(Diagnostic::info(msg!("turning.no-surface-speed", control = lathe.control.name)));
     }
     keyway::findings(lathe, &mut found);
     if p.stages().count() < usize::from(p.gear as u8) {
-        found.push(Diagnostic::warning(msg!("turning.no-such-stage", f64::from(p.gear as u8))).about("gear"));
+        found.push(Diagnostic::warning(msg!("turning.no-such-stage", stage = f64::from(p.gear as u8))).about("gear"));
     }
     if !lathe.surface() && d.fixed_speed > p.upper_limit {
         found.push(
-            Diagnostic::warning(msg!("turning.override-passes-limit", (d.fixed_speed, 0), (p.upper_limit, 0)))
-                .about("override"),
+            Diagnostic::warning(msg!(
+                "turning.override-passes-limit",
+                speed = (d.fixed_speed, 0),
+                limit = (p.upper_limit, 0)
+            ))
+            .about("override"),
         );
     }
     let upper = if lathe.surface() { p.upper_limit.min(p.chuck_limit) } else { p.chuck_limit };
     if (lathe.surface() || lathe.rules().low_always) && p.lower_limit > upper {
-        let message = msg!("turning.limits-crossed", show(p.lower_limit, 0), show(upper, 0));
+        let message = msg!("turning.limits-crossed", lower = show(p.lower_limit, 0), upper = show(upper, 0));
         found.push(Diagnostic::warning(message).about("lower-limit"));
     }
     if !lathe.control.macros.common_kept {
-        found.push(Diagnostic::info(msg!("form.values-are-lost", program::SETUP)));
+        found.push(Diagnostic::info(msg!("form.values-are-lost", program = program::SETUP)));
     }
     found
 }

@@ -125,10 +125,13 @@ pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
     if shortest == f64::INFINITY {
         let [motor, _] = lathe.p.for_moments(lathe.d.stage_speed);
         let gives = motor.torque(highest(lathe));
-        return fail(limit, [msg!("turning.friction-stalls", (lathe.p.spindle_friction, 1), (gives, 1)).into()]);
+        return fail(
+            limit,
+            [msg!("turning.friction-stalls", friction = (lathe.p.spindle_friction, 1), torque = (gives, 1)).into()],
+        );
     }
     let set = up(FIELDS, "spindle-ramp", shortest);
-    let advice = Advice::from(msg!("turning.ramp-too-short", (shortest, 2), (ramp, 2)));
-    let button = msg!("advice.set-ramp", set.1.as_str());
+    let advice = Advice::from(msg!("turning.ramp-too-short", needed = (shortest, 2), ramp = (ramp, 2)));
+    let button = msg!("advice.set-ramp", time = set.1.as_str());
     fail(limit, [if shortest <= LONGEST_RAMP { advice.setting(button, [set]) } else { advice }])
 }

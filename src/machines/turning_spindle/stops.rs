@@ -50,7 +50,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         row(
             Interruption::InverterFault,
             msg!("turning.stops.axes-reset"),
-            msg!("turning.stops.work-coasts", (run_up::coasting(lathe), 1)),
+            msg!("turning.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
             msg!("turning.stops.fault"),
         ),
     ]

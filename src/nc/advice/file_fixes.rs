@@ -31,7 +31,7 @@ impl Reader<'_> {
         }
         if let Some(at) = self.notes.small.filter(|_| self.names().is_none()) {
             let place = self.place(Span::new(at, at + 1));
-            let mut finding = Diagnostic::info(msg!("nc.small-letters", self.control.name)).at(place);
+            let mut finding = Diagnostic::info(msg!("nc.small-letters", control = self.control.name)).at(place);
             if self.file.text.len() <= WHOLE {
                 let all = self.place(Span::new(0, self.file.text.len() as u32));
                 finding = finding.fix(msg!("nc.fix.capitals"), vec![(all, self.file.text.to_ascii_uppercase())]);
@@ -44,7 +44,7 @@ impl Reader<'_> {
         }
         if let Some(span) = self.notes.foreign {
             let text = span.of(self.file.text).to_owned();
-            let finding = Diagnostic::warning(msg!("nc.foreign-comment", text)).at(self.place(span));
+            let finding = Diagnostic::warning(msg!("nc.foreign-comment", character = text)).at(self.place(span));
             self.findings.list.push(finding);
         }
     }
@@ -97,7 +97,7 @@ impl Reader<'_> {
     fn hash_misuse(&self, at: u32) -> Diagnostic {
         let letter = self.control.syntax.variable.to_string();
         let name: String = self.file.text.get(at as usize..).unwrap_or("").chars().take(1).collect();
-        let message = msg!("nc.hash-variable", letter, self.control.name);
+        let message = msg!("nc.hash-variable", letter, control = self.control.name);
         let place = self.place(Span::new(at, at + name.len() as u32));
         Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(Alarm::Format))
     }
@@ -130,12 +130,12 @@ impl Reader<'_> {
     fn misuse(&self, row: &Misused) -> Diagnostic {
         let name = row.span.of(self.file.text).trim();
         let message = match (row.alarm, self.control.var(row.number)) {
-            (Alarm::VariableRange, None) => msg!("nc.no-such-variable", name, self.control.name),
+            (Alarm::VariableRange, None) => msg!("nc.no-such-variable", variable = name, control = self.control.name),
             (Alarm::VariableRange, Some(range)) => {
-                msg!("nc.variable-not-fitted", name, range.text, self.control.fitted_by())
+                msg!("nc.variable-not-fitted", variable = name, meaning = range.text, switch = self.control.fitted_by())
             }
-            (_, Some(range)) => msg!("nc.read-only-variable", name, range.text),
-            _ => msg!("nc.read-only-variable", name, ""),
+            (_, Some(range)) => msg!("nc.read-only-variable", variable = name, meaning = range.text),
+            _ => msg!("nc.read-only-variable", variable = name, meaning = ""),
         };
         Diagnostic::error(message).at(self.place(row.span)).alarm(self.control.alarm_shown(row.alarm))
     }
@@ -166,7 +166,11 @@ impl Reader<'_> {
             let uses: Vec<Span> = uses.map(|&(_, span)| span).collect();
             if let Some(free) = self.free_variable(&named, &taken).filter(|_| scratch && !uses.is_empty()) {
                 taken.push(free);
-                let title = msg!("nc.fix.variable", format!("#{free}"), row.span.of(self.file.text).trim());
+                let title = msg!(
+                    "nc.fix.variable",
+                    variable = format!("#{free}"),
+                    present = row.span.of(self.file.text).trim()
+                );
                 let edits = uses.into_iter().map(|span| (self.place(span), format!("#{free}"))).collect();
                 finding = finding.fix(title, edits);
             } else if row.alarm == Alarm::VariableRange {

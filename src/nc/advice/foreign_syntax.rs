@@ -68,7 +68,7 @@ impl Reader<'_> {
         if word == "MOD" && self.tables.rules.modulo {
             return None;
         }
-        let message = msg!("nc.foreign-word", word, self.control.name);
+        let message = msg!("nc.foreign-word", word, control = self.control.name);
         Some(self.finding(failure.alarm, at, end, message).hint(Message { id, values: Vec::new() }))
     }
 

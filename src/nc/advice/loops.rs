@@ -71,12 +71,12 @@ impl<'a> Check<'a> {
         let span = self.keyword_span(head, "DO");
         if open.len() == deepest {
             if !is_unread(head) {
-                self.report_loop(Alarm::DoNesting, span, msg!("nc.do-nesting", deepest as u32));
+                self.report_loop(Alarm::DoNesting, span, msg!("nc.do-nesting", most = deepest as u32));
             }
             return false;
         }
         if label != ANY && open.iter().any(|outer| outer.label == label) {
-            self.report_loop(Alarm::DoPair, span, msg!("nc.do-within-itself", u32::from(label)));
+            self.report_loop(Alarm::DoPair, span, msg!("nc.do-within-itself", number = u32::from(label)));
         }
         open.push(inner);
         true
@@ -106,7 +106,7 @@ impl<'a> Check<'a> {
         let inner = open.get(at + 1..).and_then(<[_]>::last).map(|inner| u32::from(inner.label));
         if let Some(inner) = inner.filter(|_| !is_unread(block)) {
             let span = self.keyword_span(block, "END");
-            self.report_loop(Alarm::DoPair, span, msg!("nc.do-crossing", u32::from(label), inner));
+            self.report_loop(Alarm::DoPair, span, msg!("nc.do-crossing", number = u32::from(label), inner));
         }
         open.remove(at);
     }
@@ -114,11 +114,11 @@ impl<'a> Check<'a> {
     /// An END without its DO. Where the innermost loop has no END, the fix makes this one its END.
     fn end_without_do(&mut self, open: &mut Vec<OpenLoop<'a>>, (label, block): (u16, &Block), rest: &[Block]) {
         let span = self.keyword_span(block, "END");
-        self.report_loop(Alarm::MissingDo, span, msg!("nc.end-without-do", u32::from(label)));
+        self.report_loop(Alarm::MissingDo, span, msg!("nc.end-without-do", number = u32::from(label)));
         let meant = open.pop_if(|inner| inner.label != ANY && !ends_in(rest, inner.label));
         if let (Some(inner), Some(finding)) = (meant, self.found.last_mut()) {
             let (place, end) = (Place { file: self.program.file, span }, format!("END{}", inner.label));
-            finding.fixes.push(Fix { title: msg!("nc.fix.write", end.as_str()), edits: vec![(place, end)] });
+            finding.fixes.push(Fix { title: msg!("nc.fix.write", text = end.as_str()), edits: vec![(place, end)] });
         }
     }
 
@@ -126,7 +126,7 @@ impl<'a> Check<'a> {
     fn no_end_of_loop(&mut self, inner: &OpenLoop) {
         if !is_unread(inner.head) {
             let span = self.keyword_span(inner.head, "DO");
-            self.report_loop(Alarm::MissingEnd, span, msg!("nc.do-without-end", u32::from(inner.label)));
+            self.report_loop(Alarm::MissingEnd, span, msg!("nc.do-without-end", number = u32::from(inner.label)));
         }
     }
 

@@ -48,7 +48,7 @@ pub(in crate::nc) fn programs(
         if repeated {
             let place = Place { file: program.file, span: program.span };
             let name = program.name.map(|name| deck.text(Some(name)).to_owned());
-            let message = msg!("nc.program-twice", name.unwrap_or_else(|| format!("O{}", program.number)));
+            let message = msg!("nc.program-twice", program = name.unwrap_or_else(|| format!("O{}", program.number)));
             check.found.push(Diagnostic::warning(message).at(place));
         }
     }
@@ -119,7 +119,7 @@ impl Check<'_> {
             // Some numbers no block can have.
             let such = self.control.syntax.sequence_numbers().contains(&number.to_f64());
             let alarm = if such { missing } else { Alarm::JumpNumber };
-            self.report(alarm, span, msg!("nc.no-such-sequence", format!("N{number}")));
+            self.report(alarm, span, msg!("nc.no-such-sequence", block = format!("N{number}")));
         }
     }
 
@@ -148,9 +148,14 @@ impl Check<'_> {
         }
         let place = Place { file: self.program.file, span };
         let right = format!("P{called} L{repeats}");
-        let message = msg!("nc.repeats-in-p", format!("P{number}"), format!("O{number}"), right.as_str());
+        let message = msg!(
+            "nc.repeats-in-p",
+            word = format!("P{number}"),
+            program = format!("O{number}"),
+            correct = right.as_str()
+        );
         let finding = Diagnostic::warning(message).at(place);
-        self.found.push(finding.fix(msg!("nc.fix.write", right.as_str()), vec![(place, right.clone())]));
+        self.found.push(finding.fix(msg!("nc.fix.write", text = right.as_str()), vec![(place, right.clone())]));
     }
 
     /// `G65 H80 P` and the like to a number that is not in the program.
@@ -190,7 +195,7 @@ impl Check<'_> {
         let insert = Place { file: self.program.file, span: Span::at(at) };
         let shown = self.control.alarm_shown(Alarm::NoProgramEnd);
         let mut finding =
-            Diagnostic::error(msg!("nc.no-program-end", self.control.program_ends())).at(place).alarm(shown);
+            Diagnostic::error(msg!("nc.no-program-end", code = self.control.program_ends())).at(place).alarm(shown);
         // The builder's and the user's standard programs are called: there the return is the likelier end.
         let called = self.program.number >= 8000 || self.program.sub;
         let ends = if called { [Code::SubEnd, Code::EndRewind] } else { [Code::EndRewind, Code::SubEnd] };
@@ -198,8 +203,8 @@ impl Check<'_> {
             let Some(row) = self.control.codes.iter().find(|row| row.code == end) else { continue };
             let code = self.control.code_name(row.id);
             let title = match end {
-                Code::SubEnd => msg!("nc.fix.end-sub", code.as_str()),
-                _ => msg!("nc.fix.end-main", code.as_str()),
+                Code::SubEnd => msg!("nc.fix.end-sub", code = code.as_str()),
+                _ => msg!("nc.fix.end-main", code = code.as_str()),
             };
             finding = finding.fix(title, vec![(insert, format!("{newline}{code}"))]);
         }

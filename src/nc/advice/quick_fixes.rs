@@ -44,9 +44,9 @@ impl Reader<'_> {
             Mend::Write(from, to, new) => {
                 let old = String::from_utf8_lossy(self.cursor.line.get(from..to).unwrap_or_default()).into_owned();
                 let title = match (old.trim(), new.trim()) {
-                    (old, "") => msg!("nc.fix.drop", old),
-                    ("", new) => msg!("nc.fix.insert", new),
-                    (_, new) => msg!("nc.fix.write", new),
+                    (old, "") => msg!("nc.fix.drop", text = old),
+                    ("", new) => msg!("nc.fix.insert", text = new),
+                    (_, new) => msg!("nc.fix.write", text = new),
                 };
                 finding.fix(title, vec![(place(from, to), new.to_owned())])
             }
@@ -57,7 +57,7 @@ impl Reader<'_> {
             Mend::Do(at) => match self.next_end() {
                 Some(label) => {
                     let label = format!("DO{label}");
-                    finding.fix(msg!("nc.fix.insert", label.as_str()), vec![(place(at, at), label)])
+                    finding.fix(msg!("nc.fix.insert", text = label.as_str()), vec![(place(at, at), label)])
                 }
                 None => finding,
             },
@@ -69,7 +69,8 @@ impl Reader<'_> {
                 let line = text.chars().map(plain).collect();
                 let finding = match plain(character) {
                     like @ 'A'..='Z' if character < '\u{1000}' => {
-                        let message = msg!("nc.look-alike", character.to_string(), like.to_string());
+                        let message =
+                            msg!("nc.look-alike", character = character.to_string(), letter = like.to_string());
                         Diagnostic { message, ..finding }
                     }
                     _ => finding,
@@ -230,7 +231,7 @@ impl Reader<'_> {
             _ => whole.map(|mantissa| Dec { mantissa, scale: 0, point: true }),
         };
         if raised.is_none() && number.mantissa != 0 {
-            self.report(Alarm::Digits, start, self.cursor.at, msg!("nc.too-many-digits", 18));
+            self.report(Alarm::Digits, start, self.cursor.at, msg!("nc.too-many-digits", most = 18));
         }
         Dec { point: true, ..raised.unwrap_or_default() }
     }

@@ -80,7 +80,7 @@ impl Reader<'_> {
         let mut edits: Vec<(Place, String)> =
             brackets.iter().flat_map(|&(open, close)| [edit(open, "["), edit(close, "]")]).collect();
         edits.sort_by_key(|(place, _)| place.span.start);
-        let finding = self.finding(failure.alarm, from, to, msg!("nc.round-brackets", self.control.name));
+        let finding = self.finding(failure.alarm, from, to, msg!("nc.round-brackets", control = self.control.name));
         self.add_finding(finding.hint(msg!("nc.hint.round-brackets")).fix(msg!("nc.fix.square"), edits));
     }
 
@@ -115,12 +115,12 @@ impl Reader<'_> {
         let start = self.cursor.base as usize;
         let text = self.file.text.get(start + from..start + end).unwrap_or("");
         let bare = text.trim_start_matches(|c: char| c.is_whitespace() || c == '/' || is_dash(c));
-        let mut finding = self.finding(alarm, from, end, msg!("nc.remark", short(bare)));
+        let mut finding = self.finding(alarm, from, end, msg!("nc.remark", text = short(bare)));
         if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {
             let letter = self.program_letter();
             let edit = format!("{letter}{number}{}", comment(title).unwrap_or_default());
-            finding = finding.hint(msg!("nc.hint.program-letter", letter.as_str())).fix(
-                msg!("nc.fix.program-number", format!("{letter}{number}")),
+            finding = finding.hint(msg!("nc.hint.program-letter", letter = letter.as_str())).fix(
+                msg!("nc.fix.program-number", program = format!("{letter}{number}")),
                 vec![(self.place(self.span(0, end)), edit)],
             );
         }
@@ -140,7 +140,7 @@ impl Reader<'_> {
                 let gap = if cut > 0 { " " } else { "" };
                 finding.fix(msg!("nc.fix.comment"), vec![(place, format!("{gap}{comment}"))])
             }
-            None => finding.fix(msg!("nc.fix.drop", short(text)), vec![(place, String::new())]),
+            None => finding.fix(msg!("nc.fix.drop", text = short(text)), vec![(place, String::new())]),
         };
         self.report_as(alarm, finding);
     }

@@ -39,7 +39,7 @@ impl Check<'_> {
             labels.flat_map(|(name, at)| at.iter().skip(1).map(|at| (*name, *at))).collect();
         for (name, at) in again {
             let span = self.name_span(&self.blocks[at], name);
-            self.report(Alarm::LabelTwice, span, msg!("nc.label-twice", name));
+            self.report(Alarm::LabelTwice, span, msg!("nc.label-twice", label = name));
         }
     }
 
@@ -53,19 +53,21 @@ impl Check<'_> {
         }
         let span = self.expr_span(block, target);
         if !exists {
-            return self.report(Alarm::NoSequence, span, msg!("nc.no-such-label", name));
+            return self.report(Alarm::NoSequence, span, msg!("nc.no-such-label", label = name));
         }
         let (word, other) = if way == JumpDirection::Forward { ("GOTOF", "GOTOB") } else { ("GOTOB", "GOTOF") };
         let place = |span: Span| Place { file: self.program.file, span };
         let number = self.control.alarm_shown(Alarm::NoSequence);
-        let finding = Diagnostic::error(msg!("nc.label-other-way", name, word, other)).at(place(span)).alarm(number);
+        let finding = Diagnostic::error(msg!("nc.label-other-way", label = name, keyword = word, other))
+            .at(place(span))
+            .alarm(number);
         let jump = block.span.of(self.text).get(..(span.start - block.span.start) as usize).unwrap_or("");
         let edit = jump.to_ascii_uppercase().rfind(word).map(|at| {
             let start = block.span.start + at as u32;
             vec![(place(Span::new(start, start + word.len() as u32)), other.to_owned())]
         });
         self.found.push(match edit {
-            Some(edit) => finding.fix(msg!("nc.fix.write", other), edit),
+            Some(edit) => finding.fix(msg!("nc.fix.write", text = other), edit),
             None => finding,
         });
     }
@@ -81,8 +83,8 @@ impl Check<'_> {
             }
             if let Some(code) = meant(name, codes.iter().copied()).and_then(|at| codes.get(at)) {
                 let place = Place { file: self.program.file, span: self.name_span(block, name) };
-                let finding = Diagnostic::warning(msg!("nc.call-or-code", name, *code)).at(place);
-                self.found.push(finding.fix(msg!("nc.fix.write", *code), vec![(place, (*code).to_owned())]));
+                let finding = Diagnostic::warning(msg!("nc.call-or-code", program = name, code = *code)).at(place);
+                self.found.push(finding.fix(msg!("nc.fix.write", text = *code), vec![(place, (*code).to_owned())]));
             }
         }
     }
@@ -90,7 +92,7 @@ impl Check<'_> {
     /// A jump to a block number, where there are such.
     fn block_number(&mut self, (at, block): (usize, &Block), number: i64, way: JumpDirection) {
         if self.found.len() <= 2 * FINDINGS && !self.targets.number_on_way(number, at, way) {
-            self.report(Alarm::NoSequence, block.span, msg!("nc.no-such-sequence", format!("N{number}")));
+            self.report(Alarm::NoSequence, block.span, msg!("nc.no-such-sequence", block = format!("N{number}")));
         }
     }
 

@@ -6,7 +6,7 @@ use super::super::parsed::Parsed;
 use super::super::program_names::ProgramNames;
 use crate::controls::syntax::RoundBrackets;
 use crate::controls::{Address, AddressSet, Control};
-use crate::text::{Diagnostic, FileId, Fix, LineIndex, Message, MessageValue, Place, Span};
+use crate::text::{Diagnostic, FileId, Fix, LineIndex, Message, Place, Span};
 
 /// No index, no number.
 pub(super) const NONE: u32 = u32::MAX;
@@ -52,22 +52,15 @@ impl<'a> Lint<'a> {
     }
 }
 
-impl Lint<'_> {
+impl<'a> Lint<'a> {
     /// Whether no more warnings are listed.
     pub(super) fn is_full(&self) -> bool {
         self.found.len() >= self.most
     }
 
-    /// Adds a warning about bytes of a block; the block is an index in the deck. {0} of the sentence is the text of the bytes, {1}
-    /// and so on are `more`. `hint` is the id of another sentence with the same values, or empty.
-    pub(super) fn say(
-        &mut self,
-        block: u32,
-        span: Span,
-        id: &'static str,
-        more: &[&str],
-        hint: &'static str,
-    ) -> Option<&mut Diagnostic> {
+    /// The place of bytes of a block, an index in the deck, and the text there: without the space and the remark behind it, and without
+    /// square brackets around it.
+    pub(super) fn written(&self, block: u32, span: Span) -> (Place, &'a str) {
         let mut place = self.place(block, span);
         // A formula may end in space.
         let mut text = self.parsed.text(place);
@@ -76,25 +69,23 @@ impl Lint<'_> {
         }
         let text = text.trim_end();
         place.span.end = span.start + text.len() as u32;
+        (place, text.trim_matches(['[', ']']))
+    }
+
+    /// The place and the text of the word with a letter in a block, or of the block.
+    pub(super) fn written_word(&self, block: u32, words: &[Word], letter: Address) -> (Place, &'a str) {
+        let Some(row) = self.deck.blocks.get(block as usize) else { return Default::default() };
+        let span = words.iter().find(|word| word.letter == letter).map_or(row.span, |word| word.span(row));
+        self.written(block, span)
+    }
+
+    /// Adds a warning.
+    pub(super) fn say(&mut self, place: Place, message: Message) -> Option<&mut Diagnostic> {
         if self.is_full() {
             return None;
         }
-        let text = [text.trim_matches(['[', ']'])];
-        let message =
-            |id| Message { id, values: text.iter().chain(more).map(|text| MessageValue::from(*text)).collect() };
-        let mut finding = Diagnostic::warning(message(id)).at(place);
-        if !hint.is_empty() {
-            finding.hints.push(message(hint));
-        }
-        self.found.push(finding);
+        self.found.push(Diagnostic::warning(message).at(place));
         self.found.last_mut()
-    }
-
-    /// Adds a warning about the word with a letter in a block, or about the block.
-    pub(super) fn say_word(&mut self, block: u32, words: &[Word], letter: Address, id: &'static str, more: &[&str]) {
-        let Some(row) = self.deck.blocks.get(block as usize) else { return };
-        let span = words.iter().find(|word| word.letter == letter).map_or(row.span, |word| word.span(row));
-        self.say(block, span, id, more, "");
     }
 
     /// Mends the last finding by another text for each of these words of its file.

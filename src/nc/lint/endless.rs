@@ -8,6 +8,7 @@ use super::flow::{ANY, Flow};
 use super::roles::{CALL, END, RETURN, STOP, SUB};
 use super::vars::visit;
 use crate::controls::VarKind;
+use crate::msg;
 use crate::text::listed;
 
 /// Visits of blocks per block of the text: inner loops are visited again.
@@ -38,8 +39,9 @@ pub(super) fn endless(lint: &mut Lint, flow: &Flow) {
         let Some(names) = variables(flow, cond) else { continue };
         if stays(flow, (start, at), &names) {
             let names: Vec<String> = names.iter().map(|&number| flow.control.variable(number)).collect();
-            let span = lint.part(place + flow.base, cond);
-            lint.say(place + flow.base, span, "lint.endless-loop", &[&listed(names)], "");
+            let block = place + flow.base;
+            let (place, condition) = lint.written(block, lint.part(block, cond));
+            lint.say(place, msg!("lint.endless-loop", condition, variables = listed(names)));
         }
     }
 }

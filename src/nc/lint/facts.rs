@@ -111,7 +111,8 @@ impl Facts {
                 }
                 (None, None) => {
                     if sub && macros.sub_sequence && number(Address::H).is_none() {
-                        lint.say_word(block, words, Address::M, "lint.calls-itself", &[]);
+                        let (place, code) = lint.written_word(block, words, Address::M);
+                        lint.say(place, msg!("lint.calls-itself", code));
                     }
                     sub.then_some(program)
                 }
@@ -138,8 +139,9 @@ impl Facts {
         if !self.missed.contains(&number) && self.missed.len() < MISSED {
             self.missed.push(number);
             let alarm = lint.control.alarm_number(Alarm::NoProgram).unwrap_or("");
-            lint.say_word(block, words, Address::P, "lint.no-such-program", &[&format!("O{number}"), alarm]);
-            if let Some(finding) = lint.found.last_mut().filter(|_| number >= STANDARD) {
+            let (place, _) = lint.written_word(block, words, Address::P);
+            let finding = lint.say(place, msg!("lint.no-such-program", program = format!("O{number}"), alarm));
+            if let Some(finding) = finding.filter(|_| number >= STANDARD) {
                 finding.severity = Severity::Info;
             }
         }
@@ -191,9 +193,10 @@ impl Facts {
         {
             let span = word.span(block);
             let end = lint.control.code_name(end.id);
-            lint.say(part.return_at, span, "lint.main-returns", &[&end], "");
+            let (place, code) = lint.written(part.return_at, span);
+            lint.say(place, msg!("lint.main-returns", code, end = end.as_str()));
             if part.returns == 1 {
-                lint.fix(msg!("nc.fix.end-main", end.as_str()), &[(span, Dec::default())], &|_| end.clone());
+                lint.fix(msg!("nc.fix.end-main", code = end.as_str()), &[(span, Dec::default())], &|_| end.clone());
             }
         }
     }

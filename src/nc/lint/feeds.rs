@@ -8,7 +8,6 @@ use super::roles::{CALL, CURVED, DWELL, INCH, LINEAR, OTHER_FEED, PER_MINUTE, RA
 use crate::controls::{Address, AddressSet, Alarm, Code, ParamRole};
 use crate::msg;
 use crate::text::Span;
-use crate::text::catalog::number_text;
 
 /// Feeds that a fix reaches.
 const PLACES: usize = 1000;
@@ -86,7 +85,8 @@ impl Feeds {
         let silent = self.any || !facts.missed.is_empty() || facts.any_called;
         if let Some((at, span)) = self.first_cut.filter(|_| !silent && facts.parts.iter().any(|part| part.ends)) {
             let alarm = lint.control.alarm_number(Alarm::NoFeed).unwrap_or("");
-            lint.say(at, span, "lint.no-feed", &[alarm], "");
+            let (place, code) = lint.written(at, span);
+            lint.say(place, msg!("lint.no-feed", code, alarm));
         }
     }
 
@@ -94,10 +94,7 @@ impl Feeds {
     fn tell_unit(&self, lint: &mut Lint) {
         let mut startup = lint.parsed.dialect().startup.iter().filter_map(|id| lint.control.code(*id));
         let revolution = startup.any(|row| row.code == Code::FeedPerRevolution);
-        let (id, other) = match revolution {
-            true => ("lint.feed-per-revolution", Code::FeedPerMinute),
-            false => ("lint.feed-per-minute", Code::FeedPerRevolution),
-        };
+        let other = if revolution { Code::FeedPerMinute } else { Code::FeedPerRevolution };
         let strange = |dec: &Dec| {
             let feed = dec.to_f64();
             if revolution { feed > COARSEST } else { feed > 0.0 && feed < SLOWEST }
@@ -109,9 +106,14 @@ impl Feeds {
         let row = lint.control.codes.iter().find(|row| row.code == other);
         if let (Some(&(at, span, dec)), Some(row)) = (self.lines.first(), row) {
             let code = lint.control.code_name(row.id);
-            let count = number_text(self.lines.len() as f64, 0);
-            lint.say(at, span, id, &[&number_text(dec.to_f64(), 6), &code, &count], "");
-            lint.fix(msg!("lint.fix.unit", code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));
+            let (place, word) = lint.written(at, span);
+            let (feed, count) = ((dec.to_f64(), 6), self.lines.len() as u32);
+            let message = match revolution {
+                true => msg!("lint.feed-per-revolution", word, feed, code = code.as_str(), count),
+                false => msg!("lint.feed-per-minute", word, feed, code = code.as_str(), count),
+            };
+            lint.say(place, message);
+            lint.fix(msg!("lint.fix.unit", code = code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));
         }
     }
 }
@@ -119,11 +121,12 @@ impl Feeds {
 /// F0, which stops the axes, moves them in rapid traverse, or is a feed of a parameter.
 #[cold]
 fn tell_zero(lint: &mut Lint, at: u32, span: Span) {
-    let digit = lint.control.param(ParamRole::FeedOneDigit).map_or("", |row| row.number);
-    let id = match digit {
-        "" => "lint.feed-zero",
-        _ if lint.parsed.dialect().running.feed_zero_rapid => "lint.feed-zero-rapid",
-        _ => "lint.feed-zero-digit",
+    let parameter = lint.control.param(ParamRole::FeedOneDigit).map_or("", |row| row.number);
+    let message = match parameter {
+        "" => msg!("lint.feed-zero"),
+        _ if lint.parsed.dialect().running.feed_zero_rapid => msg!("lint.feed-zero-rapid", parameter),
+        _ => msg!("lint.feed-zero-digit", parameter),
     };
-    lint.say(at, span, id, &[digit], "");
+    let (place, _) = lint.written(at, span);
+    lint.say(place, message);
 }

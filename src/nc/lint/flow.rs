@@ -8,6 +8,7 @@ use super::facts::Facts;
 use super::roles::{END, RETURN, Roles};
 use crate::controls::Address;
 use crate::controls::{Control, VarKind};
+use crate::msg;
 
 /// Repeated sequence numbers that are reported for a program.
 const TWICE: usize = 20;
@@ -148,9 +149,9 @@ impl<'a> Flow<'a> {
         let entered = |number| any || facts.enters(self.program, number) || jumped.contains(&number);
         for pair in twice().filter(|pair| entered(pair[0].0)).take(TWICE) {
             let [first, second] = [pair[0], pair[1]].map(|row| self.base + row.1 as u32);
-            let span = lint.number(second);
+            let (place, block) = lint.written(second, lint.number(second));
             let line = lint.line(first);
-            lint.say(second, span, "lint.number-twice", &[&line], "");
+            lint.say(place, msg!("lint.number-twice", block, line));
         }
     }
 
@@ -211,7 +212,8 @@ impl<'a> Flow<'a> {
                 }
             } else if count > 0 {
                 let span = self.blocks[first].span;
-                lint.say(self.base + first as u32, span, "lint.unreachable", &[&count.to_string()], "");
+                let (place, _) = lint.written(self.base + first as u32, span);
+                lint.say(place, msg!("lint.unreachable", count));
                 count = 0;
             }
         }

@@ -9,7 +9,8 @@ use super::flow::{ANY, Flow};
 use super::roles::{AUXILIARY, CALL, CURVED, LINEAR, RAPID, SPECIAL, SPINDLE, SPINDLE_REST, SUB};
 use super::vars::visit;
 use crate::controls::Address;
-use crate::text::{DiagnosticKind, Place, Span};
+use crate::msg;
+use crate::text::{DiagnosticKind, Message, Place, Span};
 
 /// Visits of blocks per block of the text: inner loops are visited again.
 const BUDGET: usize = 8;
@@ -146,25 +147,25 @@ impl<'a> Pass<'a> {
 
     fn tell(&self, lint: &mut Lint, flow: &Flow) {
         if !self.controls_spindle(flow) {
-            self.spindle.tell(lint, "lint.spindle-in-loop", DiagnosticKind::SpindleInLoop);
+            self.spindle.tell(lint, DiagnosticKind::SpindleInLoop, |code| msg!("lint.spindle-in-loop", code));
         }
         if self.auxiliary.all.len() == 1 && (self.cuts || self.moves && !self.rapid) {
-            self.auxiliary.tell(lint, "lint.auxiliary-in-loop", DiagnosticKind::AuxiliaryInLoop);
+            self.auxiliary.tell(lint, DiagnosticKind::AuxiliaryInLoop, |code| msg!("lint.auxiliary-in-loop", code));
         }
     }
 }
 
 impl Function<'_> {
-    fn tell(&self, lint: &mut Lint, id: &'static str, kind: DiagnosticKind) {
+    fn tell(&self, lint: &mut Lint, kind: DiagnosticKind, message: fn(&str) -> Message) {
         for &(block, span) in &self.always {
             if lint.is_full() {
                 return;
             }
-            let place = lint.place(block, span);
+            let (place, code) = lint.written(block, span);
             // An inner loop, or a program that two loops call, is visited twice.
             let start = |place: Place| (place.file, place.span.start);
             if lint.found.iter().all(|d| d.kind != kind || d.place.map(start) != Some(start(place)))
-                && let Some(finding) = lint.say(block, span, id, &[], "")
+                && let Some(finding) = lint.say(place, message(code))
             {
                 finding.kind = kind;
             }

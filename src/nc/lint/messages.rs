@@ -3,6 +3,7 @@
 use super::super::ast::{Block, Expr, Stmt};
 use super::context::Lint;
 use crate::controls::VarKind;
+use crate::msg;
 use crate::text::Span;
 
 /// Reports a message that is too long, at the part that the display cuts off.
@@ -23,6 +24,6 @@ pub(super) fn length(lint: &mut Lint, at: u32, block: &Block) {
     let Some(start) = whole.rfind(text) else { return };
     let from = block.span.start + (start + cut) as u32;
     let span = Span::new(from, block.span.start + (start + text.len()) as u32);
-    let (count, most) = (text.chars().count().to_string(), most.to_string());
-    lint.say(at, span, "lint.long-message", &[&count, &most], "");
+    let (place, _) = lint.written(at, span);
+    lint.say(place, msg!("lint.long-message", count = text.chars().count() as u32, most = most as u32));
 }

@@ -104,21 +104,20 @@ impl Pointless {
         let step = lint.control.limits.increment;
         let letter = self.letter.to_string();
         let rotary = lint.control.axis(self.letter).is_some_and(|axis| lint.control.axes[axis].rotary);
-        let id = match self.kind {
-            DWELL => "lint.no-point-dwell",
-            CALL => "lint.no-point-argument",
-            _ => "lint.no-point",
+        let (place, word) = lint.written(self.block, span);
+        let (value, count, address) = ((dec.to_f64() * step, 6), self.count as u32, letter.as_str());
+        let message = match self.kind {
+            DWELL => msg!("lint.no-point-dwell", word, time = value, count),
+            CALL => msg!("lint.no-point-argument", word, value, count, address),
+            _ => msg!("lint.no-point", word, value, unit = if rotary { "°" } else { "mm" }, count, address),
         };
-        let value = number_text(dec.to_f64() * step, 6);
-        let unit = if rotary { "°" } else { "mm" };
-        let count = number_text(self.count as f64, 0);
-        lint.say(self.block, span, id, &[&value, unit, &count, &letter], "");
+        lint.say(place, message);
         let meant = |dec: Dec| format!("{letter}{}", Dec { point: true, ..dec });
         if self.count == self.words.len() {
-            lint.fix(msg!("lint.fix.point", meant(dec)), &self.words, &meant);
+            lint.fix(msg!("lint.fix.point", word = meant(dec)), &self.words, &meant);
             // As it is now: the control's increments are thousandths.
             let present = |dec: Dec| format!("{letter}{}", number_text(dec.to_f64() * step, 9));
-            lint.fix(msg!("lint.fix.present", present(dec)), &self.words, &present);
+            lint.fix(msg!("lint.fix.present", word = present(dec)), &self.words, &present);
         }
     }
 }

@@ -4,6 +4,7 @@ use super::super::ast::{Dimensioning, Stmt, Word};
 use super::context::{Lint, measure};
 use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
 use crate::controls::Address;
+use crate::msg;
 
 /// Codes after which nothing is known of positions.
 const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
@@ -62,7 +63,8 @@ pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
             if !cuts {
                 free = to;
             } else if out && at[1] < free[1] && to[1] > free[1] {
-                lint.say(index, last.span(block), "lint.slow-retract", &[], "");
+                let (place, word) = lint.written(index, last.span(block));
+                lint.say(place, msg!("lint.slow-retract", word));
                 break;
             }
             at = to;

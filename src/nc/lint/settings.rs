@@ -9,8 +9,8 @@ use crate::text::Diagnostic;
 pub(super) fn idle_texts(lint: &mut Lint) {
     for (id, part) in lint.parsed.dialect().idle_texts(lint.control) {
         let message = match id {
-            CallParameters::ID => msg!("lint.call-parameter", part),
-            _ => msg!("lint.setting-unread", part, id),
+            CallParameters::ID => msg!("lint.call-parameter", text = part),
+            _ => msg!("lint.setting-unread", text = part, switch = id),
         };
         lint.found.push(Diagnostic::warning(message));
     }

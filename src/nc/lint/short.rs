@@ -2,6 +2,7 @@
 
 use crate::controls::Address;
 use crate::controls::AddressSet;
+use crate::msg;
 use std::rc::Rc;
 
 use super::super::ast::{Block, Stmt, Word};
@@ -11,7 +12,6 @@ use super::roles::{
     RETURN, SPECIAL, SPINDLE, SPINDLE_REST, STOP, SUB,
 };
 use crate::controls::{Control, Dialect};
-use crate::text::catalog::number_text;
 use crate::text::{DiagnosticKind, Span};
 
 /// Blocks that stop the path, or after which nothing is known of the codes in force.
@@ -150,10 +150,9 @@ impl Short {
         self.end_run(false);
         if self.count > 0 {
             let (block, span, time) = self.told;
-            let texts =
-                [time * 1e3, self.control.timing.block * 1e3, self.count.into()].map(|value| number_text(value, 1));
-            let said = lint.say(block, span, "lint.short-blocks", &[&texts[0], &texts[1], &texts[2]], "");
-            if let Some(finding) = said {
+            let (place, _) = lint.written(block, span);
+            let (time, needed) = ((time * 1e3, 1), (self.control.timing.block * 1e3, 1));
+            if let Some(finding) = lint.say(place, msg!("lint.short-blocks", time, needed, count = self.count)) {
                 finding.kind = DiagnosticKind::ShortBlocks;
             }
         }

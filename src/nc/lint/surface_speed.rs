@@ -6,7 +6,7 @@ use super::context::{Lint, measure};
 use super::facts::Facts;
 use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
 use crate::controls::{Address, AxisDef, Code, CodeDef, Group};
-use crate::text::catalog::number_text;
+use crate::msg;
 use crate::text::{Severity, Span};
 
 /// Diameter (mm) below which a cut counts as one to the centre: at 100 m/min it asks for 16 000 r/min.
@@ -157,8 +157,13 @@ impl Check<'_, '_, '_> {
         if size <= told {
             return 0;
         }
-        let id = if small { "lint.small-offset" } else { "lint.offset-off-centre" };
-        let finding = self.lint.say(index, span, id, &[&number_text(2.0 * offset, 4)], "");
+        let (place, word) = self.lint.written(index, span);
+        let error = (2.0 * offset, 4);
+        let message = match small {
+            true => msg!("lint.small-offset", word, error),
+            false => msg!("lint.offset-off-centre", word, error),
+        };
+        let finding = self.lint.say(place, message);
         if let Some(finding) = finding.filter(|_| small) {
             finding.severity = Severity::Info;
         }
@@ -170,10 +175,11 @@ impl Check<'_, '_, '_> {
         let has_word =
             control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == Address::Lims));
         let code = control.codes.iter().find(|row| row.code == Code::SetCoordinates);
-        let limit = match code {
+        let limit_word = match code {
             Some(row) if !has_word => format!("{} S", control.code_name(row.id)),
             _ => "LIMS=".to_owned(),
         };
-        self.lint.say(index, span, "lint.centre-unlimited", &[&limit], "");
+        let (place, word) = self.lint.written(index, span);
+        self.lint.say(place, msg!("lint.centre-unlimited", word, limit_word));
     }
 }

@@ -12,6 +12,7 @@ use crate::controls::address::LETTERS;
 use crate::controls::macros::{ARGUMENT, VacantWord};
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, Control, VarKind};
+use crate::msg;
 use crate::text::Severity;
 
 /// Rounds of propagating kinds through assignments; each round visits every assignment.
@@ -160,16 +161,18 @@ impl Vars<'_> {
         let mut told: BTreeSet<(usize, u32)> = BTreeSet::new();
         for site in &self.divisors {
             let Some(id) = self.can_be_zero(*site) else { continue };
+            let (place, divisor) = lint.written(site.block, lint.part(site.block, id));
             let (number, hint) = match (self.deck.expr(id), self.control.syntax.names()) {
-                (Expr::Var(number), None) => (number, "lint.hint-divisor"),
-                (Expr::Var(number), Some(_)) => (number, "lint.hint-divisor-named"),
-                (_, None) => (NONE, "lint.hint-difference"),
-                (_, Some(_)) => (NONE, "lint.hint-difference-named"),
+                (Expr::Var(number), None) => (number, msg!("lint.hint-divisor", divisor)),
+                (Expr::Var(number), Some(_)) => (number, msg!("lint.hint-divisor-named", divisor)),
+                (_, None) => (NONE, msg!("lint.hint-difference", divisor)),
+                (_, Some(_)) => (NONE, msg!("lint.hint-difference-named", divisor)),
             };
             let key = (self.deck.programs.partition_point(|program| program.end <= site.block), number);
-            if told.insert(key) || number == NONE {
-                let span = lint.part(site.block, id);
-                lint.say(site.block, span, "lint.zero-divisor", &[alarm], hint);
+            if (told.insert(key) || number == NONE)
+                && let Some(finding) = lint.say(place, msg!("lint.zero-divisor", divisor, alarm))
+            {
+                finding.hints.push(hint);
             }
         }
         told.into_iter().map(|key| key.1).collect()
@@ -178,22 +181,24 @@ impl Vars<'_> {
     /// Comparisons without brackets around them, and decimals compared for equality.
     fn comparisons(&self, lint: &mut Lint) {
         for site in &self.loose {
-            let span = lint.part(site.block, site.id);
-            lint.say(site.block, span, "lint.loose-comparison", &[], "");
+            let (place, condition) = lint.written(site.block, lint.part(site.block, site.id));
+            lint.say(place, msg!("lint.loose-comparison", condition));
         }
         for site in &self.cuts {
             let Expr::Call(function, inner) = self.deck.expr(site.id) else { continue };
             let Some(value) = self.deck.constant(inner) else { continue };
             let cut = if function == Function::Fix { value.trunc() } else { value.trunc() + value.signum() };
-            let [value, cut] = [format!("{value}"), format!("{cut}")];
-            let name = self.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
-            let span = lint.part(site.block, inner);
-            lint.say(site.block, span, "lint.cut-decimal", &[&value, name, &cut], "");
+            let [value, result] = [format!("{value}"), format!("{cut}")];
+            let function = self.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
+            let (place, formula) = lint.written(site.block, lint.part(site.block, inner));
+            lint.say(place, msg!("lint.cut-decimal", formula, value, function, result));
         }
         let exact = self.control.macros.equal_within == 0.0;
         for site in self.equals.iter().filter(|site| exact && self.differs(site)) {
-            let span = lint.part(site.block, site.id);
-            lint.say(site.block, span, "lint.equal-decimals", &[], "lint.hint-equal");
+            let (place, condition) = lint.written(site.block, lint.part(site.block, site.id));
+            if let Some(finding) = lint.say(place, msg!("lint.equal-decimals", condition)) {
+                finding.hints.push(msg!("lint.hint-equal"));
+            }
         }
     }
 
@@ -216,11 +221,13 @@ impl Vars<'_> {
                     }
                 }
                 VarKind::Kept if var.scratch && var.used => {
-                    lint.say(block, lint.part(block, id), "lint.kept-as-scratch", &[row.text.words()], "");
+                    let (place, variable) = lint.written(block, lint.part(block, id));
+                    lint.say(place, msg!("lint.kept-as-scratch", variable, meaning = row.text));
                 }
                 // Safeguards that are switched off, and nothing that switches them on again.
                 VarKind::SuppressSingleBlock | VarKind::SuppressOverride if !ends && var.nonzero && block != NONE => {
-                    lint.say(block, lint.part(block, id), "lint.suppression-stays", &[], "");
+                    let (place, variable) = lint.written(block, lint.part(block, id));
+                    lint.say(place, msg!("lint.suppression-stays", variable));
                 }
                 _ => {}
             }
@@ -263,14 +270,16 @@ impl Vars<'_> {
                     block.is_some_and(|block| self.deck.words_of(block).iter().any(|word| word.letter == letter))
                 })
             };
+            let (place, variable) = lint.written(block, lint.part(block, id));
             let hint = match argument {
-                Some(_) if calls > 0 => "lint.hint-argument",
-                Some(_) if lost() => "lint.hint-sub-argument",
-                _ => "lint.hint-unset-local",
+                Some(_) if calls > 0 => msg!("lint.hint-argument", address = letter.to_string()),
+                Some(_) if lost() => msg!("lint.hint-sub-argument", variable, address = letter.to_string()),
+                _ => msg!("lint.hint-unset-local", variable),
             };
-            let letter = letter.to_string();
-            if block != NONE {
-                lint.say(block, lint.part(block, id), "lint.unset-local", &[&letter], hint);
+            if block != NONE
+                && let Some(finding) = lint.say(place, msg!("lint.unset-local", variable))
+            {
+                finding.hints.push(hint);
             }
         } else if var.given < calls && var.sets <= var.given && var.compared.0 == NONE {
             self.vacant_word(lint, var);
@@ -280,7 +289,11 @@ impl Vars<'_> {
     fn vacant_word(&self, lint: &mut Lint, var: &Var) {
         let (block, span) = var.word;
         if self.control.macros.vacant_word == VacantWord::Dropped && block != NONE {
-            lint.say(block, span, "lint.vacant-word", &[&name(self.control, var)], "lint.hint-vacant");
+            let (place, word) = lint.written(block, span);
+            let variable = name(self.control, var);
+            if let Some(finding) = lint.say(place, msg!("lint.vacant-word", word, variable = variable.as_str())) {
+                finding.hints.push(msg!("lint.hint-vacant", variable));
+            }
         }
     }
 
@@ -300,8 +313,8 @@ impl Vars<'_> {
             }
         }
         if !names.is_empty() {
-            let part = lint.part(first.0, first.1);
-            if let Some(finding) = lint.say(first.0, part, "lint.unset-common", &[&names], "") {
+            let (place, _) = lint.written(first.0, lint.part(first.0, first.1));
+            if let Some(finding) = lint.say(place, msg!("lint.unset-common", variables = names)) {
                 finding.severity = Severity::Info;
             }
         }

@@ -9,6 +9,7 @@ use super::points::Points;
 use super::roles::{CALL, END, RETURN, Roles, SUB, SURFACE};
 use super::short::Short;
 use crate::controls::{Address, AddressSet, Alarm};
+use crate::msg;
 use crate::text::Span;
 
 /// Words that are reported to overwrite others.
@@ -140,9 +141,9 @@ impl Lint<'_> {
             let earlier = words.iter().take(index).rfind(|other| other.letter == word.letter);
             if let Some(earlier) = earlier.filter(|_| overwritten.contains(word.letter)) {
                 self.again += 1;
-                let place = self.place(at, earlier.span(block));
-                let text = self.parsed.text(place).to_owned();
-                self.say(at, word.span(block), "lint.word-again", &[&text], "");
+                let earlier = self.parsed.text(self.place(at, earlier.span(block)));
+                let (place, word) = self.written(at, word.span(block));
+                self.say(place, msg!("lint.word-again", word, earlier));
             }
         }
     }
@@ -159,6 +160,7 @@ impl Lint<'_> {
         let start = place.span.start + text.rfind(name).unwrap_or(0) as u32;
         let span = Span::new(start, (start + name.len() as u32).min(place.span.end));
         let alarm = self.control.alarm_number(Alarm::NoProgram).unwrap_or("");
-        self.say(at, span, "lint.no-such-program", &[name, alarm], "");
+        let (place, _) = self.written(at, span);
+        self.say(place, msg!("lint.no-such-program", program = name, alarm));
     }
 }

@@ -50,7 +50,7 @@ impl Reader<'_> {
             let forbidden = AddressSet::letters(if code.is_some() { "GNO" } else { "GNOP" });
             if let Some(word) = behind.iter().find(|word| forbidden.contains(word.letter)) {
                 let letter = word.letter.to_string();
-                self.report_word(Alarm::ArgumentAddress, word, msg!("interp.argument-address", letter));
+                self.report_word(Alarm::ArgumentAddress, word, msg!("interp.argument-address", address = letter));
             }
         }
     }
@@ -90,7 +90,7 @@ impl Reader<'_> {
     #[cold]
     pub(in crate::nc) fn named_by_letter(&mut self, alarm: Alarm, start: usize) {
         let finding = self.finding(alarm, start, start + 1, msg!("interp.call-without-program"));
-        let finding = finding.hint(msg!("nc.hint.program-letter", "O"));
+        let finding = finding.hint(msg!("nc.hint.program-letter", letter = "O"));
         self.replace(alarm, finding, start, start + 1, "P");
     }
 
@@ -111,11 +111,11 @@ impl Reader<'_> {
         let value = dec.to_f64();
         let row = self.control.macros.functions.iter().find(|(number, _)| f64::from(*number) == value);
         let Some(&(_, operation)) = row else {
-            return self.report_word(Alarm::CallFunction, number, msg!("interp.no-function", (value, 0)));
+            return self.report_word(Alarm::CallFunction, number, msg!("interp.no-function", number = (value, 0)));
         };
         let operand = |letter: Address| words.iter().rfind(|word| word.letter == letter);
         if let Some(&letter) = operation.operands().iter().find(|&&letter| operand(letter).is_none()) {
-            let message = msg!("interp.no-operand", letter.to_string(), (value, 0));
+            let message = msg!("interp.no-operand", address = letter.to_string(), number = (value, 0));
             return self.report_word(Alarm::CallOperands, number, message);
         }
         let Some(result @ Word { value: WordValue::Number(dec), .. }) = operand(Address::P) else { return };

@@ -67,7 +67,7 @@ impl<'a> Reader<'a> {
             }
             if self.deck.blocks.len() >= BLOCKS {
                 let place = self.place(Span::new(from as u32, to as u32));
-                self.findings.list.push(Diagnostic::error(msg!("nc.too-many-blocks", BLOCKS as u32)).at(place));
+                self.findings.list.push(Diagnostic::error(msg!("nc.too-many-blocks", most = BLOCKS as u32)).at(place));
                 break;
             }
             at = end + 1;
@@ -178,7 +178,7 @@ impl<'a> Reader<'a> {
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         if line.len() > BLOCK_BYTES {
             self.take_line(line, from);
-            self.report(Alarm::BlockTooLong, 0, line.len(), msg!("nc.block-too-long", BLOCK_BYTES as u32));
+            self.report(Alarm::BlockTooLong, 0, line.len(), msg!("nc.block-too-long", most = BLOCK_BYTES as u32));
             return self.push(Stmt::Empty);
         }
         let letters = self.control.syntax.program_letters;
@@ -260,11 +260,11 @@ impl<'a> Reader<'a> {
         match number {
             Some(0) => self.report(Alarm::NumberZero, 0, to, msg!("nc.program-zero")),
             Some(_) if digits <= limit => {}
-            _ => self.report(Alarm::OutOfRange, 0, to, msg!("nc.program-digits", limit as u32)),
+            _ => self.report(Alarm::OutOfRange, 0, to, msg!("nc.program-digits", most = limit as u32)),
         }
         if !self.control.syntax.program_letters.contains(&letter) {
             let usual = self.program_letter();
-            self.slip(Alarm::Format, 0, 1, msg!("nc.program-letter", usual.as_str()), &usual);
+            self.slip(Alarm::Format, 0, 1, msg!("nc.program-letter", letter = usual.as_str()), &usual);
         }
         let number = number.unwrap_or(0);
         let title = title.map(|title| self.deck.add_text(title));

@@ -57,7 +57,7 @@ impl Reader<'_> {
                 Alarm::Format,
                 0,
                 self.cursor.line.len(),
-                msg!("nc.formula-too-long", PARTS),
+                msg!("nc.formula-too-long", most = PARTS),
                 false,
             ));
         }
@@ -116,7 +116,8 @@ impl Reader<'_> {
         let (left, right) = (text(start, end), text(behind, self.cursor.at));
         let blank = self.cursor.line.get(start..end).unwrap_or_default();
         let start = end - blank.trim_ascii_start().len();
-        let finding = self.finding(Alarm::Format, behind - 3, behind, msg!("nc.no-modulo", self.control.name));
+        let finding =
+            self.finding(Alarm::Format, behind - 3, behind, msg!("nc.no-modulo", control = self.control.name));
         let finding = finding.hint(msg!("nc.hint.modulo"));
         self.replace(Alarm::Format, finding, start, self.cursor.at, &format!("[{left}-FIX[{left}/{right}]*{right}]"));
     }
@@ -183,7 +184,7 @@ impl Reader<'_> {
     }
 
     fn too_deep(&self) -> Message {
-        msg!("nc.bracket-depth", u32::from(self.control.syntax.bracket_depth))
+        msg!("nc.bracket-depth", most = u32::from(self.control.syntax.bracket_depth))
     }
 
     pub(in crate::nc) fn factor(&mut self) -> Read<ExprId> {
@@ -265,7 +266,7 @@ impl Reader<'_> {
             && atan == ArcTangent::OfTwo
             && let Some(comma) = self.comma_within()
         {
-            let message = msg!("nc.atan-alone", self.control.name);
+            let message = msg!("nc.atan-alone", control = self.control.name);
             let mut failure = self.failure(Alarm::AtanForm, start, start + 4, message, false);
             failure.finding =
                 self.mend(failure.finding.hint(msg!("nc.hint.atan")), Mend::Write(comma, comma + 1, "]/["));
@@ -299,7 +300,13 @@ impl Reader<'_> {
         let open = self.open_group(close)?;
         let left = self.inner_formula()?;
         if self.skip() != b',' {
-            return Err(self.failure(Alarm::AtanForm, start, self.cursor.at, msg!("nc.two-arguments", name), false));
+            return Err(self.failure(
+                Alarm::AtanForm,
+                start,
+                self.cursor.at,
+                msg!("nc.two-arguments", function = name),
+                false,
+            ));
         }
         self.cursor.at += 1;
         let right = self.inner_formula()?;
@@ -322,9 +329,15 @@ impl Reader<'_> {
         let name = String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase();
         let bracket = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
         if !matches!(bracket, Some(b'[' | b'(')) {
-            return Err(self.failure(Alarm::Format, start, start + letters, msg!("nc.no-operand-but", name), true));
+            return Err(self.failure(
+                Alarm::Format,
+                start,
+                start + letters,
+                msg!("nc.no-operand-but", text = name),
+                true,
+            ));
         }
-        let message = msg!("nc.unknown-function", name.as_str(), self.control.name);
+        let message = msg!("nc.unknown-function", function = name.as_str(), control = self.control.name);
         let functions = self.control.syntax.functions;
         let alike = OTHER_NAMES.iter().find(|row| row.0 == name).map_or(name.as_str(), |row| row.1);
         match meant(alike, functions.iter().map(|(name, _)| *name)) {
@@ -335,7 +348,7 @@ impl Reader<'_> {
                 Ok((known, function))
             }
             None if self.control.syntax.random.contains(&name.as_str()) => {
-                let message = msg!("nc.random", name.as_str());
+                let message = msg!("nc.random", function = name.as_str());
                 let mut failure = self.failure(Alarm::Budget, start, start + letters, message, false);
                 (failure.finding.severity, failure.finding.alarm, failure.finding.wording) =
                     (Severity::Warning, None, None);
@@ -356,15 +369,15 @@ impl Reader<'_> {
         }
         if self.names().is_some() {
             let end = start + name.len();
-            return Err(self.failure(Alarm::Format, start, end, msg!("nc.function-round", name), false));
+            return Err(self.failure(Alarm::Format, start, end, msg!("nc.function-round", function = name), false));
         }
-        let finding = self.finding(Alarm::Format, start, from, msg!("nc.function-bracket", name));
+        let finding = self.finding(Alarm::Format, start, from, msg!("nc.function-bracket", function = name));
         let Ok(argument) = argument else {
             return Err(self.failure(
                 Alarm::Format,
                 start,
                 start + name.len(),
-                msg!("nc.function-bracket", name),
+                msg!("nc.function-bracket", function = name),
                 false,
             ));
         };
@@ -406,7 +419,7 @@ impl Reader<'_> {
             return self.part(Expr::Binary(Op::Atan, y, x), start);
         }
         self.cursor.at = end;
-        let finding = self.finding(Alarm::AtanForm, start, name, msg!("nc.atan-alone", self.control.name));
+        let finding = self.finding(Alarm::AtanForm, start, name, msg!("nc.atan-alone", control = self.control.name));
         self.replace(Alarm::AtanForm, finding.hint(msg!("nc.hint.atan")), end, end, "/[1]");
         let x = self.part(Expr::Number(Dec::int(1)), end)?;
         self.part(Expr::Binary(Op::Atan, y, x), start)
@@ -497,7 +510,7 @@ impl Reader<'_> {
         }
         let (opening, closing) = if open.close == b')' { ("(", ")") } else { ("[", "]") };
         let letter = char::from(rest.first().copied().unwrap_or(b' ')).to_string();
-        let message = msg!("nc.unclosed-before-word", opening, letter);
+        let message = msg!("nc.unclosed-before-word", bracket = opening, word = letter);
         let mut failure = self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false);
         let end = self.ended_at();
         failure.finding = self.mend(failure.finding, Mend::Write(end, end, closing));
@@ -535,8 +548,12 @@ impl Reader<'_> {
                 let inner = self.variable(false)?;
                 self.formulas.depth -= 1;
                 if !self.control.syntax.double_hash {
-                    let finding =
-                        self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.double-hash", self.control.name));
+                    let finding = self.finding(
+                        Alarm::Format,
+                        start,
+                        self.cursor.at,
+                        msg!("nc.double-hash", control = self.control.name),
+                    );
                     self.enclose(Alarm::Format, finding, from, self.cursor.at);
                 }
                 self.part(Expr::Indirect(inner), start)
@@ -581,7 +598,8 @@ impl Reader<'_> {
                     return;
                 }
                 VarKind::NotSimulated => {
-                    let message = msg!("nc.variable-stops", self.control.variable(number), row.text);
+                    let message =
+                        msg!("nc.variable-stops", variable = self.control.variable(number), meaning = row.text);
                     return self.say_once(LeftOut::Variables(row.first), start, self.cursor.at, message);
                 }
                 VarKind::Vacant if written => Alarm::VacantWritten,

@@ -76,7 +76,7 @@ impl Reader<'_> {
         let word = KEYWORDS[meant(&name, KEYWORDS.into_iter())?];
         let start = self.cursor.at;
         self.cursor.at += letters;
-        self.slip(Alarm::Format, start, self.cursor.at, msg!("nc.unknown-keyword", name), word);
+        self.slip(Alarm::Format, start, self.cursor.at, msg!("nc.unknown-keyword", word = name), word);
         Some(word)
     }
 
@@ -122,7 +122,7 @@ impl Reader<'_> {
         };
         let message = match self.tables.rules.if_then {
             true => msg!("nc.then-no-assignment"),
-            false => msg!("nc.no-if-then", self.control.name),
+            false => msg!("nc.no-if-then", control = self.control.name),
         };
         let finding = self.finding(Alarm::IfSentence, then, if named { behind } else { then + 1 }, message);
         let finding = self.jump_instead(finding, then, behind);
@@ -135,7 +135,7 @@ impl Reader<'_> {
         let start = self.cursor.at;
         let byte = self.skip();
         if self.cursor.ended() {
-            let message = msg!("nc.no-operand", "GOTO");
+            let message = msg!("nc.no-operand", keyword = "GOTO");
             return Err(self.failure(Alarm::IfSentence, start.saturating_sub(4), start, message, false));
         }
         let at = self.cursor.at;
@@ -241,7 +241,7 @@ impl Reader<'_> {
         self.formulas.compared = (from, self.cursor.at, op);
         if !(known && self.control.syntax.comparison_signs) {
             let letters = letters_of(op);
-            let message = msg!("nc.comparison-sign", sign, self.control.name, letters);
+            let message = msg!("nc.comparison-sign", sign, control = self.control.name, correct = letters);
             let letters = self.spaced(from, self.cursor.at, letters);
             self.slip(alarm, from, self.cursor.at, message, &letters);
         }

@@ -119,7 +119,12 @@ impl<'a> Reader<'a> {
         match number {
             Some(0) => self.report(Alarm::NumberZero, start, self.cursor.at, msg!("nc.sequence-zero")),
             Some(_) if digits <= most as usize => {}
-            _ => self.report(Alarm::SequenceDigits, start, self.cursor.at, msg!("nc.sequence-digits", u32::from(most))),
+            _ => self.report(
+                Alarm::SequenceDigits,
+                start,
+                self.cursor.at,
+                msg!("nc.sequence-digits", most = u32::from(most)),
+            ),
         }
         self.block.number = number;
         Ok(())
@@ -165,7 +170,7 @@ impl<'a> Reader<'a> {
         }
         if count > self.tables.most_words {
             let start = self.deck.words.get(first + self.tables.most_words).map_or(0, |word| word.offset as usize);
-            let message = msg!("nc.too-many-words", self.tables.most_words as u32);
+            let message = msg!("nc.too-many-words", most = self.tables.most_words as u32);
             self.report(Alarm::BlockWords, start, self.cursor.line.len(), message);
         }
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
@@ -189,7 +194,7 @@ impl<'a> Reader<'a> {
                     _ => self.odd_letter(word.letter, start),
                 }
             } else if self.tables.once.and(seen).contains(letter) && twice.insert(letter) {
-                self.report(Alarm::AddressTwice, start, end, msg!("nc.address-twice", letter.to_string()));
+                self.report(Alarm::AddressTwice, start, end, msg!("nc.address-twice", address = letter.to_string()));
             } else if let WordValue::Number(number @ Dec { point: true, .. }) = word.value
                 && self.tables.whole.contains(letter)
             {
@@ -229,7 +234,7 @@ impl<'a> Reader<'a> {
 
     /// A point in the number of an address of whole numbers.
     fn needless_point(&mut self, letter: Address, number: Dec, start: usize, end: usize) {
-        let message = msg!("nc.point-not-allowed", letter.to_string());
+        let message = msg!("nc.point-not-allowed", address = letter.to_string());
         let finding = self.finding(Alarm::PointNotAllowed, start, end, message);
         let text = self.cursor.line.get(start..end).unwrap_or_default();
         match text.iter().position(|&b| b == b'.') {
@@ -244,9 +249,12 @@ impl<'a> Reader<'a> {
     /// A letter that is no address here.
     fn odd_letter(&mut self, letter: Address, start: usize) {
         let (alarm, message) = match letter {
-            Address::N => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
-            Address::O => (Alarm::Format, msg!("nc.number-not-first", "O")),
-            _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", letter.to_string(), self.control.name)),
+            Address::N => (Alarm::SequencePlace, msg!("nc.number-not-first", letter = "N")),
+            Address::O => (Alarm::Format, msg!("nc.number-not-first", letter = "O")),
+            _ => (
+                Alarm::IllegalAddress,
+                msg!("nc.no-such-address", address = letter.to_string(), control = self.control.name),
+            ),
         };
         self.report(alarm, start, start + 1, message);
     }
@@ -355,7 +363,7 @@ impl<'a> Reader<'a> {
     fn too_long(&mut self, from: usize, to: usize) {
         let digits = self.cursor.line.get(from..to).unwrap_or_default().iter().filter(|b| b.is_ascii_digit()).count();
         if digits <= self.tables.rules.digits {
-            self.report(Alarm::Digits, from, to, msg!("nc.word-too-long", self.tables.word_chars as u32));
+            self.report(Alarm::Digits, from, to, msg!("nc.word-too-long", most = self.tables.word_chars as u32));
         }
     }
 
@@ -395,7 +403,7 @@ impl<'a> Reader<'a> {
         if self.keyword_ahead() {
             return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
         }
-        let message = msg!("nc.no-value", letter.to_string());
+        let message = msg!("nc.no-value", address = letter.to_string());
         Err(self.failure(Alarm::NoNumber, start, start + 1, message, true))
     }
 
@@ -415,7 +423,7 @@ impl<'a> Reader<'a> {
                 Alarm::Digits,
                 start,
                 self.cursor.at,
-                msg!("nc.too-many-digits", self.tables.rules.digits as u32),
+                msg!("nc.too-many-digits", most = self.tables.rules.digits as u32),
             );
         }
         Ok(value)
@@ -442,16 +450,16 @@ impl<'a> Reader<'a> {
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
     }
 
-    /// Reports once per kind a code of which the simulation leaves something out; `name` is what the message calls it.
+    /// Reports once per kind a code of which the simulation leaves something out; `code` is what the message calls it.
     #[cold]
-    pub(in crate::nc) fn code_left_out(&mut self, row: &CodeDef, key: LeftOut, name: &str, start: usize) {
+    pub(in crate::nc) fn code_left_out(&mut self, row: &CodeDef, key: LeftOut, code: &str, start: usize) {
         let message = match row.code {
-            Code::Skip => msg!("nc.no-skip", name),
-            Code::Tapping => msg!("nc.no-tapping", name),
-            Code::TakesAxisWords => msg!("nc.takes-axis-words", name),
-            Code::ReplacesPositions => msg!("nc.replaces-positions", name),
-            Code::CancelForAxes => msg!("nc.cancel-for-axes", name),
-            _ => msg!("nc.not-simulated", name),
+            Code::Skip => msg!("nc.no-skip", code),
+            Code::Tapping => msg!("nc.no-tapping", code),
+            Code::TakesAxisWords => msg!("nc.takes-axis-words", code),
+            Code::ReplacesPositions => msg!("nc.replaces-positions", code),
+            Code::CancelForAxes => msg!("nc.cancel-for-axes", code),
+            _ => msg!("nc.not-simulated", code),
         };
         self.say_once(key, start, self.cursor.at, message);
     }
@@ -463,7 +471,7 @@ impl<'a> Reader<'a> {
             Alarm::UnknownCode,
             start,
             self.cursor.at,
-            msg!("nc.unknown-code", format!("G{number}"), self.control.name),
+            msg!("nc.unknown-code", code = format!("G{number}"), control = self.control.name),
         );
         false
     }
@@ -488,7 +496,7 @@ impl<'a> Reader<'a> {
 
     /// Reports once per kind a feature of the control that is not simulated.
     pub(in crate::nc) fn not_simulated(&mut self, key: LeftOut, from: usize, to: usize, name: &str) {
-        self.say_once(key, from, to, msg!("nc.not-simulated", name));
+        self.say_once(key, from, to, msg!("nc.not-simulated", code = name));
     }
 
     /// Adds a warning once per kind.
@@ -544,13 +552,13 @@ impl<'a> Reader<'a> {
         if known {
             let message = match character {
                 '0'..='9' => msg!("nc.number-without-address"),
-                _ => msg!("nc.unexpected", shown),
+                _ => msg!("nc.unexpected", text = shown),
             };
             self.failure(Alarm::Format, start, end, message, !character.is_ascii_digit())
         } else {
             let message = match character {
                 '\0' => msg!("nc.nul"),
-                _ => msg!("nc.illegal-character", shown),
+                _ => msg!("nc.illegal-character", character = shown),
             };
             let mut failure = self.failure(Alarm::IllegalAddress, start, end, message, character != '\0');
             failure.finding = if character == '\0' {

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::content::{HelpEntry, HelpKind, HelpSection, Page};
 use super::texts::{Texts, plain};
 use crate::controls::Control;
+use crate::text::catalog::parts::{Form, SentencePart, parts};
 use crate::text::catalog::{self, Language, words};
 
 /// The page of the terms of the trade in both languages, from `docs/glossary.md`.
@@ -59,19 +60,10 @@ pub(super) fn programs(control: &'static Control, texts: &Texts) -> Page {
 
 /// A sentence with an ellipsis at each place of a value.
 fn open(sentence: &str) -> String {
-    let mut out = String::new();
-    let mut rest = sentence;
-    while let Some((before, tail)) = rest.split_once('{') {
-        out.push_str(before);
-        // `{0, plural, one {head} other {heads}}`: the word for many.
-        let (text, behind) = match tail.split_once("} other {") {
-            Some((_, word)) if !tail.split('}').next().unwrap_or_default().ends_with(|c: char| c.is_ascii_digit()) => {
-                word.split_once("}}").unwrap_or((word, ""))
-            }
-            _ => ("…", tail.split_once('}').map_or("", |(_, behind)| behind)),
-        };
-        out.push_str(text);
-        rest = behind;
-    }
-    out + rest
+    let text = |part| match part {
+        SentencePart::Words(words) => words,
+        SentencePart::Place(_, Form::Plural([_, many])) => many,
+        SentencePart::Place(..) => "…",
+    };
+    parts(sentence).map(text).collect()
 }

@@ -47,7 +47,7 @@ fn machine(request: &InterpretRequest, control: &Control) -> Result<Still, Refus
         };
         match axis.and_then(|axis| positions.get_mut(axis)) {
             Some(position) => *position = *at,
-            None => return Err(msg!("request.no-axis", control.name, letter.as_str()).into()),
+            None => return Err(msg!("request.no-axis", control = control.name, axis = letter.as_str()).into()),
         }
     }
     Ok(Still { positions, ..Still::default() })
@@ -60,7 +60,7 @@ pub(super) fn interpret(request: &InterpretRequest) -> Result<Json, Refused> {
     let mut world = machine(request, control)?;
     let mut interp = Interp::new(Rc::clone(&parsed), start);
     for setting in request.settings()? {
-        let refused = || Refused::from(msg!("request.not-settable", setting.name.as_str()));
+        let refused = || Refused::from(msg!("request.not-settable", name = setting.name.as_str()));
         match setting.action(control, parsed.dialect()).ok_or_else(refused)? {
             Action::Variable(number, value) => drop(interp.set_variable(number, value)),
             Action::Input(name, value) => {

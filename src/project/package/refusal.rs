@@ -30,11 +30,11 @@ impl Unasked {
     /// The answer; `text` is what was asked for, where the sentence names it.
     pub fn answer(self, text: &str) -> String {
         let message = match self {
-            Unasked::Language => msg!("request.no-language", text, "en, zh"),
+            Unasked::Language => msg!("request.no-language", language = text, languages = "en, zh"),
             Unasked::Unreadable => msg!("request.unreadable"),
-            Unasked::TooLarge => msg!("request.too-large", MAX_REQUEST >> 20),
+            Unasked::TooLarge => msg!("request.too-large", most = MAX_REQUEST >> 20),
             Unasked::Freed => msg!("request.freed"),
-            Unasked::Broken => msg!("request.broken", text),
+            Unasked::Broken => msg!("request.broken", reason = text),
         };
         error(&message).to_string()
     }

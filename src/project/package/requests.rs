@@ -20,7 +20,7 @@ use crate::text::Diagnostic;
 
 /// Reads a request.
 pub(super) fn read<'t, T: Deserialize<'t>>(text: &'t str) -> Result<T, Refused> {
-    serde_json::from_str(text).map_err(|error| msg!("request.shape", reason(&error)).into())
+    serde_json::from_str(text).map_err(|error| msg!("request.shape", reason = reason(&error)).into())
 }
 
 /// Reads the request of a function: an object.

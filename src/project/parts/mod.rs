@@ -26,7 +26,7 @@ pub const MAX_BYTES: usize = 4 << 20;
 /// that are sound, and findings with their places; a row with an error is left out.
 pub fn read(text: &str, name: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     if text.len() > MAX_BYTES {
-        let message = msg!("parts.too-large", (text.len() >> 20) as u32, (MAX_BYTES >> 20) as u32);
+        let message = msg!("parts.too-large", size = (text.len() >> 20) as u32, most = (MAX_BYTES >> 20) as u32);
         return (Vec::new(), vec![Diagnostic::error(message)]);
     }
     let begin = text.trim_start_matches('\u{feff}').trim_start();

@@ -22,8 +22,11 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     match serde_json::from_str::<Vec<Entries>>(plain) {
         Ok(list) => from_entries(text, &list),
         Err(error) => {
-            let message =
-                if error.is_data() { msg!("parts.not-a-list") } else { msg!("project.not-json", json::reason(&error)) };
+            let message = if error.is_data() {
+                msg!("parts.not-a-list")
+            } else {
+                msg!("project.not-json", reason = json::reason(&error))
+            };
             let mut place = json::error_place(plain, &error);
             let skipped = (text.len() - plain.len()) as u32;
             place.span.start += skipped;
@@ -37,7 +40,7 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
 pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) -> (Vec<Part>, Vec<Diagnostic>) {
     let mut rows = Rows::new(text, Decimals::default());
     if list.len() > MAX_PARTS {
-        rows.found.error(msg!("parts.too-many", MAX_PARTS as u32), "");
+        rows.found.error(msg!("parts.too-many", most = MAX_PARTS as u32), "");
         return rows.finish();
     }
     let mut unknown = BTreeSet::new();
@@ -48,7 +51,7 @@ pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) 
         for entry in &entries.0 {
             let Some(column) = columns::column(&entry.key) else {
                 if unknown.len() < LISTED && unknown.insert(entry.key.as_str()) {
-                    let message = msg!("parts.unknown-column", clip(&entry.key), listed(COLUMNS));
+                    let message = msg!("parts.unknown-column", column = clip(&entry.key), columns = listed(COLUMNS));
                     rows.found.error(message, entry.source);
                 }
                 continue;
@@ -64,7 +67,7 @@ pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) 
                     Some(models.join(&PAIRS.to_string()))
                 }
                 other => {
-                    rows.found.error(msg!("parts.wrong-kind", column, json::kind_word(other)), source);
+                    rows.found.error(msg!("parts.wrong-kind", column, found = json::kind_word(other)), source);
                     sound = false;
                     None
                 }

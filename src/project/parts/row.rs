@@ -69,7 +69,10 @@ impl<'t> Rows<'t> {
     /// The parts, and the findings about the table.
     pub(super) fn finish(mut self) -> (Vec<Part>, Vec<Diagnostic>) {
         if self.left_out > 0 {
-            self.found.add(Diagnostic::info(msg!("parts.left-out", self.left_out, self.parts.len() as u32)), "");
+            self.found.add(
+                Diagnostic::info(msg!("parts.left-out", left_out = self.left_out, taken = self.parts.len() as u32)),
+                "",
+            );
         }
         (self.parts, self.found.into_diagnostics())
     }
@@ -79,7 +82,7 @@ impl<'t> Rows<'t> {
         let cell = |column: &str| cells.iter().find(|cell| cell.column == column);
         let missing: Vec<&str> = REQUIRED.into_iter().filter(|column| cell(column).is_none()).collect();
         for column in missing.iter().filter(|_| sound) {
-            self.found.error(msg!("parts.missing-value", *column), source);
+            self.found.error(msg!("parts.missing-value", column = *column), source);
         }
         sound &= missing.is_empty();
         let mut text = |column: &str, most: usize| {
@@ -98,7 +101,10 @@ impl<'t> Rows<'t> {
         let allowed = columns::of_kind(&ratings);
         for cell in cells.iter().filter(|cell| columns::is_number(cell.column) || cell.column == OVERLOAD) {
             if !allowed.contains(&cell.column) {
-                self.found.error(msg!("parts.kind-lacks", kind, cell.column, listed(&allowed)), cell.source);
+                self.found.error(
+                    msg!("parts.kind-lacks", kind, column = cell.column, columns = listed(&allowed)),
+                    cell.source,
+                );
                 sound = false;
             }
         }
@@ -113,7 +119,7 @@ impl<'t> Rows<'t> {
         }
         sound &= self.ordered(&mut ratings.clone(), cells);
         if sound && !self.known.insert((maker.clone(), model.clone())) {
-            self.found.error(msg!("parts.twice", clip(&maker), clip(&model)), source);
+            self.found.error(msg!("parts.twice", maker = clip(&maker), model = clip(&model)), source);
             sound = false;
         }
         if sound {
@@ -130,11 +136,11 @@ impl<'t> Rows<'t> {
         let plain: String = cell.text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         let plain = plain.trim();
         if plain.chars().count() > most {
-            self.found.error(msg!("parts.too-long", cell.column, most as u32), cell.source);
+            self.found.error(msg!("parts.too-long", column = cell.column, most = most as u32), cell.source);
             return None;
         }
         if plain.starts_with(['=', '+', '-', '@']) {
-            self.found.error(msg!("parts.formula", cell.column, clip(plain)), cell.source);
+            self.found.error(msg!("parts.formula", column = cell.column, text = clip(plain)), cell.source);
             return None;
         }
         Some(plain.to_owned())
@@ -146,7 +152,10 @@ impl<'t> Rows<'t> {
         let word = words.iter().find(|(word, _)| *word == plain).map(|(_, means)| *means);
         if word.is_none() {
             let known = listed(words.iter().map(|(word, _)| *word));
-            self.found.error(msg!("parts.unknown-word", clip(&cell.text), cell.column, known), cell.source);
+            self.found.error(
+                msg!("parts.unknown-word", text = clip(&cell.text), column = cell.column, words = known),
+                cell.source,
+            );
         }
         word
     }
@@ -155,7 +164,7 @@ impl<'t> Rows<'t> {
     fn number(&mut self, cell: &Cell<'t>) -> Option<f64> {
         let text = cell.text.trim();
         if self.decimals.mixed && is_grouped(text) {
-            self.found.error(msg!("parts.point-or-comma", clip(text), cell.column), cell.source);
+            self.found.error(msg!("parts.point-or-comma", text = clip(text), column = cell.column), cell.source);
             return None;
         }
         let commas = text.matches(',').count();
@@ -166,16 +175,16 @@ impl<'t> Rows<'t> {
         };
         let is_plain = plain.chars().all(|c| c.is_ascii_digit() || "+-.eE".contains(c));
         let Some(number) = plain.parse::<f64>().ok().filter(|number| is_plain && number.is_finite()) else {
-            self.found.error(msg!("parts.no-number", clip(text), cell.column), cell.source);
+            self.found.error(msg!("parts.no-number", text = clip(text), column = cell.column), cell.source);
             return None;
         };
         let is_share = SHARES.contains(&cell.column);
         if is_share && number > 1.0 {
-            self.found.error(msg!("parts.share", cell.column, clip(text)), cell.source);
+            self.found.error(msg!("parts.share", column = cell.column, text = clip(text)), cell.source);
             return None;
         }
         if !(number > 0.0 && number <= LARGEST) {
-            self.found.error(msg!("parts.not-positive", cell.column, clip(text)), cell.source);
+            self.found.error(msg!("parts.not-positive", column = cell.column, text = clip(text)), cell.source);
             return None;
         }
         Some(number)
@@ -197,7 +206,16 @@ impl<'t> Rows<'t> {
             let (Some(low), Some(high)) = (value(rated), value(highest)) else { continue };
             if high < low {
                 let at = cells.iter().find(|cell| cell.column == highest).map_or("", |cell| cell.source);
-                self.found.error(msg!("parts.below-rated", highest, (high, 9), rated, (low, 9)), at);
+                self.found.error(
+                    msg!(
+                        "parts.below-rated",
+                        column = highest,
+                        value = (high, 9),
+                        other_column = rated,
+                        other_value = (low, 9)
+                    ),
+                    at,
+                );
                 ordered = false;
             }
         }
@@ -222,14 +240,14 @@ impl<'t> Rows<'t> {
         if let (Some(power), Some(speed)) = (power, speed) {
             let shaft = torque * speed / WATTS;
             if (power - shaft).abs() > POWER * shaft {
-                let message = msg!("parts.unlikely-power", (power, 3), (shaft, 0));
+                let message = msg!("parts.unlikely-power", rated = (power, 3), power = (shaft, 0));
                 self.found.add(Diagnostic::warning(message), at("rated_power_w"));
             }
         }
         if let Some(rotor) = rotor {
             let rate = torque * torque / rotor;
             if !(POWER_RATE.0..=POWER_RATE.1).contains(&rate) {
-                let message = msg!("parts.unlikely-inertia", (rotor, 9), (torque, 3));
+                let message = msg!("parts.unlikely-inertia", inertia = (rotor, 9), torque = (torque, 3));
                 self.found.add(Diagnostic::warning(message), at("inertia_kgm2"));
             }
         }

@@ -23,12 +23,12 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     let mut records = records(plain, delimiter);
     let mut rows = Rows::new(text, Decimals::default());
     if records.is_empty() {
-        rows.found.error(msg!("parts.empty", listed(COLUMNS)), "");
+        rows.found.error(msg!("parts.empty", columns = listed(COLUMNS)), "");
         return rows.finish();
     }
     let head = records.remove(0);
     if records.len() > MAX_PARTS {
-        rows.found.error(msg!("parts.too-many", MAX_PARTS as u32), "");
+        rows.found.error(msg!("parts.too-many", most = MAX_PARTS as u32), "");
         return rows.finish();
     }
     let Some(columns) = head_line(&head, delimiter, &mut rows) else { return rows.finish() };
@@ -47,7 +47,7 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
         }
         if let Some(source) = beyond {
             let count = record.cells.len() as u32;
-            rows.found.error(msg!("parts.too-many-cells", count, columns.len() as u32), source);
+            rows.found.error(msg!("parts.too-many-cells", cells = count, columns = columns.len() as u32), source);
         }
         rows.add(&cells, record.source, beyond.is_none());
     }
@@ -99,17 +99,17 @@ fn head_line<'t>(head: &Record<'t>, delimiter: u8, rows: &mut Rows<'t>) -> Optio
     for (name, source) in head.cells.iter().zip(cell_sources(head.source, delimiter)) {
         let column = columns::column(name);
         if column.is_none() && !name.is_empty() {
-            rows.found.error(msg!("parts.unknown-column", clip(name), listed(COLUMNS)), source);
+            rows.found.error(msg!("parts.unknown-column", column = clip(name), columns = listed(COLUMNS)), source);
         }
         if column.is_some() && columns.contains(&column) {
-            rows.found.error(msg!("parts.column-twice", clip(name)), source);
+            rows.found.error(msg!("parts.column-twice", column = clip(name)), source);
             return None;
         }
         columns.push(column);
     }
     let missing: Vec<&str> = REQUIRED.into_iter().filter(|column| !columns.contains(&Some(*column))).collect();
     if !missing.is_empty() {
-        rows.found.error(msg!("parts.missing-column", listed(missing)), head.source);
+        rows.found.error(msg!("parts.missing-column", columns = listed(missing)), head.source);
         return None;
     }
     Some(columns)

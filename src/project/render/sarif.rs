@@ -32,7 +32,7 @@ impl Renderer<'_> {
         let said = sentence(&diagnostic.message);
         let alarm = diagnostic.alarm.iter().map(|alarm| format!("[{alarm}]"));
         let hints = diagnostic.hints.iter().map(sentence);
-        let field = diagnostic.field.iter().map(|field| sentence(&msg!("project.sarif-field", *field)));
+        let field = diagnostic.field.iter().map(|field| sentence(&msg!("project.sarif-field", field = *field)));
         let text = sentences(alarm.chain([said]).chain(hints).chain(field));
         let mut result = json!({
             "ruleId": diagnostic.id(),

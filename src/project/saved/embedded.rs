@@ -33,8 +33,11 @@ pub fn embedded(fragment: &str) -> Option<Loaded> {
         Err(unknown) => {
             let known = listed(unknown.known);
             let control = unknown.kind == NameKind::Control;
-            let message =
-                if control { msg!("project.embed-control", known) } else { msg!("project.embed-machine", known) };
+            let message = if control {
+                msg!("project.embed-control", controls = known)
+            } else {
+                msg!("project.embed-machine", machines = known)
+            };
             Loaded { project: None, diagnostics: vec![Diagnostic::error(message)] }
         }
     })

@@ -45,7 +45,7 @@ impl Project {
         let file = serde_json::to_string(&self.saved()).unwrap_or_default();
         let link = format!("{FORM}{}", packed(&file));
         if link.len() > MAX_LINK || file.len() > MAX_FILE {
-            return Err(msg!("project.link-long", link.len() as u32, MAX_LINK as u32));
+            return Err(msg!("project.link-long", count = link.len() as u32, most = MAX_LINK as u32));
         }
         Ok(link)
     }
@@ -76,7 +76,7 @@ fn packed(file: &str) -> String {
 /// The file in a fragment.
 fn unpacked(fragment: &str) -> Result<String, Message> {
     if fragment.len() > MAX_LINK {
-        return Err(msg!("project.link-oversized", fragment.len() as u32, MAX_LINK as u32));
+        return Err(msg!("project.link-oversized", count = fragment.len() as u32, most = MAX_LINK as u32));
     }
     let file = if let Some(data) = fragment.strip_prefix(FORM) {
         file_of(data, inflated)

@@ -139,24 +139,28 @@ fn newest(text: &str) -> Result<ProjectV1<'_>, Diagnostic> {
     match version.filter(|version| *version >= 1.0 && version.fract() == 0.0) {
         None => Err(Diagnostic::error(msg!("project.no-version"))),
         Some(1.0) => serde_json::from_str(json).map_err(wrong),
-        Some(version) => Err(Diagnostic::error(msg!("project.newer", version, VERSION))),
+        Some(version) => Err(Diagnostic::error(msg!("project.newer", version, latest = VERSION))),
     }
 }
 
 /// The JSON of a file that is not too large: without its byte order mark.
 fn sized(text: &str) -> Result<&str, Diagnostic> {
     if text.len() > MAX_BYTES {
-        return Err(Diagnostic::error(msg!("project.too-large", (text.len() >> 20) as u32, (MAX_BYTES >> 20) as u32)));
+        return Err(Diagnostic::error(msg!(
+            "project.too-large",
+            size = (text.len() >> 20) as u32,
+            most = (MAX_BYTES >> 20) as u32
+        )));
     }
     Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }
 
 fn not_json(text: &str, json: &str, error: &serde_json::Error) -> Diagnostic {
-    located(msg!("project.not-json", json::reason(error)), text, json, error)
+    located(msg!("project.not-json", reason = json::reason(error)), text, json, error)
 }
 
 fn shape(text: &str, json: &str, error: &serde_json::Error) -> Diagnostic {
-    located(msg!("project.shape", json::reason(error)), text, json, error)
+    located(msg!("project.shape", reason = json::reason(error)), text, json, error)
 }
 
 fn located(message: Message, text: &str, json: &str, error: &serde_json::Error) -> Diagnostic {
@@ -207,7 +211,7 @@ pub fn with_line(finding: &Diagnostic, text: &str) -> String {
         None => said,
         Some(place) => {
             let at = LineIndex::new(text).position(text, place.span.start);
-            sentence(&msg!("project.at-line", at.line, at.column, said))
+            sentence(&msg!("project.at-line", line = at.line, column = at.column, text = said))
         }
     }
 }

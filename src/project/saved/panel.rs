@@ -49,21 +49,22 @@ enum PanelAction<'t> {
 /// Reads the entries of a panel.
 pub(super) fn read<'t>(entries: &[Entries<'t>], found: &mut Findings<'t>) -> Panel {
     if entries.len() > MAX_EVENTS {
-        found.error(msg!("project.panel-too-long", MAX_EVENTS as u32, entries.len() as u32), "");
+        found.error(msg!("project.panel-too-long", most = MAX_EVENTS as u32, count = entries.len() as u32), "");
         return Panel::default();
     }
     let mut events = Vec::new();
     for (entry, count) in entries.iter().zip(1_u32..) {
         let time = entry.0.iter().find(|entry| entry.key == "t").and_then(|entry| entry.value.value.as_f64());
         let Some(t) = time.filter(|t| *t >= 0.0) else {
-            found.error(msg!("project.panel-no-time", count), entry.0.first().map_or("", |entry| entry.source));
+            found
+                .error(msg!("project.panel-no-time", number = count), entry.0.first().map_or("", |entry| entry.source));
             continue;
         };
         found.repeated(entry);
         for row in entry.0.iter().filter(|row| row.key != "t") {
             match actions(row, found) {
                 Some(actions) => events.extend(actions.into_iter().map(|action| Event { t, action })),
-                None => found.error(msg!("project.panel-unknown", count, clip(&row.key)), row.source),
+                None => found.error(msg!("project.panel-unknown", number = count, action = clip(&row.key)), row.source),
             }
         }
     }

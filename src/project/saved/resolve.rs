@@ -38,11 +38,11 @@ pub(super) fn project<'t>(
     let named = saved.machine.as_ref().and_then(|id| id.as_str());
     let Some(machine) = named.and_then(|id| machines.iter().copied().find(|machine| machine.id() == id)) else {
         let known = listed(machines.iter().map(|machine| machine.id()));
-        found.error(msg!("project.no-machine", known), part(&saved.machine));
+        found.error(msg!("project.no-machine", machines = known), part(&saved.machine));
         return Loaded::refused(found);
     };
     let Some(control) = saved.control.as_ref().and_then(|id| control_of(machine, id)) else {
-        found.error(msg!("project.no-control", listed(machine.controls())), part(&saved.control));
+        found.error(msg!("project.no-control", controls = listed(machine.controls())), part(&saved.control));
         return Loaded::refused(found);
     };
     let Some(saved_values) = &saved.values else {
@@ -51,7 +51,7 @@ pub(super) fn project<'t>(
     };
     let count = saved.edited.as_ref().map_or(0, Vec::len);
     if count > MAX_PROGRAMS {
-        found.error(msg!("project.too-many-programs", count as u32, MAX_PROGRAMS as u32), "");
+        found.error(msg!("project.too-many-programs", count = count as u32, most = MAX_PROGRAMS as u32), "");
         return Loaded::refused(found);
     }
     let mut project = Project::of_form(machine, control);
@@ -85,7 +85,7 @@ fn variants<'t>(saved: &[VariantV1<'t>], machine: &'static dyn AnyMachine, found
     let mut variants: Vec<Variant> = Vec::new();
     for row in saved {
         if variants.len() == MAX_VARIANTS {
-            found.error(msg!("project.too-many-variants", MAX_VARIANTS as u32), row.name.source);
+            found.error(msg!("project.too-many-variants", most = MAX_VARIANTS as u32), row.name.source);
             break;
         }
         let name = row.name.as_str().and_then(variant_name);
@@ -94,7 +94,10 @@ fn variants<'t>(saved: &[VariantV1<'t>], machine: &'static dyn AnyMachine, found
             continue;
         };
         let Some(control) = control_of(machine, &row.control) else {
-            found.error(msg!("project.variant-control", name, listed(machine.controls())), row.control.source);
+            found.error(
+                msg!("project.variant-control", variant = name, controls = listed(machine.controls())),
+                row.control.source,
+            );
             continue;
         };
         let mut own = Project::of_form(machine, control).values;
@@ -111,7 +114,7 @@ fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, values: &mu
     let fields = machine.fields();
     for entry in &saved.0 {
         let Some(field) = fields.iter().find(|field| field.id == entry.key) else {
-            found.error(msg!("project.unknown-field", clip(&entry.key)), entry.source);
+            found.error(msg!("project.unknown-field", field = clip(&entry.key)), entry.source);
             continue;
         };
         let value = match (&field.kind, &entry.value.value) {
@@ -125,7 +128,8 @@ fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, values: &mu
                 values.insert(entry.key.clone(), value);
             }
             None => {
-                let message = msg!("project.wrong-kind", clip(&entry.key), kind_word(&entry.value.value));
+                let message =
+                    msg!("project.wrong-kind", field = clip(&entry.key), found = kind_word(&entry.value.value));
                 found.add(Diagnostic::error(message).about(field.id), entry.value.source);
             }
         }
@@ -138,11 +142,11 @@ fn origins<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &
     for entry in &saved.0 {
         let known = machine.fields().iter().any(|field| field.id == entry.key);
         match entry.value.as_str().and_then(provenance_of) {
-            _ if !known => found.error(msg!("project.unknown-field", clip(&entry.key)), entry.source),
+            _ if !known => found.error(msg!("project.unknown-field", field = clip(&entry.key)), entry.source),
             Some(from) => {
                 project.provenance.insert(entry.key.clone(), from);
             }
-            None => found.error(msg!("project.unknown-origin", clip(&entry.key)), entry.value.source),
+            None => found.error(msg!("project.unknown-origin", field = clip(&entry.key)), entry.value.source),
         }
     }
 }
@@ -162,7 +166,7 @@ fn switches<'t>(saved: &Entries<'t>, control: &Control, found: &mut Findings<'t>
             }
             (row, _) => {
                 let part = if row.is_some() { entry.value.source } else { entry.source };
-                found.error(msg!("project.unknown-switch", clip(&entry.key)), part);
+                found.error(msg!("project.unknown-switch", switch = clip(&entry.key)), part);
             }
         }
     }

@@ -298,28 +298,41 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
     let (shares, limits) = (motor.shares(&axis.load, &duty), part.acceptance().derated(axis.site_share));
     let refusal = shares.fails(&limits).map(|reason| match reason {
-        Reason::Speed => (Rank::Speed, msg!("size.refused-speed", (duty.speed, 0), (motor.top_speed, 0))),
+        Reason::Speed => {
+            (Rank::Speed, msg!("size.refused-speed", speed = (duty.speed, 0), limit = (motor.top_speed, 0)))
+        }
         Reason::Peak => (
             Rank::Peak,
-            msg!("size.refused-peak", (duty.peak, 3), (limits.peak * motor.peak, 3), (100.0 * limits.peak, 0)),
+            msg!(
+                "size.refused-peak",
+                torque = (duty.peak, 3),
+                limit = (limits.peak * motor.peak, 3),
+                percent = (100.0 * limits.peak, 0)
+            ),
         ),
         Reason::Effective => {
             let most = limits.effective * motor.stall;
             (
                 Rank::Effective,
-                msg!("size.refused-effective", (duty.effective, 3), (most, 3), (100.0 * limits.effective, 1)),
+                msg!(
+                    "size.refused-effective",
+                    torque = (duty.effective, 3),
+                    limit = (most, 3),
+                    percent = (100.0 * limits.effective, 1)
+                ),
             )
         }
-        Reason::Inertia => {
-            (Rank::Inertia, msg!("size.refused-inertia", (shares.inertia_ratio, 1), (limits.inertia_ratio, 1)))
-        }
+        Reason::Inertia => (
+            Rank::Inertia,
+            msg!("size.refused-inertia", ratio = (shares.inertia_ratio, 1), limit = (limits.inertia_ratio, 1)),
+        ),
     });
     if let Some((back, most)) = amplifier.and_then(braking) {
         out.regenerative = Some(asked.to_resistor(motor.rotor, &back) / most);
     }
     let regenerates = out.regenerative.filter(|share| *share > 1.0);
     let regenerates =
-        regenerates.map(|share| (Rank::Regeneration, msg!("size.refused-regeneration", (100.0 * share, 0))));
+        regenerates.map(|share| (Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))));
     out.refusal = refusal.or(regenerates).map(|(rank, message)| Refusal { rank, message });
     out.shares = Some(shares);
     out.entries = axis.fields.map(|fields| entries(fields, part, &motor, limits.inertia_ratio)).unwrap_or_default();
@@ -375,9 +388,9 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
     let mut shares =
         Shares { inertia_ratio: 0.0, peak: asked / torque, effective: asked / most, speed: speed / rated_speed };
     let mut refusal = if asked > most {
-        Some((Rank::Effective, msg!("size.refused-torque", (asked, 3), (most, 3))))
+        Some((Rank::Effective, msg!("size.refused-torque", torque = (asked, 3), limit = (most, 3))))
     } else if needed > most_power {
-        Some((Rank::Peak, msg!("size.refused-power", (needed, 0), (most_power, 0))))
+        Some((Rank::Peak, msg!("size.refused-power", power = (needed, 0), limit = (most_power, 0))))
     } else {
         None
     };
@@ -389,14 +402,16 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
         for (asked, most) in of_peak {
             shares.peak = shares.peak.max(asked / most);
             if asked > most {
-                refusal = refusal.or_else(|| Some((Rank::Peak, msg!("size.refused-ramp", (asked, 3), (most, 3)))));
+                refusal = refusal
+                    .or_else(|| Some((Rank::Peak, msg!("size.refused-ramp", torque = (asked, 3), limit = (most, 3)))));
             }
         }
         let [rise, fall] = ramps;
         let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.of.run }, fall]);
         shares.effective = effective / most;
         if effective > most {
-            let refused = || Some((Rank::Effective, msg!("size.refused-cycle", (effective, 3), (most, 3))));
+            let refused =
+                || Some((Rank::Effective, msg!("size.refused-cycle", torque = (effective, 3), limit = (most, 3))));
             refusal = refusal.or_else(refused);
         }
     }

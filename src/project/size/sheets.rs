@@ -85,9 +85,13 @@ impl Sizing {
         let duties = axes.map(|(axis, cycle)| {
             let share = (100.0 * axis.turning, 0);
             let duty = match duty_type(axis.turning, axis.loaded, cycle) {
-                DutyType::Continuous => msg!("size.duty-continuous", share),
-                DutyType::Intermittent(factor) => msg!("size.duty-intermittent", f64::from(factor), share),
-                DutyType::Periodic(factor) => msg!("size.duty-periodic", f64::from(factor), (100.0 * axis.loaded, 0)),
+                DutyType::Continuous => msg!("size.duty-continuous", percent = share),
+                DutyType::Intermittent(factor) => {
+                    msg!("size.duty-intermittent", factor = f64::from(factor), percent = share)
+                }
+                DutyType::Periodic(factor) => {
+                    msg!("size.duty-periodic", factor = f64::from(factor), percent = (100.0 * axis.loaded, 0))
+                }
             };
             row([headed(say(axis.name), say("size.duty")), sentence(&duty)], DUTY)
         });
@@ -110,7 +114,7 @@ impl Sizing {
         let least = self.axes.iter().filter_map(|axis| {
             let (label, least) = (headed(say("size.least"), say(axis.name)), axis.least()?);
             let ordered = axis.ordered().map(|ordered| &ordered.part).filter(|part| part.model != least.model);
-            let remark = ordered.map(|part| sentence(&msg!("size.least-without-amplifier", part.name())));
+            let remark = ordered.map(|part| sentence(&msg!("size.least-without-amplifier", motor = part.name())));
             Some(row([label, least.name(), String::new(), remark.unwrap_or_default()], RUNS))
         });
         let fastest = self.fastest.as_ref().map(|fastest| {
@@ -207,7 +211,7 @@ impl Sizing {
             let quantity = row.axis.map_or_else(|| say(row.label), |axis| format!("{}, {}", say(row.label), say(axis)));
             let limit = limit(row).unwrap_or_default();
             let value = units::text(row.value, row.decimals, row.unit);
-            Diagnostic::warning(msg!("size.beyond", say(row.event.name()), quantity, value, limit))
+            Diagnostic::warning(msg!("size.beyond", event = say(row.event.name()), quantity, value, limit))
         };
         beyond.map(told).collect()
     }
@@ -321,9 +325,9 @@ fn answer(of: &Candidate) -> String {
     }
     let told = match (&of.amplifier, of.regenerative) {
         (Some(amplifier), Some(share)) => {
-            msg!("size.passes-with-resistor", amplifier.model.as_str(), (100.0 * share, 0))
+            msg!("size.passes-with-resistor", amplifier = amplifier.model.as_str(), percent = (100.0 * share, 0))
         }
-        (Some(amplifier), None) => msg!("size.passes-with", amplifier.model.as_str()),
+        (Some(amplifier), None) => msg!("size.passes-with", amplifier = amplifier.model.as_str()),
         (None, _) => msg!("size.passes"),
     };
     sentence(&told)

@@ -1,13 +1,18 @@
 //! Catalog of sentences, one file per language: turns message ids and values into text.
 //!
-//! The files are Java properties (`key=sentence`), which the tools of translators read, with the places of ICU messages: `{0}`, `{1}` … are
-//! values, `{0, plural, one {head} other {heads}}` is the word that goes with the number of a place, `{0, unit, mm}` a length with its unit as
-//! it is shown ([`units`]). Keys are the ids of messages and labels. The rows of controls stand in English where they are ([`Phrase`](super::Phrase)); a file of another language has them as keys too.
+//! The files are Java properties (`key=sentence`), which the tools of translators read, with the named places of ICU messages
+//! ([`parts`]): `{speed}` is a value, `{count, plural, one {head} other {heads}}` the word that goes with a number, `{diameter, unit, mm}` a length
+//! with its unit as it is shown ([`units`]). Keys are the ids of messages and labels. The rows of controls stand in English where they are ([`Phrase`](super::Phrase)); a file of another language has them as keys too.
 //!
 //! One language is spoken at a time ([`speak`]). The command line carries all files with it; the browser loads one beside the page's module.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::cmp::Ordering;
+
+pub mod parts;
+
+use parts::{Form, SentencePart, parts};
 
 use super::message::{Message, MessageValue};
 use super::number::{self, Plain};
@@ -136,67 +141,58 @@ pub fn id(text: &str) -> Option<&'static str> {
     row(text).map(|(id, _)| id)
 }
 
+/// The name of a place in the sentence of an id, as the catalog has it.
+pub fn place(id: &'static str, name: &str) -> Option<&'static str> {
+    parts(words(id)).find_map(|part| match part {
+        SentencePart::Place(place, _) if place == name => Some(place),
+        _ => None,
+    })
+}
+
 /// The message as a sentence.
 pub fn sentence(message: &Message) -> String {
     let mut out = String::new();
-    let mut rest = words(message.id);
-    while let Some((before, tail)) = rest.split_once('{') {
-        out.push_str(before);
-        rest = match filled(message, tail) {
-            Some((text, behind)) => {
-                out.push_str(&text);
-                behind
-            }
-            None => {
-                out.push('{');
-                tail
-            }
-        };
+    for part in parts(words(message.id)) {
+        match part {
+            SentencePart::Words(words) => out.push_str(words),
+            SentencePart::Place(name, form) => match message.value(name) {
+                Some(value) => out.push_str(&shown(message, value, form)),
+                None => out.extend(["{", name, "}"]),
+            },
+        }
     }
-    out.push_str(rest);
     out
 }
 
-/// The text of a place that begins here, behind its bracket, and what follows it.
-fn filled<'s>(message: &Message, place: &'s str) -> Option<(String, &'s str)> {
-    let (at, behind) = place.split_at_checked(place.find(|c: char| !c.is_ascii_digit())?)?;
-    let value = message.values.get(at.parse::<usize>().ok()?)?;
-    if let Some(behind) = behind.strip_prefix('}') {
-        return Some((plain(value), behind));
+/// The text of a value at its place.
+fn shown<'m>(message: &'m Message, value: &'m MessageValue, form: Form<'m>) -> Cow<'m, str> {
+    match form {
+        Form::Plain => plain(value),
+        Form::Plural([one, other]) => Cow::Borrowed(if plain(value) == "1" { one } else { other }),
+        Form::Unit => Cow::Owned(units::unit(&plain(value)).to_owned()),
+        Form::Number(unit) => length(value, &unit_named(message, unit)).map_or_else(|| plain(value), Cow::Owned),
+        Form::WithUnit(unit) => {
+            let unit = unit_named(message, unit);
+            Cow::Owned(match length(value, &unit) {
+                Some(number) => units::with_unit(&number, &unit),
+                None => [plain(value), unit].join(" "),
+            })
+        }
     }
-    if let Some(behind) = behind.strip_prefix(", plural, one {") {
-        let (one, behind) = behind.split_once("} other {")?;
-        let (other, behind) = behind.split_once("}}")?;
-        return Some((if plain(value) == "1" { one } else { other }.to_owned(), behind));
-    }
-    let (kind, behind) = behind.strip_prefix(", ")?.split_once('}')?;
-    let (kind, unit) = kind.split_once(", ").unwrap_or((kind, ""));
-    let unit = unit_named(message, unit);
-    let text = match (kind, unit.as_str()) {
-        ("unit", "") => units::unit(&plain(value)).to_owned(),
-        ("unit", unit) => match length(value, unit) {
-            Some(number) => units::with_unit(&number, unit),
-            None => [plain(value).as_str(), unit].join(" "),
-        },
-        ("number", unit) => length(value, unit).unwrap_or_else(|| plain(value)),
-        _ => return None,
-    };
-    Some((text, behind))
 }
 
 /// A value as text, whatever it measures.
-fn plain(value: &MessageValue) -> String {
+pub fn plain(value: &MessageValue) -> Cow<'_, str> {
     match value {
-        MessageValue::Number(number, decimals) => number_text(*number, *decimals),
-        MessageValue::Text(text) => text.clone(),
-        MessageValue::Label(key) => words(key).to_owned(),
+        MessageValue::Number(number, decimals) => Cow::Owned(number_text(*number, *decimals)),
+        MessageValue::Text(text) => Cow::Borrowed(text),
+        MessageValue::Label(key) => Cow::Borrowed(words(key)),
     }
 }
 
-/// A unit by its name, or by the number of the place that has it.
-fn unit_named(message: &Message, unit: &str) -> String {
-    let value = unit.parse::<usize>().ok().and_then(|at| message.values.get(at));
-    value.map_or_else(|| unit.to_owned(), plain)
+/// A unit by its own name, or by that of the place that has it.
+fn unit_named<'m>(message: &'m Message, unit: &'m str) -> Cow<'m, str> {
+    message.value(unit).map_or(Cow::Borrowed(unit), plain)
 }
 
 /// Decimals to which an entry of the form is kept where its text has fewer.

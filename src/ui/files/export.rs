@@ -182,7 +182,7 @@ fn Offered(
     let row = move |at: usize| {
         let files = Arc::clone(&files);
         let (name, bytes) = files.get(at)?;
-        let (name, size) = (name.clone(), say(&crate::msg!("page.bytes", figure(bytes.len() as f64, 0))));
+        let (name, size) = (name.clone(), say(&crate::msg!("page.bytes", count = figure(bytes.len() as f64, 0))));
         Some(view! {
             <tr>
                 <th scope="row">{name}</th>
@@ -225,7 +225,7 @@ fn save_all(page: Page, files: Arc<[NamedBytes]>) {
         let archive = load(ARCHIVE).await.and_then(|module| call(&module, "zip", &[&list]));
         match archive.and_then(|archive| archive.dyn_into::<js_sys::Uint8Array>()) {
             Ok(bytes) => dom::download(&name, "application/zip", &bytes.to_vec()),
-            Err(error) => page.notices.notify("fail", say(&crate::msg!("page.no-archive", dom::told(&error)))),
+            Err(error) => page.notices.notify("fail", say(&crate::msg!("page.no-archive", reason = dom::told(&error)))),
         }
     });
 }
@@ -237,7 +237,7 @@ fn show(page: Page, html: &str) {
     };
     if let Err(error) = print(&tab, html) {
         let _ = tab.close();
-        page.notices.notify("fail", say(&crate::msg!("page.no-print", dom::told(&error))));
+        page.notices.notify("fail", say(&crate::msg!("page.no-print", reason = dom::told(&error))));
     }
 }
 

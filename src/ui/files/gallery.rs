@@ -57,7 +57,10 @@ fn ExampleRow(
         page.view.gallery.set(false);
         page.notices.notify("info", t("page.fresh").to_owned());
         if !failed.is_empty() {
-            page.notices.notify("warn", say(&crate::msg!("page.example-fails", t(example.name), failed.as_str())));
+            page.notices.notify(
+                "warn",
+                say(&crate::msg!("page.example-fails", example = t(example.name), results = failed.as_str())),
+            );
         }
     };
     let about = format!("example-{}", example.id);

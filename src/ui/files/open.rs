@@ -37,7 +37,8 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
         if files.len() == 1 {
             check(page, large, Source::File(big.clone()));
         } else {
-            page.notices.notify("fail", say(&crate::msg!("page.none-taken-large", big.name(), (BIG / 1e6, 0))));
+            page.notices
+                .notify("fail", say(&crate::msg!("page.none-taken-large", file = big.name(), most = (BIG / 1e6, 0))));
         }
         return;
     }
@@ -45,7 +46,7 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
         let mut texts = Vec::new();
         for file in files {
             let Ok(buffer) = JsFuture::from(file.array_buffer()).await else {
-                return page.notices.notify("fail", say(&crate::msg!("page.none-taken-unread", file.name())));
+                return page.notices.notify("fail", say(&crate::msg!("page.none-taken-unread", file = file.name())));
             };
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
             let decoded = Decoded::new(bytes);

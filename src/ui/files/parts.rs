@@ -25,12 +25,12 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
             page.notices.notify(if *refuses { "fail" } else { "info" }, format!("{name}: {text}"));
         }
         if remarks.len() > TOLD {
-            page.notices.notify("info", say(&msg!("page.more-of-parts", (remarks.len() - TOLD) as u32)));
+            page.notices.notify("info", say(&msg!("page.more-of-parts", count = (remarks.len() - TOLD) as u32)));
         }
         let Some(read) = Project::from_json(&project).project.filter(|_| added > 0) else { return };
         page.edit("", |project| project.parts = read.parts);
         page.view.tab.set(Tab::Sizing);
-        page.notices.say(say(&msg!("page.parts-added", added)));
+        page.notices.say(say(&msg!("page.parts-added", count = added)));
     };
     let request = Request::Parts(table.name.clone(), table.text.clone());
     // The answer may come at once, and changes the project.

@@ -347,7 +347,7 @@ impl List {
                     self.page.view.projects.set(false);
                     self.page.view.compared.set(Some(Compared { name, text }));
                 }
-                _ => self.say(say(&msg!("compare.no-project", name))),
+                _ => self.say(say(&msg!("compare.no-project", file = name))),
             }
         });
     }
@@ -365,7 +365,7 @@ impl List {
         };
         self.then(async move {
             shelf::ask("put", &[&shelf::row(&state)]).await?;
-            Ok(say(&msg!("projects.copied", copy)))
+            Ok(say(&msg!("projects.copied", name = copy)))
         });
     }
 
@@ -433,8 +433,8 @@ impl List {
         self.then(async move {
             let buffer = JsFuture::from(file.array_buffer()).await.map_err(|error| dom::told(&error))?;
             let count = shelf::ask("unpack", &[&js_sys::Uint8Array::new(&buffer)]).await;
-            let count = count.map_err(|reason| say(&msg!("projects.not-unpacked", file.name(), reason)))?;
-            Ok(say(&msg!("projects.unpacked", count.as_f64().unwrap_or_default())))
+            let count = count.map_err(|reason| say(&msg!("projects.not-unpacked", file = file.name(), reason)))?;
+            Ok(say(&msg!("projects.unpacked", count = count.as_f64().unwrap_or_default())))
         });
     }
 }
@@ -558,7 +558,7 @@ mod tests {
     async fn duplicate_renames_and_deletes_are_listed() {
         let bench = dialog().await;
         press(&bench, "p2", "duplicate").await;
-        let copy = say(&msg!("projects.copy-of", "Order 2"));
+        let copy = say(&msg!("projects.copy-of", name = "Order 2"));
         until_names(&bench, &["", &copy, "Order 2", "Order 3"]).await;
         bench.choose("[data-id=p3] [data-act=rename]", "Order 33").await;
         until_names(&bench, &["", &copy, "Order 2", "Order 33"]).await;
@@ -626,7 +626,7 @@ mod tests {
         bench.press("#projects").await;
         let list = bench.find(".projects");
         until(move || list.children().length() == 3).await;
-        assert!(bench.notices().contains(&say(&msg!("projects.refused", "refused"))));
+        assert!(bench.notices().contains(&say(&msg!("projects.refused", reason = "refused"))));
         let text = bench.text(".projects");
         assert!(
             text.contains("Order 7") && text.contains(t("page.aside-opened")) && text.contains(t("page.aside-unread"))

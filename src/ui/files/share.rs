@@ -150,7 +150,7 @@ fn Copied(
     let field: NodeRef<html::Input> = NodeRef::new();
     let said = RwSignal::new("");
     let select = move || field.get_untracked().iter().for_each(|field| field.select());
-    let size = say(&crate::msg!("page.link-length", figure(text.len() as f64, 0)));
+    let size = say(&crate::msg!("page.link-length", count = figure(text.len() as f64, 0)));
     let to_copy = text.clone();
     let copy = move |_| {
         select();

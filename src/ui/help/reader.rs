@@ -111,7 +111,7 @@ impl Reading {
         }
         let then = move |response| match response {
             Some(Response::Found(hits)) if self.query.try_get_untracked().as_ref() == Some(&query) => {
-                self.page.notices.say(say(&msg!("help.hits", hits.len() as u32)));
+                self.page.notices.say(say(&msg!("help.hits", count = hits.len() as u32)));
                 self.hits.set(hits);
             }
             _ => {}
@@ -252,7 +252,7 @@ fn Hits(
         }
     };
     let rows = move || reading.hits.get().into_iter().map(row).collect_view();
-    let title = move || say(&msg!("help.hits", reading.hits.with(Vec::len) as u32));
+    let title = move || say(&msg!("help.hits", count = reading.hits.with(Vec::len) as u32));
     view! {
         <h2 id="help-page-title" class="lead">{title}</h2>
         <ol class="hits">{rows}</ol>

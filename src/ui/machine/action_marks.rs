@@ -212,7 +212,7 @@ impl State {
     fn put(self, at: usize, seconds: f64, key: &str) {
         let Some(event) = event_at(self.page, at).map(|event| Event { t: seconds, ..event }) else { return };
         if let Some(to) = change(self.page, at, event.clone(), key) {
-            say_of(self.page, &event, |t, name| msg!("operator.at", t, name));
+            say_of(self.page, &event, |time, action| msg!("operator.at", time, action));
             self.current.update(|current| *current = place_after(*current, (at, to)));
             focus(to);
         }

@@ -67,7 +67,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
     // In the words that stand at its place in the program.
     let known = page.program.findings.with(|found| reported(found, alarm).cloned());
     let alarm = known.as_ref().unwrap_or(alarm);
-    let own = match alarm.message.values.last() {
+    let own = match alarm.message.value("text") {
         Some(MessageValue::Text(text)) if alarm.kind == DiagnosticKind::ProgramAlarm => Some(text.as_str()),
         _ => None,
     };

@@ -153,7 +153,7 @@ fn AddAction(list: List) -> impl IntoView {
         let column = if action.value().is_some() { "value" } else { "time" };
         list.focus(add(page, page.player.now.with_untracked(|now| now.t), action), column);
     };
-    let when = move || say(&msg!("operator.add", clock(page.player.now.with(|now| now.t))));
+    let when = move || say(&msg!("operator.add", time = clock(page.player.now.with(|now| now.t))));
     view! {
         <div class="add">
             <select id=KIND aria-label=t("operator.to-add") on:change=move |event| chosen.set(event_target_value(&event).parse().unwrap_or_default())>
@@ -254,14 +254,14 @@ fn Row(
         >
             <input
                 type="text" inputmode="decimal" autocomplete="off" data-column="time" aria-describedby="hand-list-told"
-                aria-label=move || about(|_, name| msg!("operator.time-of", name)) aria-invalid=move || list.is_wrong(at, "time")
+                aria-label=move || about(|_, action| msg!("operator.time-of", action)) aria-invalid=move || list.is_wrong(at, "time")
                 prop:value=time on:change=set_time
             />
             <span class="what" title=kind>{kind}</span>
             <Value at=at list=list event=event kind=kind />
-            <IconButton attr:data-column="go" glyph=Glyph::Go label=Signal::derive(move || about(|t, name| msg!("operator.go", t, name))) press=go />
+            <IconButton attr:data-column="go" glyph=Glyph::Go label=Signal::derive(move || about(|time, action| msg!("operator.go", time, action))) press=go />
             <IconButton
-                attr:data-column="remove" glyph=Glyph::Close label=Signal::derive(move || about(|t, name| msg!("operator.remove", t, name)))
+                attr:data-column="remove" glyph=Glyph::Close label=Signal::derive(move || about(|time, action| msg!("operator.remove", time, action)))
                 press=move || list.remove(at)
             />
         </li>
@@ -301,7 +301,7 @@ fn Value(
         let read = read_value(&action, &event_target_value(&event), control);
         list.take(&event, at, "value", read.map(|action| move |present: Event| Event { action, ..present }));
     };
-    let label = Signal::derive(move || say(&msg!("operator.value-of", kind.get())));
+    let label = Signal::derive(move || say(&msg!("operator.value-of", kind = kind.get())));
     let turn = move |state: String| {
         let turned = event_at(list.page, at).and_then(|present| {
             let action = present.action.with_value(ActionValue::State(state == "1"))?;
@@ -668,7 +668,7 @@ mod tests {
         let values: Vec<String> = bench.all("option").iter().filter_map(|option| option.text_content()).collect();
         let reset = values.iter().position(|words| words == t("page.reset")).unwrap();
         bench.choose(&format!("#{KIND}"), &reset.to_string()).await;
-        bench.press_button(&say(&msg!("operator.add", clock(3.1234)))).await;
+        bench.press_button(&say(&msg!("operator.add", time = clock(3.1234)))).await;
         assert_eq!(events(&bench)[1], Event { t: 3.1234, action: Action::Reset });
         assert_eq!(place(), Some((1, "time".to_owned())));
         bench.page.undo();

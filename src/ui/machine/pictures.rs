@@ -51,7 +51,7 @@ pub(super) fn SavePicture() -> impl IntoView {
                         type="button" class="quiet" popovertarget="pictures" popovertargetaction="hide"
                         disabled=move || clip.with(Option::is_some) on:click=record
                     >
-                        {say(&crate::msg!("page.clip", clip::SECONDS))}
+                        {say(&crate::msg!("page.clip", time = clip::SECONDS))}
                     </button>
                 }
             })}

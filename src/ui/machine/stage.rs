@@ -120,7 +120,7 @@ fn WrongValues() -> impl IntoView {
     let count = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
     let words = move || match page.is_stale() {
         true => t("page.stale-short").to_owned(),
-        false => say(&crate::msg!("page.wrong-values", count.get() as u32)),
+        false => say(&crate::msg!("page.wrong-values", count = count.get() as u32)),
     };
     view! {
         <button
@@ -245,7 +245,7 @@ mod tests {
         bench.page.set("heads", crate::machines::form::Value::Number(6.0));
         bench.page.set("press-roller-diameter", crate::machines::form::Value::Number(150.0));
         crate::ui::testing::settled().await;
-        assert_eq!(bench.text(".wrong-values"), say(&crate::msg!("page.wrong-values", 2_u32)));
+        assert_eq!(bench.text(".wrong-values"), say(&crate::msg!("page.wrong-values", count = 2_u32)));
     }
 
     #[wasm_bindgen_test]

@@ -40,7 +40,7 @@ pub(crate) fn rows(file: &File, id: FileId, control: &Control, diagnostics: &[Di
         }
         rows.extend(found.iter().take(FINDINGS).map(|(at, diagnostic)| finding(*at, diagnostic)));
         if found.len() > FINDINGS {
-            let more = say(&crate::msg!("page.more-findings", (found.len() - FINDINGS) as f64));
+            let more = say(&crate::msg!("page.more-findings", count = (found.len() - FINDINGS) as f64));
             rows.push(format!("<li class=\"says info\">{more}</li>"));
         }
         start += line.len() + 1;
@@ -97,7 +97,7 @@ fn words(out: &mut String, text: &str, start: usize, control: &Control, found: &
     let shown = before(text, LONGEST);
     escape(out, shown.get(coloured.len()..).unwrap_or(""));
     if shown.len() < text.len() {
-        let _ = write!(out, " … {}", say(&crate::msg!("page.bytes", (text.len() - shown.len()) as f64)));
+        let _ = write!(out, " … {}", say(&crate::msg!("page.bytes", count = (text.len() - shown.len()) as f64)));
     }
 }
 
@@ -200,6 +200,6 @@ mod tests {
         let found = vec![Diagnostic::warning(crate::msg!("page.not-a-value")).at(place); FINDINGS + 5];
         let html = shown("G01\n", &found);
         assert_eq!(html.matches("says warn").count(), FINDINGS);
-        assert!(html.contains(&say(&crate::msg!("page.more-findings", 5.0))), "{html}");
+        assert!(html.contains(&say(&crate::msg!("page.more-findings", count = 5.0))), "{html}");
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn DebuggerBar() -> impl IntoView {
     let page = Page::here();
     let condition = Signal::derive(move || {
         let signs = page.project.with_untracked(|project| project.control.syntax.comparison_signs);
-        say(&crate::msg!("page.walk-condition", page.spelled(if signs { "#1<3" } else { "#1 LT 3" })))
+        say(&crate::msg!("page.walk-condition", example = page.spelled(if signs { "#1<3" } else { "#1 LT 3" })))
     });
     let button = move |(key, sign, words): (&'static str, &'static str, &'static str)| {
         let words = t(words);
@@ -152,7 +152,7 @@ pub(super) fn Seen() -> impl IntoView {
     };
     let state =
         Memo::new(move |_| walk.with(|walk| page.program.written.with_untracked(|written| State::of(walk, written))));
-    let watch = Signal::derive(move || say(&crate::msg!("page.walk-watch", page.spelled("#100*2"))));
+    let watch = Signal::derive(move || say(&crate::msg!("page.walk-watch", example = page.spelled("#100*2"))));
     let add = move |text: String| {
         walk.update(|walk| walk.watches.push(text));
         true

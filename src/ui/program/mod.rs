@@ -120,9 +120,9 @@ fn Found() -> impl IntoView {
         let rows = found.with(|found| counts(found)).into_iter().filter(|(_, count)| *count > 0);
         let row = |(severity, count): (Severity, usize)| {
             let title = match severity {
-                Severity::Error => crate::msg!("page.next-error", count as u32),
-                Severity::Warning => crate::msg!("page.next-warning", count as u32),
-                Severity::Info => crate::msg!("page.next-remark", count as u32),
+                Severity::Error => crate::msg!("page.next-error", count = count as u32),
+                Severity::Warning => crate::msg!("page.next-warning", count = count as u32),
+                Severity::Info => crate::msg!("page.next-remark", count = count as u32),
             };
             let title = say(&title);
             view! {
@@ -140,8 +140,8 @@ fn Found() -> impl IntoView {
         choices.into_iter().find(|(_, count)| *count > 0 && !page.program.pending.get())
     });
     let words = move |(choice, count): (FixChoice, usize)| match choice {
-        FixChoice::Certain => say(&crate::msg!("page.fix-all", count as u32)),
-        FixChoice::First => say(&crate::msg!("page.fix-first", count as u32)),
+        FixChoice::Certain => say(&crate::msg!("page.fix-all", count = count as u32)),
+        FixChoice::First => say(&crate::msg!("page.fix-first", count = count as u32)),
     };
     let about = move |(choice, _)| match choice {
         FixChoice::Certain => t("page.fix-all-about"),
@@ -427,14 +427,14 @@ mod tests {
             vec![fixable(&bench, 0, &["(a)O"]), fixable(&bench, 1, &["(b)O"]), fixable(&bench, 2, &["(c)O", "(d)O"])];
         bench.page.program.findings.set(found);
         settled().await;
-        assert_eq!(bench.text("#fix-all"), say(&crate::msg!("page.fix-all", 2_u32)));
+        assert_eq!(bench.text("#fix-all"), say(&crate::msg!("page.fix-all", count = 2_u32)));
         bench.press("#fix-all").await;
         let texts = [0, 1, 2].map(|file| bench.page.program.text(file));
         assert!(texts[0].contains("(a)O") && texts[1].contains("(b)O") && !texts[2].contains("(c)O"));
         bench.page.program.findings.set(vec![fixable(&bench, 2, &["(c)O", "(d)O"])]);
         settled().await;
-        assert_eq!(bench.text("#fix-all"), say(&crate::msg!("page.fix-first", 1_u32)));
-        assert_eq!(bench.notices(), [say(&crate::msg!("page.mended-all", 2_u32))]);
+        assert_eq!(bench.text("#fix-all"), say(&crate::msg!("page.fix-first", count = 1_u32)));
+        assert_eq!(bench.notices(), [say(&crate::msg!("page.mended-all", count = 2_u32))]);
         bench.page.undo();
         settled().await;
         assert!(!bench.has(".detached"));

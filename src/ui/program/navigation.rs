@@ -134,7 +134,7 @@ impl Navigation {
             if end >= here && chosen.is_none_or(|(nearest, _)| end < nearest) {
                 chosen = Some((end, rows.len()));
             }
-            let line = say(&msg!("page.at-line", file.name.as_str(), lines.line_of(place.span.start)));
+            let line = say(&msg!("page.at-line", file = file.name.as_str(), line = lines.line_of(place.span.start)));
             let name = format!("{} {line}", sign(tone(finding.severity)));
             rows.push(((name, tell_alarm(finding), false), Choice::Show(place)));
             let fixes = finding.fixes.iter().enumerate();
@@ -157,7 +157,7 @@ impl Navigation {
             return JsValue::NULL;
         }
         let title = match count > rows.len() {
-            true => say(&msg!("page.list-cut", t(title), rows.len() as u32, count as u32)),
+            true => say(&msg!("page.list-cut", title = t(title), shown = rows.len() as u32, all = count as u32)),
             false => t(title).to_owned(),
         };
         let (rows, choices): (Vec<Row>, Vec<Choice>) = rows.into_iter().unzip();

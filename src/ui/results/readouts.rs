@@ -35,9 +35,9 @@ fn Remark(
 ) -> impl IntoView {
     let tone = tone(told.severity);
     let mark = view! { <i aria-hidden="true">{sign(tone)}</i> };
-    let body = match &told.message.values[..] {
-        [MessageValue::Number(..), MessageValue::Text(ids)] if told.kind == DiagnosticKind::AssumedFacts => {
-            let message = Message { id: "page.assumed-facts", values: told.message.values.clone() };
+    let body = match told.message.value("fields") {
+        Some(MessageValue::Text(ids)) if told.kind == DiagnosticKind::AssumedFacts => {
+            let message = Message { id: "page.assumed-facts", ..told.message.clone() };
             view! {
                 <details>
                     <summary>{mark}<span>{say(&message)}</span></summary>

@@ -110,7 +110,7 @@ fn asking(page: Page, head: RwSignal<String>, rows: RwSignal<String>, outdated: 
 fn lead_of(variants: usize) -> String {
     match variants {
         0 => t("page.variants-lead").to_owned(),
-        MAX_VARIANTS => say(&msg!("page.variants-full", MAX_VARIANTS as u32)),
+        MAX_VARIANTS => say(&msg!("page.variants-full", count = MAX_VARIANTS as u32)),
         _ => String::new(),
     }
 }
@@ -131,8 +131,8 @@ fn head_of(variants: &[Variant]) -> String {
         escape(&mut out, name);
         out += "</span><span class=\"acts\">";
         let acts = [
-            ("take", msg!("page.variant-take-about", name.as_str()), "page.variant-take"),
-            ("remove", msg!("page.variant-remove-about", name.as_str()), "page.variant-remove"),
+            ("take", msg!("page.variant-take-about", variant = name.as_str()), "page.variant-take"),
+            ("remove", msg!("page.variant-remove-about", variant = name.as_str()), "page.variant-remove"),
         ];
         for (act, about, words) in acts {
             out += &format!("<button type=\"button\" class=\"link\" data-{act}=\"{at}\" aria-label=\"");
@@ -152,7 +152,7 @@ fn keep(page: Page, name: &str) {
         kept = at.and_then(|at| project.variants.get(at)).map(|variant| variant.name.clone());
     });
     if let Some(name) = kept {
-        page.notices.say(say(&msg!("page.variant-kept", name)));
+        page.notices.say(say(&msg!("page.variant-kept", variant = name)));
     }
 }
 
@@ -314,7 +314,7 @@ mod tests {
             bench.press_button(t("page.variant-keep")).await;
         }
         assert!(bench.has(".keep button[disabled]"));
-        assert_eq!(bench.text(".lead"), say(&msg!("page.variants-full", MAX_VARIANTS as u32)));
+        assert_eq!(bench.text(".lead"), say(&msg!("page.variants-full", count = MAX_VARIANTS as u32)));
         bench.key("input", "Enter", false).await;
         assert_eq!(heads(&bench).len(), MAX_VARIANTS);
         bench.type_into("input", "L").await;

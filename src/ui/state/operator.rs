@@ -57,7 +57,7 @@ pub(crate) fn add(page: Page, t: f64, action: Action) -> usize {
     let mut at = 0;
     // A time that the clock shows stays what it is, whatever its last bit.
     let event = Event { t: (t * CLOCK + 1e-6).floor() / CLOCK, action };
-    say_of(page, &event, |t, name| msg!("operator.added", t, name));
+    say_of(page, &event, |time, action| msg!("operator.added", time, action));
     page.edit("", |project| at = project.panel.add(event));
     at
 }
@@ -65,7 +65,7 @@ pub(crate) fn add(page: Page, t: f64, action: Action) -> usize {
 /// Removes the action at a place of the list.
 pub(crate) fn remove(page: Page, at: usize) {
     if let Some(event) = event_at(page, at) {
-        say_of(page, &event, |t, name| msg!("operator.removed", t, name));
+        say_of(page, &event, |time, action| msg!("operator.removed", time, action));
     }
     page.edit("", |project| drop(project.panel.remove(at)));
 }
@@ -120,7 +120,7 @@ pub(crate) fn take_files(page: Page, files: &[nc::File]) {
     told.into_iter().for_each(|(tone, text)| page.notices.notify(tone, text));
     if !broken {
         let names = listed(files.iter().map(|file| file.name.clone()));
-        page.notices.notify("info", say(&msg!("operator.taken", names, events.len() as u32)));
+        page.notices.notify("info", say(&msg!("operator.taken", files = names, count = events.len() as u32)));
         page.edit("", |project| project.panel = Panel::new(events));
     }
 }

@@ -208,7 +208,7 @@ impl Page {
         let (files, count) = self.project.with_untracked(|project| project.mended(&written.files, &found, choice));
         if count > 0 {
             self.edit("", |project| project.edited = Some(files));
-            self.notices.notify("info", say(&crate::msg!("page.mended-all", count as u32)));
+            self.notices.notify("info", say(&crate::msg!("page.mended-all", count = count as u32)));
         }
     }
 
@@ -274,7 +274,7 @@ impl Page {
         self.program.written.with(|written| {
             let file = written.files.get(place.file)?;
             let line = LineIndex::new(&file.text).line_of(place.span.start);
-            Some(say(&crate::msg!("page.at-line", file.name.as_str(), line)))
+            Some(say(&crate::msg!("page.at-line", file = file.name.as_str(), line)))
         })
     }
 

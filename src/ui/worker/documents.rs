@@ -276,9 +276,7 @@ fn today() -> String {
 /// A finding in a sentence; facts that are only assumed are counted, for the results list them by name.
 fn told(found: &Diagnostic) -> String {
     match found.kind {
-        DiagnosticKind::AssumedFacts => {
-            say(&Message { id: "page.assumed-facts", values: found.message.values.clone() })
-        }
+        DiagnosticKind::AssumedFacts => say(&Message { id: "page.assumed-facts", ..found.message.clone() }),
         _ => tell(found),
     }
 }

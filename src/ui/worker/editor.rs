@@ -48,7 +48,7 @@ impl Lines<'_> {
     fn words(&self, place: Place) -> Option<(String, String)> {
         let (file, lines) = (self.written.files.get(place.file)?, self.files.get(usize::from(place.file.0))?);
         let line = lines.line_of(place.span.start);
-        let name = say(&crate::msg!("page.at-line", file.name.as_str(), line));
+        let name = say(&crate::msg!("page.at-line", file = file.name.as_str(), line));
         Some((name, lines.line(&file.text, line).trim().to_owned()))
     }
 

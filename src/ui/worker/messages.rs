@@ -289,9 +289,9 @@ pub(crate) struct Finding {
     fixes: Vec<(Sentence, Vec<(Range, String)>)>,
 }
 
-/// Id of a message and its values as they are shown.
+/// Id of a message, and the names of its places with their values as they are shown.
 #[derive(Debug, Serialize, Deserialize)]
-struct Sentence(String, Vec<String>);
+struct Sentence(String, Vec<(String, String)>);
 
 /// File, start and end of a place.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -299,19 +299,18 @@ pub(crate) struct Range(u16, u32, u32);
 
 impl From<&Message> for Sentence {
     fn from(message: &Message) -> Sentence {
-        let shown = |value: &MessageValue| match value {
-            MessageValue::Number(number, decimals) => catalog::number_text(*number, *decimals),
-            MessageValue::Text(text) => text.clone(),
-            MessageValue::Label(id) => (*id).to_owned(),
-        };
+        let shown = |(name, value): &(&str, MessageValue)| ((*name).to_owned(), catalog::plain(value).into_owned());
         Sentence(message.id.to_owned(), message.values.iter().map(shown).collect())
     }
 }
 
 impl Sentence {
-    /// The message; `None` where the catalog lacks its id.
+    /// The message; `None` where the catalog lacks its id. Values without a place in its sentence are left out.
     fn message(self) -> Option<Message> {
-        Some(Message { id: catalog::id(&self.0)?, values: self.1.into_iter().map(MessageValue::Text).collect() })
+        let id = catalog::id(&self.0)?;
+        let values = self.1.into_iter();
+        let values = values.filter_map(|(name, text)| Some((catalog::place(id, &name)?, MessageValue::Text(text))));
+        Some(Message { id, values: values.collect() })
     }
 }
 
@@ -375,7 +374,7 @@ mod tests {
         let control = project().control;
         let place = Place { file: FileId(1), span: Span { start: 2, end: 5 } };
         let row = control.alarms.first().map(|row| (row.number, row.text));
-        let sent = Diagnostic::warning(crate::msg!("page.more-findings", 5.0))
+        let sent = Diagnostic::warning(crate::msg!("page.more-findings", count = 5.0))
             .at(place)
             .alarm(row)
             .hint(crate::msg!("page.taken"))
@@ -386,5 +385,12 @@ mod tests {
         assert_eq!(crate::ui::words::tell_alarm(&got), crate::ui::words::tell_alarm(&sent));
         assert_eq!((got.severity, got.kind, got.place), (sent.severity, sent.kind, sent.place));
         assert_eq!(got.fixes[0].edits, sent.fixes[0].edits);
+    }
+
+    #[wasm_bindgen_test]
+    fn value_crosses_only_by_a_name_of_its_sentence() {
+        let values = [("count", "5"), ("speed", "7")].map(|(name, text)| (name.to_owned(), text.to_owned()));
+        let got = Sentence("page.more-findings".to_owned(), values.into()).message().unwrap();
+        assert_eq!(got.values, [("count", MessageValue::Text("5".to_owned()))]);
     }
 }

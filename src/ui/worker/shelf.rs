@@ -120,7 +120,7 @@ fn versions(out: &mut String, project: &Project, shelf: &Shelf, of: &ShelfState,
     }
     kept.sort_by(|a, b| b.at.total_cmp(&a.at));
     out.push_str("<details class=\"versions\"><summary>");
-    escape(out, &say(&msg!("projects.versions", kept.len() as u32)));
+    escape(out, &say(&msg!("projects.versions", count = kept.len() as u32)));
     out.push_str("</summary>");
     if is_present {
         out.push_str("<div class=\"keep\"><input id=\"version-note\" type=\"text\" maxlength=\"120\" autocomplete=\"off\" aria-label=\"");
@@ -171,7 +171,7 @@ fn steps(out: &mut String, present: &Project, [past, future]: &[Vec<String>; 2])
     }
     let states: Vec<&Project> = past.iter().chain([present]).chain(&future).collect();
     out.push_str("<details class=\"versions steps\"><summary>");
-    escape(out, &say(&msg!("projects.steps", states.len() as u32 - 1)));
+    escape(out, &say(&msg!("projects.steps", count = states.len() as u32 - 1)));
     out.push_str("</summary><ul>");
     for (at, state) in states.iter().enumerate().rev() {
         let before = at.checked_sub(1).and_then(|before| states.get(before));

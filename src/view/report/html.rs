@@ -204,7 +204,7 @@ impl Page<'_> {
             (all + 1, assumed + u32::from(origin == "form.report.assumed"))
         });
         if assumed > 0 {
-            self.text("p", "assumed", &sentence(&msg!("form.report.assumed-facts", assumed, all)));
+            self.text("p", "assumed", &sentence(&msg!("form.report.assumed-facts", count = assumed, all)));
         } else {
             self.raw("<p></p>");
         }
@@ -408,20 +408,20 @@ fn conclusion(report: &Report) -> String {
     let failing: Vec<&str> =
         judged.iter().filter(|readout| readout.verdict == Verdict::Fail).map(|readout| words(readout.label)).collect();
     let said: Message = match failing.len() {
-        0 => msg!("form.report.all-hold", judged.len() as u32),
+        0 => msg!("form.report.all-hold", count = judged.len() as u32),
         n => {
             let names = listed(failing.iter().take(NAMED));
             let names = match n.saturating_sub(NAMED) {
                 0 => names,
-                others => sentence(&msg!("form.report.and-more", names, others as u32)),
+                others => sentence(&msg!("form.report.and-more", results = names, count = others as u32)),
             };
-            msg!("form.report.some-fail", n as u32, judged.len() as u32, names)
+            msg!("form.report.some-fail", count = n as u32, all = judged.len() as u32, results = names)
         }
     };
     let exceeded = match report.exceeded.len() {
         0 => None,
-        n => Some(msg!("form.report.exceeded", n as u32)),
+        n => Some(msg!("form.report.exceeded", count = n as u32)),
     };
-    let first = msg!("form.report.figures", clauses(figures));
+    let first = msg!("form.report.figures", figures = clauses(figures));
     sentences([Some(first), Some(said), exceeded].iter().flatten().map(sentence))
 }

@@ -180,9 +180,8 @@ fn red(readouts: &[Readout]) -> BTreeSet<&'static str> {
 fn said_red(notes: &[Advice]) -> BTreeSet<&'static str> {
     let notes = notes.iter().take_while(|note| note.message.id == "advice.turns-red");
     notes
-        .flat_map(|note| &note.message.values)
-        .filter_map(|value| match value {
-            MessageValue::Label(label) => Some(*label),
+        .filter_map(|note| match note.message.value("result") {
+            Some(MessageValue::Label(label)) => Some(*label),
             _ => None,
         })
         .collect()

@@ -7,10 +7,11 @@ use macroline::controls;
 use macroline::machines::{self, AnyMachine};
 use macroline::project::Project;
 use macroline::text::Phrase;
+use macroline::text::catalog::parts::{Form, SentencePart, parts};
 use macroline::text::catalog::{self, Language};
 use macroline::text::units;
 
-use super::source::{Source, Token, TokenKind};
+use super::source::{Source, TokenKind};
 use super::{citations, hold, sources};
 
 /// The sentences of a language: keys without their backslashes, in the order of the file.
@@ -85,69 +86,100 @@ fn code_and_english_name_the_same_sentences() {
                 broken.push(format!("{}: \"{}\" is not in the catalog", source.place(literal.line), literal.text));
             }
         }
-        for (line, id, values) in messages(source) {
-            match rows.get(id) {
-                None if !looks_like_id(id) => {
-                    broken.push(format!("{}: \"{id}\" is not in the catalog", source.place(line)))
-                }
-                None => {}
-                Some(sentence) if places(sentence) != (0..values).collect() => {
-                    broken.push(format!(
-                        "{}: \"{id}\" gets {values} values, its sentence is “{sentence}”",
-                        source.place(line)
-                    ));
-                }
-                Some(_) => {}
-            }
-        }
+        let unknown = calls(source).into_iter().filter(|call| !rows.contains_key(call.id) && !looks_like_id(call.id));
+        broken
+            .extend(unknown.map(|call| format!("{}: \"{}\" is not in the catalog", source.place(call.line), call.id)));
     }
     broken.extend(rows.keys().filter(|id| !used.contains(*id)).map(|id| format!("{id}: no code says this sentence")));
-    let mend = "one line per id in src/text/catalog/en.properties, sorted by id, with a place {0}, {1} … for each value of `msg!`; no line without a use";
+    let mend = "one line per id in src/text/catalog/en.properties, sorted by id; no line without a use";
     hold("Every sentence stands once in the catalog, and is said.", mend, broken);
 }
 
-/// The places `{0}`, `{0, plural, …`, `{0, unit, mm}` of a sentence, and those that name the unit of another, as in `{0, unit, 1}`.
-fn places(sentence: &str) -> BTreeSet<usize> {
-    let place = |tail: &str| tail.split(['}', ',']).next()?.parse().ok();
-    sentence
-        .split('{')
-        .skip(1)
-        .filter_map(place)
-        .chain(lengths(sentence).filter_map(|(_, unit)| unit.parse().ok()))
-        .collect()
+/// Sentences with places that no `msg!` says: `text/list.rs` joins by the first, and the second takes the values of `form.assumed`.
+const WITHOUT_A_CALL: [&str; 2] = ["list.", "page.assumed-facts"];
+
+#[test]
+fn every_place_of_a_sentence_has_its_value() {
+    let english = Sentences::of(Language::English);
+    let mut broken = Vec::new();
+    let rows = english.checked(&mut broken);
+    let mut said = BTreeSet::new();
+    for source in Source::all() {
+        for call in calls(source) {
+            let Some((id, sentence)) = rows.get_key_value(call.id) else { continue };
+            said.insert(*id);
+            if places(sentence) != call.names {
+                let names: Vec<&str> = call.names.into_iter().collect();
+                let place = source.place(call.line);
+                broken.push(format!("{place}: \"{id}\" gets {}, its sentence is “{sentence}”", names.join(", ")));
+            }
+        }
+    }
+    let has_call = |id: &str| said.contains(id) || WITHOUT_A_CALL.iter().any(|of| id.starts_with(of));
+    let silent = rows.iter().filter(|(id, sentence)| !places(sentence).is_empty() && !has_call(id));
+    broken.extend(silent.map(|(id, _)| format!("{id}: it has places, and no `msg!` gives their values")));
+    for language in Language::ALL {
+        for (id, row) in Sentences::of(language).rows {
+            let is_odd = |part: SentencePart| matches!(part, SentencePart::Words(words) if words.trim_end().contains('{') && !words.starts_with("{ \""));
+            if parts(&row).any(is_odd) {
+                broken.push(format!("{}: {id}: a bracket that opens no place: {row}", language.code()));
+            }
+            if let Some(name) = places(&row).into_iter().find(|name| units::converted().any(|unit| unit == *name)) {
+                broken.push(format!("{}: {id}: “{name}” is a unit, and no name of a place", language.code()));
+            }
+        }
+    }
+    let mend = "`msg!(\"id\", speed = expression, limit)` names each place of its sentence, `{speed}`, and no other; a name is of small letters and _";
+    hold("Every place of a sentence gets its value by its name.", mend, broken);
+}
+
+/// The names of the values that a sentence takes: those of its places, and of the units that are values too, `{drift, unit, unit}`.
+fn places(sentence: &str) -> BTreeSet<&str> {
+    let units = lengths(sentence).map(|(_, unit)| unit).filter(|unit| !units::converted().any(|known| known == *unit));
+    let names = parts(sentence).filter_map(|part| match part {
+        SentencePart::Place(name, _) => Some(name),
+        SentencePart::Words(_) => None,
+    });
+    names.chain(units).collect()
 }
 
 /// The places of a sentence that hold a length, each with its unit, or the place that has it.
-fn lengths(sentence: &str) -> impl Iterator<Item = (usize, &str)> {
-    sentence.split('{').skip(1).filter_map(|tail| {
-        let (place, kind) = tail.split_once('}')?.0.split_once(", ")?;
-        let unit = kind.strip_prefix("unit, ").or_else(|| kind.strip_prefix("number, "))?;
-        Some((place.parse().ok()?, unit))
+fn lengths(sentence: &str) -> impl Iterator<Item = (&str, &str)> {
+    parts(sentence).filter_map(|part| match part {
+        SentencePart::Place(name, Form::WithUnit(unit) | Form::Number(unit)) => Some((name, unit)),
+        _ => None,
     })
 }
 
-/// Every `msg!("id", value, …)`: its line, the id, and how many values.
-fn messages(source: &Source) -> Vec<(usize, &str, usize)> {
+/// A call of `msg!`.
+struct Call<'s> {
+    line: usize,
+    id: &'s str,
+    /// The names of the values; empty for a value without a name.
+    names: BTreeSet<&'s str>,
+}
+
+/// Every `msg!("id", name = value, name, …)`, those of unit tests among them.
+fn calls(source: &Source) -> Vec<Call<'_>> {
     let mut found = Vec::new();
-    for (at, part) in source.shipped().windows(4).enumerate() {
+    for (at, part) in source.tokens.windows(4).enumerate() {
         let [name, mark, open, id] = part else { continue };
         if (&*name.text, &*mark.text, &*open.text) != ("msg", "!", "(") || id.kind != TokenKind::Text {
             continue; // the macro's own definition has no id
         }
-        let (mut depth, mut commas, mut last) = (0, 0, None);
-        for token in source.shipped().iter().skip(at + 3) {
-            match (token.kind, token.text.as_str()) {
+        let mut call = Call { line: name.line, id: &id.text, names: BTreeSet::new() };
+        let mut depth = 0;
+        for pair in source.tokens[at + 4..].windows(2) {
+            match (pair[0].kind, pair[0].text.as_str()) {
                 (TokenKind::Text, _) => {}
                 (_, "(" | "[" | "{") => depth += 1,
                 (_, ")") if depth == 0 => break,
                 (_, ")" | "]" | "}") => depth -= 1,
-                (_, ",") if depth == 0 => commas += 1,
+                (_, ",") if depth == 0 && pair[1].text != ")" => drop(call.names.insert(&pair[1].text)),
                 _ => {}
             }
-            last = Some(token);
         }
-        let ends_with_comma = last.is_some_and(|token: &Token| token.text == ",");
-        found.push((name.line, id.text.as_str(), commas - usize::from(ends_with_comma)));
+        found.push(call);
     }
     found
 }
@@ -308,16 +340,11 @@ const OF_THE_CONTROL: [&str; 12] = [
 fn lengths_in_sentences_are_shown_in_the_units_of_the_reader() {
     let mut broken = Vec::new();
     let english = Sentences::of(Language::English);
-    let marked: BTreeMap<&str, BTreeSet<usize>> =
+    let marked: BTreeMap<&str, BTreeSet<&str>> =
         english.rows.iter().map(|(id, row)| (id.as_str(), lengths(row).map(|place| place.0).collect())).collect();
     for language in Language::ALL {
         for (id, row) in Sentences::of(language).rows {
-            for (_, unit) in lengths(&row).filter(|(_, unit)| unit.parse::<usize>().is_err()) {
-                if !units::converted().any(|known| known == unit) {
-                    broken.push(format!("{}: {id}: “{unit}” is no unit of length", language.code()));
-                }
-            }
-            let own: BTreeSet<usize> = lengths(&row).map(|place| place.0).collect();
+            let own: BTreeSet<&str> = lengths(&row).map(|place| place.0).collect();
             if marked.get(id.as_str()).is_some_and(|places| *places != own) {
                 broken.push(format!("{}: {id}: other places have units than in English", language.code()));
             }
@@ -333,6 +360,6 @@ fn lengths_in_sentences_are_shown_in_the_units_of_the_reader() {
             );
         }
     }
-    let mend = "`{0, unit, mm}` for a length with its unit, `{0, number, mm}` for its number alone; what the control reads stays in its unit and is listed in OF_THE_CONTROL";
+    let mend = "`{length, unit, mm}` for a length with its unit, `{length, number, mm}` for its number alone; what the control reads stays in its unit and is listed in OF_THE_CONTROL";
     hold("Lengths in sentences are shown in the units of the reader.", mend, broken);
 }

@@ -82,7 +82,7 @@ impl Programs {
         };
         let edits: Vec<(Place, String)> = (0..).zip(files.0.iter().zip(&mended.0)).filter_map(whole).collect();
         (count > 0).then(|| CodeAction {
-            title: sentence(&msg!("page.fix-all", count as u32)),
+            title: sentence(&msg!("page.fix-all", count = count as u32)),
             kind: Some(FIX_ALL),
             edit: Some(self.edit(&edits)),
             ..CodeAction::default()
@@ -109,7 +109,7 @@ fn can_be_made(fix: &Fix) -> bool {
 fn diagnostic(finding: &Diagnostic, address: &Url, range: Range, related: bool) -> lsp_types::Diagnostic {
     let shown = finding.alarm.as_deref().zip(finding.wording);
     let wording =
-        shown.map(|(alarm, wording): (&str, Phrase)| sentence(&msg!("project.control-shows", alarm, wording)));
+        shown.map(|(alarm, wording): (&str, Phrase)| sentence(&msg!("project.control-shows", alarm, text = wording)));
     let more: Vec<String> = wording.into_iter().chain(finding.hints.iter().map(sentence)).collect();
     let message = sentence(&finding.message);
     let apart = |message: &String| DiagnosticRelatedInformation {

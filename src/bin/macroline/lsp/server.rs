@@ -289,7 +289,10 @@ impl Server {
         for address in self.documents.beside(address) {
             let found = self.in_file(&address, |programs, file| Some(programs.diagnostics(file, related)));
             let known = || listed(controls::ALL.iter().map(|control| control.id));
-            self.show(address, found.unwrap_or_else(|| vec![remark(sentence(&msg!("lsp.no-control", known())))]));
+            self.show(
+                address,
+                found.unwrap_or_else(|| vec![remark(sentence(&msg!("lsp.no-control", controls = known())))]),
+            );
         }
     }
 
@@ -312,8 +315,9 @@ fn is_wanted(action: &lsp_types::CodeActionOrCommand, only: &[CodeActionKind]) -
 
 /// The result of a function of parameters, or the reason why they do not read.
 fn with<P: DeserializeOwned, R: Serialize>(params: Json, ask: impl FnOnce(P) -> R) -> Result<Json, Refusal> {
-    let refused =
-        |error: serde_json::Error| (ErrorCode::InvalidParams, sentence(&msg!("lsp.parameters", error.to_string())));
+    let refused = |error: serde_json::Error| {
+        (ErrorCode::InvalidParams, sentence(&msg!("lsp.parameters", reason = error.to_string())))
+    };
     let params = serde_json::from_value(params).map_err(refused)?;
     serde_json::to_value(ask(params)).map_err(refused)
 }

@@ -50,7 +50,7 @@ fn body(input: &mut impl BufRead, length: u64) -> io::Result<Frame> {
     let mut part = input.take(length);
     if length > MOST {
         io::copy(&mut part, &mut io::sink())?;
-        return Ok(Frame::Malformed(sentence(&msg!("lsp.too-long", MOST as u32))));
+        return Ok(Frame::Malformed(sentence(&msg!("lsp.too-long", most = MOST as u32))));
     }
     let mut bytes = Vec::new();
     part.read_to_end(&mut bytes)?;
@@ -59,7 +59,7 @@ fn body(input: &mut impl BufRead, length: u64) -> io::Result<Frame> {
     }
     Ok(match serde_json::from_slice(&bytes) {
         Ok(message) => Frame::Message(message),
-        Err(error) => Frame::Malformed(sentence(&msg!("lsp.not-a-message", error.to_string()))),
+        Err(error) => Frame::Malformed(sentence(&msg!("lsp.not-a-message", reason = error.to_string()))),
     })
 }
 

@@ -34,7 +34,7 @@ impl<'a> Reader<'a> {
         }
         if line.len() > BLOCK_BYTES {
             self.take_line(line, from);
-            self.report(Alarm::BlockTooLong, 0, line.len(), msg!("nc.block-too-long", BLOCK_BYTES as u32));
+            self.report(Alarm::BlockTooLong, 0, line.len(), msg!("nc.block-too-long", most = BLOCK_BYTES as u32));
             return self.push(Stmt::Empty);
         }
         let mark = self.mark();
@@ -52,7 +52,7 @@ impl<'a> Reader<'a> {
         if code > most && self.block.bad.is_none() {
             let rest = self.cursor.line.get(most..code).unwrap_or_default();
             let at = most + rest.iter().position(|&byte| begins_character(byte)).unwrap_or(rest.len());
-            self.report(Alarm::BlockTooLong, at, code, msg!("nc.block-too-long", most as u32));
+            self.report(Alarm::BlockTooLong, at, code, msg!("nc.block-too-long", most = most as u32));
         }
         self.cursor.line = line;
         self.push(stmt);
@@ -143,7 +143,7 @@ impl<'a> Reader<'a> {
         self.skip();
         self.cursor.at += 1;
         let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.rules.label_chars);
-        let message = msg!("nc.label-is-call", name.as_str(), least as u32, most as u32);
+        let message = msg!("nc.label-is-call", label = name.as_str(), least = least as u32, most = most as u32);
         let finding = self.finding(Alarm::Format, start, end, message);
         self.report_as(Alarm::Format, finding);
         self.block.label = Some(self.deck.add_text(name));
@@ -175,7 +175,12 @@ impl<'a> Reader<'a> {
         }
         let most = self.control.syntax.sequence_digits;
         if self.cursor.at - from > usize::from(most) {
-            self.report(Alarm::SequenceDigits, start, self.cursor.at, msg!("nc.sequence-digits", u32::from(most)));
+            self.report(
+                Alarm::SequenceDigits,
+                start,
+                self.cursor.at,
+                msg!("nc.sequence-digits", most = u32::from(most)),
+            );
         }
         self.block.number = Some(number);
         Ok(())
@@ -209,7 +214,7 @@ impl<'a> Reader<'a> {
             return Ok(None);
         }
         if names.foreign.contains(&name.as_str()) {
-            let message = msg!("nc.foreign-statement", name, self.control.name);
+            let message = msg!("nc.foreign-statement", word = name, control = self.control.name);
             return Err(self.failure(Alarm::Format, start, start + written.len(), message, false));
         }
         let others = FOREIGN_STATEMENTS
@@ -219,10 +224,10 @@ impl<'a> Reader<'a> {
             return Err(self.other_statement(start, &name));
         }
         if let Some(at) = (!behind.is_empty()).then(|| meant(&name, NAMED_STATEMENTS.into_iter())).flatten() {
-            let message = msg!("nc.unknown-keyword", name);
+            let message = msg!("nc.unknown-keyword", word = name);
             let mut failure = self.failure(Alarm::Format, start, start + written.len(), message, false);
             let place = self.place(self.span(start, start + written.len()));
-            let title = msg!("nc.fix.write", NAMED_STATEMENTS[at]);
+            let title = msg!("nc.fix.write", text = NAMED_STATEMENTS[at]);
             failure.finding = failure.finding.fix(title, vec![(place, NAMED_STATEMENTS[at].to_owned())]);
             return Err(failure);
         }
@@ -232,7 +237,7 @@ impl<'a> Reader<'a> {
     fn check_label(&mut self, name: &str, start: usize) {
         let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.rules.label_chars);
         if !begins_as_name(name) || !(least..=most).contains(&name.len()) {
-            let message = msg!("nc.label-name", name, least as u32, most as u32);
+            let message = msg!("nc.label-name", label = name, least = least as u32, most = most as u32);
             self.report(Alarm::Format, start, start + name.len(), message);
         }
     }
@@ -274,13 +279,13 @@ impl<'a> Reader<'a> {
     fn not_a_call(&self, start: usize, end: usize, name: &str) -> Box<Failure> {
         // Looking through a large file for each such line would take too long.
         if begins_as_name(name) && self.file.text.len() < 1 << 16 && self.jumped_to(name) {
-            let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", name), false);
+            let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name), false);
             let place = self.place(self.span(end, end));
-            failure.finding = failure.finding.fix(msg!("nc.fix.insert", ":"), vec![(place, ":".to_owned())]);
+            failure.finding = failure.finding.fix(msg!("nc.fix.insert", text = ":"), vec![(place, ":".to_owned())]);
             return failure;
         }
         if name.as_bytes().get(1).is_some_and(u8::is_ascii_digit) {
-            return self.failure(Alarm::Format, start, end, msg!("nc.call-alone", name), false);
+            return self.failure(Alarm::Format, start, end, msg!("nc.call-alone", program = name), false);
         }
         self.unknown_name(start, name)
     }
@@ -288,14 +293,14 @@ impl<'a> Reader<'a> {
     /// The failure of an unknown name, with a fix if one letter is wrong.
     pub(in crate::nc) fn unknown_name(&self, start: usize, name: &str) -> Box<Failure> {
         let end = start + name.len();
-        let message = msg!("nc.unknown-name", name, self.control.name);
+        let message = msg!("nc.unknown-name", name, control = self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);
         let Some(names) = self.names() else { return failure };
         let behind = self.cursor.line.get(end..).unwrap_or_default().trim_ascii_start();
         if name == "LF" && matches!(behind.first(), None | Some(b';')) {
             let place = self.place(self.span(start, end));
             failure.finding.message = msg!("nc.printed-line-end");
-            failure.finding = failure.finding.fix(msg!("nc.fix.drop", name), vec![(place, String::new())]);
+            failure.finding = failure.finding.fix(msg!("nc.fix.drop", text = name), vec![(place, String::new())]);
             return failure;
         }
         let known = names.codes.iter().copied().chain(names.addresses.iter().map(|row| row.0));
@@ -304,7 +309,7 @@ impl<'a> Reader<'a> {
             meant(&upper, known.clone()).and_then(|at| known.clone().nth(at)).filter(|_| upper.len() > 2)
         {
             let place = self.place(self.span(start, end));
-            failure.finding = failure.finding.fix(msg!("nc.fix.write", known), vec![(place, known.to_owned())]);
+            failure.finding = failure.finding.fix(msg!("nc.fix.write", text = known), vec![(place, known.to_owned())]);
         }
         failure
     }
@@ -323,7 +328,7 @@ impl<'a> Reader<'a> {
     /// A statement of another macro language.
     fn other_statement(&self, start: usize, name: &str) -> Box<Failure> {
         let end = start + name.len();
-        let message = msg!("nc.other-jump", name, self.control.name);
+        let message = msg!("nc.other-jump", keyword = name, control = self.control.name);
         let mut failure = self.failure(Alarm::Format, start, end, message, false);
         failure.finding = failure.finding.hint(msg!("nc.hint.other-jump"));
         if let Some(edits) = self.label_instead(start, name) {
@@ -427,8 +432,12 @@ impl<'a> Reader<'a> {
         if !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()) {
             self.cursor.at += name.len();
             if !self.tables.rules.number_jumps {
-                let finding =
-                    self.finding(Alarm::NoSequence, start, self.cursor.at, msg!("nc.number-jump", self.control.name));
+                let finding = self.finding(
+                    Alarm::NoSequence,
+                    start,
+                    self.cursor.at,
+                    msg!("nc.number-jump", control = self.control.name),
+                );
                 self.report_as(Alarm::NoSequence, finding.hint(msg!("nc.hint.number-jump")));
             }
             let number = Dec::int(number.parse().unwrap_or(i64::from(u32::MAX)));
@@ -437,7 +446,7 @@ impl<'a> Reader<'a> {
         if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
             let text =
                 self.cursor.line.get(word..word + 5).and_then(|text| core::str::from_utf8(text).ok()).unwrap_or("");
-            return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", text), false));
+            return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", keyword = text), false));
         }
         // Errors of the name are reported at the label.
         self.cursor.at += name.len();
@@ -474,7 +483,7 @@ impl<'a> Reader<'a> {
         self.skip();
         if !self.cursor.ended() {
             let end = self.cursor.line.len();
-            self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", "MSG"));
+            self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", code = "MSG"));
         }
         Ok(Stmt::Message(text))
     }
@@ -603,7 +612,7 @@ impl<'a> Reader<'a> {
                 Alarm::Format,
                 from,
                 self.cursor.at,
-                msg!("nc.comparison-sign", word, self.control.name, sign),
+                msg!("nc.comparison-sign", sign = word, control = self.control.name, correct = sign),
                 sign,
             );
             return Some(op);
@@ -619,7 +628,7 @@ impl<'a> Reader<'a> {
                 Alarm::Format,
                 from,
                 self.cursor.at,
-                msg!("nc.comparison-sign", sign, self.control.name, right),
+                msg!("nc.comparison-sign", sign, control = self.control.name, correct = right),
                 right,
             );
         }
@@ -631,7 +640,8 @@ impl<'a> Reader<'a> {
     pub(in crate::nc) fn square_group(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
         let inner = self.group(b']')?;
-        let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.square-brackets", self.control.name));
+        let finding =
+            self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.square-brackets", control = self.control.name));
         let edit = |at: usize, bracket: &str| (self.place(self.span(at, at + 1)), bracket.to_owned());
         let edits = vec![edit(start, "("), edit(self.cursor.at - 1, ")")];
         self.report_as(Alarm::Format, finding.fix(msg!("nc.fix.round"), edits));
@@ -653,7 +663,13 @@ impl<'a> Reader<'a> {
         let rest = self.cursor.rest();
         let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
         let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();
-        self.failure(Alarm::Budget, self.cursor.at, self.cursor.at + len, msg!("nc.system-variable", name), false)
+        self.failure(
+            Alarm::Budget,
+            self.cursor.at,
+            self.cursor.at + len,
+            msg!("nc.system-variable", variable = name),
+            false,
+        )
     }
 }
 

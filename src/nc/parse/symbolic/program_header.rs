@@ -20,7 +20,8 @@ impl Reader<'_> {
         self.notes.headed = false;
         let name = line.trim_start_matches('%');
         if name.is_empty() {
-            let finding = self.finding(Alarm::Format, 0, line.len(), msg!("nc.percent-alone", names.endings[0]));
+            let finding =
+                self.finding(Alarm::Format, 0, line.len(), msg!("nc.percent-alone", ending = names.endings[0]));
             return self.replace(Alarm::Format, finding, 0, line.len(), "");
         }
         let lead = name.get(..LEAD.len()).filter(|lead| lead.eq_ignore_ascii_case(LEAD)).map_or(0, str::len);
@@ -38,7 +39,7 @@ impl Reader<'_> {
         };
         let place = self.place(self.span(0, line.len()));
         if !(begins_as_name(bare) || is_numbered(names, bare)) || bare.len() > names.program_chars {
-            let message = msg!("nc.program-name", bare, names.program_chars as u32);
+            let message = msg!("nc.program-name", name = bare, most = names.program_chars as u32);
             self.add_finding(crate::text::Diagnostic::warning(message).at(place));
         }
         let (number, at) = (number_in(names, bare), self.deck.blocks.len() as u32);
@@ -82,7 +83,7 @@ impl Reader<'_> {
             return false;
         }
         let head = format!("%_N_{}{number}_{}", names.endings[0], names.endings[0]);
-        self.slip(Alarm::Format, 0, self.cursor.line.len(), msg!("nc.foreign-head", head.as_str()), &head);
+        self.slip(Alarm::Format, 0, self.cursor.line.len(), msg!("nc.foreign-head", head = head.as_str()), &head);
         self.cursor.at = self.cursor.line.len();
         true
     }

@@ -101,7 +101,7 @@ impl Reader<'_> {
         }
         let count = self.deck.words.len() - first;
         if count > self.tables.most_words {
-            let message = msg!("nc.too-many-words", self.tables.most_words as u32);
+            let message = msg!("nc.too-many-words", most = self.tables.most_words as u32);
             self.report(Alarm::BlockWords, 0, self.cursor.line.len(), message);
         }
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
@@ -123,8 +123,8 @@ impl Reader<'_> {
         let row = self.control.codes.iter().find(|row| row.code == Code::SubEnd);
         let end = row.map_or(String::new(), |row| self.control.code_name(row.id));
         let place = self.place(self.span(start, self.cursor.at));
-        let finding = Diagnostic::warning(msg!("nc.foreign-return", "M99", end.as_str())).at(place);
-        self.add_finding(finding.fix(msg!("nc.fix.write", end.as_str()), vec![(place, end)]));
+        let finding = Diagnostic::warning(msg!("nc.foreign-return", code = "M99", end = end.as_str())).at(place);
+        self.add_finding(finding.fix(msg!("nc.fix.write", text = end.as_str()), vec![(place, end)]));
     }
 
     /// The row of a G or M code as it is written.
@@ -188,7 +188,7 @@ impl Reader<'_> {
                 Alarm::OutOfRange,
                 start,
                 self.cursor.at,
-                msg!("nc.whole-range", Dec::int(most).to_string()),
+                msg!("nc.whole-range", most = Dec::int(most).to_string()),
             );
             self.replace(Alarm::OutOfRange, finding, self.cursor.at, self.cursor.at, ".0");
         }
@@ -244,7 +244,7 @@ impl Reader<'_> {
             b'=' => self.cursor.at += 1,
             b'[' if self.index_ahead().is_some() => {
                 let end = self.index_ahead().unwrap_or(self.cursor.at);
-                let message = msg!("nc.index-in-brackets", self.control.address(letter));
+                let message = msg!("nc.index-in-brackets", address = self.control.address(letter));
                 return Err(self.failure(Alarm::Format, self.cursor.at, end, message, false));
             }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
@@ -254,12 +254,12 @@ impl Reader<'_> {
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ if self.parameter_ahead() => return self.insert_equals(letter),
             _ => {
-                let message = msg!("nc.no-value", self.control.address(letter));
+                let message = msg!("nc.no-value", address = self.control.address(letter));
                 return Err(self.failure(Alarm::NoNumber, start, start + 1, message, true));
             }
         }
         if matches!(letter, Address::G | Address::N | Address::L) {
-            let message = msg!("nc.no-formula", letter.to_string());
+            let message = msg!("nc.no-formula", address = letter.to_string());
             return Err(self.failure(Alarm::Format, start, self.cursor.at, message, false));
         }
         let form = self.form();
@@ -305,8 +305,12 @@ impl Reader<'_> {
     fn insert_equals(&mut self, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let from = self.cursor.at;
         let value = self.named_constant()?;
-        let finding =
-            self.finding(Alarm::Format, from, self.cursor.at, msg!("nc.no-equals-sign", self.control.address(letter)));
+        let finding = self.finding(
+            Alarm::Format,
+            from,
+            self.cursor.at,
+            msg!("nc.no-equals-sign", address = self.control.address(letter)),
+        );
         self.replace(Alarm::Format, finding, from, from, "=");
         Ok((None, Dimensioning::Plain, value))
     }
@@ -346,7 +350,13 @@ impl Reader<'_> {
             return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
         }
         if behind.first() == Some(&b'(') && self.function_ahead() {
-            return Err(self.failure(Alarm::Format, start, self.cursor.line.len(), msg!("nc.no-address", name), false));
+            return Err(self.failure(
+                Alarm::Format,
+                start,
+                self.cursor.line.len(),
+                msg!("nc.no-address", address = name),
+                false,
+            ));
         }
         Err(self.unknown_name(start, written))
     }
@@ -411,7 +421,7 @@ impl Reader<'_> {
             _ => (Alarm::ShortestWay, "DC"),
         };
         if self.control.axis(letter).is_some() && !self.tables.rotary.contains(letter) {
-            self.report(alarm, start, self.cursor.at, msg!("nc.way-of-angle", name, letter.to_string()));
+            self.report(alarm, start, self.cursor.at, msg!("nc.way-of-angle", word = name, axis = letter.to_string()));
         }
     }
 
@@ -495,7 +505,8 @@ impl Reader<'_> {
         let Some(close) = rest.iter().position(|&b| b == b')') else { return false };
         let inner = String::from_utf8_lossy(rest.get(1..close).unwrap_or_default()).into_owned();
         self.cursor.at = start + close + 1;
-        let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.foreign-remark", self.control.name));
+        let finding =
+            self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.foreign-remark", control = self.control.name));
         // In the midst of a block it would make a comment of the rest.
         let last = self.skip() == 0 && self.cursor.ended() && self.block.comment.is_none();
         self.replace(
@@ -524,12 +535,14 @@ impl Reader<'_> {
             let name = self.control.address(word.letter);
             if !word.letter.is_long() && !self.tables.letters.contains(word.letter) {
                 let (alarm, message) = match word.letter {
-                    Address::N => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
+                    Address::N => (Alarm::SequencePlace, msg!("nc.number-not-first", letter = "N")),
                     Address::R if words.len() == 1 => (Alarm::Format, msg!("nc.no-parameter-number")),
                     Address::R => (Alarm::Mixed, msg!("nc.assignments-alone")),
                     Address::P if words.iter().any(|other| other.letter == Address::L) => continue,
-                    Address::L | Address::P => (Alarm::Format, msg!("nc.call-alone", name)),
-                    _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", name, self.control.name)),
+                    Address::L | Address::P => (Alarm::Format, msg!("nc.call-alone", program = name)),
+                    _ => {
+                        (Alarm::IllegalAddress, msg!("nc.no-such-address", address = name, control = self.control.name))
+                    }
                 };
                 self.report(alarm, start, end(word), message);
                 continue;
@@ -539,7 +552,7 @@ impl Reader<'_> {
             if others > 0 && !matches!(word.letter, Address::G | Address::M | Address::Name) {
                 // Once; a repeated word is not counted as too many.
                 if others == 1 {
-                    self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", name));
+                    self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", address = name));
                 }
                 continue;
             }
@@ -560,7 +573,12 @@ impl Reader<'_> {
             let most = self.names().map_or([u8::MAX; 4], |names| names.auxiliary);
             if kind < 3 && counts[kind] == most[kind] + 1 || counts[3] == most[3] + 1 {
                 let most = if kind < 3 && counts[kind] > most[kind] { most[kind] } else { most[3] };
-                self.report(Alarm::Auxiliaries, start, end(word), msg!("nc.too-many-auxiliaries", u32::from(most)));
+                self.report(
+                    Alarm::Auxiliaries,
+                    start,
+                    end(word),
+                    msg!("nc.too-many-auxiliaries", most = u32::from(most)),
+                );
             }
         }
     }
@@ -602,25 +620,25 @@ impl Reader<'_> {
             let words = self.deck.words.get(self.deck.words.len() - count..).unwrap_or_default();
             if count == 1 {
                 let base = self.cursor.base as usize;
-                self.warn(base + start, base + end, msg!("nc.no-values", name));
+                self.warn(base + start, base + end, msg!("nc.no-values", code = name));
                 return true;
             }
             let both = words.iter().any(|word| word.letter == Address::S) && words.len() > 2;
             if both || words.iter().filter(|other| other.offset != word.offset).any(|word| !fits(word)) {
-                self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", name));
+                self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", code = name));
                 return true;
             }
         } else if row.defines_syntax() {
             if let Some(other) = before.find(|other| other.defines_syntax()) {
                 let other = self.control.code_name(other.id);
-                self.report(Alarm::SyntaxTwice, start, end, msg!("nc.syntax-twice", other, name));
+                self.report(Alarm::SyntaxTwice, start, end, msg!("nc.syntax-twice", first = other, second = name));
             }
         } else if !matches!(row.group, Group::Other | Group::OneShot)
             && let Some(other) = before.find(|other| other.group == row.group)
         {
             let other = self.control.code_name(other.id);
             let alarm = if matches!(row.id, CodeId::M(_)) { Alarm::AuxiliaryTwice } else { Alarm::GroupTwice };
-            self.report(alarm, start, end, msg!("nc.group-twice", other, name));
+            self.report(alarm, start, end, msg!("nc.group-twice", first = other, second = name));
         }
         false
     }

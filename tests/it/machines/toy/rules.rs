@@ -42,7 +42,7 @@ fn within_clamp(feeder: &CutToLength) -> Option<Judgement> {
 pub(super) fn findings(feeder: &CutToLength) -> Vec<Diagnostic> {
     let most = feeder.control.limits.feed_max;
     if feeder.p.feed == Feed::Cutting && feeder.p.speed > most {
-        return vec![Diagnostic::error(msg!("toy.feed-above-range", feeder.p.speed, most)).about("speed")];
+        return vec![Diagnostic::error(msg!("toy.feed-above-range", feed = feeder.p.speed, most)).about("speed")];
     }
     Vec::new()
 }
