@@ -74,7 +74,7 @@ test('variants are kept, compared, taken and undone', () =>
     await page.getByRole('button', { name: 'Keep as variant' }).click();
     await section.getByText('Nothing differs.').waitFor();
     await enter(page.locator('#pitch'), '20');
-    await page.waitForFunction(() => document.querySelector('.variants tbody').innerText.includes('Pitch mm'));
+    await pitch.locator('td').first().getByText('20', { exact: true }).waitFor();
     assert.deepEqual(await pitch.locator('td').allInnerTexts(), ['20', '10']);
     // The other one by the keyboard, under a name of its own.
     await enter(page.getByRole('textbox', { name: 'Name of the variant' }), 'Wide');

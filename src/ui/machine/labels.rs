@@ -104,12 +104,14 @@ fn placed(labels: &[Label], frame: Area) -> Vec<Fate> {
 
 /// Moves and hides labels of a drawing so that none overlaps; `unit` is the number of drawing units per pixel.
 pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
+    for element in dom::all(picture, ".crowded") {
+        let _ = element.class_list().remove_1("crowded");
+    }
+    for style in dom::all(picture, "[data-label][style]").iter().filter_map(style) {
+        let _ = style.remove_property("translate");
+    }
     let mut parts: BTreeMap<u16, Vec<Element>> = BTreeMap::new();
     for element in dom::all(picture, "[data-label]") {
-        let _ = element.class_list().remove_1("crowded");
-        if let Some(style) = style(&element) {
-            let _ = style.remove_property("translate");
-        }
         if let Some(number) = element.get_attribute("data-label").and_then(|number| number.parse().ok()) {
             parts.entry(number).or_default().push(element);
         }

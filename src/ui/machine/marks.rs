@@ -164,27 +164,30 @@ pub(super) fn Marks(
     // A mark changes in place: while a field is dragged, each moves with every step.
     let named = move |at: usize| {
         let mark = Memo::new(move |_| shown.with(|shown| shown.get(at).cloned()));
-        let of = move |what: fn(&Placed) -> String| mark.with(|mark| mark.as_ref().map(what).unwrap_or_default());
-        let class = move || of(|mark| if mark.side == Some(Side::Left) { "event left" } else { "event" }.to_owned());
-        let title = move || of(|mark| format!("{} s: {}", clock(mark.t), mark.words));
-        let left = move || of(|mark| filled("#%", &[mark.at]));
-        let words = move || of(|mark| mark.side.map_or_else(String::new, |_| mark.words.clone()));
+        let of =
+            move |what: fn(&Placed) -> String| move || mark.with(|mark| mark.as_ref().map(what).unwrap_or_default());
+        let class = |mark: &Placed| if mark.side == Some(Side::Left) { "event left" } else { "event" }.to_owned();
+        let title = |mark: &Placed| format!("{} s: {}", clock(mark.t), mark.words);
+        let words = |mark: &Placed| mark.side.map_or_else(String::new, |_| mark.words.clone());
+        let left = of(|mark| filled("#%", &[mark.at]));
         let go = move |_| {
-            if let Some(t) = mark.with(|mark| mark.as_ref().map(|mark| mark.t)) {
+            if let Some(t) = mark.with_untracked(|mark| mark.as_ref().map(|mark| mark.t)) {
                 page.player.seek(t);
             }
         };
         view! {
-            <button type="button" class=class tabindex="-1" aria-label=title title=title style:left=left on:click=go>
-                {words}
+            <button type="button" class=of(class) tabindex="-1" aria-label=of(title) title=of(title) style:left=left on:click=go>
+                {of(words)}
             </button>
         }
     };
     let count = move || 0..shown.with(Vec::len);
-    let percent = Memo::new(move |_| end().map(|(_, percent)| percent));
-    let left = move || filled("#%", &[percent.get().unwrap_or_default()]);
-    let ended = view! {
-        <Show when=move || percent.with(Option::is_some)><i class="mark end" style:left=left title=t("page.end")></i></Show>
+    let percent = move || end().map(|(_, percent)| filled("#%", &[percent]));
+    let is_over = Memo::new(move |_| percent().is_some());
+    let ended = move || {
+        is_over.get().then(
+            || view! { <i class="mark end" style:left=move || percent().unwrap_or_default() title=t("page.end")></i> },
+        )
     };
     view! { <div class="marks" node_ref=host><For each=count key=|at| *at children=named /><ActionMarks axis=axis />{ended}</div> }
 }

@@ -5,63 +5,39 @@ use leptos::prelude::*;
 use crate::text::number::filled;
 use crate::ui::state::Page;
 use crate::ui::words::{figure, four_digits, limit_sign, limit_text, say, sign, t, verdict_tone, verdict_words};
-use crate::view::Readout;
+use crate::view::{Advice, Readout};
 
-/// A result in words.
-#[derive(Debug, Clone, PartialEq)]
-struct Line {
-    tone: &'static str,
-    title: String,
-    value: String,
-    unit: &'static str,
-    judged: String,
-    limit: String,
-    /// Percents of the bar: the value and its limit.
-    bar: Option<(String, String)>,
-    repair: Option<Repair>,
-}
-
-/// The words of the button that carries out an advice, and the fields that it sets.
-type Repair = (String, Vec<(&'static str, String)>);
-
-impl Line {
-    fn of(readout: Readout) -> Line {
-        let readout = readout.shown();
-        let tone = verdict_tone(readout.verdict);
-        let advice = readout.advice.first().map(|advice| say(&advice.message));
-        let percent = |share: f64| filled("#%", &[share]);
-        Line {
-            tone,
-            title: advice.unwrap_or_else(|| format!("{} {}", figure(readout.value, readout.decimals), readout.unit)),
-            value: four_digits(readout.value, readout.decimals),
-            unit: readout.unit,
-            judged: format!("{} {}", verdict_words(readout.verdict), limit_text(&readout).unwrap_or_default()),
-            limit: limit_sign(&readout).unwrap_or_default(),
-            bar: readout.bar().map(|(part, limit)| (percent(part), percent(limit))),
-            repair: readout.advice.iter().find_map(|advice| Some((say(advice.button.as_ref()?), advice.sets.clone()))),
-        }
-    }
+/// The advice of a result, or the whole figure.
+fn title(readout: &Readout) -> String {
+    let advice = readout.advice.first().map(|advice| say(&advice.message));
+    advice.unwrap_or_else(|| format!("{} {}", figure(readout.value, readout.decimals), readout.unit))
 }
 
 /// The line; a click leads to the result among all results, the button carries out the best advice. What has not changed in it is not written
 /// again: while a field is dragged it changes with every step.
 #[component]
-pub(crate) fn VerdictLine(
+fn VerdictLine(
     /// The result; always the same one.
-    #[prop(into)]
-    readout: Signal<Readout>,
-    /// Opens the result.
-    #[prop(into)]
-    open: Callback<()>,
+    readout: Memo<Readout>,
 ) -> impl IntoView {
     let page = Page::here();
     let (id, label) = readout.with_untracked(|readout| (readout.id, readout.label));
-    let line = Memo::new(move |_| Line::of(readout.get()));
-    let title = move || line.with(|line| line.title.clone());
-    let bar = move || line.with(|line| line.bar.clone().unwrap_or_default());
-    let repair = Memo::new(move |_| line.with(|line| line.repair.clone()));
+    let shown = Memo::new(move |_| readout.get().shown());
+    let of = move |what: fn(&Readout) -> String| move || shown.with(what);
+    let class = |readout: &Readout| {
+        let bar = if readout.bar().is_none() { " plain" } else { "" };
+        format!("card {}{bar}", verdict_tone(readout.verdict))
+    };
+    let part = |readout: &Readout| filled("#%", &[readout.bar().unwrap_or_default().0]);
+    let limit = |readout: &Readout| filled("#%", &[readout.bar().unwrap_or_default().1]);
+    let judged =
+        |readout: &Readout| format!("{} {}", verdict_words(readout.verdict), limit_text(readout).unwrap_or_default());
     let repair = move || {
-        repair.get().map(|(words, sets)| {
+        let advised = |readout: &Readout| {
+            let repair = |advice: &Advice| Some((say(advice.button.as_ref()?), advice.sets.clone()));
+            Some((readout.advice.iter().find_map(repair)?, title(readout)))
+        };
+        shown.with(advised).map(|((words, sets), title)| {
             view! {
                 <button type="button" class="repair" title=title on:click=move |_| page.take_entries(&sets)>{words}</button>
             }
@@ -69,18 +45,17 @@ pub(crate) fn VerdictLine(
     };
     view! {
         <div
-            class=move || line.with(|line| format!("card {}", line.tone))
+            class=of(class) style:--part=of(part) style:--limit=of(limit)
             on:pointerenter=move |_| page.show_causes(Some(id)) on:pointerleave=move |_| page.show_causes(None)
-            on:focusin=move |_| page.show_causes(Some(id)) on:focusout=move |_| page.show_causes(None)
-            class:plain=move || line.with(|line| line.bar.is_none()) style:--part=move || bar().0 style:--limit=move || bar().1>
-            <button type="button" class="to-result" title=title on:click=move |_| open.run(())>
-                <i class="s" aria-hidden="true">{move || sign(line.with(|line| line.tone))}</i>
+            on:focusin=move |_| page.show_causes(Some(id)) on:focusout=move |_| page.show_causes(None)>
+            <button type="button" class="to-result" title=of(title) on:click=move |_| page.show_result(id)>
+                <i class="s" aria-hidden="true">{of(|readout| sign(verdict_tone(readout.verdict)).to_owned())}</i>
                 <span class="k">{t(label)}</span>
                 <span class="v">
-                    {move || line.with(|line| line.value.clone())} " " <small>{move || line.with(|line| line.unit)}</small>
+                    {of(|readout| four_digits(readout.value, readout.decimals))} " " <small>{of(|readout| readout.unit.to_owned())}</small>
                 </span>
-                <span class="hidden">{move || line.with(|line| line.judged.clone())}</span>
-                <span class="n" aria-hidden="true">{move || line.with(|line| line.limit.clone())}</span>
+                <span class="hidden">{of(judged)}</span>
+                <span class="n" aria-hidden="true">{of(|readout| limit_sign(readout).unwrap_or_default())}</span>
             </button>
             {repair}
         </div>
@@ -94,14 +69,13 @@ pub(crate) fn VerdictLines(
     #[prop(into)]
     readouts: Signal<Vec<Readout>>,
 ) -> impl IntoView {
-    let page = Page::here();
     let own = move |id: &str| readouts.with(|readouts| readouts.iter().find(|readout| readout.id == id).cloned());
     let line = move |first: Readout| {
         let id = first.id;
         // Where the result has gone, its line is about to go.
         let readout =
             Memo::new(move |last: Option<&Readout>| own(id).or_else(|| last.cloned()).unwrap_or_else(|| first.clone()));
-        view! { <VerdictLine readout=readout open=move || page.show_result(id) /> }
+        view! { <VerdictLine readout=readout /> }
     };
     view! { <For each=move || readouts.get() key=|readout| readout.id children=line /> }
 }
@@ -111,6 +85,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::ui::state::view::Tab;
     use crate::ui::testing::{Bench, InInches, mount, project, settled};
     use crate::view::{Limit, Verdict};
 
@@ -119,7 +94,7 @@ mod tests {
     }
 
     async fn line(readout: Readout) -> Bench {
-        mount(move || view! { <VerdictLine readout=RwSignal::new(readout.clone()) open=|| () /> }).await
+        mount(move || view! { <VerdictLines readouts=RwSignal::new(vec![readout.clone()]) /> }).await
     }
 
     #[wasm_bindgen_test]
@@ -202,10 +177,8 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn line_opens_its_result() {
-        let opened = RwSignal::new(false);
-        let bench =
-            mount(move || view! { <VerdictLine readout=RwSignal::new(readout("line-speed")) open=move || opened.set(true) /> }).await;
+        let bench = line(readout("line-speed")).await;
         bench.press(".to-result").await;
-        assert!(opened.get_untracked());
+        assert_eq!(bench.page.view.tab.get_untracked(), Tab::Results);
     }
 }
