@@ -58,7 +58,8 @@ pub struct LadderPlc {
     image: Image,
     /// Whether one more scan of the same signals would change nothing.
     settled: bool,
-    /// The signals as the last scan has left them, and when the next one is due if they stay as they are (s).
+    /// Where a ladder without a named block has settled: the signals as the last scan has left them, and when the next one is due if they
+    /// stay as they are (s).
     left: Option<(Box<Io>, Option<f64>)>,
     /// When the next timer of the image closes its contact (s).
     due: Option<f64>,
@@ -265,9 +266,7 @@ impl LadderPlc {
     /// asked again. Speeds may be others, as long as the ladder sees the same of them.
     fn rests(&mut self, t: f64, io: &Io) -> bool {
         let at_speed = Bit::Input(MachineContact::AtSpeed);
-        let Some((left, again)) = self.left.as_mut().filter(|_| self.settled && self.block.is_none()) else {
-            return false;
-        };
+        let Some((left, again)) = &mut self.left else { return false };
         (left.spindle_actual, left.spindle_command) = (io.spindle_actual, io.spindle_command);
         again.is_none_or(|again| t < again)
             && **left == *io
@@ -315,7 +314,7 @@ impl Plc for LadderPlc {
         }
         self.write(t, io, alarms);
         let again = [wish, self.again(t, io)].into_iter().flatten().reduce(f64::min);
-        self.left = Some((Box::new(io.clone()), again));
+        self.left = (self.settled && self.block.is_none()).then(|| (Box::new(io.clone()), again));
         again
     }
 

@@ -201,21 +201,10 @@ pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
             let wanted = if turned.is_infinite() { needed } else { turned };
             let set = up(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
             let count = set.1.parse().unwrap_or(p.block_pitches());
+            let (lacks, time, count) = (if steady { turned } else { needed }, (lasts, 1), (count, 0));
             let sentence = match steady {
-                true => msg!(
-                    "ribbon.more-pitches-to-turn",
-                    needed = (turned, 1),
-                    time = (lasts, 1),
-                    percent = knob,
-                    count = (count, 0)
-                ),
-                false => msg!(
-                    "ribbon.more-pitches",
-                    needed = (needed, 1),
-                    time = (lasts, 1),
-                    percent = knob,
-                    count = (count, 0)
-                ),
+                true => msg!("ribbon.more-pitches-to-turn", needed = (lacks, 1), time, percent = knob, count),
+                false => msg!("ribbon.more-pitches", needed = (lacks, 1), time, percent = knob, count),
             };
             Advice::from(sentence).setting(msg!("advice.set-pitches", count = set.1.as_str()), [set])
         }
