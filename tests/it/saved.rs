@@ -565,7 +565,38 @@ fn archive_is_named_after_project_and_revision() {
     let mut project = ribbon();
     assert_eq!(project.archive_name(), "macroline.zip");
     project.name = "Order 7 / Łódź".to_owned();
-    assert_eq!(project.archive_name(), "order-7-d.zip");
+    assert_eq!(project.archive_name(), "order-7-łódź.zip");
     project.title_block.revision = "B.2".to_owned();
-    assert_eq!(project.archive_name(), "order-7-d-revision-b-2.zip");
+    assert_eq!(project.archive_name(), "order-7-łódź-revision-b-2.zip");
+    (project.name, project.title_block.revision) = ("印带机".to_owned(), "第2版".to_owned());
+    assert_eq!(
+        (project.archive_name(), project.file_name("json")),
+        ("印带机-revision-第2版.zip".to_owned(), "印带机.json".to_owned())
+    );
+}
+
+#[test]
+fn names_of_files_are_taken_by_every_file_system() {
+    for (name, file) in [
+        (r#"a\b/c:d*e?f"g<h>i|j"#, "a-b-c-d-e-f-g-h-i-j.json"),
+        ("\u{202e}fdp.1\u{7}2\u{200f} ", "fdp-1-2.json"),
+        (" ..印带机.. ", "印带机.json"),
+        ("Cafe\u{301}", "cafe\u{301}.json"),
+        ("...", "macroline.json"),
+        ("CON", "macroline-con.json"),
+        ("nul.", "macroline-nul.json"),
+        ("COM9", "macroline-com9.json"),
+        ("LPT¹", "macroline-lpt¹.json"),
+        ("Com10", "com10.json"),
+        ("Console", "console.json"),
+    ] {
+        assert_eq!(ribbon().with_name(name).file_name("json"), file, "{name:?}");
+    }
+    for long in ["印带机".repeat(50), "é".repeat(200), format!("{} 印带机", "x".repeat(75)), "x ".repeat(200)] {
+        let mut project = ribbon().with_name(long.clone());
+        project.title_block.revision = long;
+        for name in [project.archive_name(), project.file_name("panel.json")] {
+            assert!((40..=120).contains(&name.len()) && !name.contains("-."), "{name}");
+        }
+    }
 }

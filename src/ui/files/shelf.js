@@ -9,6 +9,8 @@ const VERSION = 1;
 // Most files of an archive that are read, and most bytes of one: a project as large as the page opens it.
 const FILES = 2000;
 const BYTES = 64_000_000;
+// Bytes of a project's name in the name of its file.
+const NAME = 76;
 
 let opened;
 function base() {
@@ -65,8 +67,12 @@ export const restore = (rows) =>
 export async function pack() {
   const states = await all();
   const name = (project) => {
-    const words = /"name": "(.*)"/.exec(project.slice(0, 400))?.[1] ?? '';
-    return words.toLowerCase().replace(/[^a-z0-9]+/g, '-').slice(0, 60) || 'project';
+    // As it is written in JSON; letters and digits of any script stay, so many bytes of them.
+    let words = /"name": "(.*)"/.exec(project.slice(0, 400))?.[1] ?? '';
+    words = words.replace(/\\u[0-9a-f]{4}|\\./gi, '-').toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, '-').replace(/^-/, '');
+    const letters = [...words].slice(0, NAME);
+    while (strToU8(letters.join('')).length > NAME) letters.pop();
+    return letters.join('').replace(/-$/, '') || 'project';
   };
   const listed = states.map((row, at) => ({ ...row, file: `${at + 1}-${name(row.text)}.json` }));
   const files = listed.map((row) => [row.file, strToU8(row.text)]);
