@@ -67,6 +67,8 @@ pub struct Field<P: 'static> {
     pub essential: bool,
     /// A fact of the machine (measured, from a data sheet or assumed), not a choice of the engineer.
     pub fact: bool,
+    /// A fact that is set, counted or agreed, such as a parameter of the control or a ratio of teeth: its origin counts, but it is exact.
+    pub setting: bool,
     /// Whether the field is shown with these parameters on this control.
     pub shown: fn(&P, &Control) -> bool,
     /// Kind and limits of its value.
@@ -140,6 +142,8 @@ pub struct FieldInfo {
     pub essential: bool,
     /// A fact of the machine, not a choice: it has a provenance.
     pub fact: bool,
+    /// A fact that is exact: a setting or a count.
+    pub setting: bool,
     /// Kind and limits of its value.
     pub kind: KindInfo,
 }
@@ -181,6 +185,7 @@ impl<P> Field<P> {
             symbol: self.symbol,
             essential: self.essential,
             fact: self.fact,
+            setting: self.setting,
             kind: match self.kind {
                 Kind::Number { unit, min, max, default, decimals, step, .. } => {
                     KindInfo::Number { unit, min, max, default, decimals, step }

@@ -45,7 +45,7 @@ pub struct TriedFact {
 }
 
 impl Sensitivity {
-    /// Prepares the machine with 0.9 and 1.1 of each number that is shown on the control, is a fact and has no known origin: within the range
+    /// Prepares the machine with 0.9 and 1.1 of each number that is shown on the control, is an uncertain fact and has no known origin: within the range
     /// of the field, rounded to its decimals, a whole number at least one off.
     pub fn new(project: &Project) -> Sensitivity {
         let tried = |field: FieldInfo| {
@@ -70,13 +70,14 @@ impl Sensitivity {
     }
 }
 
-/// Fields of the numbers that are facts, have a meaning on the control and no known origin, in the order of the form.
+/// Fields of the numbers that are uncertain facts, have a meaning on the control and no known origin, in the order of the form.
 pub(super) fn assumed_numbers(project: &Project) -> Vec<FieldInfo> {
     let prepared = project.prepared();
     let assumed = |id: &str| project.provenance.get(id).is_none_or(|origin| *origin == Provenance::Assumed);
     let counts = |field: &FieldInfo| {
         matches!(field.kind, KindInfo::Number { .. })
             && field.fact
+            && !field.setting
             && assumed(field.id)
             && !prepared.hidden().contains(&field.id)
     };

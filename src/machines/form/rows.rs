@@ -103,7 +103,18 @@ fn always<P>(_: &P, _: &Control) -> bool {
 
 impl<P> Field<P> {
     const fn new(id: &'static str, kind: Kind<P>) -> Field<P> {
-        Field { id, group: "", label: "", help: "", symbol: "", essential: false, fact: false, shown: always, kind }
+        Field {
+            id,
+            group: "",
+            label: "",
+            help: "",
+            symbol: "",
+            essential: false,
+            fact: false,
+            setting: false,
+            shown: always,
+            kind,
+        }
     }
 
     /// Catalog id of its group.
@@ -140,6 +151,11 @@ impl<P> Field<P> {
     pub const fn fact(mut self) -> Field<P> {
         self.fact = true;
         self
+    }
+
+    /// A fact that is set, counted or agreed: exact, once its value is known.
+    pub const fn setting(self) -> Field<P> {
+        Field { setting: true, ..self.fact() }
     }
 
     /// Shown only where the condition holds; its value stays.

@@ -426,13 +426,13 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("tool-limit", member!(Params.tool_limit)).group("polygon.group.drives").label("polygon.tool-limit").help("polygon.tool-limit.help")
         .unit("r/min").range(1.0..=20000.0).default(2000.0).decimals(0).step(100.0).fact(),
     number("work-time-constant", member!(Params.work_time_constant)).group("polygon.group.drives").label("polygon.work-time-constant").help("polygon.work-time-constant.help").symbol("τ")
-        .unit("ms").range(0.0..=10000.0).default(300.0).decimals(1).step(10.0).fact(),
+        .unit("ms").range(0.0..=10000.0).default(300.0).decimals(1).step(10.0).setting(),
     number("tool-time-constant", member!(Params.tool_time_constant)).group("polygon.group.drives").label("polygon.tool-time-constant").help("polygon.tool-time-constant.help").symbol("τ")
-        .unit("ms").range(0.0..=10000.0).default(300.0).decimals(1).step(10.0).fact(),
+        .unit("ms").range(0.0..=10000.0).default(300.0).decimals(1).step(10.0).setting(),
     number("work-gain", member!(Params.work_gain)).group("polygon.group.drives").label("polygon.work-gain").help("polygon.work-gain.help").symbol("K")
-        .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).fact(),
+        .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).setting(),
     number("tool-gain", member!(Params.tool_gain)).group("polygon.group.drives").label("polygon.tool-gain").help("polygon.tool-gain.help").symbol("K")
-        .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).fact(),
+        .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).setting(),
     scaling::teeth("work-motor-teeth", "polygon.group.drives", "scaling.work-motor-teeth", member!(Params.work_motor_teeth)),
     scaling::teeth("work-teeth", "polygon.group.drives", "scaling.work-teeth", member!(Params.work_teeth)),
     scaling::teeth("tool-motor-teeth", "polygon.group.drives", "scaling.tool-motor-teeth", member!(Params.tool_motor_teeth)),
@@ -479,28 +479,28 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("fastest-cut", member!(Params.fastest_cut)).group("polygon.group.limits").label("polygon.fastest-cut").help("polygon.fastest-cut.help")
         .unit("m/min").range(1.0..=5000.0).default(250.0).decimals(1).step(5.0),
     number("most-inserts", member!(Params.most_inserts)).group("polygon.group.limits").label("polygon.most-inserts").help("polygon.most-inserts.help")
-        .range(1.0..=12.0).default(6.0).decimals(0).step(1.0).fact(),
+        .range(1.0..=12.0).default(6.0).decimals(0).step(1.0).setting(),
     number("least-radius", member!(Params.least_radius)).group("polygon.group.limits").label("polygon.least-radius").help("polygon.least-radius.help")
         .unit("mm").range(1.0..=1000.0).default(45.0).decimals(3).step(1.0).fact(),
     number("greatest-radius", member!(Params.greatest_radius)).group("polygon.group.limits").label("polygon.greatest-radius").help("polygon.greatest-radius.help")
         .unit("mm").range(1.0..=1000.0).default(45.0).decimals(3).step(1.0).fact(),
     number("most-work-turns", member!(Params.most_work_turns)).group("polygon.group.limits").label("polygon.most-work-turns").help("polygon.most-work-turns.help").symbol("D")
-        .range(1.0..=9.0).default(5.0).decimals(0).step(1.0).fact(),
+        .range(1.0..=9.0).default(5.0).decimals(0).step(1.0).setting(),
     number("most-tool-turns", member!(Params.most_tool_turns)).group("polygon.group.limits").label("polygon.most-tool-turns").help("polygon.most-tool-turns.help").symbol("Q")
-        .range(1.0..=99.0).default(12.0).decimals(0).step(1.0).fact(),
+        .range(1.0..=99.0).default(12.0).decimals(0).step(1.0).setting(),
     flag("against", member!(Params.against)).group("polygon.group.limits").label("polygon.against").help("polygon.against.help"),
     number("least-distance", member!(Params.least_distance)).group("polygon.group.limits").label("polygon.least-distance").help("polygon.least-distance.help")
         .unit("mm").range(0.0..=2000.0).default(20.0).decimals(2).step(5.0).fact(),
     number("greatest-distance", member!(Params.greatest_distance)).group("polygon.group.limits").label("polygon.greatest-distance").help("polygon.greatest-distance.help")
         .unit("mm").range(1.0..=2000.0).default(150.0).decimals(2).step(5.0).fact(),
     number("rapid-x", member!(Params.rapid_x)).group("polygon.group.slides").label("polygon.rapid-x").help("polygon.rapid-x.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
+        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).setting(),
     number("rapid-z", member!(Params.rapid_z)).group("polygon.group.slides").label("polygon.rapid-z").help("polygon.rapid-z.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
+        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).setting(),
     number("clamp-x", member!(Params.clamp_x)).group("polygon.group.slides").label("polygon.clamp-x").help("polygon.clamp-x.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(3000.0).decimals(0).step(500.0).fact(),
+        .unit("mm/min").range(1.0..=1000000.0).default(3000.0).decimals(0).step(500.0).setting(),
     number("clamp-z", member!(Params.clamp_z)).group("polygon.group.slides").label("polygon.clamp-z").help("polygon.clamp-z.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
+        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).setting(),
     scaling::lead("lead-x", "polygon.group.slides", "scaling.lead-x", member!(Params.lead_x)),
     scaling::lead("lead-z", "polygon.group.slides", "scaling.lead-z", member!(Params.lead_z)),
     scaling::teeth("motor-teeth-x", "polygon.group.slides", "scaling.motor-teeth-x", member!(Params.motor_teeth_x)),
@@ -509,15 +509,15 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     scaling::teeth("screw-teeth-z", "polygon.group.slides", "scaling.screw-teeth-z", member!(Params.screw_teeth_z)),
     scaling::encoder("encoder-counts", "polygon.group.slides", member!(Params.encoder_counts)),
     number("time-constant", member!(Params.time_constant)).group("polygon.group.slides").label("polygon.time-constant").help("polygon.time-constant.help").symbol("τ")
-        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
+        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
     number("position-gain", member!(Params.position_gain)).group("polygon.group.slides").label("polygon.position-gain").help("polygon.position-gain.help").symbol("K")
-        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).fact(),
+        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
     number("block-time", member!(Params.block_time)).group("polygon.group.control").label("form.block-time").help("form.block-time.help")
         .unit("ms").range(0.1..=1000.0).default(4.0).decimals(3).step(0.1).fact(),
     number("macro-time", member!(Params.macro_time)).group("polygon.group.control").label("form.macro-time").help("form.macro-time.help")
         .unit("ms").range(0.1..=1000.0).default(2.0).decimals(3).step(0.1).fact(),
     number("preread", member!(Params.preread)).group("polygon.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).fact(),
+        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).setting(),
     choice("newline", member!(Params.newline: LineEnds)).group("polygon.group.control").label("form.newline").help("form.newline.help"),
     text("customer", member!(&Params.customer)).group("polygon.group.control").label("form.customer").help("form.customer.help").characters(22),
     text("product", member!(&Params.product)).group("polygon.group.control").label("form.product").help("form.product.help").characters(22),

@@ -420,19 +420,19 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("spindle-speed", member!(Params.spindle_speed)).group("ribbon.group.unwinder").label("ribbon.spindle-speed").help("ribbon.spindle-speed.help").symbol("#100")
         .unit("r/min").range(1.0..=30000.0).default(1200.0).decimals(0).step(10.0).essential(),
     number("reduction-ratio", member!(Params.reduction_ratio)).group("ribbon.group.unwinder").label("ribbon.reduction-ratio").help("ribbon.reduction-ratio.help").symbol("#101")
-        .unit(": 1").range(0.001..=10000.0).default(25.0).decimals(6).step(1.0).essential().fact(),
+        .unit(": 1").range(0.001..=10000.0).default(25.0).decimals(6).step(1.0).essential().setting(),
     number("press-roller-diameter", member!(Params.press_roller_diameter)).group("ribbon.group.unwinder").label("ribbon.press-roller-diameter").help("ribbon.press-roller-diameter.help").symbol("#102")
         .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).essential().fact(),
     number("pitch", member!(Params.pitch)).group("ribbon.group.web").label("ribbon.pitch").help("ribbon.pitch.help").symbol("#107")
         .unit("mm").range(0.01..=10000.0).default(8.0).decimals(3).step(0.1).essential(),
     number("heads", member!(Params.heads)).group("ribbon.group.print").label("ribbon.heads").help("ribbon.heads.help").symbol("#109")
-        .range(1.0..=1000.0).default(6.0).decimals(0).step(1.0).essential().fact(),
+        .range(1.0..=1000.0).default(6.0).decimals(0).step(1.0).essential().setting(),
     number("print-roller-diameter", member!(Params.print_roller_diameter)).group("ribbon.group.print").label("ribbon.print-roller-diameter").help("ribbon.print-roller-diameter.help").symbol("#111")
         .unit("mm").range(1.0..=5000.0).default(120.0).decimals(4).step(1.0).essential().fact(),
     number("speed-at-10v", member!(Params.speed_at_10v)).group("ribbon.group.unwinder").label("ribbon.speed-at-10v").help("ribbon.speed-at-10v.help").symbol("n10")
-        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).fact(),
+        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).setting(),
     number("speed-clamp", member!(Params.speed_clamp)).group("ribbon.group.unwinder").label("ribbon.speed-clamp").help("ribbon.speed-clamp.help").symbol("#116")
-        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).fact(),
+        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).setting(),
     number("override", member!(Params.override_percent)).group("ribbon.group.unwinder").label("ribbon.override").help("ribbon.override.help")
         .unit("%").range(0.0..=200.0).default(100.0).decimals(0).step(1.0),
     choice("override-form", member!(Params.override_form: OverrideForm)).group("ribbon.group.unwinder").label("ribbon.override-form").help("ribbon.override-form.help")
@@ -443,9 +443,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("manual-speed", member!(Params.manual_speed)).group("ribbon.group.unwinder").label("ribbon.manual-speed").help("ribbon.manual-speed.help").symbol("S")
         .unit("r/min").range(0.0..=30000.0).default(100.0).decimals(0).step(10.0),
     number("frequency-at-10v", member!(Params.frequency_at_10v)).group("ribbon.group.unwinder").label("ribbon.frequency-at-10v").help("ribbon.frequency-at-10v.help")
-        .unit("Hz").range(1.0..=1000.0).default(50.0).decimals(2).step(1.0).fact(),
+        .unit("Hz").range(1.0..=1000.0).default(50.0).decimals(2).step(1.0).setting(),
     number("inverter-ramp", member!(Params.inverter_ramp)).group("ribbon.group.unwinder").label("ribbon.inverter-ramp").help("ribbon.inverter-ramp.help")
-        .unit("s").range(0.0..=600.0).default(2.0).decimals(3).step(0.1).fact(),
+        .unit("s").range(0.0..=600.0).default(2.0).decimals(3).step(0.1).setting(),
     number("no-load-speed", member!(Params.no_load_speed)).group("ribbon.group.unwinder").label("ribbon.no-load-speed").help("ribbon.no-load-speed.help")
         .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(3).step(1.0).fact(),
     number("rated-load-speed", member!(Params.rated_load_speed)).group("ribbon.group.unwinder").label("ribbon.rated-load-speed").help("ribbon.rated-load-speed.help")
@@ -514,29 +514,29 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("pitches-per-block", member!(Params.pitches_per_block)).group("ribbon.group.job").label("ribbon.pitches-per-block").help("ribbon.pitches-per-block.help").symbol("#121")
         .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
     number("clamp-x", member!(Params.clamp_x)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
+        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).setting(),
     number("clamp-y", member!(Params.clamp_y)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact(),
+        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).setting(),
     number("rapid-x", member!(Params.rapid_x)).group("ribbon.group.axes").label("ribbon.rapid-x").help("ribbon.rapid-x.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
+        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).setting(),
     number("rapid-y", member!(Params.rapid_y)).group("ribbon.group.axes").label("ribbon.rapid-y").help("ribbon.rapid-y.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact(),
+        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).setting(),
     number("time-constant-x", member!(Params.time_constant_x)).group("ribbon.group.axes").label("ribbon.time-constant-x").help("ribbon.time-constant-x.help")
-        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
+        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
     number("time-constant-y", member!(Params.time_constant_y)).group("ribbon.group.axes").label("ribbon.time-constant-y").help("ribbon.time-constant-y.help")
-        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
+        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
     number("position-gain-x", member!(Params.position_gain_x)).group("ribbon.group.axes").label("ribbon.position-gain-x").help("ribbon.position-gain-x.help")
-        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).fact(),
+        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
     number("position-gain-y", member!(Params.position_gain_y)).group("ribbon.group.axes").label("ribbon.position-gain-y").help("ribbon.position-gain-y.help")
-        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).fact(),
+        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
     number("in-position", member!(Params.in_position)).group("ribbon.group.axes").label("ribbon.in-position").help("ribbon.in-position.help")
-        .unit("mm").range(0.001..=10.0).default(0.02).decimals(3).step(0.01).fact(),
+        .unit("mm").range(0.001..=10.0).default(0.02).decimals(3).step(0.01).setting(),
     number("x-roller-diameter", member!(Params.x_roller_diameter)).group("ribbon.group.axes").label("ribbon.x-roller-diameter").help("ribbon.x-roller-diameter.help")
         .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).fact(),
     number("gear-x", member!(Params.gear_x)).group("ribbon.group.axes").label("ribbon.gear-x").help("ribbon.gear-x.help")
-        .unit(": 1").range(0.1..=10000.0).default(10.0).decimals(6).step(1.0).fact(),
+        .unit(": 1").range(0.1..=10000.0).default(10.0).decimals(6).step(1.0).setting(),
     number("gear-y", member!(Params.gear_y)).group("ribbon.group.axes").label("ribbon.gear-y").help("ribbon.gear-y.help")
-        .unit(": 1").range(0.1..=10000.0).default(5.0).decimals(6).step(1.0).fact(),
+        .unit(": 1").range(0.1..=10000.0).default(5.0).decimals(6).step(1.0).setting(),
     number("motor-rated-x", member!(Params.motor_rated_x)).group("ribbon.group.axes").label("ribbon.motor-rated-x").help("ribbon.motor-rated-x.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
     number("motor-max-x", member!(Params.motor_max_x)).group("ribbon.group.axes").label("ribbon.motor-max-x").help("ribbon.motor-max-x.help")
@@ -546,7 +546,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("motor-max-y", member!(Params.motor_max_y)).group("ribbon.group.axes").label("ribbon.motor-max-y").help("ribbon.motor-max-y.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
     number("encoder-resolution", member!(Params.encoder_resolution)).group("ribbon.group.axes").label("ribbon.encoder-resolution").help("ribbon.encoder-resolution.help")
-        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
+        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).setting(),
     number("site-height", member!(Params.site_height)).group("ribbon.group.axes").label("ribbon.site-height").help("ribbon.site-height.help")
         .unit("m").range(0.0..=5000.0).default(500.0).decimals(0).step(100.0).fact(),
     number("site-temperature", member!(Params.site_temperature)).group("ribbon.group.axes").label("ribbon.site-temperature").help("ribbon.site-temperature.help")
@@ -578,7 +578,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("motor-rotor-x", member!(Params.pull.rotor)).group("ribbon.group.pull-drive").label("ribbon.motor-rotor-x").help("ribbon.motor-rotor-x.help")
         .unit("kg cm²").range(0.001..=100000.0).default(0.375).decimals(4).step(0.1).fact(),
     number("inertia-limit-x", member!(Params.pull.inertia_limit)).group("ribbon.group.pull-drive").label("ribbon.inertia-limit-x").help("ribbon.inertia-limit-x.help")
-        .unit(": 1").range(0.1..=1000.0).default(15.0).decimals(1).step(1.0).fact(),
+        .unit(": 1").range(0.1..=1000.0).default(15.0).decimals(1).step(1.0).setting(),
     number("print-roller-wall", member!(Params.print.wall)).group("ribbon.group.print-drive").label("ribbon.print-roller-wall").help("ribbon.print-roller-wall.help")
         .unit("mm").range(0.1..=2500.0).default(10.0).decimals(2).step(1.0).fact(),
     number("print-roller-length", member!(Params.print.length)).group("ribbon.group.print-drive").label("ribbon.print-roller-length").help("ribbon.print-roller-length.help")
@@ -603,16 +603,16 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("motor-rotor-y", member!(Params.print.rotor)).group("ribbon.group.print-drive").label("ribbon.motor-rotor-y").help("ribbon.motor-rotor-y.help")
         .unit("kg cm²").range(0.001..=100000.0).default(6.6).decimals(4).step(0.1).fact(),
     number("inertia-limit-y", member!(Params.print.inertia_limit)).group("ribbon.group.print-drive").label("ribbon.inertia-limit-y").help("ribbon.inertia-limit-y.help")
-        .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).fact(),
+        .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).setting(),
     choice("cam-law", member!(Params.cam_law: CamLaw)).group("ribbon.group.print-drive").label("ribbon.cam-law").help("ribbon.cam-law.help"),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
-        .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),
+        .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).setting(),
     number("block-time", member!(Params.block_time)).group("ribbon.group.control").label("form.block-time").help("form.block-time.help")
         .unit("ms").range(0.1..=1000.0).default(7.1).decimals(3).step(0.1).fact(),
     number("macro-time", member!(Params.macro_time)).group("ribbon.group.control").label("form.macro-time").help("form.macro-time.help")
         .unit("ms").range(0.0..=1000.0).default(3.0).decimals(3).step(0.1).fact(),
     number("preread", member!(Params.preread)).group("ribbon.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).fact(),
+        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).setting(),
     choice("variant", member!(Params.variant: Variant)).group("ribbon.group.program").label("ribbon.variant").help("ribbon.variant.help"),
     choice("pi", member!(Params.pi: PiForm)).group("ribbon.group.program").label("ribbon.pi").help("ribbon.pi.help"),
     choice("feed-form", member!(Params.feed_form: FeedForm)).group("ribbon.group.program").label("ribbon.feed-form").help("ribbon.feed-form.help").symbol("F"),

@@ -59,3 +59,15 @@ fn work_tells_how_far_it_is() {
     assert!(sized.is_sorted() && sized.len() > 8, "{sized:?}");
     assert_eq!((sized.first(), sized.last()), (Some(&0.0), Some(&1.0)));
 }
+
+#[test]
+fn settings_and_counts_are_not_drawn() {
+    let project = Project::named("ribbon-line", None, None).unwrap();
+    let fails = chance(&project, 300, 1).failing;
+    // Time constants that differ between the axes would fail it always: both are set at the control.
+    assert!(fails.iter().all(|row| row.0 != "register-error"), "{fails:?}");
+    let tried = size(&project, &project.written()).sensitivities;
+    let settings: Vec<_> =
+        project.machine.fields().into_iter().filter(|field| field.setting).map(|field| field.id).collect();
+    assert!(tried.iter().all(|flip| !settings.contains(&flip.field)), "{tried:?}");
+}
