@@ -1,6 +1,8 @@
 //! What a motion asks of its motor: torque at the shaft over time for any rotor, and the energy that goes to and fro.
 
 use super::load::{Load, Regeneration, power};
+use super::servo::Servo;
+use crate::math::RPM;
 
 /// A part of a motion with constant acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +23,24 @@ pub struct Motion {
     turns: Vec<Turn>,
     load: Load,
     hold: f64,
+    strikes: Strikes,
+}
+
+/// An interrupted cut at a steady speed: its torque about the mean, which the steady torque of the load is. All zero where nothing strikes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Strikes {
+    /// Greatest torque at the shaft, Nm.
+    pub peak: f64,
+    /// Mean of the square of the torque, less the square of its mean, (Nm)².
+    pub spread: f64,
+}
+
+impl Strikes {
+    /// Strikes of one torque that last for a share of the time, by their greatest and their mean torque, Nm: the mean square of such a torque is
+    /// `T² c` with the share `c`. Source: sizing facts, section 7, polygon add-on.
+    pub fn new(peak: f64, mean: f64) -> Strikes {
+        Strikes { peak, spread: (peak * mean - mean * mean).max(0.0) }
+    }
 }
 
 /// What a motion asks of a motor.
@@ -40,6 +60,20 @@ pub struct Work {
     pub seconds: f64,
 }
 
+/// Change of speed, as a part of it, up to which a turn counts as steady: rounding leaves a little.
+const STEADY: f64 = 1e-6;
+
+/// Where a motion asks the most of a motor.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Hardest {
+    /// Torque, Nm.
+    pub torque: f64,
+    /// Speed with it, r/min: the highest at which it is asked.
+    pub speed: f64,
+    /// Share of the torque that the motor gives there for a short time; 1 is all of it.
+    pub share: f64,
+}
+
 /// Speed in rad/s below which a shaft stands: rounding leaves a little.
 const STANDS: f64 = 1e-9;
 
@@ -47,7 +81,12 @@ impl Motion {
     /// A motion by its turns, without gaps. The steady torque of the load acts against the motion; at standstill the motor holds `hold` Nm.
     pub fn new(turns: impl IntoIterator<Item = Turn>, load: Load, hold: f64) -> Motion {
         let turns = turns.into_iter().flat_map(at_reversal).filter(|turn| turn.seconds > 0.0).collect();
-        Motion { turns, load, hold }
+        Motion { turns, load, hold, strikes: Strikes::default() }
+    }
+
+    /// The same with an interrupted cut wherever it turns at a steady speed.
+    pub fn with_strikes(self, strikes: Strikes) -> Motion {
+        Motion { strikes, ..self }
     }
 
     /// The turns; none changes its direction.
@@ -73,6 +112,13 @@ impl Motion {
         side * along
     }
 
+    /// Greatest torque in Nm during a turn, without sign, and what its strikes add to the square of it in the mean.
+    fn greatest(&self, turn: &Turn, torque: f64) -> (f64, f64) {
+        let speed = turn.from.abs().max(turn.to.abs());
+        let is_steady = speed >= STANDS && (turn.to - turn.from).abs() <= STEADY * speed;
+        if is_steady { (torque.abs().max(self.strikes.peak), self.strikes.spread) } else { (torque.abs(), 0.0) }
+    }
+
     /// The whole motion with a rotor in kg m².
     pub fn work(&self, rotor: f64) -> Work {
         let mut work = Work::default();
@@ -80,10 +126,11 @@ impl Motion {
         for turn in &self.turns {
             let torque = self.torque(turn, rotor);
             let energy = 0.5 * torque * (turn.from + turn.to) * turn.seconds;
-            if torque.abs() > work.peak.0 {
-                work.peak = (torque.abs(), turn.t);
+            let (greatest, spread) = self.greatest(turn, torque);
+            if greatest > work.peak.0 {
+                work.peak = (greatest, turn.t);
             }
-            square += torque * torque * turn.seconds;
+            square += (torque * torque + spread) * turn.seconds;
             work.speed = work.speed.max(turn.from.abs()).max(turn.to.abs());
             work.given += energy.max(0.0);
             work.returned += (-energy).max(0.0);
@@ -93,6 +140,38 @@ impl Motion {
             work.effective = (square / work.seconds).sqrt();
         }
         work
+    }
+
+    /// The turn that asks the greatest share of what a motor gives for a short time at its speed.
+    pub fn hardest(&self, motor: &Servo) -> Hardest {
+        let mut hardest = Hardest::default();
+        for turn in &self.turns {
+            let (torque, _) = self.greatest(turn, self.torque(turn, motor.rotor));
+            let speed = turn.from.abs().max(turn.to.abs()) / RPM;
+            let share = torque / motor.most(speed);
+            if share > hardest.share {
+                hardest = Hardest { torque, speed, share };
+            }
+        }
+        hardest
+    }
+
+    /// Mean speed in r/min over the whole motion, without sign.
+    pub fn mean_speed(&self) -> f64 {
+        let (mut way, mut seconds) = (0.0, 0.0);
+        for turn in &self.turns {
+            way += 0.5 * (turn.from.abs() + turn.to.abs()) * turn.seconds;
+            seconds += turn.seconds;
+        }
+        if seconds > 0.0 { way / seconds / RPM } else { 0.0 }
+    }
+
+    /// Starts from standstill in a minute.
+    pub fn starts_per_minute(&self) -> f64 {
+        let starts = self.turns.iter().filter(|turn| turn.from.abs() < STANDS && turn.to.abs() >= STANDS).count();
+        let seconds = self.turns.iter().map(|turn| turn.seconds).sum::<f64>();
+        // One start is no rhythm.
+        if starts > 1 { 60.0 * starts as f64 / seconds } else { 0.0 }
     }
 
     /// Mean power in W that a brake resistor takes of what comes back, whose capacitors take their part at each stop. Source: sizing facts 2.4.

@@ -131,6 +131,8 @@ impl ServoRatings {
 pub struct InductionRatings {
     /// Rated power, W.
     pub rated_power: Option<f64>,
+    /// Rated voltage between its phases, V.
+    pub voltage: Option<f64>,
     /// Rated speed, r/min.
     pub rated_speed: Option<f64>,
     /// Rated torque, Nm.
@@ -169,11 +171,28 @@ pub struct AmplifierRatings {
 pub struct InverterRatings {
     /// Rated power of its motor, W.
     pub rated_power: Option<f64>,
+    /// Rated voltage of its motor, V: that of its supply.
+    pub voltage: Option<f64>,
     /// Rated output current, A.
     pub rated_current: Option<f64>,
     /// Overload as its maker writes it; may be empty.
     pub overload: String,
 }
+
+impl InverterRatings {
+    /// Whether it feeds a motor, as far as power, current and voltage of both are known. 380 to 440 V are one class, 200 to 240 V another.
+    pub fn feeds(&self, motor: &InductionRatings) -> bool {
+        let known = |own: Option<f64>, its: Option<f64>, does: fn(f64, f64) -> bool| {
+            own.zip(its).is_none_or(|(own, its)| does(own, its))
+        };
+        known(self.rated_power, motor.rated_power, |own, its| own >= its)
+            && known(self.rated_current, motor.rated_current, |own, its| own >= its)
+            && known(self.voltage, motor.voltage, |own, its| (own - its).abs() <= SAME_CLASS * own)
+    }
+}
+
+/// Voltages that differ by such a part at most are of one class.
+const SAME_CLASS: f64 = 0.2;
 
 /// Ratings of a gear unit. A motor's speed over the ratio is the speed of its output.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -50,6 +50,17 @@ impl Acceptance {
         Acceptance { inertia_ratio, peak: 0.8, effective: 0.8 }
     }
 
+    /// The limits of a motor that starts so often in a minute: a stiff coupling of its speed to the load asks for a ratio of inertias of 3 at
+    /// most above 100 starts, of 5 above 60. Source: sizing facts 2.3, MELSERVO J2S.
+    pub fn at_starts(self, per_minute: f64) -> Acceptance {
+        let most = match per_minute {
+            often if often > 100.0 => 3.0,
+            often if often >= 60.0 => 5.0,
+            _ => f64::INFINITY,
+        };
+        Acceptance { inertia_ratio: self.inertia_ratio.min(most), ..self }
+    }
+
     /// The limits where the air leaves a share of the continuous torque: the peak torque stays, for it warms the motor too briefly.
     pub fn derated(self, share: f64) -> Acceptance {
         Acceptance { effective: self.effective * share, ..self }

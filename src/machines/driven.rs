@@ -1,6 +1,6 @@
 //! What a machine is sized by: the motors behind its axes, the drive behind its inverter, and what is watched while it is operated.
 
-use crate::drives::duty::{Motion, Turn};
+use crate::drives::duty::{Motion, Strikes, Turn};
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::motion::{Mover, Snapshot, Stretch};
@@ -21,6 +21,8 @@ pub struct DrivenAxis {
     pub load: Load,
     /// Torque at standstill, Nm.
     pub hold: f64,
+    /// Its interrupted cut.
+    pub strikes: Strikes,
     /// The motor that the form has.
     pub fitted: Fitted,
     /// Share of its continuous torque that the site leaves a motor, 0 to 1.
@@ -73,7 +75,7 @@ impl DrivenAxis {
             from: stretch.from * self.turn,
             to: stretch.to * self.turn,
         };
-        Motion::new(stretches.iter().map(turn), self.load, self.hold)
+        Motion::new(stretches.iter().map(turn), self.load, self.hold).with_strikes(self.strikes)
     }
 }
 
@@ -112,8 +114,8 @@ pub struct InverterDrive {
 pub struct InverterCycle {
     /// What the ramps drive, at the motor's shaft and without its rotor.
     pub load: Load,
-    /// Inertia (kg m²) of the rotor of a motor whose own is not known.
-    pub rotor: f64,
+    /// Inertia (kg m²) of the rotor of a motor whose own is not known; none where `load` has the rotor already.
+    pub rotor: Option<f64>,
     /// Its ramps, and the time of the work between them.
     pub of: Move,
     /// Short-time torque as a share of the rated one, in the run-up and in the stop.
@@ -123,7 +125,7 @@ pub struct InverterCycle {
 impl InverterCycle {
     /// Torques of run-up and stop with a rotor, signed.
     pub fn ramps(&self, rotor: Option<f64>) -> [Phase; 2] {
-        let [rise, _, fall, _] = self.load.phases(rotor.unwrap_or(self.rotor), self.of);
+        let [rise, _, fall, _] = self.load.phases(self.rotor.map_or(0.0, |own| rotor.unwrap_or(own)), self.of);
         [rise, fall]
     }
 }

@@ -8,7 +8,7 @@ const JUDGED: Citation =
     Citation::new("parts facts, section 9: engineering judgement, no statement of a maker", Grade::Open);
 
 /// Servo drives for axes that a control commands by pulses or by an analog speed.
-pub const PULSE: [DriveSystem; 18] = DriveSystem::others(
+pub const PULSE: [DriveSystem; 18] = DriveSystem::axes(
     [
         "Sigma-7 SGD7S",
         "SGM7J",
@@ -34,17 +34,17 @@ pub const PULSE: [DriveSystem; 18] = DriveSystem::others(
 
 /// Drives of auxiliary axes beside a control: its inputs and outputs start them.
 pub const AUXILIARY: [DriveSystem; 6] =
-    DriveSystem::others(["Sigma-7 SGD7S", "SGM7J", "SGM7A", "SGM7P", "SGM7G", "G5 R88M-K"], JUDGED);
+    DriveSystem::auxiliary(["Sigma-7 SGD7S", "SGM7J", "SGM7A", "SGM7P", "SGM7G", "G5 R88M-K"], JUDGED);
 
 /// Drives of auxiliary axes on a field bus.
-pub const FIELD_BUS: [DriveSystem; 2] = DriveSystem::others(["ctrlX MC20", "ctrlX XC20"], JUDGED);
+pub const FIELD_BUS: [DriveSystem; 2] = DriveSystem::auxiliary(["ctrlX MC20", "ctrlX XC20"], JUDGED);
 
 /// Inverters of an analog spindle: any of them takes 0 to 10 V.
 pub const INVERTERS: [DriveSystem; 3] =
-    DriveSystem::others(["FREQROL-E800 3AC 200 V", "FREQROL-E800 3AC 400 V", "FREQROL-E800 1AC 200 V"], JUDGED);
+    DriveSystem::axes(["FREQROL-E800 3AC 200 V", "FREQROL-E800 3AC 400 V", "FREQROL-E800 1AC 200 V"], JUDGED);
 
 /// Induction motors behind an inverter.
-pub const INDUCTION: [DriveSystem; 3] = DriveSystem::others(["MT3 IE3 2-pole", "MT3 IE3 4-pole", "IE3 4-pole"], JUDGED);
+pub const INDUCTION: [DriveSystem; 3] = DriveSystem::axes(["MT3 IE3 2-pole", "MT3 IE3 4-pole", "IE3 4-pole"], JUDGED);
 
 /// What an analog spindle can have.
 pub const ANALOG_SPINDLE: &[DriveSystem] = joined![DriveSystem: &INVERTERS, &INDUCTION];

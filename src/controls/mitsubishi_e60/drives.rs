@@ -12,9 +12,9 @@ const OF_MAKER: Citation =
 
 /// The rows.
 pub(super) const DRIVES: &[DriveSystem] = joined![
-    DriveSystem: &DriveSystem::own(["MELDAS HC"], OF_CONTROLS),
-    &DriveSystem::own(["HG-KN", "HG-KR", "HG-MR", "HG-SR", "HG-JR", "HG-RR", "HG-UR"], OF_MAKER),
-    &DriveSystem::own(["MR-J4 200 V", "MR-J4 400 V"], OF_MAKER),
-    &DriveSystem::own(["FREQROL-E800 3AC 200 V", "FREQROL-E800 3AC 400 V", "FREQROL-E800 1AC 200 V"], OF_MAKER),
+    DriveSystem: &DriveSystem::axes(["MELDAS HC"], OF_CONTROLS),
+    &DriveSystem::axes(["HG-KN", "HG-KR", "HG-MR", "HG-SR", "HG-JR", "HG-RR", "HG-UR"], OF_MAKER),
+    &DriveSystem::axes(["MR-J4 200 V", "MR-J4 400 V"], OF_MAKER),
+    &DriveSystem::axes(["FREQROL-E800 3AC 200 V", "FREQROL-E800 3AC 400 V", "FREQROL-E800 1AC 200 V"], OF_MAKER),
     &INDUCTION,
 ];

@@ -7,31 +7,40 @@ use crate::text::Citation;
 pub struct DriveSystem {
     /// Series, as the catalogue of parts has it.
     pub series: &'static str,
-    /// The control's maker sells it too.
-    pub own: bool,
+    /// What it does beside the control.
+    pub role: DriveRole,
     /// Source and grade.
     pub cite: Citation,
 }
 
+/// What a drive system does beside a control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DriveRole {
+    /// It follows the control: an axis that is interpolated, or the analog spindle.
+    Axis,
+    /// It positions by itself: the control's inputs and outputs or a field bus start it.
+    Auxiliary,
+}
+
 impl DriveSystem {
-    /// Series of the control's maker, one row each.
-    pub(in crate::controls) const fn own<const N: usize>(
+    /// Series that follow the control, one row each.
+    pub(in crate::controls) const fn axes<const N: usize>(
         series: [&'static str; N],
         cite: Citation,
     ) -> [DriveSystem; N] {
-        DriveSystem::all(series, true, cite)
+        DriveSystem::all(series, DriveRole::Axis, cite)
     }
 
-    /// Series of other makers, one row each.
-    pub(in crate::controls) const fn others<const N: usize>(
+    /// Series of auxiliary axes, one row each.
+    pub(in crate::controls) const fn auxiliary<const N: usize>(
         series: [&'static str; N],
         cite: Citation,
     ) -> [DriveSystem; N] {
-        DriveSystem::all(series, false, cite)
+        DriveSystem::all(series, DriveRole::Auxiliary, cite)
     }
 
-    const fn all<const N: usize>(series: [&'static str; N], own: bool, cite: Citation) -> [DriveSystem; N] {
-        let mut rows = [DriveSystem { series: "", own, cite }; N];
+    const fn all<const N: usize>(series: [&'static str; N], role: DriveRole, cite: Citation) -> [DriveSystem; N] {
+        let mut rows = [DriveSystem { series: "", role, cite }; N];
         let mut at = 0;
         while at < N {
             rows[at].series = series[at];

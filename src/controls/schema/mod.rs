@@ -42,7 +42,7 @@ pub use bench::Bench;
 pub use code::{Code, CodeDef, CodeId, CodeNumber, Group, Point};
 pub use control::{AxisDef, Control};
 pub use dialect::Dialect;
-pub use drive::DriveSystem;
+pub use drive::{DriveRole, DriveSystem};
 pub use interface::Signal;
 pub use limits::{Limits, Timing};
 pub use macros::Macros;

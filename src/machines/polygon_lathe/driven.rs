@@ -3,6 +3,7 @@
 use super::demand::Asked;
 use super::load::Spindle;
 use super::resolved::{PolygonLathe, TOOL, WORK};
+use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow};
@@ -12,7 +13,7 @@ use crate::motion::Mover;
 /// All that the drive gives may be asked: the form has no reserve beside its peak torque.
 const WHOLE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
 
-/// The motors of work and tool, as if each cut at the greatest mean torque for as long as it turns.
+/// The motors of work and tool, as if each cut at the greatest torque of all feeds for as long as it turns at a steady speed.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
     let axis = |id, name, at, spindle: Spindle, (motor_teeth, teeth): (f64, f64)| {
         let p = &lathe.p;
@@ -20,7 +21,8 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
         let (gear, efficiency) = (teeth / motor_teeth, p.drive_efficiency / 100.0);
         let drive = p.drive(spindle);
         let rated = drive.motor.torque(0.0) / (gear * efficiency);
-        let torque = lathe.demand(spindle, Asked::Mean).0;
+        let at_motor = |asked| through_gear(lathe.demand(spindle, asked).0, gear, efficiency);
+        let (mean, peak) = (at_motor(Asked::Mean), at_motor(Asked::Peak));
         // The form has torque and inertia behind the gear, with the rotor; its torque has the losses of the gear already.
         let motor = Servo {
             rated,
@@ -35,12 +37,9 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             name,
             mover: Mover::Turned(at),
             turn: gear * PI / 180.0,
-            load: Load {
-                inertia: drive.inertia / (gear * gear),
-                torque: through_gear(torque, gear, efficiency),
-                efficiency,
-            },
+            load: Load { inertia: drive.inertia / (gear * gear), torque: mean, efficiency },
             hold: 0.0,
+            strikes: Strikes::new(peak, mean),
             fitted: Fitted { motor, limits: WHOLE },
             site_share: p.site_share / 100.0,
             fields: None,

@@ -1,11 +1,14 @@
 //! What the ribbon line is sized by: the motors of pull and print roller, the unwinder behind its inverter, and loop and tension of the web.
 
-use super::mechanics::ServoAxis;
+use super::mechanics::{ServoAxis, unwinder_load};
 use super::pose::State;
 use super::resolved::RibbonLine;
+use super::rules_of_drives::SHORT_TIME;
+use crate::drives::duty::Strikes;
+use crate::drives::load::Move;
 use crate::drives::web;
-use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow, InverterDrive, MotorFields, ProductSize};
-use crate::math::PI;
+use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow, InverterCycle, InverterDrive, MotorFields, ProductSize};
+use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
 use crate::view::Limit;
 
@@ -43,6 +46,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         turn: 2.0 * PI * gear / turn,
         load: of.load,
         hold: of.hold,
+        strikes: Strikes::default(),
         fitted: Fitted { motor: of.motor, limits: of.limits },
         site_share: p.site().share(),
         fields: Some(fields),
@@ -54,6 +58,19 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
     ]
 }
 
+/// Run-up and stop of the unwinder over the inverter's ramp, with a product between them, at the fastest position of the knob.
+fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
+    let (p, speed) = (&line.p, line.fast.actual_speed);
+    let ramp = p.inverter_ramp * speed / p.speed_at_10v;
+    InverterCycle {
+        load: unwinder_load(p, line.mechanics.unwinder),
+        // It is in the inertia of the form.
+        rotor: None,
+        of: Move { speed: speed * RPM, ramp, run: line.fast.product_time, pause: 0.0, hold: 0.0 },
+        peak: [SHORT_TIME, SHORT_TIME],
+    }
+}
+
 /// The unwinder: its steady torque at the fastest position of the knob.
 pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
     InverterDrive {
@@ -63,7 +80,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         speed: line.fast.actual_speed,
         site_share: line.p.unwinding.site_share / 100.0,
         brake: line.p.unwinding.motor_brake,
-        cycle: None,
+        cycle: (line.p.inverter_ramp > 0.0).then(|| unwinder_cycle(line)),
         fields: Some(("unwinder-motor", "unwinder-torque-rated")),
     }
 }

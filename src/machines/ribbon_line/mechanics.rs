@@ -34,6 +34,8 @@ pub(super) struct Mechanics {
     pub nip_use: f64,
     /// Steady torque of the unwinder's motor, Nm.
     pub unwinder: f64,
+    /// Its torque over the inverter's ramp, Nm.
+    pub unwinder_ramp: f64,
 }
 
 /// An axis before its motion is known.
@@ -61,13 +63,13 @@ impl ServoAxis {
         let speed = side.rpm * RPM;
         let rise = load.accelerating(motor.rotor, speed, ramp);
         let hold = side.hold / ratio;
-        let of = motion(p, d, (speed, ramp), hold);
-        let effective = match of {
-            Some(of) => effective(&load.phases(motor.rotor, of)),
-            None => load.torque,
-        };
-        let duty = Duty { peak: load.torque + rise, effective, speed: side.rpm };
-        let limits = Acceptance::mitsubishi(inertia_limit).derated(p.site().share());
+        let phases = motion(p, d, (speed, ramp), hold).map(|of| load.phases(motor.rotor, of));
+        let effective = phases.as_ref().map_or(load.torque, |phases| effective(phases));
+        // Where the load drives the motor, stopping or holding asks more than starting.
+        let others = phases.iter().flatten().map(|phase| phase.torque.abs());
+        let peak = others.fold((load.torque + rise).abs(), f64::max);
+        let duty = Duty { peak, effective, speed: side.rpm };
+        let limits = Acceptance::mitsubishi(inertia_limit).at_starts(starts(p, d)).derated(p.site().share());
         ServoAxis { load, motor, limits, turning: side.turning, ramp, hold, rise, duty }
     }
 
@@ -78,7 +80,7 @@ impl ServoAxis {
 
     /// Seconds of the shortest ramp with the torque that the limits leave.
     pub(super) fn shortest_ramp(&self) -> f64 {
-        let torque = self.limits.peak * self.motor.peak;
+        let torque = self.limits.peak * self.motor.most(self.duty.speed);
         self.load.shortest_ramp(self.motor.rotor, self.duty.speed * RPM, torque)
     }
 
@@ -101,6 +103,14 @@ impl ServoAxis {
     }
 }
 
+/// Starts of the axes in a minute: each block with exact stop is one.
+fn starts(p: &Params, d: &Derived) -> f64 {
+    match p.path_mode {
+        PathMode::ExactStop if d.stop_time > 0.0 => 60.0 / d.stop_time,
+        _ => 0.0,
+    }
+}
+
 /// The move that an axis repeats: a block with exact stop, or a whole product; none at standstill. A ramp that is longer than its block does not
 /// reach the speed (sizing facts, section 4).
 fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Option<Move> {
@@ -117,6 +127,11 @@ fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Opti
         hold,
     };
     found.cycle().is_finite().then_some(found)
+}
+
+/// What the unwinder's motor drives, its own rotor with it.
+pub(super) fn unwinder_load(p: &Params, torque: f64) -> Load {
+    Load { inertia: p.unwinding.inertia * CM2, torque, efficiency: 1.0 }
 }
 
 /// A hollow roller in mm as a cylinder of steel; a wall that is thicker than the radius fills it.
@@ -175,11 +190,16 @@ impl Mechanics {
         let acceleration = d.line_speed / 60e3 / pull_axis.ramp;
         let tension = web.tension_before - web.tension_behind;
         let unwound = unwinding.brake * p.press_roller_diameter / 2e3 + unwinding.friction;
+        let unwinder = load::through_gear(unwound, p.reduction_ratio, unwinding.efficiency / 100.0);
         Mechanics {
             pull: pull_axis,
             print: ServoAxis::new(&print_side, print_motor, print.inertia_limit, p, d),
             nip_use: web::nip_use((pull.pinch_friction, pull.pinch_force), tension, (web_mass, acceleration)),
-            unwinder: load::through_gear(unwound, p.reduction_ratio, unwinding.efficiency / 100.0),
+            unwinder,
+            unwinder_ramp: match p.inverter_ramp > 0.0 {
+                true => unwinder + unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp),
+                false => unwinder,
+            },
         }
     }
 }

@@ -115,4 +115,9 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         formula: "(brake · #102 / 2 + friction) / (#101 · η)",
         cite: Citation::new("sizing facts D1", Grade::Inferred), value: |line| line.mechanics.unwinder,
     },
+    ReadoutRow {
+        id: "unwinder-ramp-torque", label: "ribbon.readout.unwinder-ramp-torque", unit: "Nm", decimals: 3, headline: false,
+        formula: "torque + J · 2π n10 / (60 · ramp)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.unwinder_ramp,
+    },
 ];

@@ -21,6 +21,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("y-inertia-ratio", inertia_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("nip-use", grip, Citation::new("sizing facts 2.2, from memory", Grade::Open)),
     Rule::new("unwinder-torque", unwinder, Citation::new("data sheet of the motor", Grade::Inferred)),
+    Rule::new("unwinder-ramp-torque", unwinder_ramp, Citation::new("FR-E800: 150 % for 60 s", Grade::Inferred)),
     Rule::new("unwinder-torque", unwinder_load, Citation::new("sizing facts D1", Grade::Inferred)),
 ];
 
@@ -31,8 +32,14 @@ const GRIP: f64 = 50.0;
 /// slip. Engineering choice.
 const LOAD: f64 = 5.0;
 
+/// Short-time torque of a motor behind an inverter as a share of its rated one. Source: parts, FREQROL-E800, 150 % for 60 s.
+pub(super) const SHORT_TIME: f64 = 1.5;
+
 /// Longest time constant that the form takes, ms.
 const LONGEST: f64 = 5000.0;
+
+/// Longest ramp of the inverter that the form takes, s.
+const LONGEST_RAMP: f64 = 600.0;
 
 /// A limit at the knob's end, as it is where the knob stands now.
 pub(super) fn here(limit: f64, now: f64, end: f64) -> f64 {
@@ -40,7 +47,7 @@ pub(super) fn here(limit: f64, now: f64, end: f64) -> f64 {
 }
 
 fn peak(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
-    let most = end.limits.peak * end.motor.peak;
+    let most = end.limits.peak * end.motor.most(end.duty.speed);
     let limit = AtMost(here(most, now.duty.peak, end.duty.peak));
     if limit.holds(now.duty.peak) {
         return ok(limit);
@@ -144,6 +151,30 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
             let set = down(FIELDS, "reel-brake", brake);
             let shown: f64 = set.1.parse().unwrap_or(brake);
             advice.setting(msg!("advice.set-brake", force = (shown, 2)), [set])
+        }
+        false => advice,
+    };
+    fail(limit, [advice])
+}
+
+/// The inverter's ramp, which asks the same of the motor whatever the speed: it is set for the speed at 10 V.
+fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
+    let (p, torque, steady) = (&line.p, line.mechanics.unwinder_ramp, line.mechanics.unwinder);
+    let most = SHORT_TIME * p.unwinding.torque;
+    let limit = AtMost(most);
+    if p.inverter_ramp <= 0.0 {
+        return None;
+    }
+    if limit.holds(torque) {
+        return ok(limit);
+    }
+    let advice = Advice::from(msg!("ribbon.unwinder-ramp-torque", torque = (torque, 2), limit = (most, 2)));
+    let ramp = p.inverter_ramp * (torque - steady) / (most - steady);
+    let advice = match most > steady && ramp <= LONGEST_RAMP {
+        true => {
+            let set = up(FIELDS, "inverter-ramp", ramp);
+            let seconds: f64 = set.1.parse().unwrap_or(ramp);
+            advice.setting(msg!("advice.set-ramp", time = (seconds, 2)), [set])
         }
         false => advice,
     };

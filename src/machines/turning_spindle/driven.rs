@@ -39,7 +39,7 @@ fn cycle(lathe: &TurningSpindle, gear: f64) -> InverterCycle {
     };
     let ramp = p.spindle_ramp * highest / d.stage_speed;
     let of = Move { speed: highest * gear * RPM, ramp, run: d.cutting_time, pause: 0.0, hold: 0.0 };
-    InverterCycle { load, rotor: p.rotor_inertia, of, peak: [p.motor_peak / 100.0, p.motor_braking / 100.0] }
+    InverterCycle { load, rotor: Some(p.rotor_inertia), of, peak: [p.motor_peak / 100.0, p.motor_braking / 100.0] }
 }
 
 /// What is watched: the speed of the spindle.

@@ -9,13 +9,14 @@ use crate::drives::parts::{
 pub const REQUIRED: [&str; 3] = ["kind", "maker", "model"];
 
 /// All columns in the order in which they are written.
-pub const COLUMNS: [&str; 27] = [
+pub const COLUMNS: [&str; 28] = [
     "kind",
     "maker",
     "series",
     "model",
     "status",
     "rated_power_w",
+    "voltage_v",
     "rated_speed_rpm",
     "max_speed_rpm",
     "rated_torque_nm",
@@ -96,6 +97,7 @@ pub(super) fn numbers(ratings: &mut Ratings) -> Vec<(&'static str, &mut Option<f
         ],
         Ratings::Induction(of) => vec![
             ("rated_power_w", &mut of.rated_power),
+            ("voltage_v", &mut of.voltage),
             ("rated_speed_rpm", &mut of.rated_speed),
             ("rated_torque_nm", &mut of.rated_torque),
             ("inertia_kgm2", &mut of.inertia),
@@ -112,7 +114,11 @@ pub(super) fn numbers(ratings: &mut Ratings) -> Vec<(&'static str, &mut Option<f
             ("peak_power_w", &mut of.brake_peak_power),
         ],
         Ratings::Inverter(of) => {
-            vec![("rated_power_w", &mut of.rated_power), ("rated_current_a", &mut of.rated_current)]
+            vec![
+                ("rated_power_w", &mut of.rated_power),
+                ("voltage_v", &mut of.voltage),
+                ("rated_current_a", &mut of.rated_current),
+            ]
         }
         Ratings::Gear(of) => vec![
             ("ratio", &mut of.ratio),

@@ -14,7 +14,7 @@ pub use self::objects::write_json;
 pub(in crate::project) use self::objects::{entries, from_entries};
 pub use self::row::MAX_PARTS;
 pub use self::table::write;
-use crate::controls::Control;
+use crate::controls::{Control, DriveRole};
 use crate::drives::parts::{Part, PartGrade, Ratings};
 use crate::msg;
 use crate::text::Diagnostic;
@@ -60,4 +60,10 @@ pub fn goes_with(part: &Part, control: &Control) -> bool {
     control.drives.iter().any(|row| row.series == part.series)
         || matches!(part.ratings, Ratings::Gear(_))
         || part.evidence.grade == PartGrade::Entered
+}
+
+/// Whether an axis that a control commands may have this part: not where its series positions by itself beside that control.
+pub fn follows(part: &Part, control: &Control) -> bool {
+    let row = control.drives.iter().find(|row| row.series == part.series);
+    goes_with(part, control) && row.is_none_or(|row| row.role == DriveRole::Axis)
 }

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use super::runs::SizingRuns;
 use crate::controls::Control;
-use crate::drives::duty::{Motion, Work};
+use crate::drives::duty::{Hardest, Motion, Work};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
-use crate::drives::servo::{Duty, Reason, Servo, Shares};
+use crate::drives::servo::{Acceptance, Duty, Reason, Servo, Shares};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields};
 use crate::machines::form::Value;
@@ -16,7 +16,7 @@ use crate::math::RPM;
 use crate::motion::{Mover, Timeline};
 use crate::msg;
 use crate::project::Project;
-use crate::project::parts::goes_with;
+use crate::project::parts::{follows, goes_with};
 use crate::text::Message;
 use crate::text::catalog::number_text;
 use crate::view::{OperatingLine, TorqueChart};
@@ -110,6 +110,7 @@ enum Rank {
     Effective,
     Peak,
     Speed,
+    Role,
     Unknown,
 }
 
@@ -138,6 +139,22 @@ impl Asked {
             returned: worst.returned.max(next.returned),
             seconds: worst.seconds.max(next.seconds),
         })
+    }
+
+    /// Where the greatest share is asked of what a motor gives for a short time.
+    fn hardest(&self, motor: &Servo) -> Hardest {
+        let all = self.motions.iter().map(|motion| motion.hardest(motor));
+        all.reduce(|worst, next| if next.share > worst.share { next } else { worst }).unwrap_or_default()
+    }
+
+    /// Mean speed (r/min), the greatest.
+    fn mean_speed(&self) -> f64 {
+        self.motions.iter().map(Motion::mean_speed).fold(0.0, f64::max)
+    }
+
+    /// Starts in a minute, the most.
+    fn starts_per_minute(&self) -> f64 {
+        self.motions.iter().map(Motion::starts_per_minute).fold(0.0, f64::max)
     }
 
     /// Mean power (W) that comes back beyond what the capacitors take, the greatest.
@@ -199,7 +216,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: 0.0,
             ampere_per_torque: ampere_per_torque(project, &axis),
             work: Some(asked.work(axis.fitted.motor.rotor)),
-            chart: Some(asked.chart(&axis.fitted.motor, axis.site_share)),
+            chart: Some(asked.chart(&fitted(project, &axis), axis.site_share)),
             candidates: in_order(candidates),
         }
     });
@@ -243,6 +260,16 @@ pub(super) fn ampere_per_torque(project: &Project, axis: &DrivenAxis) -> Option<
     }
 }
 
+/// The motor that the form has: its rated torque, for which the form has no field, is that of the part whose name it has.
+fn fitted(project: &Project, axis: &DrivenAxis) -> Servo {
+    let motor = axis.fitted.motor;
+    let typed = axis.fields.and_then(|fields| named(project, fields.name));
+    let known = typed.and_then(|typed| project.catalogue().into_iter().find(|part| name(part) == typed)?.servo());
+    // A person may have typed other figures for it.
+    let same = known.filter(|known| known.stall >= motor.stall && known.rated <= motor.stall);
+    Servo { rated: same.map_or(motor.rated, |known| known.rated), ..motor }
+}
+
 /// The motor that a field of the form names.
 pub(super) fn named(project: &Project, field: &str) -> Option<String> {
     match project.values.get(field)? {
@@ -261,13 +288,15 @@ fn in_order(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
     candidates
 }
 
-/// What orders motors by size: rated power in W, or standstill torque where it is unknown.
+/// What orders motors by size: rated power in W, else that of torque and speed; one of which neither is known comes last.
 fn size(part: &Part) -> f64 {
-    match &part.ratings {
-        Ratings::Servo(of) => of.rated_power.or(of.stall_torque.map(|torque| torque * 300.0)).unwrap_or(0.0),
-        Ratings::Induction(of) => of.rated_power.unwrap_or(0.0),
-        _ => 0.0,
-    }
+    let (rated, torque, speed) = match &part.ratings {
+        Ratings::Servo(of) => (of.rated_power, of.rated_torque.or(of.stall_torque), of.rated_speed.or(of.top_speed)),
+        Ratings::Induction(of) => (of.rated_power, of.rated_torque, of.rated_speed),
+        _ => (None, None, None),
+    };
+    let product = torque.zip(speed).map(|(torque, speed)| power(torque, speed * RPM));
+    rated.or(product).unwrap_or(f64::INFINITY)
 }
 
 /// The smallest part of the catalogue that goes with the control, is wanted and has a size.
@@ -277,66 +306,108 @@ fn smallest<'a>(catalogue: &[&'a Part], control: &Control, size: impl Fn(&Part) 
 }
 
 fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part], control: &Control) -> Candidate {
-    let amplifier = smallest(catalogue, control, |other| match &other.ratings {
-        Ratings::Amplifier(of) if other.fits.contains(&part.model) => Some(of.rated_power.unwrap_or(f64::MAX)),
-        _ => None,
-    });
-    let mut out = Candidate {
+    let Some(motor) = part.servo() else {
+        let amplifier = amplifier(part, (0.0, 0.0), catalogue, control);
+        return Candidate { amplifier: amplifier.cloned(), ..unknown(part) };
+    };
+    let work = asked.work(motor.rotor);
+    let amplifier = amplifier(part, (work.effective, work.peak.0), catalogue, control);
+    let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
+    let hardest = asked.hardest(&motor);
+    let shares = Shares { peak: hardest.share, ..motor.shares(&axis.load, &duty) };
+    let limits = part.acceptance().at_starts(asked.starts_per_minute()).derated(axis.site_share);
+    let refused = shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &hardest)));
+    let regenerative = amplifier.and_then(braking).map(|(back, most)| asked.to_resistor(motor.rotor, &back) / most);
+    let refused = refused
+        .or_else(|| (!follows(part, control)).then(|| (Rank::Role, msg!("size.refused-role"))))
+        .or_else(|| too_warm(&motor, &limits, (duty.effective, asked.mean_speed())))
+        .or_else(|| {
+            let share = regenerative.filter(|share| *share > 1.0)?;
+            Some((Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))))
+        });
+    Candidate {
         part: part.clone(),
         amplifier: amplifier.cloned(),
         limits: part.limits(),
-        shares: None,
-        regenerative: None,
-        refusal: None,
-        entries: Vec::new(),
+        shares: Some(shares),
+        regenerative,
+        refusal: refused.map(|(rank, message)| Refusal { rank, message }),
+        entries: axis.fields.map(|fields| entries(fields, part, &motor, limits.inertia_ratio)).unwrap_or_default(),
+    }
+}
+
+/// The smallest amplifier that is paired with a servo motor and gives its currents for an effective and a greatest torque (Nm), where both
+/// are known.
+fn amplifier<'a>(
+    motor: &Part,
+    (effective, peak): (f64, f64),
+    catalogue: &[&'a Part],
+    control: &Control,
+) -> Option<&'a Part> {
+    let Ratings::Servo(ratings) = &motor.ratings else { return None };
+    let gives = |current: Option<f64>, torque: f64| {
+        current.zip(ratings.ampere_per_torque()).is_none_or(|(current, per_torque)| torque * per_torque <= current)
     };
-    let Some(motor) = part.servo() else {
-        out.refusal = Some(Refusal { rank: Rank::Unknown, message: msg!("size.refused-unknown") });
-        return out;
-    };
-    let work = asked.work(motor.rotor);
-    let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
-    let (shares, limits) = (motor.shares(&axis.load, &duty), part.acceptance().derated(axis.site_share));
-    let refusal = shares.fails(&limits).map(|reason| match reason {
+    smallest(catalogue, control, |other| match &other.ratings {
+        Ratings::Amplifier(of) if other.fits.contains(&motor.model) => {
+            let does = gives(of.rated_current, effective) && gives(of.peak_current, peak);
+            does.then(|| of.rated_power.unwrap_or(f64::MAX))
+        }
+        _ => None,
+    })
+}
+
+/// Why a servo motor does not go, in words.
+fn refused_by(
+    reason: Reason,
+    motor: &Servo,
+    (shares, limits): (&Shares, &Acceptance),
+    (duty, hardest): (&Duty, &Hardest),
+) -> (Rank, Message) {
+    match reason {
         Reason::Speed => {
             (Rank::Speed, msg!("size.refused-speed", speed = (duty.speed, 0), limit = (motor.top_speed, 0)))
         }
-        Reason::Peak => (
-            Rank::Peak,
-            msg!(
+        Reason::Peak => {
+            let gives = motor.most(hardest.speed);
+            let message = msg!(
                 "size.refused-peak",
-                torque = (duty.peak, 3),
-                limit = (limits.peak * motor.peak, 3),
+                torque = (hardest.torque, 3),
+                speed = (hardest.speed, 0),
+                limit = (limits.peak * gives, 3),
                 percent = (100.0 * limits.peak, 0)
-            ),
-        ),
-        Reason::Effective => {
-            let most = limits.effective * motor.stall;
-            (
-                Rank::Effective,
-                msg!(
-                    "size.refused-effective",
-                    torque = (duty.effective, 3),
-                    limit = (most, 3),
-                    percent = (100.0 * limits.effective, 1)
-                ),
-            )
+            );
+            (Rank::Peak, message)
         }
-        Reason::Inertia => (
-            Rank::Inertia,
-            msg!("size.refused-inertia", ratio = (shares.inertia_ratio, 1), limit = (limits.inertia_ratio, 1)),
-        ),
-    });
-    if let Some((back, most)) = amplifier.and_then(braking) {
-        out.regenerative = Some(asked.to_resistor(motor.rotor, &back) / most);
+        Reason::Effective => {
+            let message = msg!(
+                "size.refused-effective",
+                torque = (duty.effective, 3),
+                limit = (limits.effective * motor.stall, 3),
+                percent = (100.0 * limits.effective, 1)
+            );
+            (Rank::Effective, message)
+        }
+        Reason::Inertia => {
+            let (ratio, limit) = ((shares.inertia_ratio, 1), (limits.inertia_ratio, 1));
+            (Rank::Inertia, msg!("size.refused-inertia", ratio = ratio, limit = limit))
+        }
     }
-    let regenerates = out.regenerative.filter(|share| *share > 1.0);
-    let regenerates =
-        regenerates.map(|share| (Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))));
-    out.refusal = refusal.or(regenerates).map(|(rank, message)| Refusal { rank, message });
-    out.shares = Some(shares);
-    out.entries = axis.fields.map(|fields| entries(fields, part, &motor, limits.inertia_ratio)).unwrap_or_default();
-    out
+}
+
+/// Whether the effective torque (Nm) is more than the motor gives continuously at its mean speed (r/min): the point of a data sheet's chart.
+fn too_warm(motor: &Servo, limits: &Acceptance, (effective, speed): (f64, f64)) -> Option<(Rank, Message)> {
+    let most = limits.effective * motor.continuous(speed);
+    let message = || {
+        msg!(
+            "size.refused-warm-at-speed",
+            torque = (effective, 3),
+            speed = (speed, 0),
+            limit = (most, 3),
+            percent = (100.0 * limits.effective, 1)
+        )
+    };
+    (effective > most).then(|| (Rank::Effective, message()))
 }
 
 /// How an amplifier takes energy back, and the continuous power (W) of its brake resistor, where both are known.
@@ -379,10 +450,7 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
     let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
     let needed = power(asked, speed * RPM);
     let inverter = smallest(catalogue, control, |other| match &other.ratings {
-        Ratings::Inverter(inverter) => inverter.rated_power.filter(|power| {
-            let carries = inverter.rated_current.zip(of.rated_current).is_none_or(|(gives, takes)| gives >= takes);
-            *power >= rated_power && carries
-        }),
+        Ratings::Inverter(inverter) if inverter.feeds(&of) => inverter.rated_power,
         _ => None,
     });
     let mut shares =

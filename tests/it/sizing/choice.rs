@@ -1,6 +1,7 @@
 //! The choice of motors, what limits the machine, and the bill of materials.
 
 use macroline::drives::parts::{Part, Ratings};
+use macroline::drives::servo::Acceptance;
 use macroline::machines::ALL;
 use macroline::machines::form::Value;
 use macroline::machines::ladder::Bit;
@@ -260,4 +261,152 @@ fn no_smaller_motor_than_the_least_passes() {
         assert!(passing.is_empty(), "{}: {passing:?}", axis.id);
         assert!(axis.candidates.iter().any(|other| other.refusal.is_some()), "{}: all pass", axis.id);
     }
+}
+
+/// The refusal of a model for an axis of a project; empty where it passes.
+fn refusal(sizing: &Sizing, axis: &str, model: &str) -> String {
+    let found = candidates(sizing, axis).iter().find(|candidate| candidate.part.model == model);
+    reason(found.unwrap_or_else(|| panic!("no {model} for {axis}")))
+}
+
+#[test]
+fn motor_is_judged_by_the_torque_that_it_has_at_its_speed() {
+    // Both axes reach 3000 r/min over 20 ms: above its rated speed of 1000 r/min a motor gives a third of its peak torque there.
+    let asked = [("gear-x", "100"), ("gear-y", "100"), ("time-constant-x", "20"), ("time-constant-y", "20")];
+    let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
+         servo,Works,SLOW,1000,6000,2,6,0.0001,entered\n\
+         servo,Works,FAST,5000,6000,2,6,0.0001,entered\n";
+    let mut project = line().with_entries(&asked.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    project.add_parts(parts::read(table, "own.csv").0);
+    let sizing = sized(&project);
+    let shares = |model: &str| {
+        let found = candidates(&sizing, "x").iter().find(|candidate| candidate.part.model == model).unwrap();
+        found.shares.unwrap()
+    };
+    let speed = 6000.0 * shares("SLOW").speed;
+    // A ramp is a row of short turns, the last of which ends a little below the speed.
+    super::same("share of the peak torque", shares("SLOW").peak / shares("FAST").peak, speed / 1000.0, 1e-3);
+}
+
+#[test]
+fn motor_is_too_warm_by_its_torque_at_the_mean_speed() {
+    // The web asks 0.08 Nm in the mean at 290 r/min: at rated speed 300 r/min the motor gives 0.05 Nm, at standstill 1 Nm.
+    let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
+         servo,Works,DROPS,300,3000,0.05,1,6,0.0001,entered\n\
+         servo,Works,HOLDS,300,3000,1,1,6,0.0001,entered\n";
+    let mut project = line();
+    project.add_parts(parts::read(table, "own.csv").0);
+    let sizing = sized(&project);
+    assert!(refusal(&sizing, "x", "DROPS").starts_with("Too warm"), "{}", refusal(&sizing, "x", "DROPS"));
+    assert_eq!(refusal(&sizing, "x", "HOLDS"), "");
+}
+
+#[test]
+fn many_starts_ask_for_a_heavier_rotor() {
+    let limit = |per_minute: f64| Acceptance::mitsubishi(15.0).at_starts(per_minute).inertia_ratio;
+    assert_eq!([0.0, 59.0, 60.0, 100.0, 100.1].map(limit), [15.0, 15.0, 5.0, 5.0, 3.0]);
+    // The rotor of X has a quarter of its load's inertia.
+    let sizing = |mode: &str| {
+        let load = sized(&line()).axes[0].candidates.iter().find_map(|motor| motor.shares.zip(motor.part.servo()));
+        let (shares, motor) = load.unwrap();
+        let mut project = with_motor(20.0, 60.0, 3000.0, shares.inertia_ratio * motor.rotor / 4.0);
+        project.values.insert("path-mode".to_owned(), Value::Text(mode.to_owned()));
+        refusal(&sized(&project), "x", "M1")
+    };
+    assert_eq!(sizing("continuous"), "");
+    assert!(sizing("exact-stop").starts_with("Rotor too light"), "{}", sizing("exact-stop"));
+}
+
+#[test]
+fn strikes_of_the_cut_count_for_the_motors_of_a_polygon_lathe() {
+    let project = Project::named("polygon-lathe", None, None).unwrap();
+    let sizing = sized(&project);
+    let results = project.design().readouts;
+    let p = |id: &str| results.iter().find(|row| row.id == id).unwrap().value;
+    for axis in ["work", "tool"] {
+        let found = sizing.axes.iter().find(|row| row.id == axis).unwrap();
+        // The gear of the default is 1 : 1; its losses are in the torque at the motor.
+        let peak = found.work.unwrap().peak.0;
+        assert!(peak >= p(&format!("{axis}-torque")), "{axis}: {peak} of {}", p(&format!("{axis}-torque")));
+        let ordered = found.ordered().and_then(|motor| motor.part.servo()).unwrap();
+        assert!(0.8 * ordered.peak >= peak, "{axis}: {} of {peak}", ordered.peak);
+    }
+}
+
+#[test]
+fn drives_that_position_by_themselves_are_for_no_axis_of_the_control() {
+    for (control, own) in [("fanuc-0i-mf", "alpha"), ("sinumerik-802d", "1FT7")] {
+        let sizing = sized(&Project::named("ribbon-line", Some(control), None).unwrap());
+        for axis in ["x", "y"] {
+            let passing = candidates(&sizing, axis).iter().filter(|motor| motor.refusal.is_none());
+            let others: Vec<_> = passing.filter(|motor| !motor.part.series.starts_with(own)).collect();
+            assert!(
+                others.is_empty() || own == "alpha" && others.iter().all(|motor| motor.part.series == "beta iS"),
+                "{control}: {others:?}"
+            );
+        }
+        let refused = |candidate: &Candidate| reason(candidate).starts_with("Not for an axis of this control");
+        assert!(candidates(&sizing, "x").iter().any(refused), "{control}");
+    }
+}
+
+#[test]
+fn least_motor_of_a_light_axis_is_small() {
+    for control in ["gsk-980tdc", "knd-k2000t", "mitsubishi-e60"] {
+        let sizing = sized(&Project::named("ribbon-line", Some(control), None).unwrap());
+        let motor = sizing.axes[0].least().and_then(Part::servo).unwrap();
+        // 0.16 Nm at most are asked.
+        assert!(motor.rated < 1.0, "{control}: {motor:?}");
+    }
+}
+
+#[test]
+fn inverter_has_the_voltage_of_its_motor() {
+    let sizing = sized(&line());
+    for motor in candidates(&sizing, "unwinder") {
+        let voltage = |part: &Part| match &part.ratings {
+            Ratings::Induction(of) => of.voltage,
+            Ratings::Inverter(of) => of.voltage,
+            _ => None,
+        };
+        let both = voltage(&motor.part).zip(motor.amplifier.as_ref().and_then(voltage));
+        assert!(both.is_none_or(|(motor, inverter)| motor == inverter), "{}: {both:?}", motor.part.name());
+    }
+    assert!(candidates(&sizing, "unwinder").iter().any(|motor| motor.amplifier.is_some()));
+}
+
+#[test]
+fn unwinder_is_judged_by_its_ramp_too() {
+    let heavy = |inertia: f64| {
+        let mut project = line();
+        project.values.insert("unwinder-inertia".to_owned(), Value::Number(inertia));
+        project
+    };
+    // 1 kg m² to 1480 r/min in 2 s asks 78 Nm.
+    let (light, heavy) = (sized(&heavy(40.0)), heavy(10_000.0));
+    assert!(candidates(&light, "unwinder").iter().any(|motor| motor.refusal.is_none()));
+    assert!(candidates(&sized(&heavy), "unwinder").iter().all(|motor| reason(motor).starts_with("Too ")));
+    let result = |project: &Project| {
+        let rows = project.design().readouts;
+        rows.into_iter().find(|row| row.id == "unwinder-ramp-torque").unwrap()
+    };
+    let failing = result(&heavy);
+    assert_eq!(failing.verdict, Verdict::Fail);
+    let mended = heavy.with_entries(&failing.advice[0].sets).unwrap();
+    assert_eq!(result(&mended).verdict, Verdict::Ok);
+}
+
+#[test]
+fn amplifier_gives_the_currents_that_are_asked() {
+    let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,rated_current_a,max_current_a,fits,grade\n\
+         servo,Works,M1,3000,3000,2,2,6,0.0001,20,,,entered\n\
+         amplifier,Works,SMALL,,,,,,,0.1,0.2,M1,entered\n\
+         amplifier,Works,LARGE,,,,,,,20,60,M1,entered\n";
+    let mut project = line();
+    let (parts, found) = parts::read(table, "own.csv");
+    assert!(found.is_empty(), "{found:?}");
+    project.add_parts(parts);
+    let sizing = sized(&project);
+    let own = candidates(&sizing, "x").iter().find(|motor| motor.part.model == "M1").unwrap();
+    assert_eq!(own.amplifier.as_ref().map(|part| part.model.as_str()), Some("LARGE"));
 }

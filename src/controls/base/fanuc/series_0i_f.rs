@@ -36,7 +36,7 @@ pub const LIMITS: Limits = Limits { coordinate_max: 999_999.999, sub_depth: 10, 
 
 /// Drive systems: the feed axes are the maker's alone; others stand beside the control.
 pub const DRIVES: &[DriveSystem] = joined![
-    DriveSystem: &DriveSystem::own(["alpha iS", "alpha iF", "beta iS"], super::OWN_DRIVES),
+    DriveSystem: &DriveSystem::axes(["alpha iS", "alpha iF", "beta iS"], super::OWN_DRIVES),
     &AUXILIARY,
     ANALOG_SPINDLE,
 ];

@@ -31,8 +31,8 @@ use crate::text::{Citation, Grade};
 
 /// Drive systems of the maker.
 pub const DRIVES: &[DriveSystem] = joined![
-    DriveSystem: &DriveSystem::own(["1FT7"], OWN_DRIVES),
-    &DriveSystem::own(["SIMOTICS S-1FK2", "SINAMICS S210"], OTHER_DRIVES),
+    DriveSystem: &DriveSystem::axes(["1FT7"], OWN_DRIVES),
+    &DriveSystem::auxiliary(["SIMOTICS S-1FK2", "SINAMICS S210"], OTHER_DRIVES),
     ANALOG_SPINDLE,
 ];
 
