@@ -6,6 +6,14 @@ use super::{Chart, Sheet};
 use crate::text::catalog::words;
 use crate::text::number::Fixed;
 
+/// What stands before a text that has more than ASCII: without it, a spreadsheet takes the text for one of the computer's old code page.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// The text of a table as a file that spreadsheets read.
+pub fn file(text: String) -> String {
+    if text.is_ascii() { text } else { format!("{BYTE_ORDER_MARK}{text}") }
+}
+
 /// The lines of all charts over time side by side; the heads carry units. Empty where there is no line.
 pub fn charts(charts: &[Chart]) -> String {
     let over_time = charts.iter().filter(|chart| chart.over_time());
@@ -28,14 +36,14 @@ pub fn charts(charts: &[Chart]) -> String {
         }
         out.push_str("\r\n");
     }
-    out
+    file(out)
 }
 
 /// A sheet: heads, then rows.
 pub fn sheet(sheet: &Sheet) -> String {
     let heads = sheet.columns.iter().map(|id| quoted(words(id))).collect::<Vec<_>>().join(",");
     let rows = sheet.rows.iter().map(|row| row.cells.iter().map(|cell| quoted(cell)).collect::<Vec<_>>().join(","));
-    core::iter::once(heads).chain(rows).map(|line| line + "\r\n").collect()
+    file(core::iter::once(heads).chain(rows).map(|line| line + "\r\n").collect())
 }
 
 fn quoted(text: &str) -> String {

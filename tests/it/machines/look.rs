@@ -8,10 +8,11 @@ use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{ControlContext, Frame, Samples, report};
 use macroline::math;
 use macroline::motion::{Snapshot, Visit};
+use macroline::text::{Grade, Phrase};
 use macroline::view::look::{Gradient, Ramp};
 use macroline::view::{
-    self, Callout, Chart, Drawing, Look, Paint, Placement, Pose, Scene, SceneGroup, Series, Shape, Theme, csv, plot,
-    svg,
+    self, Callout, Chart, Drawing, Look, Paint, Placement, Pose, Row, Scene, SceneGroup, Series, Shape, Sheet, Theme,
+    csv, plot, svg,
 };
 
 /// The line at full speed, `t` seconds after X has its speed.
@@ -316,6 +317,20 @@ fn run_is_exported_as_csv_columns() {
         "t [s],X [mm/min],Y [mm/min]\r\n0.000000,1.000000,-1.000000\r\n0.500000,2.500000,\r\n"
     );
     assert_eq!(csv::charts(&[]), "");
+}
+
+#[test]
+fn csv_of_more_than_ascii_begins_with_a_byte_order_mark() {
+    let mut angles = chart(vec![(0.0, 1.0)]);
+    angles.unit = "°";
+    assert_eq!(csv::charts(&[angles]), "\u{feff}t [s],X [°]\r\n0.000000,1.000000\r\n");
+    for (cell, mark) in [("motor", false), ("电机", true)] {
+        let row = Row { cells: vec![cell.to_owned()], grade: Grade::Manual, source: Phrase::new(""), sets: Vec::new() };
+        let rows = vec![row];
+        let sheet =
+            Sheet { id: "bill", title: "projects.title", columns: vec!["page.share"], rows, drawing: String::new() };
+        assert_eq!(csv::sheet(&sheet).starts_with('\u{feff}'), mark, "{cell}");
+    }
 }
 
 /// Cells of a sheet, one line a row.
