@@ -274,6 +274,18 @@ fn other_languages_say_everything() {
     hold("Every language says every sentence, with the same places.", mend, broken);
 }
 
+#[test]
+fn sentences_name_the_list_of_projects_by_its_title() {
+    for language in Language::ALL {
+        let sentences = Sentences::of(language);
+        let rows = sentences.checked(&mut Vec::new());
+        let title = format!("“{}”", rows["projects.title"]);
+        for id in ["page.fresh", "page.link-opened", "page.store-here-about"] {
+            assert!(rows[id].contains(&title), "{id}: {}", rows[id]);
+        }
+    }
+}
+
 /// Words that the glossary bars, and the term in their place.
 const BARRED: [(&str, &str); 9] = [
     ("控制器", "系统 or 数控系统"),
