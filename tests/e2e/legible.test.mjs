@@ -18,10 +18,9 @@ const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 
 // Words that reach beyond what clips them: boxes, buttons, the window. The running block and the name of the project may be longer than their
 // places, the title of a chart stands on its chip too, and what scrolls sideways is read by scrolling.
-const cutOff = (page) =>
-  page.evaluate(() => {
-    const places = '.top, .product, .cards, .keys, .chart, .now, .panel, .mode';
-    const free = '.hidden, h1, .where, .project, select, .percents, figcaption > span:first-child';
+const cutOff = (page, places = '.top, .product, .cards, .keys, .chart, .now, .panel, .mode') =>
+  page.evaluate((places) => {
+    const free = '.hidden, h1, .where, .project, select, .percents, figcaption > span:first-child, .listing, .tabs, .told thead, :is(.ways, .variants) .scroll';
     const faults = [];
     const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     for (let text; (text = texts.nextNode()); ) {
@@ -51,7 +50,7 @@ const cutOff = (page) =>
       alone.remove();
     }
     return faults;
-  });
+  }, places);
 
 // Labels of the drawing that lie on one another, on a lens that is not theirs, or below what lies over the drawing; figures of the chart on its title.
 const covered = (page) =>
@@ -110,6 +109,28 @@ for (const { lengths, locale, width, height } of [...each('mm', SIZES), ...each(
         await openPanel(page);
         await legible(page, `${name} with the panel`);
         await page.click('#panel-fold');
+      }
+    }));
+}
+
+// Parts beside the drawing that are wider than they are: what is clipped widens them too.
+const scrollsSideways = (page) =>
+  page.evaluate(() => [...document.querySelectorAll('.form, .side > .body')].filter((part) => part.checkVisibility() && part.scrollWidth > part.clientWidth).map((part) => `${part.className}: ${part.scrollWidth}`));
+
+const BESIDE = { en: [[1440, 900], [1366, 768], [1280, 720], [1024, 768], [390, 844]], zh: [[1366, 768], [390, 844]] };
+for (const { locale, width, height } of each('mm', BESIDE)) {
+  test(`no word and no figure of the form and of the tabs is cut off (${locale}, ${width} × ${height})`, () =>
+    withPage(app, { viewport: { width, height }, locale }, async ({ page }) => {
+      for (const name of MACHINES.map(words(locale))) {
+        await page.getByRole('button', { name, exact: true }).click();
+        for (const tab of ['results', 'sizing', 'explore', 'variables', 'parameters', 'plc']) {
+          if (!(await page.locator(`#tab-${tab}`).isVisible())) continue;
+          await page.click(`#tab-${tab}`);
+          await page.waitForTimeout(300);
+          await page.evaluate(() => document.querySelectorAll('.form details').forEach((group) => (group.open = true)));
+          await page.waitForTimeout(300);
+          assert.deepEqual([...(await cutOff(page, '.side, .form')), ...(await scrollsSideways(page))], [], `${name}, ${tab}`);
+        }
       }
     }));
 }
