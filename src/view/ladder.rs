@@ -44,11 +44,28 @@ pub fn svg(rungs: &[DrawnRung]) -> String {
     }
     let mut y = 34.0;
     for rung in rungs {
+        fill(&mut out, "<g class=\"rung\" data-view=\"0 # # #\">", &[y - 34.0, width, tall(rung)]);
         draw(&mut out, rung, y, width - LEFT);
+        out.push_str("</g>");
         y += tall(rung);
     }
     out.push_str("</svg>");
     out
+}
+
+/// A drawing of a ladder rung by rung, so that a printed sheet may end between two of them; any other drawing is one piece.
+pub fn pieces(drawing: &str) -> Vec<String> {
+    let mut parts = drawing.split("<g class=\"rung\" data-view=\"");
+    let rails = parts.next().and_then(|head| head.split_once('>')).map_or("", |(_, rails)| rails);
+    let piece = |part: &str| {
+        let (view, rung) = part.split_once("\">")?;
+        let (rung, _) = rung.split_once("</g>")?;
+        Some(format!(
+            "<svg class=\"ladder\" viewBox=\"{view}\" xmlns=\"http://www.w3.org/2000/svg\">{rails}{rung}</svg>"
+        ))
+    };
+    let pieces: Vec<String> = parts.filter_map(piece).collect();
+    if pieces.is_empty() { vec![drawing.to_owned()] } else { pieces }
 }
 
 /// Places of the contacts of a branch from the left rail: each with the middle of its name.

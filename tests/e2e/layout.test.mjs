@@ -121,7 +121,35 @@ test('a part of the drawing leads to its field', () =>
     assert.equal(await page.evaluate(() => document.activeElement.id), field);
   }));
 
-test('the first sheet of the report is whole in print, and its words are whole on a phone', () =>
+// Width and height in CSS pixels of a sheet less the margins that `@page` of style/report.css has: of the first one, and of the others.
+const pixels = (mm) => Math.floor((mm * 96) / 25.4);
+const SHEETS = Object.entries({ A4: [210, 297], Letter: [215.9, 279.4] }).map(([format, [width, height]]) => ({
+  format,
+  first: { width: pixels(width), height: pixels(height - 8) },
+  others: { width: pixels(width - 8 - 13 - 13 - 1), height: 900 },
+}));
+
+// Words of tables that are on two lines, but for very long names and what has a hyphen; tables and drawings that are wider than the sheet.
+function faultsOfTables() {
+  const broken = [...document.querySelectorAll('td, th')].flatMap((cell) => {
+    const texts = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT);
+    const found = [];
+    for (let text; (text = texts.nextNode()); ) {
+      for (const word of text.data.matchAll(/[A-Za-z0-9.,]+/g)) {
+        const range = document.createRange();
+        range.setStart(text, word.index);
+        range.setEnd(text, word.index + word[0].length);
+        const lines = new Set([...range.getClientRects()].map((box) => Math.round(box.top)));
+        if (lines.size > 1 && word[0].length < 24 && !text.parentElement.matches('.name')) found.push(word[0]);
+      }
+    }
+    return found;
+  });
+  const wide = [...document.querySelectorAll('.flow > *')].filter((part) => part.getBoundingClientRect().right > innerWidth + 1);
+  return [...broken, ...wide.map((part) => `${part.tagName} ${part.className}`)];
+}
+
+test('the report is whole in print on A4 and Letter, and its words are whole on a phone', () =>
   withPage(app, {}, async ({ page, context }) => {
     for (const name of [PAPER, 'Polygon lathe', 'Turning spindle']) {
       await (name === PAPER ? takeExample(page, name) : page.locator('.segments button', { hasText: name }).click());
@@ -132,9 +160,14 @@ test('the first sheet of the report is whole in print, and its words are whole o
       const report = await context.newPage();
       await report.setContent(html);
       await report.emulateMedia({ media: 'print' });
-      const [needed, there] = await report.locator('.sheet').evaluate((sheet) => [sheet.scrollHeight, sheet.clientHeight]);
-      assert.ok(needed <= there, `${name}: ${needed} of ${there}`);
-      assert.ok((await report.locator('.drawing').boundingBox()).height > 150, name);
+      for (const { format, first, others } of SHEETS) {
+        await report.setViewportSize(first);
+        const [needed, there] = await report.locator('.sheet').evaluate((sheet) => [sheet.scrollHeight, sheet.clientHeight]);
+        assert.ok(needed <= there, `${name}, ${format}: ${needed} of ${there}`);
+        assert.ok((await report.locator('.drawing').boundingBox()).height > 150, `${name}, ${format}`);
+        await report.setViewportSize(others);
+        assert.deepEqual(await report.evaluate(faultsOfTables), [], `${name}, ${format}`);
+      }
       await report.emulateMedia({ media: 'screen' });
       await report.setViewportSize({ width: 390, height: 844 });
       const sheet = await report.locator('.sheet').evaluate((sheet) => [sheet.scrollWidth, sheet.clientWidth]);

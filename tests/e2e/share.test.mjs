@@ -107,8 +107,11 @@ test('the report is printed as the export has it, in three clicks', () =>
     }));
     assert.deepEqual({ mode, sheet }, { mode: 'CSS1Compat', sheet: 'rgb(255, 255, 255)' });
     if (!FIREFOX) {
-      const pdf = (await report.pdf({ preferCSSPageSize: true })).toString('latin1');
-      const sizes = new Set([...pdf.matchAll(/\/MediaBox \[([^\]]*)\]/g)].map(([, box]) => box.split(' ').map((side) => Math.round(Number(side))).join(' ')));
-      assert.deepEqual([...sizes], ['0 0 595 842']);
+      // The printer decides on the paper.
+      for (const [format, size] of [['A4', '0 0 596 843'], ['Letter', '0 0 612 792']]) {
+        const pdf = (await report.pdf({ format, preferCSSPageSize: true })).toString('latin1');
+        const sizes = new Set([...pdf.matchAll(/\/MediaBox \[([^\]]*)\]/g)].map(([, box]) => box.split(' ').map((side) => Math.round(Number(side))).join(' ')));
+        assert.deepEqual([...sizes], [size]);
+      }
     }
   }));

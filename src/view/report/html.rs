@@ -1,5 +1,5 @@
-//! The report as a page of its own, to print on A4: a first sheet with frame and title block as a drawing office has them, then everything
-//! else in flowing tables.
+//! The report as a page of its own, to print on A4 or Letter: a first sheet with frame and title block as a drawing office has them, then everything
+//! else in flowing tables, each sheet with its frame and its number.
 
 use super::cells::{
     INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
@@ -7,13 +7,14 @@ use super::cells::{
 use super::document::Report;
 use crate::msg;
 use crate::text::catalog::{sentence, spoken, words};
+use crate::text::columns;
 use crate::text::headed;
 use crate::text::number::{decimals_of_four, filled, four_digits, short};
 use crate::text::{
     Message, Severity, {clauses, listed, sentences},
 };
 use crate::view::svg::escape;
-use crate::view::{Chart, ComparedRow, Readout, Sheet, Verdict, plot};
+use crate::view::{Chart, ComparedRow, Readout, Sheet, Verdict, ladder, plot};
 
 /// The style sheet.
 const STYLE: &str = include_str!("../../../style/report.css");
@@ -83,6 +84,8 @@ impl Page<'_> {
         self.text("title", "", &report.title);
         self.raw("<style>");
         self.raw(STYLE);
+        let strip = self.strip();
+        self.raw(&strip);
         self.raw("</style></head><body>");
         self.first_sheet();
         self.raw("<main class=\"flow\">");
@@ -214,18 +217,19 @@ impl Page<'_> {
     fn block(&mut self) {
         let report = self.report;
         self.raw("<dl class=\"block\">");
-        // Three columns; the number is how many of them an entry takes.
+        // Twelve columns; the number is how many of them an entry takes. The style sheet adds the count of sheets to the number of this one.
         let entries = [
-            (3, "form.report.title", report.title.as_str()),
-            (2, "form.report.customer", &report.customer),
-            (1, "form.report.project", &report.project),
-            (1, "form.report.date", &report.date),
-            (1, "form.report.author", &report.block.author),
-            (1, "form.report.checked", ""),
-            (2, "form.report.number", &report.block.number),
-            (1, "form.report.revision", &report.block.revision),
-            (2, "form.report.checksum", &report.checksum),
-            (1, "form.report.version", env!("CARGO_PKG_VERSION")),
+            (12, "form.report.title", report.title.as_str()),
+            (8, "form.report.customer", &report.customer),
+            (4, "form.report.project", &report.project),
+            (4, "form.report.date", &report.date),
+            (4, "form.report.author", &report.block.author),
+            (4, "form.report.checked", ""),
+            (8, "form.report.number", &report.block.number),
+            (4, "form.report.revision", &report.block.revision),
+            (5, "form.report.checksum", &report.checksum),
+            (4, "form.report.version", env!("CARGO_PKG_VERSION")),
+            (3, "form.report.sheet", "1"),
         ];
         for (columns, label, value) in entries {
             self.raw(&format!("<div class=\"w{columns}\">"));
@@ -263,10 +267,28 @@ impl Page<'_> {
 
     fn row(&mut self, cells: &[String]) {
         self.raw("<tr>");
-        for cell in cells {
-            self.text("td", "", cell);
+        for text in cells {
+            cell(&mut self.out, text);
         }
         self.raw("</tr>");
+    }
+
+    /// The foot of every sheet behind the first, as a rule of the style sheet: title, then number, revision, date and the number of the sheet.
+    fn strip(&self) -> String {
+        let report = self.report;
+        let named = |id, value: &str| (!value.is_empty()).then(|| format!("{} {value}", self.say(id)));
+        let above = [
+            named("form.report.number", &report.block.number),
+            named("form.report.revision", &report.block.revision),
+            Some(report.date.clone()).filter(|date| !date.is_empty()),
+        ];
+        let above: Vec<String> = above.into_iter().flatten().collect();
+        let (title, above) = (css_text(&report.title), css_text(&above.join(" · ")));
+        let line = if above.is_empty() { "" } else { "\\a " };
+        let sheet = css_text(self.say("form.report.sheet"));
+        format!(
+            "@page {{ @bottom-left {{ content: \"{title}\"; }} @bottom-right {{ content: \"{above}{line}{sheet} \" counter(page) \" / \" counter(pages); }} }}\n"
+        )
     }
 
     /// Figures of the run, and its charts.
@@ -299,16 +321,16 @@ impl Page<'_> {
     fn sheet(&mut self, sheet: &Sheet) {
         self.title(sheet.title);
         self.raw(&format!("<table class=\"{}\">", sheet.id));
-        let mut columns = sheet.columns.clone();
+        let mut heads = sheet.columns.clone();
         // A source that all rows share stands once.
         let common = sheet.common_source();
         if common.is_none() {
-            columns.push("form.report.source");
+            heads.push("form.report.source");
         }
-        self.head(&columns, None);
+        self.head(&heads, None);
         for row in &sheet.rows {
             let mut cells = cells_of_row(row);
-            cells.truncate(columns.len());
+            cells.truncate(heads.len());
             self.row(&cells);
         }
         self.raw("</table>");
@@ -317,8 +339,9 @@ impl Page<'_> {
             self.text("p", "dim source", &source);
         }
         if !sheet.drawing.is_empty() {
-            self.raw("<figure class=\"sketch\">");
-            self.raw(&sheet.drawing);
+            let pieces = ladder::pieces(&sheet.drawing);
+            self.raw(if pieces.len() > 1 { "<figure class=\"sketch rungs\">" } else { "<figure class=\"sketch\">" });
+            pieces.iter().for_each(|piece| self.raw(piece));
             self.raw("</figure>");
         }
     }
@@ -382,6 +405,63 @@ impl Page<'_> {
             self.text("pre", "", &program.text);
         }
     }
+}
+
+/// Columns of a cell that stays on one line: a word or two.
+const WORD: usize = 12;
+/// Columns of a figure with its unit that stays on one line.
+const FIGURE: usize = 24;
+/// Letters from which on a name without spaces may break: no column has room for more.
+const NAME: usize = 24;
+
+/// A cell. Figures, single words and order numbers stay on one line, a figure stays with its unit; only a very long name without spaces breaks.
+fn cell(out: &mut String, text: &str) {
+    let is_figure = text.starts_with(|c: char| c.is_ascii_digit() || "+-−±≤≥=✕".contains(c));
+    let whole = columns(text) <= if is_figure { FIGURE } else { WORD };
+    out.push_str(if whole { "<td class=\"whole\">" } else { "<td>" });
+    for (at, word) in with_units(text).split(' ').enumerate() {
+        if at > 0 {
+            out.push(' ');
+        }
+        // Chinese breaks between any two characters.
+        let class = match word.chars().filter(char::is_ascii).count() {
+            NAME.. => "name",
+            _ if word.contains('-') && word.contains(|c: char| c.is_ascii_digit()) => "whole",
+            _ => "",
+        };
+        if class.is_empty() {
+            escape(out, word);
+        } else {
+            out.push_str(&format!("<span class=\"{class}\">"));
+            for (at, part) in word.split_inclusive('_').enumerate() {
+                out.push_str(if at > 0 && class == "name" { "<wbr/>" } else { "" });
+                escape(out, part);
+            }
+            out.push_str("</span>");
+        }
+    }
+    out.push_str("</td>");
+}
+
+/// A text in which a number is on one line with its unit: `1200 r/min`, `50 : 1`.
+fn with_units(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text.chars().peekable();
+    let (mut last, mut before_last) = (' ', ' ');
+    while let Some(c) = rest.next() {
+        let of_number = last.is_ascii_digit() && rest.peek().is_some_and(|next| !next.is_ascii_digit() && *next != '(');
+        let of_ratio = last == ':' && before_last == '\u{a0}';
+        let c = if c == ' ' && (of_number || of_ratio) { '\u{a0}' } else { c };
+        out.push(c);
+        (before_last, last) = (last, c);
+    }
+    out
+}
+
+/// A text between the quotation marks of a style sheet, which is within a page: all but letters, digits and plain marks as numbers.
+fn css_text(text: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || " .,:;/()-·".contains(c);
+    text.chars().map(|c| if plain(c) { c.to_string() } else { format!("\\{:x} ", u32::from(c)) }).collect()
 }
 
 /// The verdicts of the first sheet: the worst first, then those above the drawing, then others.

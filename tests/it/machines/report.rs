@@ -1,6 +1,7 @@
 //! The report that one hands over: whole for every machine on every control, well formed, with the figures of the run.
 
 use macroline::machines::ALL;
+use macroline::machines::form::Value;
 use macroline::motion::{Budget, Retention};
 use macroline::nc::File;
 use macroline::project::Project;
@@ -145,6 +146,68 @@ fn title_block_is_saved_printed_and_escaped() {
     let block = words(of_class(&page, "block")[0]);
     for entry in ["2026-11-22", "J. <script>alert(1)</script>", "ML-4711-08", "RevisionB"] {
         assert!(block.contains(entry), "{entry}: {block}");
+    }
+}
+
+#[test]
+fn sheets_behind_the_first_have_title_revision_date_and_number() {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    project.name = "A\"B</style>\\".to_owned();
+    project.title_block.number = "ML-4711-08".to_owned();
+    project.title_block.revision = "B".to_owned();
+    let text = html(&project);
+    let page = read(&text);
+    let style = words(page.descendants().find(|node| node.has_tag_name("style")).unwrap());
+    assert!(!style.contains("size:"), "the printer decides on the paper");
+    let strip = style.lines().last().unwrap();
+    for part in [
+        "Ribbon line, Mitsubishi E60, A\\22 B\\3c /style\\3e \\5c \";",
+        "\"Number ML-4711-08 · Revision B · 2026-11-22\\a Sheet \" counter(page) \" / \" counter(pages);",
+    ] {
+        assert!(strip.contains(part), "{part}: {strip}");
+    }
+    assert!(words(of_class(&page, "block")[0]).ends_with("Sheet1"));
+}
+
+#[test]
+fn figures_and_order_numbers_of_tables_stay_on_one_line() {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    let long = "WorksMotorWithALong_OrderNumber4711";
+    project.values.insert("motor-x".to_owned(), Value::Text(long.to_owned()));
+    let text = html(&project);
+    let page = read(&text);
+    let inputs = of_class(&page, "inputs")[0];
+    let cell = |told: &str| inputs.descendants().find(|node| node.has_tag_name("td") && words(*node) == told).unwrap();
+    for whole in ["20000\u{a0}mm/min", "50\u{a0}:\u{a0}1", "assumed"] {
+        assert_eq!(cell(whole).attribute("class"), Some("whole"), "{whole}");
+    }
+    let name = cell(long);
+    assert!(name.attribute("class").is_none() && name.children().all(|node| node.attribute("class") == Some("name")));
+}
+
+#[test]
+fn printed_ladder_ends_a_sheet_between_two_rungs() {
+    for machine in ALL {
+        let project = Project::named(machine.id(), None, None).unwrap();
+        let sheets = project.prepared().sheets();
+        let ladder = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
+        let rungs = ladder.drawing.matches("<g class=\"rung\"").count();
+        let text = html(&project);
+        let page = read(&text);
+        let figure = of_class(&page, "sketch rungs")[0];
+        let drawings: Vec<Node> = figure.children().filter(|node| node.attribute("class") == Some("ladder")).collect();
+        assert!(rungs > 5 && drawings.len() == rungs, "{}: {}", machine.id(), drawings.len());
+        // One below the other they are the whole.
+        let view = |node: &Node| -> Vec<f64> {
+            node.attribute("viewBox").unwrap().split(' ').map(|number| number.parse().unwrap()).collect()
+        };
+        let mut end = 0.0;
+        for drawing in &drawings {
+            let view = view(drawing);
+            assert_eq!(view[1], end, "{}", machine.id());
+            end = view[1] + view[3];
+        }
+        assert!(ladder.drawing.contains(&format!(" {}\" xmlns", end + 8.0)), "{}: {end}", machine.id());
     }
 }
 
