@@ -230,6 +230,9 @@ export interface SizeOptions extends LanguageOption {
   seed?: number;
 }
 
+/** Whether a part is still made. */
+export type PartStatus = 'current' | 'phased out' | 'spare part' | 'unknown';
+
 /** A motor for an axis. Loads are in percent. */
 export interface Candidate {
   maker: string;
@@ -240,6 +243,7 @@ export interface Candidate {
   peak_load: number | null;
   regenerative_load: number | null;
   inertia_ratio: number | null;
+  status: PartStatus;
   grade: string;
   amplifier: string | null;
   /** Values of the form that take it. */
@@ -270,9 +274,10 @@ export interface Size {
   cycle: {
     time_s: number;
     parts_per_hour: number;
-    energy_given_j: number;
-    energy_returned_j: number;
-    energy_returned_on_one_bus_j: number;
+    /** Null without a servo motor. */
+    energy_given_j: number | null;
+    energy_returned_j: number | null;
+    energy_returned_on_one_bus_j: number | null;
   } | null;
   envelope: {
     event: string;
@@ -289,7 +294,20 @@ export interface Size {
   inverse: { line_speed: number; unit: string; result: string; binding: string; field: string; entry: string } | null;
   sensitivities: { input: string; result: string; factor: number; flips: { from: Verdict; to: Verdict } }[];
   tornado: { result: string; limit_use: number; bars: { input: string; low: number; high: number }[] }[];
-  bom: { item: string; axis: string | null; part: string; quantity: number; grade: string }[];
+  bom: {
+    item: string;
+    axis: string | null;
+    /** Maker and model, or what is known of a part that is to be chosen. */
+    part: string;
+    maker: string;
+    model: string;
+    /** In place of a part that is to be chosen. */
+    proposal: boolean;
+    quantity: number;
+    status: PartStatus;
+    grade: string;
+    source: string;
+  }[];
   terminals: { terminal: string; signal: string; from: string; to: string }[];
   /** Null without `draws`. */
   chance: { draws: number; seed: number; facts: number; probability: number; fails: { result: string; draws: number }[] } | null;

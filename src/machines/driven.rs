@@ -66,6 +66,19 @@ pub struct MotorFields {
     pub inertia_limit: &'static str,
 }
 
+/// A motor of a machine as its form describes it: by figures, whether or not the form names it too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FormMotor {
+    /// Id of its drive, that of [`DrivenAxis`] or [`InverterDrive`].
+    pub drive: &'static str,
+    /// Catalog id of the name of its drive.
+    pub name: &'static str,
+    /// Whether an inverter drives it; else a servo amplifier.
+    pub behind_inverter: bool,
+    /// Its figures: catalog id of the name, field of the form.
+    pub figures: &'static [(&'static str, &'static str)],
+}
+
 impl DrivenAxis {
     /// The motion of the motor's shaft in a part of a run.
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {

@@ -7,7 +7,7 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
-use super::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize};
+use super::driven::{DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize};
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
@@ -247,6 +247,8 @@ pub trait Machine: Prepared + Sized + 'static {
     const GROWTH: &'static [&'static str] = &[];
     /// Id of the result that tells its speed; empty where none does.
     const SPEED_RESULT: &'static str = "";
+    /// The motors that its form describes, in the order of a bill.
+    const MOTORS: &'static [FormMotor] = &[];
     /// Whether it has an [explorer](Prepared::explorer).
     const EXPLORES: bool = false;
     /// Named examples; a new project is the first, and the defaults of the form where there is none.
@@ -279,6 +281,8 @@ pub trait AnyMachine: Sync {
     fn growth(&self) -> &'static [&'static str];
     /// Id of the result that tells its speed.
     fn speed_result(&self) -> &'static str;
+    /// The motors that its form describes, in the order of a bill.
+    fn motors(&self) -> &'static [FormMotor];
     /// Whether it has an explorer.
     fn explores(&self) -> bool;
     /// Named examples; a new project is the first, and the defaults of the form where there is none.
@@ -455,6 +459,10 @@ impl<M: Machine> AnyMachine for Erased<M> {
 
     fn speed_result(&self) -> &'static str {
         M::SPEED_RESULT
+    }
+
+    fn motors(&self) -> &'static [FormMotor] {
+        M::MOTORS
     }
 
     fn explores(&self) -> bool {

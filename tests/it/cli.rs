@@ -630,12 +630,12 @@ fn size_json_has_motors_envelope_limits_and_bill() {
     for (list, keys) in [
         (
             sizing["axes"][0]["candidates"].as_array().unwrap().clone(),
-            "maker model passes reason effective_load peak_load regenerative_load inertia_ratio grade",
+            "maker model passes reason effective_load peak_load regenerative_load inertia_ratio status grade",
         ),
         (rows("envelope"), "event id value unit limit verdict"),
         (rows("limits"), "quantity limit margin"),
         (rows("sensitivities"), "input result flips"),
-        (rows("bom"), "item part quantity grade"),
+        (rows("bom"), "item part maker model quantity status grade source"),
     ] {
         assert!(!list.is_empty(), "{keys}");
         for row in list {

@@ -67,7 +67,7 @@ mod explore;
 pub(crate) use resolved::PolygonLathe;
 
 use crate::machines::chart_rows;
-use crate::machines::driven::{DrivenAxis, Gauge, read};
+use crate::machines::driven::{DrivenAxis, FormMotor, Gauge, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -81,6 +81,7 @@ use params::{FIELDS, Params};
 impl Machine for PolygonLathe {
     type Params = Params;
     const ID: &'static str = "polygon-lathe";
+    const MOTORS: &'static [FormMotor] = parts_list::MOTORS;
     const NAME: &'static str = "polygon.name";
     const CONTROLS: &'static [&'static str] = &["knd-k2000t"];
     const LISTING: &'static str = include_str!("listing.nc");

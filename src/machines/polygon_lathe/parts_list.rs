@@ -2,7 +2,24 @@
 
 use super::resolved::PolygonLathe;
 use super::scene::{View, group};
+use crate::machines::driven::FormMotor;
 use crate::view::DrawnPart;
+
+/// The motors that the form describes.
+pub(super) const MOTORS: &[FormMotor] = &[
+    FormMotor {
+        drive: "work",
+        name: "polygon.drive.work",
+        behind_inverter: false,
+        figures: &[("size.figure.rated-power", "work-power"), ("size.figure.rated-speed", "work-base")],
+    },
+    FormMotor {
+        drive: "tool",
+        name: "polygon.drive.tool",
+        behind_inverter: false,
+        figures: &[("size.figure.rated-power", "tool-power"), ("size.figure.rated-speed", "tool-base")],
+    },
+];
 
 /// All parts with their places in the drawing.
 pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {

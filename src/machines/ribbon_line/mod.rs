@@ -66,7 +66,7 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
-use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, read};
+use crate::machines::driven::{DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -85,6 +85,7 @@ use rules::RULES;
 impl Machine for RibbonLine {
     type Params = Params;
     const ID: &'static str = "ribbon-line";
+    const MOTORS: &'static [FormMotor] = parts_list::MOTORS;
     const NAME: &'static str = "ribbon.name";
     const CONTROLS: &'static [&'static str] = &[
         "mitsubishi-e60",

@@ -2,7 +2,40 @@
 
 use super::resolved::RibbonLine;
 use super::scene::layout::Station;
+use crate::machines::driven::FormMotor;
 use crate::view::DrawnPart;
+
+/// The motors that the form describes.
+pub(super) const MOTORS: &[FormMotor] = &[
+    FormMotor {
+        drive: "x",
+        name: "ribbon.drive.pull",
+        behind_inverter: false,
+        figures: &[
+            ("size.figure.stall-torque", "motor-stall-x"),
+            ("size.figure.peak-torque", "motor-peak-x"),
+            ("size.figure.rotor", "motor-rotor-x"),
+            ("size.figure.rated-speed", "motor-rated-x"),
+        ],
+    },
+    FormMotor {
+        drive: "y",
+        name: "ribbon.drive.print",
+        behind_inverter: false,
+        figures: &[
+            ("size.figure.stall-torque", "motor-stall-y"),
+            ("size.figure.peak-torque", "motor-peak-y"),
+            ("size.figure.rotor", "motor-rotor-y"),
+            ("size.figure.rated-speed", "motor-rated-y"),
+        ],
+    },
+    FormMotor {
+        drive: "unwinder",
+        name: "ribbon.drive.unwinder",
+        behind_inverter: true,
+        figures: &[("size.figure.rated-torque", "unwinder-torque-rated")],
+    },
+];
 
 /// All parts with their places in the drawing.
 pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {

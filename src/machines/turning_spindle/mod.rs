@@ -44,7 +44,7 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
-use crate::machines::driven::{Gauge, InverterDrive, read};
+use crate::machines::driven::{FormMotor, Gauge, InverterDrive, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -61,6 +61,7 @@ use rules::RULES;
 impl Machine for TurningSpindle {
     type Params = Params;
     const ID: &'static str = "turning-spindle";
+    const MOTORS: &'static [FormMotor] = parts_list::MOTORS;
     const NAME: &'static str = "turning.name";
     const CONTROLS: &'static [&'static str] =
         &["gsk-980tdc", "sinumerik-802d", "sinumerik-808d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"];

@@ -2,7 +2,21 @@
 
 use super::resolved::TurningSpindle;
 use super::scene::{View, group};
+use crate::machines::driven::FormMotor;
 use crate::view::DrawnPart;
+
+/// The motor that the form describes.
+pub(super) const MOTORS: &[FormMotor] = &[FormMotor {
+    drive: "spindle",
+    name: "turning.drive.spindle",
+    behind_inverter: true,
+    figures: &[
+        ("size.figure.rated-power", "motor-power"),
+        ("size.figure.rated-speed", "motor-base"),
+        ("size.figure.top-speed", "motor-top"),
+        ("size.figure.rotor", "rotor-inertia"),
+    ],
+}];
 
 /// All parts with their places in the drawing.
 pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {

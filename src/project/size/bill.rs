@@ -1,9 +1,17 @@
-//! The bill of materials of the drives: for each axis the motor that the form names or the smallest that passes, best with a known amplifier, and the control.
+//! The bill of materials of the drives: the control, and for each drive its motor and amplifier. A motor that the form names is ordered; one that the
+//! form has by figures alone is a row of these figures, with the smallest motor of the catalogue that passes as a proposal.
 
-use super::choice::{SizedAxis, name, named};
-use crate::drives::parts::{Part, PartGrade};
+use super::choice::{Candidate, SizedAxis, name, named};
+use crate::drives::parts::{Part, PartGrade, Status};
+use crate::machines::PreparedMachine;
+use crate::machines::driven::FormMotor;
+use crate::machines::report::inputs;
+use crate::machines::sheets::say;
+use crate::msg;
 use crate::project::Project;
-use crate::text::catalog::number_text;
+use crate::text::catalog::{number_text, sentence};
+use crate::text::listed;
+use crate::view::report::Input;
 
 /// A row of the bill.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,48 +20,108 @@ pub struct BillRow {
     pub item: &'static str,
     /// Catalog id of the axis that it is for; none of the control.
     pub axis: Option<&'static str>,
-    /// Maker and model.
-    pub part: String,
+    /// Maker; empty where the row is no part of the catalogue.
+    pub maker: String,
+    /// Order number or type; what is known of the part where it has none.
+    pub model: String,
+    /// Whether it is a proposal in place of a part that is to be chosen.
+    pub proposed: bool,
     /// How many.
     pub quantity: u32,
-    /// How well it is known; none of the control, which the project names.
+    /// Whether it is still made; none where that is not known.
+    pub status: Option<Status>,
+    /// How well it is known.
     pub grade: PartGrade,
+    /// Where its data come from: a key of the catalogue's sources, or words.
+    pub source: String,
 }
 
-/// The rows. An axis without a motor that passes has none; the list of its motors says why.
-pub(super) fn bill(project: &Project, axes: &[SizedAxis]) -> Vec<BillRow> {
-    let control = BillRow {
-        item: "size.item.control",
-        axis: None,
-        part: project.control.name.to_owned(),
-        quantity: 1,
-        grade: PartGrade::Entered,
+impl BillRow {
+    /// Maker and model, or what is known of the part; a proposal says so.
+    pub fn part(&self) -> String {
+        let part = format!("{} {}", self.maker, self.model).trim_start().to_owned();
+        if self.proposed { sentence(&msg!("size.bill.proposal", part)) } else { part }
+    }
+}
+
+/// The rows: the control, then the drives that are sized and those of which only the form's figures are known.
+pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<BillRow> {
+    let control = described("size.item.control", None, project.control.name.to_owned(), PartGrade::Entered);
+    let inputs = inputs(project.machine, prepared, &project.values, &project.provenance);
+    let motors = project.machine.motors();
+    let entered = |motor: &FormMotor| entered(motor, &inputs);
+    let sized = axes.iter().flat_map(|axis| {
+        let entered = motors.iter().find(|motor| motor.drive == axis.id).and_then(entered);
+        of_axis(project, axis, entered).into_iter().chain(brake(axis))
+    });
+    let others = motors.iter().filter(|motor| axes.iter().all(|axis| axis.id != motor.drive)).flat_map(|motor| {
+        let amplifier = amplifier_item(!motor.behind_inverter);
+        let open = described(amplifier, Some(motor.name), say("size.bill.with-motor"), PartGrade::Open);
+        entered(motor).into_iter().flat_map(move |motor| [motor, open.clone()])
+    });
+    core::iter::once(control).chain(sized).chain(others).collect()
+}
+
+/// A row that is no part of the catalogue: words of form and project.
+fn described(item: &'static str, axis: Option<&'static str>, model: String, grade: PartGrade) -> BillRow {
+    let source = say(if grade == PartGrade::Open { "size.bill.no-source" } else { "size.bill.of-project" });
+    BillRow { item, axis, maker: String::new(), model, proposed: false, quantity: 1, status: None, grade, source }
+}
+
+/// The motor that the form has by its figures; none where it shows none of them.
+fn entered(motor: &FormMotor, inputs: &[Input]) -> Option<BillRow> {
+    let figure = |(label, field): &(&'static str, &'static str)| {
+        let input = inputs.iter().find(|input| input.id == *field)?;
+        Some(format!("{} {} {}", say(label), input.value, input.unit))
     };
-    let drives = axes.iter().flat_map(|axis| of_axis(project, axis).into_iter().chain(brake(axis)));
-    core::iter::once(control).chain(drives).collect()
+    let figures: Vec<String> = motor.figures.iter().filter_map(figure).collect();
+    let told = sentence(&msg!("size.bill.entered", figures = listed(&figures)));
+    (!figures.is_empty()).then(|| described("size.item.motor", Some(motor.name), told, PartGrade::Entered))
 }
 
 /// The brake at the motor of an axis.
 fn brake(axis: &SizedAxis) -> Option<BillRow> {
-    let part = format!("{} Nm", number_text(axis.brake, 2));
-    let row = BillRow { item: "size.item.brake", axis: Some(axis.name), part, quantity: 1, grade: PartGrade::Entered };
+    let torque = format!("{} Nm", number_text(axis.brake, 2));
+    let row = described("size.item.brake", Some(axis.name), torque, PartGrade::Entered);
     (axis.brake > 0.0).then_some(row)
 }
 
-fn of_axis(project: &Project, axis: &SizedAxis) -> Vec<BillRow> {
-    let row = |item, part: String, grade| BillRow { item, axis: Some(axis.name), part, quantity: 1, grade };
-    let of = |item, part: &Part| row(item, part.name(), part.evidence.grade);
-    let is_servo = axis.work.is_some();
-    let amplifier = if is_servo { "size.item.amplifier" } else { "size.item.inverter" };
+/// Catalog id of what drives a motor.
+fn amplifier_item(is_servo: bool) -> &'static str {
+    if is_servo { "size.item.amplifier" } else { "size.item.inverter" }
+}
+
+fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec<BillRow> {
+    let item = amplifier_item(axis.work.is_some());
+    let open = |words| described(item, Some(axis.name), say(words), PartGrade::Open);
+    let of = |item, part: &Part, proposed| BillRow {
+        item,
+        axis: Some(axis.name),
+        maker: part.maker.clone(),
+        model: part.model.clone(),
+        proposed,
+        quantity: 1,
+        status: part.status,
+        grade: part.evidence.grade,
+        source: part.evidence.source.clone(),
+    };
+    let pair = |chosen: &Candidate, proposed| {
+        let amplifier = chosen.amplifier.as_ref().map(|part| of(item, part, proposed));
+        let amplifier = amplifier.unwrap_or_else(|| open("size.bill.no-amplifier"));
+        [of("size.item.motor", &chosen.part, proposed), amplifier]
+    };
     let typed = axis.field.and_then(|field| named(project, field));
     let known = axis.candidates.iter().find(|candidate| Some(name(&candidate.part)) == typed);
     match (known, typed) {
+        (Some(chosen), _) => pair(chosen, false).into(),
         // The motor of the form is not in the catalogue.
-        (None, Some(typed)) => vec![row("size.item.motor", typed, PartGrade::Entered)],
-        (chosen, _) => {
-            let Some(chosen) = chosen.or_else(|| axis.ordered()) else { return Vec::new() };
-            let motor = of("size.item.motor", &chosen.part);
-            [motor].into_iter().chain(chosen.amplifier.as_ref().map(|part| of(amplifier, part))).collect()
+        (None, Some(typed)) => {
+            let motor = described("size.item.motor", Some(axis.name), typed, PartGrade::Entered);
+            vec![motor, open("size.bill.no-amplifier")]
+        }
+        (None, None) => {
+            let proposal = axis.ordered().map(|chosen| pair(chosen, true).to_vec());
+            entered.into_iter().chain(proposal.unwrap_or_else(|| vec![open("size.bill.with-motor")])).collect()
         }
     }
 }

@@ -39,7 +39,14 @@ use crate::machines::PreparedMachine;
 pub struct Cycle {
     /// Seconds from cycle start to the end of the program.
     pub seconds: f64,
-    /// Energy that the servo motors give at their shafts, J.
+    /// Energy of its servo motors; none where it has none.
+    pub energy: Option<PartEnergy>,
+}
+
+/// Energy of all servo motors over a part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartEnergy {
+    /// Energy that they give at their shafts, J.
     pub given: f64,
     /// Energy that comes back to them, J.
     pub returned: f64,
@@ -97,7 +104,7 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
 pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
     let axes = choice::axes(project, &prepared, runs);
-    let bill = bill::bill(project, &axes);
+    let bill = bill::bill(project, &prepared, &axes);
     let terminals = terminals::terminals(&prepared, &axes);
     let (limits, fastest) = growth::growth(project);
     let sensitivity = Sensitivity::new(project);
@@ -127,5 +134,6 @@ fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
     let (given, returned) =
         works.fold((0.0, 0.0), |(given, returned), work| (given + work.given, returned + work.returned));
     let together: Vec<(&Motion, f64)> = motors.iter().map(|(motion, rotor)| (motion, *rotor)).collect();
-    Some(Cycle { seconds, given, returned, returned_on_one_bus: on_one_bus(&together).1 })
+    let energy = PartEnergy { given, returned, returned_on_one_bus: on_one_bus(&together).1 };
+    Some(Cycle { seconds, energy: (!together.is_empty()).then_some(energy) })
 }

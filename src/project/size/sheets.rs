@@ -4,7 +4,7 @@ use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, OperatingEvent};
 use super::{BillRow, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
-use crate::drives::parts::PartGrade;
+use crate::drives::parts::{PartGrade, Status};
 use crate::machines::sheets::{row, say};
 use crate::math::{self, RPM};
 use crate::msg;
@@ -46,12 +46,30 @@ impl Sizing {
                 Some(axis) => headed(say(axis), say(of.item)),
                 None => say(of.item),
             };
-            row([item, of.part.clone(), of.quantity.to_string()], Citation { grade: known(of.grade), ..CATALOGUE })
+            let item = if of.proposed { sentence(&msg!("size.bill.proposed", item)) } else { item };
+            let cells = [
+                item,
+                of.maker.clone(),
+                of.model.clone(),
+                of.quantity.to_string(),
+                if of.maker.is_empty() { String::new() } else { ordered_status(of.status) },
+                part_grade(of.grade),
+                of.source.clone(),
+            ];
+            row(cells, CATALOGUE)
         };
         Sheet {
             id: "bill",
             title: "sheet.bill",
-            columns: vec!["sheet.item", "sheet.part", "sheet.quantity"],
+            columns: vec![
+                "sheet.item",
+                "sheet.maker",
+                "sheet.order-number",
+                "sheet.quantity",
+                "sheet.status",
+                "page.grade",
+                "form.report.source",
+            ],
             rows: self.bill.iter().map(cells).collect(),
             drawing: String::new(),
         }
@@ -72,13 +90,17 @@ impl Sizing {
 
     /// Time and energy of a part.
     fn cycle_sheet(&self) -> Sheet {
-        let cells = self.cycle.as_ref().map(|cycle| {
+        let times = self.cycle.map(|cycle| {
             [
                 ("size.cycle-time", units::text(cycle.seconds, 2, "s")),
                 ("size.parts-per-hour", units::text(3600.0 / cycle.seconds, 1, "1/h")),
-                ("size.given", units::text(cycle.given, 1, "J")),
-                ("size.returned", units::text(cycle.returned, 1, "J")),
-                ("size.returned-on-one-bus", units::text(cycle.returned_on_one_bus, 1, "J")),
+            ]
+        });
+        let energies = self.cycle.and_then(|cycle| cycle.energy).map(|energy| {
+            [
+                ("size.given", units::text(energy.given, 1, "J")),
+                ("size.returned", units::text(energy.returned, 1, "J")),
+                ("size.returned-on-one-bus", units::text(energy.returned_on_one_bus, 1, "J")),
             ]
         });
         let axes = self.cycle.iter().flat_map(|cycle| self.axes.iter().map(move |axis| (axis, cycle.seconds)));
@@ -95,7 +117,8 @@ impl Sizing {
             };
             row([headed(say(axis.name), say("size.duty")), sentence(&duty)], DUTY)
         });
-        let cells = cells.into_iter().flatten().map(|(label, value)| row([say(label), value], RUNS));
+        let cells = times.into_iter().flatten().chain(energies.into_iter().flatten());
+        let cells = cells.map(|(label, value)| row([say(label), value], RUNS));
         Sheet {
             id: "cycle",
             title: "sheet.cycle",
@@ -245,6 +268,36 @@ fn known(of: PartGrade) -> Grade {
     }
 }
 
+/// Whether a part is still made, in a word or two.
+fn status(of: Option<Status>) -> String {
+    say(match of {
+        Some(Status::Current) => "size.status.current",
+        Some(Status::PhasedOut) => "size.status.phased-out",
+        Some(Status::SparePart) => "size.status.spare-part",
+        None => "size.status.unknown",
+    })
+}
+
+/// The same of a part that is ordered: with what speaks against the order.
+fn ordered_status(of: Option<Status>) -> String {
+    match of {
+        Some(Status::PhasedOut) => say("size.status.phased-out-ordered"),
+        Some(Status::SparePart) => say("size.status.spare-part-ordered"),
+        Some(Status::Current) | None => status(of),
+    }
+}
+
+/// How well a part is known, in words.
+fn part_grade(of: PartGrade) -> String {
+    say(match of {
+        PartGrade::Manual => "size.grade.manual",
+        PartGrade::DataSheet => "size.grade.data-sheet",
+        PartGrade::Secondary => "size.grade.secondary",
+        PartGrade::Entered => "size.grade.entered",
+        PartGrade::Open => "size.grade.open",
+    })
+}
+
 /// The chart of a result that assumed facts move, in percent of its limit.
 fn tornado_chart(tornado: &Tornado) -> String {
     let names: Vec<String> = tornado.swings.iter().map(|swing| say(swing.label)).collect();
@@ -301,6 +354,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
             share(of.shares.map(|shares| shares.effective)),
             share(of.shares.map(|shares| shares.peak)),
             inertia.map_or(String::new(), |shares| format!("{:.1} : 1", shares.inertia_ratio)),
+            status(part.status),
             answer(of),
         ];
         // The limits of a series are those of servo motors.
@@ -312,7 +366,14 @@ fn motors(axis: &SizedAxis) -> Sheet {
         id: "motors",
         // Behind the sheet with its name.
         title: if axis.chart.is_some() { "sheet.motors" } else { axis.name },
-        columns: vec!["sheet.motor", "sheet.effective-load", "sheet.peak-load", "sheet.inertia-ratio", "sheet.answer"],
+        columns: vec![
+            "sheet.motor",
+            "sheet.effective-load",
+            "sheet.peak-load",
+            "sheet.inertia-ratio",
+            "sheet.status",
+            "sheet.answer",
+        ],
         rows: axis.candidates.iter().map(cells).collect(),
         drawing: String::new(),
     }

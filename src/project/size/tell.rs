@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 use super::choice::Candidate;
 use super::envelope::EnvelopeRow;
 use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
-use crate::drives::parts::{Part, PartGrade};
+use crate::drives::parts::{Part, PartGrade, Status};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
 use crate::text::catalog::{sentence, words};
@@ -20,6 +20,11 @@ pub(super) fn grade(grade: PartGrade) -> &'static str {
     PartGrade::WORDS.iter().find(|row| row.1 == grade).map_or("", |row| row.0)
 }
 
+/// A status of a part as a table of parts has it.
+fn status(status: Option<Status>) -> &'static str {
+    Status::WORDS.iter().find(|row| Some(row.1) == status).map_or("unknown", |row| row.0)
+}
+
 /// A share in percent.
 fn percent(share: f64) -> f64 {
     100.0 * share
@@ -31,8 +36,9 @@ impl Sizing {
         json!({
             "axes": self.axes.iter().map(axis).collect::<Vec<_>>(),
             "cycle": self.cycle.map(|cycle| json!({
-                "time_s": cycle.seconds, "parts_per_hour": 3600.0 / cycle.seconds, "energy_given_j": cycle.given, "energy_returned_j": cycle.returned,
-                "energy_returned_on_one_bus_j": cycle.returned_on_one_bus,
+                "time_s": cycle.seconds, "parts_per_hour": 3600.0 / cycle.seconds, "energy_given_j": cycle.energy.map(|energy| energy.given),
+                "energy_returned_j": cycle.energy.map(|energy| energy.returned),
+                "energy_returned_on_one_bus_j": cycle.energy.map(|energy| energy.returned_on_one_bus),
             })),
             "envelope": self.envelope.iter().map(event).collect::<Vec<_>>(),
             "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
@@ -76,6 +82,7 @@ fn candidate(candidate: &Candidate) -> Json {
         "peak_load": shares.map(|shares| percent(shares.peak)),
         "regenerative_load": candidate.regenerative.map(percent),
         "inertia_ratio": shares.map(|shares| shares.inertia_ratio),
+        "status": status(part.status),
         "grade": grade(part.evidence.grade),
         "amplifier": candidate.amplifier.as_ref().map(Part::name),
         "entries": entries.collect::<serde_json::Map<String, Json>>(),
@@ -122,7 +129,8 @@ fn terminal(row: &TerminalRow) -> Json {
 
 fn bill(row: &BillRow) -> Json {
     json!({
-        "item": say(row.item), "axis": row.axis.map(say), "part": row.part, "quantity": row.quantity, "grade": grade(row.grade),
+        "item": say(row.item), "axis": row.axis.map(say), "part": row.part(), "maker": row.maker, "model": row.model, "proposal": row.proposed,
+        "quantity": row.quantity, "status": status(row.status), "grade": grade(row.grade), "source": row.source,
     })
 }
 

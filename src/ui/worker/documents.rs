@@ -153,9 +153,10 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     let prose =
         matches!(sheet.columns.last(), Some(&("sheet.meaning" | "sheet.use" | "sheet.answer"))) && shown.len() > 3;
     // Sentences in several columns stand below one another there, each with its head: see `.told`.
-    let told = shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
+    let is_bill = sheet.id == "bill";
+    let told = is_bill || shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
     // A source that all rows share stands once.
-    let common = sheet.common_source().filter(|_| !told && !prose);
+    let common = sheet.common_source().filter(|_| is_bill || !told && !prose);
     out.push_str("<table class=\"sheet");
     if told {
         out.push_str(" told");
@@ -193,9 +194,9 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
                         escape(out, cell);
                         out.push_str("</td>");
                     }
-                    Some(&("sheet.meaning" | "sheet.use" | "sheet.answer" | "sheet.motor" | "sheet.part")) => {
-                        tagged(out, "td", cell)
-                    }
+                    Some(&("sheet.meaning" | "sheet.use" | "sheet.answer" | "sheet.motor")) => tagged(out, "td", cell),
+                    // No head over nothing.
+                    _ if told && cell.is_empty() => out.push_str("<td></td>"),
                     Some(head) if told => {
                         out.push_str("<td>");
                         tagged(out, "small", t(head));

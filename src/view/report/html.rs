@@ -3,6 +3,7 @@
 
 use super::cells::{
     INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
+    has_sources,
 };
 use super::document::Report;
 use crate::msg;
@@ -324,7 +325,7 @@ impl Page<'_> {
         let mut heads = sheet.columns.clone();
         // A source that all rows share stands once.
         let common = sheet.common_source();
-        if common.is_none() {
+        if common.is_none() && !has_sources(sheet) {
             heads.push("form.report.source");
         }
         self.head(&heads, None);

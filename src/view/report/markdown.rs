@@ -3,7 +3,8 @@
 use core::fmt::Write;
 
 use super::cells::{
-    INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row, verdict,
+    INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
+    has_sources, verdict,
 };
 use super::document::Report;
 use crate::text::catalog::{sentence, words};
@@ -98,10 +99,14 @@ fn inputs(out: &mut String, report: &Report) {
 
 fn sheet(out: &mut String, sheet: &Sheet) {
     let mut columns = sheet.columns.clone();
-    columns.push("form.report.source");
+    if !has_sources(sheet) {
+        columns.push("form.report.source");
+    }
     head(out, &columns);
     for row in &sheet.rows {
-        line(out, &cells_of_row(row));
+        let mut cells = cells_of_row(row);
+        cells.truncate(columns.len());
+        line(out, &cells);
     }
 }
 

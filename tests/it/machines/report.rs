@@ -60,7 +60,16 @@ fn offer_has_motors_envelope_and_bill() {
         let told = format!("In operation {exceeded} value{}", if exceeded == 1 { " exceeds" } else { "s exceed" });
         assert_eq!(said.contains(&told), exceeded > 0, "{}: {said}", machine.id());
         let bill = named(&files, "bill.csv");
-        assert!(sizing.bill.iter().all(|row| bill.contains(&row.part)), "{bill}");
+        for row in &sizing.bill {
+            assert!([&row.maker, &row.source].into_iter().all(|told| bill.contains(told.as_str())), "{row:?}: {bill}");
+            assert!(bill.contains(&row.model), "{row:?}: {bill}");
+        }
+        assert_eq!(
+            bill.trim_start_matches('\u{feff}').lines().next(),
+            Some("Item,Maker,Order number,Qty,Status,Evidence,Source")
+        );
+        let heads = "| Item | Maker | Order number | Qty | Status | Evidence | Source |\n";
+        assert!(named(&files, "report.md").contains(heads));
     }
     assert!(counts.last().is_some_and(|of_the_paper| *of_the_paper > 0), "{counts:?}");
 }
@@ -158,7 +167,7 @@ fn sheets_behind_the_first_have_title_revision_date_and_number() {
     let text = html(&project);
     let page = read(&text);
     let style = words(page.descendants().find(|node| node.has_tag_name("style")).unwrap());
-    assert!(!style.contains("size:"), "the printer decides on the paper");
+    assert!(!style.contains(" size:"), "the printer decides on the paper");
     let strip = style.lines().last().unwrap();
     for part in [
         "Ribbon line, Mitsubishi E60, A\\22 B\\3c /style\\3e \\5c \";",

@@ -113,6 +113,15 @@ fn energy_of_a_run_goes_into_friction_alone() {
 }
 
 #[test]
+fn machine_without_servo_motors_has_no_energy_of_them() {
+    let project = Project::named("turning-spindle", None, None).unwrap();
+    let sizing = size(&project, &project.written());
+    assert_eq!(sizing.cycle.expect("the program comes to its end").energy, None);
+    assert!(!sizing.text().contains("servo motors give"));
+    assert!(sizing.json()["cycle"]["energy_given_j"].is_null());
+}
+
+#[test]
 fn energy_of_a_part_is_that_of_its_motors() {
     let project = Project::named("ribbon-line", None, None).unwrap();
     let cycle = size(&project, &project.written()).cycle.expect("the program comes to its end");
@@ -120,7 +129,7 @@ fn energy_of_a_part_is_that_of_its_motors() {
     let works = project.prepared().driven_axes().into_iter().map(|axis| {
         axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end())).work(axis.fitted.motor.rotor)
     });
-    super::same("energy of a part", cycle.given, works.map(|work| work.given).sum(), 1e-9);
+    super::same("energy of a part", cycle.energy.unwrap().given, works.map(|work| work.given).sum(), 1e-9);
     super::same("cycle time", cycle.seconds, run.ended_at().unwrap(), 1e-9);
     // A program that does not end makes no part.
     let mut endless = project.clone();
