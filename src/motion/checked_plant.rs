@@ -16,8 +16,8 @@ const HOME: f64 = 1e6;
 /// Every block takes some time, so that time passes in a loop that waits.
 const LEAST_BLOCK_TIME: f64 = 1e-4;
 
-/// Longest time in s that a spindle coasts: one that nothing slows does not end a run.
-const LONGEST_COAST: f64 = 3600.0;
+/// Seconds in which a spindle that nothing slows coasts to rest: 30 years, longer than any run.
+const ENDLESS_COAST: f64 = 1e9;
 
 /// Constants of a run.
 #[derive(Debug, Clone)]
@@ -47,6 +47,11 @@ pub(super) struct CheckedPlant {
     /// Bit `k`: the machine has axis `k`.
     pub(super) fitted: u8,
     pub(super) log: bool,
+}
+
+/// Seconds of coasting as a run takes them: infinity where nothing slows the spindle stays beyond any run, NaN and less than 0 are no time.
+fn coasting(seconds: f64) -> f64 {
+    if seconds > 0.0 { seconds.min(ENDLESS_COAST) } else { 0.0 }
 }
 
 impl CheckedPlant {
@@ -83,7 +88,7 @@ impl CheckedPlant {
         let mut spindle = SpindlePlant {
             speed_clamp: positive(plant.spindle.speed_clamp, 0.0),
             ramp: positive(plant.spindle.ramp, 0.0),
-            coasting: plant.spindle.coasting.map(|all| all.map(|seconds| positive(seconds, 0.0).min(LONGEST_COAST))),
+            coasting: plant.spindle.coasting.map(|all| all.map(coasting)),
             gain: positive(plant.spindle.gain, 1.0),
             slip: if plant.spindle.slip.is_finite() { plant.spindle.slip } else { 0.0 },
             stage_count: plant.spindle.stage_count.clamp(1, STAGES as u8),

@@ -59,4 +59,10 @@ impl<P: RunningProgram> Planner<P> {
             has_last_word: false,
         }
     }
+
+    /// The same run from the last checkpoint not after `t` (s) on, planned anew with what happens to it; its timeline begins there. It keeps what
+    /// this run keeps, but costs no copy of the part before.
+    pub fn branch(&self, t: f64) -> Planner<P> {
+        Planner { keep: self.keep, ..self.fork(t, u64::MAX) }
+    }
 }

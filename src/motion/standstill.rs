@@ -7,7 +7,10 @@ use super::sim::Sim;
 use crate::math;
 
 /// Longest time (s) planned beyond the end of a run for axes and spindle to settle.
-const COASTING: f64 = 60.0;
+const SETTLING: f64 = 60.0;
+
+/// The same for a spindle that coasts without current.
+const COASTING: f64 = 3600.0;
 
 /// Tolerance of the lag at standstill, in command increments.
 const SETTLED: f64 = 0.01;
@@ -45,11 +48,13 @@ impl<P: RunningProgram> Sim<'_, P> {
         let least = self.plant.scale.iter().copied().fold(f64::INFINITY, f64::min);
         let pmc = timeline.pmc_axes.iter().enumerate();
         let pmc = pmc.map(|(k, axis)| timeline.pmc.settled(k, axis, SETTLED * least));
-        let spindle = timeline.ramps.last().map_or(0.0, |ramp| ramp.reached().max(ramp.t + ramp.command.span));
+        let ramp = timeline.ramps.last();
+        let spindle = ramp.map_or(0.0, |ramp| ramp.reached().max(ramp.t + ramp.command.span));
+        let longest = if ramp.is_some_and(|ramp| ramp.command.coasts) { COASTING } else { SETTLING };
         // The PLC still slows its axes down.
         let turning = self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let plc = if turning && self.s.plc.next_scan.is_finite() { f64::INFINITY } else { 0.0 };
         let settled = axes.chain(pmc).fold(spindle.max(plc), f64::max);
-        math::clamp(settled, ended_at, ended_at + COASTING)
+        math::clamp(settled, ended_at, ended_at + longest)
     }
 }

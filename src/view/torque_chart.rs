@@ -21,6 +21,8 @@ pub struct OperatingLine {
     pub t: f64,
     /// Seconds for which the run stays on it.
     pub seconds: f64,
+    /// It belongs to the run with the knob at its end, not to the run that is shown.
+    pub is_at_knob_end: bool,
 }
 
 /// The chart of a motor.
@@ -47,6 +49,9 @@ const GRID: (usize, usize) = (5, 5);
 const LASTING: f64 = 0.1;
 const PASSING: f64 = 0.01;
 
+/// Width of the strip along a line that answers the pointer.
+const HIT: f64 = 10.0;
+
 /// Words of the picture.
 #[derive(Debug, Clone, Copy)]
 pub struct TorqueWords<'a> {
@@ -58,6 +63,8 @@ pub struct TorqueWords<'a> {
     pub effective: &'a str,
     /// What a line of the run says before its time.
     pub at: &'a str,
+    /// Position of the knob in the run with the knob at its end.
+    pub knob: &'a str,
 }
 
 /// From speed and torque to places.
@@ -88,55 +95,77 @@ impl Plane {
     }
 }
 
+impl OperatingLine {
+    /// The line with its share of the time of its run, and what a pointer on it or beside it tells.
+    fn put(&self, out: &mut String, plane: &Plane, share: f64, words: &TorqueWords) {
+        let (class, width) = match share {
+            _ if self.is_at_knob_end => ("s-dim", 1.5),
+            share if share >= LASTING => ("s-accent", 5.0),
+            share if share >= PASSING => ("s-accent", 2.5),
+            _ => ("s-dim", 1.5),
+        };
+        let (from, to, y) = (plane.x(self.speeds.0), plane.x(self.speeds.1), plane.y(self.torque));
+        // A point is drawn too.
+        let to = if (to - from).abs() < 1.0 { from + 1.0 } else { to };
+        out.push_str("<g");
+        if self.is_at_knob_end {
+            out.push_str(" opacity=\"0.6\"");
+        } else {
+            let _ = write!(out, " data-at=\"{}\"", Plain(self.t, 3));
+        }
+        out.push_str("><title>");
+        escape(out, words.at);
+        let _ = write!(out, " {} s", number_text(self.t, 2));
+        if self.is_at_knob_end {
+            out.push_str(", ");
+            escape(out, words.knob);
+        }
+        let _ = write!(
+            out,
+            ": {} Nm, {}–{} r/min, {} s, {} %</title>",
+            number_text(self.torque, 3),
+            number_text(self.speeds.0, 0),
+            number_text(self.speeds.1, 0),
+            number_text(self.seconds, 2),
+            number_text(100.0 * share, 1),
+        );
+        for (paint, width) in [(format!("class=\"{class}\""), width), ("stroke=\"transparent\"".to_owned(), HIT)] {
+            let _ = write!(out, "<line {paint} stroke-linecap=\"round\"");
+            fill(out, " stroke-width=\"#\" x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>", &[width, from, y, to, y]);
+        }
+        out.push_str("</g>");
+    }
+}
+
 impl TorqueChart {
-    /// The chart as SVG with the classes of the page; a line of the run has its time as `data-at`. Points that are no finite numbers are left out.
+    /// The chart as SVG with the classes of the page; a line of the run that is shown has its time as `data-at`. Points that are no finite
+    /// numbers are left out.
     pub fn svg(&self, words: &TorqueWords) -> String {
         let plane = Plane::of(self);
-        let mut out = String::with_capacity(4096 + 160 * self.lines.len());
+        let mut out = String::with_capacity(4096 + 320 * self.lines.len());
         let _ = write!(
             out,
             "<svg class=\"torque\" viewBox=\"0 0 {} {}\" xmlns=\"http://www.w3.org/2000/svg\">",
             SIZE.0, SIZE.1
         );
         grid(&mut out, &plane);
-        self.run(&mut out, &plane, words.at);
+        self.run(&mut out, &plane, words);
         self.motor(&mut out, &plane, words);
         out.push_str("</svg>");
         out
     }
 
-    /// The lines of the run, those that last above.
-    fn run(&self, out: &mut String, plane: &Plane, at: &str) {
-        let all: f64 = self.lines.iter().map(|line| line.seconds).sum();
-        let share = |line: &OperatingLine| if all > 0.0 { line.seconds / all } else { 0.0 };
-        let mut lines: Vec<&OperatingLine> = self.lines.iter().filter(|line| line.torque.is_finite()).collect();
-        lines.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
-        for line in lines {
-            let (class, width) = match share(line) {
-                share if share >= LASTING => ("s-accent", 5.0),
-                share if share >= PASSING => ("s-accent", 2.5),
-                _ => ("s-dim", 1.5),
-            };
-            let (from, to) = (plane.x(line.speeds.0), plane.x(line.speeds.1));
-            // A point is drawn too.
-            let to = if (to - from).abs() < 1.0 { from + 1.0 } else { to };
-            let _ = write!(out, "<line class=\"{class}\" stroke-linecap=\"round\" data-at=\"{}\"", Plain(line.t, 3));
-            fill(
-                out,
-                " stroke-width=\"#\" x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"><title>",
-                &[width, from, plane.y(line.torque), to, plane.y(line.torque)],
-            );
-            escape(out, at);
-            let _ = write!(
-                out,
-                " {} s: {} Nm, {}–{} r/min, {} s, {} %</title></line>",
-                number_text(line.t, 2),
-                number_text(line.torque, 3),
-                number_text(line.speeds.0, 0),
-                number_text(line.speeds.1, 0),
-                number_text(line.seconds, 2),
-                number_text(100.0 * share(line), 1),
-            );
+    /// The lines of the runs, those that last above, and of each run by their share of its time: first those with the knob at its end, in a
+    /// lighter way.
+    fn run(&self, out: &mut String, plane: &Plane, words: &TorqueWords) {
+        for at_end in [true, false] {
+            let of_run = || self.lines.iter().filter(|line| line.is_at_knob_end == at_end);
+            let all: f64 = of_run().map(|line| line.seconds).sum();
+            let mut lines: Vec<&OperatingLine> = of_run().filter(|line| line.torque.is_finite()).collect();
+            lines.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+            for line in lines {
+                line.put(out, plane, if all > 0.0 { line.seconds / all } else { 0.0 }, words);
+            }
         }
     }
 

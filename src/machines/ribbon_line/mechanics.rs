@@ -78,10 +78,16 @@ impl ServoAxis {
         self.motor.shares(&self.load, &self.duty)
     }
 
-    /// Seconds of the shortest ramp with the torque that the limits leave.
+    /// Seconds of the shortest ramp, up and down, with the torque that the limits leave; infinite where standstill takes more.
     pub(super) fn shortest_ramp(&self) -> f64 {
         let torque = self.limits.peak * self.motor.most(self.duty.speed);
-        self.load.shortest_ramp(self.motor.rotor, self.duty.speed * RPM, torque)
+        let speed = self.duty.speed * RPM;
+        let left = torque + self.load.torque;
+        if left <= 0.0 || self.hold.abs() > torque {
+            return f64::INFINITY;
+        }
+        let fall = self.load.braking(self.motor.rotor, speed, 1.0) / left;
+        self.load.shortest_ramp(self.motor.rotor, speed, torque).max(fall)
     }
 
     /// Whether the torque at the teeth of its gear changes its sign while dots are printed: without a steady torque, and at exact stop where the

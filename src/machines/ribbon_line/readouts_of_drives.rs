@@ -31,7 +31,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "x-peak-torque", label: "ribbon.readout.x-peak-torque", unit: "Nm", decimals: 3, headline: false,
-        formula: "load torque + ramp torque",
+        formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.peak,
     },
     ReadoutRow {
@@ -71,7 +71,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "y-peak-torque", label: "ribbon.readout.y-peak-torque", unit: "Nm", decimals: 3, headline: false,
-        formula: "load torque + ramp torque",
+        formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.peak,
     },
     ReadoutRow {

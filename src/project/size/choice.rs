@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::runs::SizingRuns;
+use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
 use crate::drives::duty::{Hardest, Motion, Work};
 use crate::drives::inertia::CM2;
@@ -13,7 +13,7 @@ use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields};
 use crate::machines::form::Value;
 use crate::math::RPM;
-use crate::motion::{Mover, Timeline};
+use crate::motion::Mover;
 use crate::msg;
 use crate::project::Project;
 use crate::project::parts::{follows, goes_with};
@@ -52,6 +52,10 @@ pub struct SizedAxis {
     pub ampere_per_torque: Option<f64>,
     /// What the run asks of the motor that the form has; none of a drive behind an inverter.
     pub work: Option<Work>,
+    /// Position (%) of the knob in the run with the knob at its end, where there is one.
+    pub knob: Option<f64>,
+    /// Whether that run asks the greatest torque.
+    pub peak_is_at_knob: bool,
     /// Torque over speed of that motor.
     pub chart: Option<TorqueChart>,
     /// The motors: first those that pass, the lightest rating first, then the others by their reason.
@@ -117,15 +121,23 @@ enum Rank {
 /// What one or several runs ask of a shaft.
 struct Asked {
     motions: Vec<Motion>,
+    /// Position (%) of the knob in the second run.
+    knob: Option<f64>,
 }
 
 impl Asked {
-    fn of(axis: &DrivenAxis, runs: &[&Timeline], contact: f64) -> Asked {
-        let motion = |timeline: &&Timeline| {
-            let end = timeline.end().max(contact);
-            axis.motion(&timeline.stretches(axis.mover, 0.0, end))
+    fn of(axis: &DrivenAxis, runs: &[&WholeRun]) -> Asked {
+        let motion = |whole: &&WholeRun| {
+            let timeline = whole.run.timeline();
+            axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end()))
         };
-        Asked { motions: runs.iter().map(motion).collect() }
+        Asked { motions: runs.iter().map(motion).collect(), knob: runs.iter().find_map(|whole| whole.knob) }
+    }
+
+    /// Whether the second run asks the greatest torque.
+    fn peak_is_at_knob(&self, rotor: f64) -> bool {
+        let peak = |motion: &Motion| motion.work(rotor).peak.0;
+        matches!(self.motions.as_slice(), [first, second] if peak(second) > peak(first))
     }
 
     /// The greatest of every figure.
@@ -162,19 +174,27 @@ impl Asked {
         self.motions.iter().map(|motion| motion.to_resistor(rotor, back)).fold(0.0, f64::max)
     }
 
-    /// Torque over speed of a motor on its site, with all runs: lines of the same speeds and torque are one.
+    /// Mean speed (r/min) and effective torque (Nm) of the run that asks the greatest one.
+    fn effective(&self, rotor: f64) -> (f64, f64) {
+        let of = |motion: &Motion| {
+            let way: f64 = motion.turns().iter().map(|turn| 0.5 * (turn.from + turn.to).abs() * turn.seconds).sum();
+            let work = motion.work(rotor);
+            (if work.seconds > 0.0 { way / work.seconds / RPM } else { 0.0 }, work.effective)
+        };
+        let greater = |worst: (f64, f64), next: (f64, f64)| if next.1 > worst.1 { next } else { worst };
+        self.motions.iter().map(of).reduce(greater).unwrap_or_default()
+    }
+
+    /// Torque over speed of a motor on its site, with all runs: lines of the same speeds and torque in one run are one.
     fn chart(&self, motor: &Servo, site_share: f64) -> TorqueChart {
-        let mut lines: BTreeMap<(i64, i64, i64), OperatingLine> = BTreeMap::new();
-        let (mut way, mut seconds) = (0.0, 0.0);
-        for motion in &self.motions {
+        let mut lines: BTreeMap<(usize, i64, i64, i64), OperatingLine> = BTreeMap::new();
+        for (run, motion) in self.motions.iter().enumerate() {
             for turn in motion.turns() {
                 let torque = motion.torque(turn, motor.rotor) * if turn.from + turn.to < 0.0 { -1.0 } else { 1.0 };
                 let speeds = (turn.from.abs() / RPM, turn.to.abs() / RPM);
                 let key = |value: f64| (value * ALIKE).round() as i64;
-                let line = OperatingLine { speeds, torque, t: turn.t, seconds: 0.0 };
-                lines.entry((key(speeds.0), key(speeds.1), key(torque))).or_insert(line).seconds += turn.seconds;
-                way += 0.5 * (speeds.0 + speeds.1) * turn.seconds;
-                seconds += turn.seconds;
+                let line = OperatingLine { speeds, torque, t: turn.t, seconds: 0.0, is_at_knob_end: run > 0 };
+                lines.entry((run, key(speeds.0), key(speeds.1), key(torque))).or_insert(line).seconds += turn.seconds;
             }
         }
         // The longest; what is left out lasts too shortly to be seen.
@@ -190,19 +210,19 @@ impl Asked {
             continuous: points(&|speed| motor.continuous_at(site_share, speed)),
             peak: points(&|speed| motor.most(speed)),
             lines,
-            effective: (if seconds > 0.0 { way / seconds } else { 0.0 }, self.work(motor.rotor).effective),
+            effective: self.effective(motor.rotor),
         }
     }
 }
 
 /// The axes and the drive behind the inverter with their motors.
 pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRuns) -> Vec<SizedAxis> {
-    let runs: Vec<&Timeline> =
-        [Some(&of.run), of.fast.as_ref()].into_iter().flatten().map(|run| run.timeline()).collect();
+    let runs = [Some(&of.present), of.fast.as_ref()].into_iter().flatten();
+    let runs: Vec<&WholeRun> = runs.collect();
     let catalogue = project.catalogue();
     let control = project.control;
     let servo = prepared.driven_axes().into_iter().map(|axis| {
-        let asked = Asked::of(&axis, &runs, of.contact);
+        let asked = Asked::of(&axis, &runs);
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
         let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
@@ -216,6 +236,8 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: 0.0,
             ampere_per_torque: ampere_per_torque(project, &axis),
             work: Some(asked.work(axis.fitted.motor.rotor)),
+            knob: asked.knob,
+            peak_is_at_knob: asked.peak_is_at_knob(axis.fitted.motor.rotor),
             chart: Some(asked.chart(&fitted(project, &axis), axis.site_share)),
             candidates: in_order(candidates),
         }
@@ -231,10 +253,14 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             name: drive.name,
             field,
             turning,
-            loaded: drive.cycle.map_or(turning, |cycle| turning.min((cycle.of.run + 2.0 * cycle.of.ramp) / of.end)),
+            loaded: drive
+                .cycle
+                .map_or(turning, |cycle| turning.min((cycle.of.run + 2.0 * cycle.of.ramp) / of.present.end)),
             brake: drive.brake,
             ampere_per_torque: None,
             work: None,
+            knob: None,
+            peak_is_at_knob: false,
             chart: None,
             candidates: in_order(candidates),
         }
@@ -244,7 +270,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
 
 /// Share of the time of a part for which something turns.
 fn share_turning(of: &SizingRuns, mover: Mover) -> f64 {
-    let timeline = of.run.timeline();
+    let timeline = of.present.run.timeline();
     let all = timeline.stretches(mover, 0.0, timeline.end());
     let turning = all.iter().filter(|part| part.from != 0.0 || part.to != 0.0).map(|part| part.seconds).sum::<f64>();
     if timeline.end() > 0.0 { turning / timeline.end() } else { 0.0 }

@@ -1,14 +1,17 @@
 //! The operating envelope: what happens to the machine at start, in the run, at the ends of the knob, at a change of speed, at every stop.
 //!
-//! Each event is a run of the program with an operator's hand at the middle of its work; formulas check these runs, see `tests/it/sizing`.
+//! Each event is a run of the program with an operator's hand at the middle of its work, with the knob as the form has it and near both of its
+//! ends; formulas check these runs, see `tests/it/sizing`.
 
 use super::choice::ampere_per_torque;
-use super::runs::{SizingRuns, finish, plan};
+use super::runs::{SizingRuns, WholeRun, finish, plan};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, ProductSize};
+use crate::math;
 use crate::motion::{Action, Event, RunEnd};
 use crate::project::Project;
 use crate::project::run::Run;
+use crate::text::catalog::number_text;
 use crate::view::{Limit, Verdict};
 
 /// Seconds after a change for which the machine is looked at.
@@ -31,7 +34,7 @@ const TENTH: f64 = 0.1;
 pub enum OperatingEvent {
     /// From cycle start to the first contact with the work.
     Start,
-    /// From there to the end of the program.
+    /// From there to the end of the program, and to standstill behind it.
     Run,
     /// The knob goes to either end.
     Knob,
@@ -107,17 +110,21 @@ pub struct EnvelopeRow {
     pub field: Option<&'static str>,
     /// Whether it holds.
     pub verdict: Verdict,
+    /// Position (%) of the knob at which it was met, where it is not that of the form.
+    pub knob: Option<f64>,
+    /// The run was cut while something coasted on: it is longer or greater than `value`.
+    pub is_cut: bool,
     /// Whether it is the worst of this quantity over all events.
     pub is_worst: bool,
 }
 
 /// The rows of all events that the machine knows; `done` is called after each.
-pub(super) fn envelope(project: &Project, whole: &SizingRuns, done: &mut dyn FnMut()) -> Vec<EnvelopeRow> {
+pub(super) fn envelope(project: &Project, runs: &SizingRuns, done: &mut dyn FnMut()) -> Vec<EnvelopeRow> {
     let prepared = &*project.prepared();
     let with_current = |axis: DrivenAxis| (axis, ampere_per_torque(project, &axis));
     let axes = prepared.driven_axes().into_iter().map(with_current).collect();
     let product = prepared.product_size().filter(|_| project.edited.is_none());
-    let envelope = Envelope { prepared, whole, axes, product, middle: 0.5 * (whole.contact + whole.end) };
+    let envelope = Envelope { prepared, runs, axes, product };
     let mut rows = Vec::new();
     for (event, _) in OperatingEvent::IDS {
         rows.extend(envelope.rows(event));
@@ -145,40 +152,53 @@ impl EnvelopeRow {
 
 struct Envelope<'a> {
     prepared: &'a PreparedMachine,
-    whole: &'a SizingRuns,
+    runs: &'a SizingRuns,
     /// The axes, each with the current of its motor for 1 Nm, where it is known.
     axes: Vec<(DrivenAxis, Option<f64>)>,
     /// The size that the operator may type; none where the program is not macroline's own.
     product: Option<ProductSize>,
-    /// Time (s) at which the operator's hand acts.
-    middle: f64,
 }
 
 impl Envelope<'_> {
+    /// The worst rows of an event over the positions of the knob.
     fn rows(&self, event: OperatingEvent) -> Vec<EnvelopeRow> {
-        let (run, at) = (&self.whole.run, self.middle);
+        // The knob is turned from where the form has it.
+        let turns = matches!(event, OperatingEvent::Knob | OperatingEvent::SpeedChange);
+        let runs = self.runs.all().filter(|whole| !turns || whole.knob.is_none());
+        worst(runs.map(|whole| {
+            let mut rows = self.rows_of(event, whole);
+            rows.iter_mut().for_each(|row| row.knob = whole.knob);
+            rows
+        }))
+    }
+
+    fn rows_of(&self, event: OperatingEvent, whole: &WholeRun) -> Vec<EnvelopeRow> {
+        let at = whole.middle();
         match event {
             OperatingEvent::Start => {
-                let mut rows = self.read(event, run, (0.0, self.whole.contact));
-                rows.push(time(event, self.whole.contact));
+                let mut rows = self.read(event, &whole.run, (0.0, whole.contact));
+                rows.push(time(event, whole.contact));
                 rows
             }
             OperatingEvent::Run => {
-                let mut rows = self.read(event, run, (self.whole.contact, self.whole.end));
-                rows.push(time(event, self.whole.end - self.whole.contact));
+                // Behind the end of the program axes and spindle come to rest.
+                let spans = [(whole.contact, whole.end), (whole.end, whole.run.timeline().end())];
+                let mut rows = worst(spans.map(|span| self.read(event, &whole.run, span)));
+                rows.push(time(event, whole.end - whole.contact));
+                rows.extend(alarm(event, Some(&whole.ended)));
                 rows
             }
             OperatingEvent::Knob => {
-                let Some((low, high)) = self.whole.knob else { return Vec::new() };
+                let Some((low, high)) = self.runs.knob else { return Vec::new() };
                 let turn = |percent| vec![(at, Action::SpindleOverride(percent))];
-                worse([low, high].map(|percent| self.handled(event, turn(percent))))
+                worst([low, high].map(|percent| self.handled(event, whole, turn(percent))))
             }
             OperatingEvent::SpeedChange => {
-                let Some((low, high)) = self.whole.knob else { return Vec::new() };
+                let Some((low, high)) = self.runs.knob else { return Vec::new() };
                 let now = self.prepared.panel().spindle_override.unwrap_or(100.0);
                 let next = if now + TURN <= high { now + TURN } else { (now - TURN).max(low) };
                 let [there, back] = [next, now].map(Action::SpindleOverride);
-                self.handled(event, vec![(at, there), (at + 0.5 * SPAN, back)])
+                self.handled(event, whole, vec![(at, there), (at + 0.5 * SPAN, back)])
             }
             OperatingEvent::ProductChange => {
                 let Some(product) = self.product else { return Vec::new() };
@@ -186,91 +206,92 @@ impl Envelope<'_> {
                 let typed = |size: f64| Action::Variable(product.variable, Some((1000.0 * size).round() / 1000.0));
                 let change = |part: f64| {
                     let [other, present] = [part * product.size, product.size].map(typed);
-                    self.handled(event, vec![(at, other), (at + 0.5 * SPAN, present)])
+                    self.handled(event, whole, vec![(at, other), (at + 0.5 * SPAN, present)])
                 };
-                worse([1.0 - TENTH, 1.0 + TENTH].map(change))
+                worst([1.0 - TENTH, 1.0 + TENTH].map(change))
             }
-            OperatingEvent::Hold => self.held(),
+            OperatingEvent::Hold => self.held(whole),
             OperatingEvent::Alarm if self.prepared.plc().watches_inverter() => {
-                self.stopped(event, Action::InverterFault(true))
+                self.stopped(event, whole, Action::InverterFault(true))
             }
             OperatingEvent::Alarm => Vec::new(),
-            OperatingEvent::EmergencyStop => self.stopped(event, Action::EmergencyStop),
+            OperatingEvent::EmergencyStop => self.stopped(event, whole, Action::EmergencyStop),
             OperatingEvent::PowerFailure => {
                 if self.prepared.plant().spindle.coasting.is_none() {
                     return Vec::new();
                 }
-                let mut run = run.clone();
+                let mut run = whole.run.branch(at);
                 run.lose_power(at);
-                finish(&mut run);
-                self.to_standstill(event, &run)
+                self.to_standstill(event, run, at)
             }
         }
     }
 
-    /// The run with the operator's hand at some times, read from the middle on.
-    fn handled(&self, event: OperatingEvent, hand: Vec<(f64, Action)>) -> Vec<EnvelopeRow> {
-        let mut run = self.whole.run.clone();
+    /// The run with the operator's hand at some times, read from the middle of the work on.
+    fn handled(&self, event: OperatingEvent, whole: &WholeRun, hand: Vec<(f64, Action)>) -> Vec<EnvelopeRow> {
+        let at = whole.middle();
+        let mut run = whole.run.branch(at);
         for (t, action) in hand {
             run.event(Event { t, action });
         }
-        let until = self.middle + SPAN;
+        let until = at + SPAN;
         let ended = plan(&mut run, until);
-        let mut rows = self.read(event, &run, (self.middle, until));
-        if let Some(RunEnd::Alarm(_)) = ended {
-            rows.push(alarmed(event));
-        }
+        let mut rows = self.read(event, &run, (at, until));
+        rows.extend(alarm(event, ended.as_ref()));
         rows
     }
 
-    fn stopped(&self, event: OperatingEvent, action: Action) -> Vec<EnvelopeRow> {
-        let mut run = self.whole.run.clone();
-        run.event(Event { t: self.middle, action });
-        finish(&mut run);
-        self.to_standstill(event, &run)
+    fn stopped(&self, event: OperatingEvent, whole: &WholeRun, action: Action) -> Vec<EnvelopeRow> {
+        let at = whole.middle();
+        let mut run = whole.run.branch(at);
+        run.event(Event { t: at, action });
+        self.to_standstill(event, run, at)
     }
 
-    fn held(&self) -> Vec<EnvelopeRow> {
-        let mut run = self.whole.run.clone();
-        run.event(Event { t: self.middle, action: Action::Hold });
+    fn held(&self, whole: &WholeRun) -> Vec<EnvelopeRow> {
+        let (event, at) = (OperatingEvent::Hold, whole.middle());
+        let mut run = whole.run.branch(at);
+        run.event(Event { t: at, action: Action::Hold });
         finish(&mut run);
         let rests = run.timeline().end();
         run.event(Event { t: rests + PAUSE, action: Action::Start });
         let until = rests + PAUSE + SPAN;
         plan(&mut run, until);
-        let mut rows = self.read(OperatingEvent::Hold, &run, (self.middle, until));
-        rows.push(time(OperatingEvent::Hold, rests - self.middle));
+        let mut rows = self.read(event, &run, (at, until));
+        rows.push(time(event, rests - at));
         rows
     }
 
-    fn to_standstill(&self, event: OperatingEvent, run: &Run) -> Vec<EnvelopeRow> {
+    fn to_standstill(&self, event: OperatingEvent, mut run: Run, from: f64) -> Vec<EnvelopeRow> {
+        finish(&mut run);
         let end = run.timeline().end();
-        let mut rows = self.read(event, run, (self.middle, end));
-        rows.push(time(event, end - self.middle));
+        let mut rows = self.read(event, &run, (from, end));
+        rows.push(time(event, end - from));
+        // What coasts on lays on, and takes longer.
+        if coasts_on(&run, end) {
+            rows.iter_mut().filter(|row| row.axis.is_none()).for_each(|row| row.is_cut = true);
+        }
         rows
     }
 
     /// Gauges and torques in a part of a run.
     fn read(&self, event: OperatingEvent, run: &Run, span: (f64, f64)) -> Vec<EnvelopeRow> {
         let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| EnvelopeRow {
-            event,
             id: gauge.id.to_owned(),
             label: gauge.label,
-            axis: None,
             value: gauge.value,
             unit: gauge.unit,
             decimals: gauge.decimals,
             limit: gauge.limit,
             field: gauge.field,
             verdict: verdict(gauge.limit, gauge.value),
-            is_worst: false,
+            ..time(event, 0.0)
         });
         let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
             let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
             let torque = motion.work(axis.fitted.motor.rotor).peak.0;
             let limit = Some(Limit::AtMost(axis.fitted.peak()));
             let of_torque = EnvelopeRow {
-                event,
                 id: format!("{}-torque", axis.id),
                 label: "size.torque",
                 axis: Some(axis.name),
@@ -278,9 +299,8 @@ impl Envelope<'_> {
                 unit: "Nm",
                 decimals: 3,
                 limit,
-                field: None,
                 verdict: verdict(limit, torque),
-                is_worst: false,
+                ..time(event, 0.0)
             };
             let of_current = ampere_per_torque.map(|per_torque| EnvelopeRow {
                 id: format!("{}-current", axis.id),
@@ -296,6 +316,61 @@ impl Envelope<'_> {
         });
         gauges.chain(motors).collect()
     }
+}
+
+/// Whether the spindle still slows down at the end of a plan (s), which was cut there.
+fn coasts_on(run: &Run, end: f64) -> bool {
+    let speed = |t: f64| run.timeline().at(t).spindle.actual.abs();
+    speed(end + SPAN) < speed(end)
+}
+
+/// The row of an event at which the program stops by its alarm.
+fn alarm(event: OperatingEvent, ended: Option<&RunEnd>) -> Option<EnvelopeRow> {
+    matches!(ended, Some(RunEnd::Alarm(_))).then(|| alarmed(event))
+}
+
+/// A limit that would hold at every event.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Offer {
+    /// Id of the quantity.
+    pub id: String,
+    /// The limit, in `unit`.
+    pub value: f64,
+    /// Unit.
+    pub unit: &'static str,
+    /// Decimals shown.
+    pub decimals: u8,
+    /// A run was cut: it is more than that.
+    pub is_cut: bool,
+    /// The entry of the form that allows it; none where the form does not take it.
+    pub entry: Option<(&'static str, String)>,
+}
+
+/// Limits of the form that would hold at every event and by every rule of the machine, where one does not hold at an event.
+pub(super) fn offers(project: &Project, rows: &[EnvelopeRow]) -> Vec<Offer> {
+    let beyond = rows.iter().filter(|row| row.verdict == Verdict::Fail);
+    let mut offers: Vec<Offer> = Vec::new();
+    for of in beyond {
+        let Some(field) = of.field.filter(|_| offers.iter().all(|known| known.id != of.id)) else { continue };
+        let same = || rows.iter().filter(|row| row.id == of.id);
+        let most = same().map(|row| row.value).fold(0.0, f64::max);
+        let most = most.max(asked_by_rules(project, field));
+        let unit = math::pow(10.0, f64::from(of.decimals));
+        let value = (most * unit).ceil() / unit;
+        let is_cut = same().any(|row| row.is_cut);
+        let entry = (field, number_text(value, of.decimals));
+        let fits = !is_cut && project.with_entries(core::slice::from_ref(&entry)).is_some();
+        let entry = fits.then_some(entry);
+        offers.push(Offer { id: of.id.clone(), value, unit: of.unit, decimals: of.decimals, is_cut, entry });
+    }
+    offers
+}
+
+/// The greatest entry of a field that the advice on a failing result asks for; 0 where none does.
+fn asked_by_rules(project: &Project, field: &str) -> f64 {
+    let results = project.prepared().results().readouts;
+    let sets = results.iter().flat_map(|row| &row.advice).flat_map(|advice| &advice.sets);
+    sets.filter(|set| set.0 == field).filter_map(|set| set.1.parse::<f64>().ok()).fold(0.0, f64::max)
 }
 
 /// An event at which the program stops by its alarm.
@@ -325,6 +400,8 @@ fn time(event: OperatingEvent, seconds: f64) -> EnvelopeRow {
         limit: None,
         field: None,
         verdict: Verdict::None,
+        knob: None,
+        is_cut: false,
         is_worst: false,
     }
 }
@@ -337,13 +414,15 @@ fn verdict(limit: Option<Limit>, value: f64) -> Verdict {
     }
 }
 
-/// Of two readings the worse row of each quantity; what only one of them has stays.
-fn worse([one, mut other]: [Vec<EnvelopeRow>; 2]) -> Vec<EnvelopeRow> {
-    let mut rows = Vec::new();
-    for row in one {
-        let same = other.iter().position(|theirs| theirs.id == row.id).map(|at| other.remove(at));
-        rows.push(same.filter(|theirs| theirs.load() > row.load()).unwrap_or(row));
+/// Of several readings the worst row of each quantity; what only one of them has stays.
+fn worst(readings: impl IntoIterator<Item = Vec<EnvelopeRow>>) -> Vec<EnvelopeRow> {
+    let mut rows: Vec<EnvelopeRow> = Vec::new();
+    for next in readings.into_iter().flatten() {
+        match rows.iter_mut().find(|row| row.id == next.id) {
+            Some(row) if next.load() > row.load() => *row = next,
+            Some(_) => {}
+            None => rows.push(next),
+        }
     }
-    rows.extend(other);
     rows
 }

@@ -22,9 +22,9 @@ mod tornado;
 
 pub use bill::BillRow;
 pub use choice::{Candidate, Refusal, SizedAxis};
-pub use envelope::{EnvelopeRow, OperatingEvent};
+pub use envelope::{EnvelopeRow, Offer, OperatingEvent};
 pub use growth::{Fastest, Growth};
-pub use runs::SizingRuns;
+pub use runs::{CutRun, SizingRuns};
 pub use terminals::TerminalRow;
 pub use tornado::{Swing, Tornado};
 
@@ -61,8 +61,12 @@ pub struct Sizing {
     pub axes: Vec<SizedAxis>,
     /// Time and energy of a part; none where the program does not come to its end.
     pub cycle: Option<Cycle>,
+    /// Where and why the run ended before the end of the program; none where it came there.
+    pub cut: Option<CutRun>,
     /// What happens at every event of operation.
     pub envelope: Vec<EnvelopeRow>,
+    /// Limits of the form that would hold in operation, where one does not.
+    pub offers: Vec<Offer>,
     /// Limits that bind next when more is asked.
     pub limits: Vec<Growth>,
     /// The fastest operation of this hardware, where a limit binds within the range of the form.
@@ -95,7 +99,8 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
     };
     part();
     let envelope = envelope::envelope(project, &runs, &mut part);
-    let sizing = Sizing { envelope, ..answers(project, &runs) };
+    let offers = envelope::offers(project, &envelope);
+    let sizing = Sizing { envelope, offers, ..answers(project, &runs) };
     part();
     sizing
 }
@@ -111,7 +116,9 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     Sizing {
         axes,
         cycle: cycle(&prepared, runs),
+        cut: runs.cut(),
         envelope: Vec::new(),
+        offers: Vec::new(),
         limits,
         fastest,
         sensitivities: sensitivity.flips(),
@@ -124,7 +131,7 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
 /// Time and energy of the run that comes to the end of its program.
 fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
     let seconds = runs.seconds_of_a_part()?;
-    let timeline = runs.run.timeline();
+    let timeline = runs.present.run.timeline();
     let motors: Vec<(Motion, f64)> = prepared
         .driven_axes()
         .into_iter()

@@ -1,30 +1,69 @@
-//! The runs that a sizing looks at: the program on the machine, at the knob's end where the machine has one.
+//! The runs that a sizing looks at: the program on the machine, at the form's position of the knob and near both of its ends.
 
 use crate::drives::speed::Steps;
+use crate::machines::PreparedMachine;
 use crate::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
+use crate::msg;
 use crate::project::Project;
 use crate::project::program::Written;
 use crate::project::run::{Run, RunOptions, of_project};
+use crate::text::Message;
 
-/// What a run may take: blocks, and seconds of the machine. A longer run is sized as far as it came.
-const LIMITS: Budget = Budget { blocks: 50_000, seconds: 900.0 };
+/// What a run may take: blocks, and seconds of the machine. A longer run is sized as far as it came, which the sizing says.
+const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
+
+/// Lowest position (%) of the knob at which a program is run: at 0 % nothing moves.
+const LOWEST: f64 = 10.0;
 
 /// Events that are planned at a time.
 const SLICE: usize = 4096;
 
-/// The run of a program without the operator's hand, and the same with the knob at its upper end.
+/// A run of the program from cycle start until the machine has come to rest behind its end.
 #[derive(Debug)]
-pub struct SizingRuns {
+pub(super) struct WholeRun {
+    /// Position (%) of the knob, where it is not that of the form.
+    pub(super) knob: Option<f64>,
     /// The run, planned to its end.
     pub(super) run: Run,
-    /// The run with the knob at its upper end from the start on, where there is a knob.
-    pub(super) fast: Option<Run>,
     /// Time (s) of the first contact with the work; that of the end where there is none.
     pub(super) contact: f64,
     /// Time (s) at which the program ended or stopped.
     pub(super) end: f64,
-    /// Whether it came to the end of the program.
-    has_ended: bool,
+    /// How it ended.
+    pub(super) ended: RunEnd,
+}
+
+/// A run that ended before the end of its program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CutRun {
+    /// When, s.
+    pub at: f64,
+    /// Why.
+    pub ended: RunEnd,
+}
+
+impl CutRun {
+    /// What it means for a sizing.
+    pub fn message(&self) -> Message {
+        let time = (self.at, 1);
+        match &self.ended {
+            RunEnd::Blocks => msg!("size.cut-blocks", blocks = LIMITS.blocks as f64, time),
+            RunEnd::Seconds => msg!("size.cut-seconds", time),
+            RunEnd::Alarm(_) => msg!("size.cut-alarm", time),
+            RunEnd::Stop | RunEnd::ProgramEnd => msg!("size.cut-stop", time),
+        }
+    }
+}
+
+/// The runs of a program: without the operator's hand, and the same with the knob at other positions from the start on.
+#[derive(Debug)]
+pub struct SizingRuns {
+    /// At the form's position of the knob.
+    pub(super) present: WholeRun,
+    /// At the lowest position of the knob at which the program is run, where that is another one.
+    pub(super) slow: Option<WholeRun>,
+    /// At the highest position of the knob, where that is another one.
+    pub(super) fast: Option<WholeRun>,
     /// Least and greatest position of the spindle override, %.
     pub(super) knob: Option<(f64, f64)>,
 }
@@ -48,10 +87,39 @@ pub(super) fn finish(run: &mut Run) -> RunEnd {
     }
 }
 
+impl WholeRun {
+    fn new(prepared: &PreparedMachine, mut run: Run, knob: Option<f64>) -> WholeRun {
+        if let Some(percent) = knob {
+            run.event(Event { t: 0.0, action: Action::SpindleOverride(percent) });
+        }
+        let ended = finish(&mut run);
+        let end = run.ended_at().unwrap_or(run.timeline().end());
+        let contact = prepared.first_contact(&run, end).map_or(end, |(t, _)| t);
+        WholeRun { knob, run, contact, end, ended }
+    }
+
+    /// Time (s) of the middle of its work.
+    pub(super) fn middle(&self) -> f64 {
+        0.5 * (self.contact + self.end)
+    }
+}
+
 impl SizingRuns {
     /// Seconds of a part; none where the program does not come to its end.
     pub(super) fn seconds_of_a_part(&self) -> Option<f64> {
-        (self.has_ended && self.end > 0.0).then_some(self.end)
+        let WholeRun { ended, end, .. } = &self.present;
+        (*ended == RunEnd::ProgramEnd && *end > 0.0).then_some(*end)
+    }
+
+    /// Where and why the run at the form's position of the knob ended before the end of the program.
+    pub(super) fn cut(&self) -> Option<CutRun> {
+        let WholeRun { ended, end, .. } = &self.present;
+        (*ended != RunEnd::ProgramEnd).then(|| CutRun { at: *end, ended: ended.clone() })
+    }
+
+    /// All of them, that at the form's position of the knob first.
+    pub(super) fn all(&self) -> impl Iterator<Item = &WholeRun> {
+        [Some(&self.present), self.slow.as_ref(), self.fast.as_ref()].into_iter().flatten()
     }
 
     /// Runs these programs of a project.
@@ -59,18 +127,15 @@ impl SizingRuns {
         let prepared = project.prepared();
         let untouched = Project { panel: Panel::default(), ..project.clone() };
         let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
-        let mut run = of_project(&untouched, written, &options);
-        let has_ended = finish(&mut run) == RunEnd::ProgramEnd;
-        let end = run.ended_at().unwrap_or(run.timeline().end());
-        let contact = prepared.first_contact(&run, end).map_or(end, |(t, _)| t);
+        let begun = of_project(&untouched, written, &options);
+        let now = prepared.panel().spindle_override;
         let Steps { low, high, .. } = project.on().dialect().spindle().knob;
-        let knob = prepared.panel().spindle_override.map(|_| (low, high));
-        let fast = knob.map(|(_, high)| {
-            let mut fast = run.clone();
-            fast.event(Event { t: 0.0, action: Action::SpindleOverride(high) });
-            finish(&mut fast);
-            fast
-        });
-        SizingRuns { run, fast, contact, end, has_ended, knob }
+        let at = |percent: f64| {
+            let other = now.is_some_and(|now| now != percent);
+            other.then(|| WholeRun::new(&prepared, begun.clone(), Some(percent)))
+        };
+        let (slow, fast) = (at(low.max(LOWEST)), at(high));
+        let present = WholeRun::new(&prepared, begun, None);
+        SizingRuns { present, slow, fast, knob: now.map(|_| (low, high)) }
     }
 }

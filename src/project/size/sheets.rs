@@ -1,12 +1,12 @@
 //! A sizing as sheets, for page, report and command line.
 
 use super::choice::Candidate;
-use super::envelope::{EnvelopeRow, OperatingEvent};
+use super::envelope::{EnvelopeRow, Offer, OperatingEvent};
 use super::{BillRow, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
 use crate::drives::parts::{PartGrade, Status};
 use crate::machines::sheets::{row, say};
-use crate::math::{self, RPM};
+use crate::math::RPM;
 use crate::msg;
 use crate::text::catalog::{number_text, sentence};
 use crate::text::{Citation, Diagnostic, Grade, headed, units};
@@ -119,11 +119,12 @@ impl Sizing {
         });
         let cells = times.into_iter().flatten().chain(energies.into_iter().flatten());
         let cells = cells.map(|(label, value)| row([say(label), value], RUNS));
+        let cut = self.cut.iter().map(|cut| row([say("size.cycle-time"), sentence(&cut.message())], RUNS));
         Sheet {
             id: "cycle",
             title: "sheet.cycle",
             columns: vec!["sheet.quantity-watched", "sheet.value"],
-            rows: cells.chain(duties).collect(),
+            rows: cut.chain(cells).chain(duties).collect(),
             drawing: String::new(),
         }
     }
@@ -205,38 +206,36 @@ impl Sizing {
 impl Sizing {
     /// Limits of the form that would hold at every event, where one does not.
     fn needed(&self, watched: &[&EnvelopeRow]) -> Option<Row> {
-        let entry = |of: &&EnvelopeRow| {
-            let rows = || self.envelope.iter().filter(|row| row.id == of.id);
-            let field = of.field.filter(|_| rows().any(|row| row.verdict == Verdict::Fail))?;
-            let unit = math::pow(10.0, f64::from(of.decimals));
-            let most = rows().map(|row| row.value).fold(0.0, f64::max);
-            Some((field, (most * unit).ceil() / unit))
-        };
-        let entries: Vec<_> = watched.iter().map(entry).collect();
-        let cells = watched.iter().zip(&entries);
-        let cells =
-            cells.map(|(of, entry)| entry.map_or(String::new(), |(_, value)| units::text(value, of.decimals, of.unit)));
-        let sets: Vec<_> = watched
-            .iter()
-            .zip(&entries)
-            .filter_map(|(of, entry)| entry.map(|(field, value)| (field, number_text(value, of.decimals))))
-            .collect();
+        let offered = |of: &&EnvelopeRow| self.offers.iter().find(|offer| offer.id == of.id);
+        let text = |offer: &Offer| at_least(offer.is_cut, units::text(offer.value, offer.decimals, offer.unit));
+        let cells = watched.iter().map(|of| offered(of).map_or(String::new(), text));
+        let sets = watched.iter().filter_map(|of| offered(of)?.entry.clone()).collect();
         let told = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
-        (!sets.is_empty()).then_some(Row { sets, ..told })
+        (!self.offers.is_empty()).then_some(Row { sets, ..told })
     }
 }
 
+/// A value, or one that a cut run leaves below the true one.
+fn at_least(is_cut: bool, value: String) -> String {
+    if is_cut { format!("> {value}") } else { value }
+}
+
 impl Sizing {
-    /// What is beyond its limit in operation, as warnings: the verdicts of a design tell of the work alone.
+    /// What is beyond its limit in operation, as warnings: the verdicts of a design tell of the work alone. First of all that the run was cut.
     pub fn findings(&self) -> Vec<Diagnostic> {
         let beyond = self.envelope.iter().filter(|row| row.verdict == Verdict::Fail);
         let told = |row: &EnvelopeRow| {
             let quantity = row.axis.map_or_else(|| say(row.label), |axis| format!("{}, {}", say(row.label), say(axis)));
             let limit = limit(row).unwrap_or_default();
-            let value = units::text(row.value, row.decimals, row.unit);
-            Diagnostic::warning(msg!("size.beyond", event = say(row.event.name()), quantity, value, limit))
+            let value = at_least(row.is_cut, units::text(row.value, row.decimals, row.unit));
+            let event = say(row.event.name());
+            Diagnostic::warning(match row.knob {
+                Some(percent) => msg!("size.beyond-at-knob", event, percent, quantity, value, limit),
+                None => msg!("size.beyond", event, quantity, value, limit),
+            })
         };
-        beyond.map(told).collect()
+        let cut = self.cut.iter().map(|cut| Diagnostic::warning(cut.message()));
+        cut.chain(beyond.map(told)).collect()
     }
 }
 
@@ -254,7 +253,7 @@ fn limit(of: &EnvelopeRow) -> Option<String> {
 
 /// A value of the envelope: with a cross beyond its limit, with a mark where it is the worst of all events.
 fn value(of: &EnvelopeRow) -> String {
-    let value = units::plain(of.value, of.decimals, of.unit);
+    let value = at_least(of.is_cut, units::plain(of.value, of.decimals, of.unit));
     let value = if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value };
     if of.is_worst { format!("{value} ▲") } else { value }
 }
@@ -320,12 +319,14 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
     let (work, chart) = (axis.work?, axis.chart.as_ref()?);
     let (continuous, peak, effective, at) =
         (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
-    let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at };
+    let knob = axis.knob.map(|percent| sentence(&msg!("size.knob-at", percent))).unwrap_or_default();
+    let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at, knob: &knob };
+    let peak_knob = if axis.peak_is_at_knob { format!(", {knob}") } else { String::new() };
     let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| units::text(torque * per_torque, 2, "A"));
     let cells = [
         (
             "size.torque",
-            format!("{} ({} {} s)", units::text(work.peak.0, 3, "Nm"), say("size.at"), number_text(work.peak.1, 2)),
+            format!("{} ({at} {} s{peak_knob})", units::text(work.peak.0, 3, "Nm"), number_text(work.peak.1, 2)),
         ),
         ("size.effective", units::text(work.effective, 3, "Nm")),
         ("size.speed", units::text(work.speed / RPM, 0, "r/min")),

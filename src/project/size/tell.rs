@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use super::choice::Candidate;
-use super::envelope::EnvelopeRow;
+use super::envelope::{EnvelopeRow, Offer};
 use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::parts::{Part, PartGrade, Status};
 use crate::project::list::verdict_word;
@@ -40,7 +40,9 @@ impl Sizing {
                 "energy_returned_j": cycle.energy.map(|energy| energy.returned),
                 "energy_returned_on_one_bus_j": cycle.energy.map(|energy| energy.returned_on_one_bus),
             })),
+            "cut": self.cut.as_ref().map(|cut| json!({ "at_s": cut.at, "reason": sentence(&cut.message()) })),
             "envelope": self.envelope.iter().map(event).collect::<Vec<_>>(),
+            "would_hold": self.offers.iter().map(offer).collect::<Vec<_>>(),
             "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
             "inverse": self.fastest.as_ref().map(fastest),
             "sensitivities": self.sensitivities.iter().map(flip).collect::<Vec<_>>(),
@@ -54,7 +56,8 @@ impl Sizing {
 fn axis(axis: &SizedAxis) -> Json {
     let work = axis.work.map(|work| {
         json!({
-            "peak_torque_nm": work.peak.0, "peak_at_s": work.peak.1, "effective_torque_nm": work.effective,
+            "peak_torque_nm": work.peak.0, "peak_at_s": work.peak.1,
+            "peak_at_knob_percent": axis.knob.filter(|_| axis.peak_is_at_knob), "effective_torque_nm": work.effective,
             "current_per_torque_a_nm": axis.ampere_per_torque,
             "speed_rad_s": work.speed, "energy_given_j": work.given, "energy_returned_j": work.returned,
         })
@@ -93,7 +96,14 @@ fn event(row: &EnvelopeRow) -> Json {
     json!({
         "event": row.event.id(), "id": row.id, "value": row.value, "unit": row.unit,
         "limit": row.limit.map(Limit::value), "bound": row.limit.map(Limit::bound),
-        "verdict": verdict_word(row.verdict), "worst": row.is_worst,
+        "verdict": verdict_word(row.verdict), "worst": row.is_worst, "knob_percent": row.knob, "more_than_value": row.is_cut,
+    })
+}
+
+fn offer(offer: &Offer) -> Json {
+    json!({
+        "id": offer.id, "value": offer.value, "unit": offer.unit, "more_than_value": offer.is_cut,
+        "field": offer.entry.as_ref().map(|entry| entry.0), "entry": offer.entry.as_ref().map(|entry| entry.1.as_str()),
     })
 }
 

@@ -8,6 +8,9 @@ use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, size};
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
+/// Upper end of the knob of the line's control, %: the speed clamp of the form comes first.
+const KNOB: f64 = 200.0;
+
 fn sized(project: &Project) -> Sizing {
     size(project, &project.written())
 }
@@ -37,33 +40,56 @@ fn line() -> Project {
     project
 }
 
-/// Ribbon in the loop in the middle of the work, mm.
-fn loop_in_the_run(project: &Project) -> f64 {
+/// The project with the knob where a row was met: the formulas tell of the form's position, the envelope of the worst one.
+fn at_knob(project: &Project, row: &EnvelopeRow) -> Project {
+    let mut project = project.clone();
+    if let Some(percent) = row.knob {
+        assert!(project.values.insert("override".to_owned(), Value::Number(percent)).is_some());
+    }
+    project
+}
+
+/// The run of a project to its end.
+fn run_of(project: &Project) -> run::Run {
     let limits = Budget { blocks: 100_000, seconds: 600.0 };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
     let mut run = run::of_project(project, &project.written(), &begin);
     while run.advance(f64::INFINITY, 100_000).ended.is_none() {}
+    run
+}
+
+/// Ribbon in the loop in the middle of the work, mm.
+fn loop_in_the_run(project: &Project) -> f64 {
+    let run = run_of(project);
     let middle = 0.5 * run.ended_at().unwrap();
     project.prepared().gauges(&run, (middle, middle), 2)[0].value
+}
+
+/// The most ribbon in the loop from cycle start to the first dot, mm.
+fn loop_at_start(project: &Project) -> f64 {
+    let run = run_of(project);
+    let (contact, _) = project.prepared().first_contact(&run, run.ended_at().unwrap()).unwrap();
+    project.prepared().gauges(&run, (0.0, contact), 400)[0].value
 }
 
 #[test]
 fn loop_at_every_stop_is_that_of_the_formulas() {
     let project = line();
     let sizing = sized(&project);
-    let start = loop_in_the_run(&project);
     for (event, id) in [
         (OperatingEvent::EmergencyStop, "slack-hold"),
         (OperatingEvent::Alarm, "slack-coasting"),
         (OperatingEvent::PowerFailure, "slack-coasting"),
     ] {
-        let laid = row(&sizing, event, "loop").value - start;
-        super::same(event.id(), laid, result(&project, id), 0.02);
+        let worst = row(&sizing, event, "loop");
+        let there = at_knob(&project, worst);
+        super::same(event.id(), worst.value - loop_in_the_run(&there), result(&there, id), 0.02);
     }
     // The restart after standstill lays on top what a start lays until X has caught up.
-    let laid = row(&sizing, OperatingEvent::Hold, "loop").value - start;
-    let both = result(&project, "slack-hold") + row(&sizing, OperatingEvent::Start, "loop").value;
-    super::same("hold", laid, both, 0.02);
+    let worst = row(&sizing, OperatingEvent::Hold, "loop");
+    let there = at_knob(&project, worst);
+    let both = result(&there, "slack-hold") + loop_at_start(&there);
+    super::same("hold", worst.value - loop_in_the_run(&there), both, 0.02);
 }
 
 #[test]
@@ -76,7 +102,42 @@ fn verdicts_follow_the_limits_of_the_machine() {
     project.values.insert("loop-capacity".to_owned(), Value::Number((emergency.value - 1.0).floor()));
     let after = sized(&project);
     assert_eq!(row(&after, OperatingEvent::EmergencyStop, "loop").verdict, Verdict::Fail);
-    assert_eq!(row(&after, OperatingEvent::Run, "loop").verdict, Verdict::Ok);
+    assert_eq!(row(&after, OperatingEvent::Start, "loop").verdict, Verdict::Ok);
+}
+
+#[test]
+fn start_and_stops_are_looked_at_with_the_knob_at_its_ends() {
+    use OperatingEvent::{Alarm, EmergencyStop, Hold, PowerFailure, Run, Start};
+    let project = line();
+    let sizing = sized(&project);
+    for percent in [10.0, KNOB] {
+        let mut there = project.clone();
+        there.values.insert("override".to_owned(), Value::Number(percent));
+        let there = sized(&there);
+        for event in [Start, Run, Hold, Alarm, EmergencyStop, PowerFailure] {
+            for id in ["loop", "x-torque"] {
+                let (all, one) = (row(&sizing, event, id).value, row(&there, event, id).value);
+                assert!(all > one - 1e-3 * one.abs(), "{id} at {}: {all} of all, {one} at {percent} %", event.id());
+            }
+            assert_eq!(row(&sizing, event, "x-torque").knob, Some(KNOB), "{}", event.id());
+        }
+    }
+    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    assert!(
+        told.iter().any(|line| line.starts_with("Power failure with the knob at 200 %: Loop comes to ")),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn loop_behind_the_end_of_the_program_belongs_to_the_run() {
+    let project = line();
+    let sizing = sized(&project);
+    // M5 is read when X has stopped: the unwinder lays on.
+    let worst = row(&sizing, OperatingEvent::Run, "loop");
+    let there = at_knob(&project, worst);
+    let laid = worst.value - loop_in_the_run(&there);
+    super::same("laid behind the program", laid, result(&there, "slack-stop"), 0.02);
 }
 
 #[test]
@@ -91,7 +152,7 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     let lines = told(&sizing);
     assert_eq!(lines.len(), 2, "{lines:?}");
     for (line, event) in lines.iter().zip(["Inverter fault", "Power failure"]) {
-        assert!(line.starts_with(&format!("{event}: Loop comes to ")), "{line}");
+        assert!(line.starts_with(&format!("{event} with the knob at 200 %: Loop comes to ")), "{line}");
     }
     let [(field, _)] = sets.as_slice() else { panic!("{sets:?}") };
     assert_eq!(*field, "loop-capacity");
@@ -108,12 +169,27 @@ fn loop_that_would_hold_at_every_event_is_offered() {
 }
 
 #[test]
+fn loop_that_is_offered_holds_by_every_rule_too() {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    project.values.insert("loop-capacity".to_owned(), Value::Number(100.0));
+    let sheet = sized(&project).sheets().into_iter().find(|sheet| sheet.id == "envelope").unwrap();
+    let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.sets).collect();
+    let after = project.with_entries(&sets).unwrap();
+    let readouts = after.design().readouts;
+    let judged: Vec<_> = readouts.iter().filter(|row| row.id.starts_with("loop-")).collect();
+    assert!(judged.iter().any(|row| row.id == "loop-needed"));
+    assert!(judged.iter().all(|row| row.verdict <= Verdict::Ok), "{sets:?}: {judged:?}");
+    assert!(sized(&after).envelope.iter().all(|row| row.id != "loop" || row.verdict == Verdict::Ok));
+}
+
+#[test]
 fn torque_at_start_is_the_peak_torque_of_the_results() {
     let project = line();
     let sizing = sized(&project);
     for axis in ["x", "y"] {
         let asked = row(&sizing, OperatingEvent::Start, &format!("{axis}-torque"));
-        super::same(axis, asked.value, result(&project, &format!("{axis}-peak-torque")), 1e-3);
+        let there = at_knob(&project, asked);
+        super::same(axis, asked.value, result(&there, &format!("{axis}-peak-torque")), 1e-3);
     }
 }
 
@@ -122,7 +198,8 @@ fn another_pitch_speeds_the_print_roller_and_leaves_the_loop() {
     let project = line();
     let sizing = sized(&project);
     let at = |event, id| row(&sizing, event, id).value;
-    super::same("loop", at(OperatingEvent::ProductChange, "loop"), loop_in_the_run(&project), 0.02);
+    let worst = row(&sizing, OperatingEvent::ProductChange, "loop");
+    super::same("loop", worst.value, loop_in_the_run(&at_knob(&project, worst)), 0.02);
     // The line keeps its speed: X does not accelerate, as it does when the knob is turned. Y gets a head to each shorter pitch.
     assert!(at(OperatingEvent::ProductChange, "x-torque") < 0.7 * at(OperatingEvent::SpeedChange, "x-torque"));
     assert!(at(OperatingEvent::ProductChange, "y-torque") > at(OperatingEvent::SpeedChange, "y-torque"));
@@ -165,16 +242,116 @@ fn every_machine_has_its_events_and_one_worst_each() {
     }
 }
 
-#[test]
-fn lathe_coasts_at_fault_and_power_failure_as_long_as_it_says() {
-    // One diameter, one speed: from the middle of the cut to rest.
+/// A lathe with one diameter and one speed, the knob at its upper end.
+fn lathe() -> Project {
     let mut project = Project::named("turning-spindle", None, Some("shaft")).unwrap();
     project.values.insert("speed-mode".to_owned(), Value::Text("fixed".to_owned()));
+    assert!(project.values.insert("override".to_owned(), Value::Number(120.0)).is_some());
+    project
+}
+
+#[test]
+fn lathe_coasts_at_fault_and_power_failure_as_long_as_it_says() {
+    let project = lathe();
     let sizing = sized(&project);
-    let coasting = result(&project, "coasting-time");
     for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
-        super::same(event.id(), row(&sizing, event, "time").value, coasting, 0.01);
+        let time = row(&sizing, event, "time");
+        super::same(event.id(), time.value, result(&project, "coasting-time"), 0.01);
     }
+}
+
+#[test]
+fn long_coasting_runs_to_its_end() {
+    let mut project = lathe();
+    project.values.insert("spindle-friction".to_owned(), Value::Number(0.05));
+    let sizing = sized(&project);
+    for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
+        let time = row(&sizing, event, "time");
+        assert!(!time.is_cut && time.value > 300.0, "{time:?}");
+        super::same(event.id(), time.value, result(&project, "coasting-time"), 0.01);
+    }
+}
+
+#[test]
+fn unwinder_that_nothing_slows_coasts_beyond_the_run() {
+    let mut project = line();
+    for field in ["unwinder-friction", "reel-brake", "unwinder-motor-brake"] {
+        assert!(project.values.insert(field.to_owned(), Value::Number(0.0)).is_some(), "{field}");
+    }
+    assert!(result(&project, "loop-coasting").is_infinite());
+    let sizing = sized(&project);
+    for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
+        let (time, slack) = (row(&sizing, event, "time"), row(&sizing, event, "loop"));
+        assert!(time.is_cut && time.value >= 3600.0, "{time:?}");
+        assert!(slack.is_cut && slack.verdict == Verdict::Fail, "{slack:?}");
+    }
+    assert!(!row(&sizing, OperatingEvent::EmergencyStop, "time").is_cut);
+    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    assert!(told.iter().any(|line| line.contains(": Loop comes to > ")), "{told:?}");
+    // No loop would hold.
+    assert!(sizing.offers.iter().all(|offer| offer.id != "loop" || offer.is_cut && offer.entry.is_none()));
+}
+
+#[test]
+fn long_product_is_sized_whole_and_a_cut_run_says_so() {
+    let mut project = line();
+    project.values.insert("pitch-count".to_owned(), Value::Number(7000.0));
+    let sizing = sized(&project);
+    assert_eq!(sizing.cut, None);
+    super::same("cycle", sizing.cycle.unwrap().seconds, result(&project, "product-time"), 0.02);
+
+    let endless = "%\nO1\nG91\n#1=0\nWHILE[#1LT100000]DO1\nG01 X0.1 F1000.\nX-0.1\n#1=#1+1\nEND1\nM30\n%\n";
+    project.edited = Some(macroline::nc::Files::one("O1.NC", endless));
+    let sizing = sized(&project);
+    assert!(sizing.cycle.is_none());
+    let cut = sentence(&sizing.cut.as_ref().unwrap().message());
+    assert!(cut.starts_with("The run was cut at ") && cut.contains("after 200000 blocks"), "{cut}");
+    assert_eq!(sentence(&sizing.findings()[0].message), cut);
+    assert_eq!(sizing.json()["cut"]["reason"], cut);
+    let sheets = sizing.sheets();
+    let cycle = sheets.iter().find(|sheet| sheet.id == "cycle").unwrap();
+    assert_eq!(cycle.rows[0].cells[1], cut);
+}
+
+#[test]
+fn lines_of_the_run_with_the_knob_at_its_end_are_told_apart() {
+    let project = line();
+    let sizing = sized(&project);
+    let x = &sizing.axes[0];
+    let chart = x.chart.as_ref().unwrap();
+    assert!(x.peak_is_at_knob && x.knob == Some(KNOB));
+    for at_end in [false, true] {
+        let of_run = || chart.lines.iter().filter(|line| line.is_at_knob_end == at_end);
+        let most = of_run().map(|line| line.torque).fold(0.0, f64::max);
+        let speed = of_run().map(|line| line.speeds.1).fold(0.0, f64::max);
+        let mut there = project.clone();
+        there.values.insert("override".to_owned(), Value::Number(if at_end { KNOB } else { 100.0 }));
+        super::same("speed", speed, result(&there, "x-motor-speed"), 1e-3);
+        assert_eq!(most < x.work.unwrap().peak.0, !at_end);
+    }
+    let asked = sizing.sheets().into_iter().find(|sheet| sheet.id == "asked").unwrap();
+    assert!(asked.rows[0].cells[1].ends_with(" s, knob at 200 %)"), "{:?}", asked.rows[0].cells);
+    // A click leads to a moment of the run that is shown; its torque is there.
+    let lines: Vec<&str> = asked.drawing.split("<g").skip(1).collect();
+    assert!(
+        lines.iter().any(|line| line.contains("data-at=")) && lines.iter().any(|line| line.contains("knob at 200 %"))
+    );
+    assert!(lines.iter().all(|line| line.contains("data-at=") != line.contains("knob at 200 %")));
+}
+
+#[test]
+fn web_that_pulls_the_roller_along_asks_most_in_the_stop() {
+    let mut project = line();
+    for (field, value) in
+        [("gear-x", 10.0), ("tension-behind", 800.0), ("tension-before", 0.0), ("pinch-force", 20000.0)]
+    {
+        project.values.insert(field.to_owned(), Value::Number(value));
+    }
+    let design = project.design();
+    let peak = design.readouts.iter().find(|row| row.id == "x-peak-torque").unwrap();
+    assert_eq!(peak.verdict, Verdict::Fail);
+    let sizing = sized(&project);
+    super::same("peak", peak.value, sizing.axes[0].work.unwrap().peak.0, 1e-3);
 }
 
 #[test]
