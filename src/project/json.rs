@@ -8,6 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 use serde_json::value::RawValue;
 
+use super::json_reason;
 use crate::text::catalog::words;
 use crate::text::{FileId, LineIndex, Place, Span};
 
@@ -131,11 +132,11 @@ fn at(start: usize, end: usize) -> Place {
     Place { file: FileId::default(), span: Span::new(start as u32, end as u32) }
 }
 
-/// The words of an error of serde, without the place.
+/// The words of an error of serde in the language that is spoken, without the place.
 pub(super) fn reason(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
-    text.strip_suffix(&place).unwrap_or(&text).to_owned()
+    json_reason::reason(text.strip_suffix(&place).unwrap_or(&text))
 }
 
 /// The kind of a JSON value, in words.

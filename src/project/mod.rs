@@ -2,6 +2,8 @@
 
 mod json;
 
+mod json_reason;
+
 mod findings;
 
 pub mod file_findings;

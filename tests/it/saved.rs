@@ -8,7 +8,7 @@ use macroline::project::render::Renderer;
 use macroline::project::saved::{MAX_PROGRAM, panel_from_json, steps_from_json, steps_to_json};
 use macroline::project::{Project, import};
 use macroline::text::Severity;
-use macroline::text::catalog::sentence;
+use macroline::text::catalog::{Language, sentence, speak};
 use proptest::prelude::*;
 
 fn ribbon() -> Project {
@@ -51,12 +51,12 @@ fn file_that_is_no_project_is_an_error() {
     check(
         "",
         expect![[r#"
-        error: This is not JSON: EOF while parsing a value.
-         --> project.json:1:1
-          |
-        1 | 
-          | ^
-        no project"#]],
+            error: This is not JSON: the text ends where a value belongs.
+             --> project.json:1:1
+              |
+            1 | 
+              | ^
+            no project"#]],
     );
     check(
         "[1, 2]",
@@ -108,12 +108,12 @@ fn wrong_shapes_are_errors_at_their_place() {
     check(
         &with("  \"values\": [ 1, 2 ]"),
         expect![[r#"
-        error: This does not have the shape of a project file: invalid type: sequence, expected an object { "id": value, … }.
-         --> project.json:5:12
-          |
-        5 |   "values": [ 1, 2 ]
-          |            ^
-        no project"#]],
+            error: This does not have the shape of a project file: a list in place of an object { "id": value, … }.
+             --> project.json:5:12
+              |
+            5 |   "values": [ 1, 2 ]
+              |            ^
+            no project"#]],
     );
     check(
         &with("  \"name\": \"no values\""),
@@ -124,7 +124,7 @@ fn wrong_shapes_are_errors_at_their_place() {
     check(
         &with("  \"values\": {},\n  \"valuess\": {}"),
         expect![[r#"
-            error: This does not have the shape of a project file: unknown field `valuess`, expected one of `version`, `name`, `title_block`, `machine`, `control`, `values`, `provenance`, `switches`, `comments`, `silenced`, `panel`, `edited`, `parts`, `variants`.
+            error: This does not have the shape of a project file: “valuess” is none of version, name, title_block, machine, control, values, provenance, switches, comments, silenced, panel, edited, parts, variants.
              --> project.json:6:11
               |
             6 |   "valuess": {}
@@ -134,22 +134,22 @@ fn wrong_shapes_are_errors_at_their_place() {
     check(
         &with("  \"values\": {},\n  \"values\": {}"),
         expect![[r#"
-        error: This does not have the shape of a project file: duplicate field `values`.
-         --> project.json:6:10
-          |
-        6 |   "values": {}
-          |          ^
-        no project"#]],
+            error: This does not have the shape of a project file: the key “values” is here a second time.
+             --> project.json:6:10
+              |
+            6 |   "values": {}
+              |          ^
+            no project"#]],
     );
     check(
         &with("  \"values\": {},\n  \"edited\": [ { \"name\": \"O1\", \"code\": \"M30\" } ]"),
         expect![[r#"
-        error: This does not have the shape of a project file: unknown field `code`, expected `name` or `text`.
-         --> project.json:6:36
-          |
-        6 |   "edited": [ { "name": "O1", "code": "M30" } ]
-          |                                    ^
-        no project"#]],
+            error: This does not have the shape of a project file: “code” is none of name, text.
+             --> project.json:6:36
+              |
+            6 |   "edited": [ { "name": "O1", "code": "M30" } ]
+              |                                    ^
+            no project"#]],
     );
     check(
         &with("  \"values\": {}\n  \"name\": \"\""),
@@ -161,6 +161,44 @@ fn wrong_shapes_are_errors_at_their_place() {
           |   ^
         no project"#]],
     );
+}
+
+#[test]
+fn reasons_are_told_in_the_language_that_is_spoken() {
+    let project = |lines: &str| with(&format!("  \"values\": {{}}{lines}"));
+    let texts = [
+        "{ no".to_owned(),
+        "{ \"a\" 1".to_owned(),
+        "[".to_owned(),
+        "{ \"a".to_owned(),
+        "{ \"a\": \"\\q\" }".to_owned(),
+        "{ \"a\": \"\n\" }".to_owned(),
+        "{ \"a\": 1, }".to_owned(),
+        "{} {}".to_owned(),
+        "{ \"a\": 01 }".to_owned(),
+        "{ \"a\": 1e999 }".to_owned(),
+        "{ \"a\": tru }".to_owned(),
+        "[".repeat(200),
+        project(",\n  \"values\": {}"),
+        project(",\n  \"colour\": {}"),
+        project(",\n  \"edited\": [ { \"name\": \"O1\" } ]"),
+        project(",\n  \"edited\": {}"),
+        project(",\n  \"title_block\": 7"),
+        project(",\n  \"variants\": [ { \"name\": \"A\", \"control\": \"x\", \"values\": 3 } ]"),
+    ];
+    speak(Language::Chinese.sentences());
+    let told: Vec<String> = texts
+        .iter()
+        .flat_map(|text| Project::from_json(text).diagnostics)
+        .map(|found| sentence(&found.message))
+        .collect();
+    speak(Language::English.sentences());
+    assert_eq!(told.len(), texts.len(), "{told:#?}");
+    let is_english = |text: &str| text.len() > 2 && text.chars().all(|c| c.is_ascii_alphabetic());
+    for said in told {
+        let words: Vec<bool> = said.split(' ').map(is_english).collect();
+        assert!(!words.windows(2).any(|pair| pair[0] && pair[1]), "{said}");
+    }
 }
 
 #[test]

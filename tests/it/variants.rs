@@ -177,42 +177,42 @@ fn variant_of_another_shape_is_an_error_at_its_place() {
     check(
         "{ \"A\": {} }",
         expect![[r#"
-        error: This does not have the shape of a project file: invalid type: map, expected a sequence.
-         --> project.json:2:14
-          |
-        2 |   "variants": { "A": {} }
-          |              ^
-        no project"#]],
+            error: This does not have the shape of a project file: an object in place of a list.
+             --> project.json:2:14
+              |
+            2 |   "variants": { "A": {} }
+              |              ^
+            no project"#]],
     );
     check(
         "[ { \"name\": \"A\", \"control\": \"mitsubishi-e60\" } ]",
         expect![[r#"
-        error: This does not have the shape of a project file: missing field `values`.
-         --> project.json:2:60
-          |
-        2 |   "variants": [ { "name": "A", "control": "mitsubishi-e60" } ]
-          |                                                            ^
-        no project"#]],
+            error: This does not have the shape of a project file: the key “values” is missing.
+             --> project.json:2:60
+              |
+            2 |   "variants": [ { "name": "A", "control": "mitsubishi-e60" } ]
+              |                                                            ^
+            no project"#]],
     );
     check(
         "[ { \"name\": \"A\", \"control\": \"mitsubishi-e60\", \"values\": {}, \"panel\": [] } ]",
         expect![[r#"
-        error: This does not have the shape of a project file: unknown field `panel`, expected one of `name`, `control`, `values`, `switches`.
-         --> project.json:2:81
-          |
-        2 |   "variants": [ { "name": "A", "control": "mitsubishi-e60", "values": {}, "panel": [] } ]
-          |                                                                                 ^
-        no project"#]],
+            error: This does not have the shape of a project file: “panel” is none of name, control, values, switches.
+             --> project.json:2:81
+              |
+            2 |   "variants": [ { "name": "A", "control": "mitsubishi-e60", "values": {}, "panel": [] } ]
+              |                                                                                 ^
+            no project"#]],
     );
     check(
         "[ { \"name\": \"A\", \"control\": \"mitsubishi-e60\", \"values\": 3 } ]",
         expect![[r#"
-        error: This does not have the shape of a project file: invalid type: integer `3`, expected an object { "id": value, … }.
-         --> project.json:2:71
-          |
-        2 |   "variants": [ { "name": "A", "control": "mitsubishi-e60", "values": 3 } ]
-          |                                                                       ^
-        no project"#]],
+            error: This does not have the shape of a project file: a number in place of an object { "id": value, … }.
+             --> project.json:2:71
+              |
+            2 |   "variants": [ { "name": "A", "control": "mitsubishi-e60", "values": 3 } ]
+              |                                                                       ^
+            no project"#]],
     );
 }
 

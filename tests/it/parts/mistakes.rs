@@ -188,7 +188,7 @@ mistakes! {
           |           ^^^^^^
         0 taken"#]];
     json_that_ends_early: "own.json", "[ { \"kind\": \"servo\", ", expect![[r#"
-        error: This is not JSON: EOF while parsing a value.
+        error: This is not JSON: the text ends where a value belongs.
          --> own.json:1:21
           |
         1 | [ { "kind": "servo", 
