@@ -1,6 +1,7 @@
 // Projects in this browser: kept by themselves, found, opened, duplicated, deleted and brought back, compared; versions and steps that one can see.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { strToU8, unzipSync, zipSync } from 'fflate';
 import { PAPER, accessible, enter, ready, saved, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
@@ -140,12 +141,13 @@ test('the steps are listed in words, and one leads back over several', () =>
 test('all projects leave as one archive, and another browser takes them in once', async () => {
   let archive;
   await withPage(app, {}, async ({ page }) => {
-    await project(page, 'Order 1', '9.5');
+    await project(page, '印带机', '9.5');
     await openProjects(page);
     await unfold(page, 'Versions: 0');
     await dialog(page).getByRole('button', { name: 'Keep a version' }).click();
     await dialog(page).getByText('Versions: 1').waitFor();
     archive = await saved(page, () => dialog(page).locator('#pack').click());
+    assert.equal(Object.keys(unzipSync(archive)).filter((file) => /^\d+-印带机\.json$/.test(file)).length, 2);
   });
   await withPage(app, {}, async ({ page }) => {
     await openProjects(page);
@@ -153,13 +155,38 @@ test('all projects leave as one archive, and another browser takes them in once'
       await page.setInputFiles('#unpack', { name: 'all.zip', mimeType: 'application/zip', buffer: archive });
       await dialog(page).getByText(`Projects and versions added: ${added}`).waitFor();
     }
-    await dialog(page).getByRole('button', { name: 'Open Order 1' }).click();
+    await dialog(page).getByRole('button', { name: 'Open 印带机' }).click();
     assert.equal(await pitch(page).inputValue(), '9.5');
     await openProjects(page);
     await page.setInputFiles('#unpack', { name: 'no.zip', mimeType: 'application/zip', buffer: Buffer.from('no archive') });
-    await page.locator('.notice', { hasText: 'no.zip is no archive of projects' }).waitFor();
+    await page.locator('.notice', { hasText: 'no.zip was not added: It is no archive of projects.' }).waitFor();
   });
 });
+
+test('an archive is taken in as a whole or not at all, and is told apart from the list', () =>
+  withPage(app, { locale: 'zh-CN' }, async ({ page }) => {
+    const say = words('zh');
+    await page.getByRole('button', { name: say('projects.title'), exact: true }).click();
+    await items(page).first().waitFor();
+    const good = { id: 'good', at: 1, file: 'a.json' };
+    const text = '{ "version": 1, "machine": "ribbon-line", "control": "mitsubishi-e60", "values": {}, "name": "Good" }';
+    const archive = (states, files, version = 1) => Buffer.from(zipSync({ 'shelf.json': strToU8(JSON.stringify({ version, states })), ...files }));
+    for (const [name, buffer, reason] of [
+      ['own.zip', archive([good, { id: 'bad', at: 1, file: 'toString' }], { 'a.json': strToU8(text) }), 'projects.incomplete'],
+      ['large.zip', archive([good, { id: 'bad', at: 1, file: 'b.json' }], { 'a.json': strToU8(text), 'b.json': new Uint8Array(17 << 20) }), 'projects.incomplete'],
+      ['newer.zip', archive([good], { 'a.json': strToU8(text) }, 2), 'projects.newer'],
+      ['cut.zip', archive([good], { 'a.json': strToU8(text) }).subarray(0, 80), 'projects.no-archive'],
+    ]) {
+      await page.setInputFiles('#unpack', { name, mimeType: 'application/zip', buffer });
+      const notice = page.locator('.notice', { hasText: name });
+      await notice.waitFor();
+      const told = await notice.innerText();
+      assert.ok(told.includes(say(reason)) && !/[a-z]{3,} [a-z]{3,}/i.test(told), told);
+    }
+    assert.equal(await items(page).count(), 1);
+    await page.setInputFiles('#unpack', { name: 'all.zip', mimeType: 'application/zip', buffer: archive([good], { 'a.json': strToU8(text) }) });
+    await item(page, 'Good');
+  }));
 
 test('a browser that keeps no database loses nothing and says so', () =>
   withPage(app, {}, async ({ page, context }) => {

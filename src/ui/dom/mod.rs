@@ -13,6 +13,9 @@ use web_sys::{
     Performance, ResizeObserver, Storage, Url,
 };
 
+use crate::text::catalog::{self, Language};
+use crate::ui::words::say;
+
 /// Milliseconds since the page began.
 pub(crate) fn now() -> f64 {
     performance().map_or(0.0, |p| p.now())
@@ -274,11 +277,24 @@ pub(crate) fn takes_text(element: &Element) -> bool {
     }
 }
 
-/// A text of a JavaScript error.
+/// A text of a JavaScript error. Browsers have it in English: a reader of another language is told the name of the error alone.
 pub(crate) fn told(error: &JsValue) -> String {
-    error.as_string().unwrap_or_else(|| {
-        js_sys::Reflect::get(error, &"message".into()).ok().and_then(|m| m.as_string()).unwrap_or_default()
-    })
+    if let Some(text) = error.as_string() {
+        return text;
+    }
+    match property(error, "message").filter(|text| !text.is_empty()) {
+        Some(text) if catalog::spoken() == Language::English => text,
+        _ => say(&crate::msg!("page.browser-reports", name = error_name(error))),
+    }
+}
+
+/// The name of a JavaScript error, such as `QuotaExceededError`; empty where it is none.
+pub(crate) fn error_name(error: &JsValue) -> String {
+    property(error, "name").unwrap_or_default()
+}
+
+fn property(value: &JsValue, name: &str) -> Option<String> {
+    js_sys::Reflect::get(value, &name.into()).ok()?.as_string()
 }
 
 #[cfg(test)]

@@ -428,13 +428,25 @@ impl List {
         });
     }
 
-    /// Adds the projects of such an archive.
+    /// Adds the projects of such an archive, all of them or none.
     fn unpack(self, file: web_sys::File) {
+        let name = file.name();
         self.then(async move {
-            let buffer = JsFuture::from(file.array_buffer()).await.map_err(|error| dom::told(&error))?;
-            let count = shelf::ask("unpack", &[&js_sys::Uint8Array::new(&buffer)]).await;
-            let count = count.map_err(|reason| say(&msg!("projects.not-unpacked", file = file.name(), reason)))?;
-            Ok(say(&msg!("projects.unpacked", count = count.as_f64().unwrap_or_default())))
+            let added = async {
+                let buffer = JsFuture::from(file.array_buffer()).await.map_err(|error| dom::told(&error))?;
+                shelf::ask("unpack", &[&js_sys::Uint8Array::new(&buffer)]).await
+            };
+            match added.await {
+                Ok(count) => Ok(say(&msg!("projects.unpacked", count = count.as_f64().unwrap_or_default()))),
+                Err(reason) => {
+                    // The list itself is as it was, and is kept.
+                    if !self.page.view.kept.is_disposed() {
+                        let told = say(&msg!("projects.not-unpacked", file = name, reason));
+                        self.page.notices.notify("fail", told);
+                    }
+                    Ok(String::new())
+                }
+            }
         });
     }
 }
@@ -626,7 +638,7 @@ mod tests {
         bench.press("#projects").await;
         let list = bench.find(".projects");
         until(move || list.children().length() == 3).await;
-        assert!(bench.notices().contains(&say(&msg!("projects.refused", reason = "refused"))));
+        assert!(bench.notices().contains(&say(&msg!("projects.refused", reason = t("projects.denied")))));
         let text = bench.text(".projects");
         assert!(
             text.contains("Order 7") && text.contains(t("page.aside-opened")) && text.contains(t("page.aside-unread"))

@@ -6,9 +6,9 @@ import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
 const STATES = 'states';
 // Version of the states that are written.
 const VERSION = 1;
-// Most files of an archive that are read, and most bytes of one: a project as large as the page opens it.
-const FILES = 2000;
-const BYTES = 64_000_000;
+// Most files of an archive that are read, and most bytes of one: a project as large as the page opens it (`MAX_BYTES` of project/saved).
+const FILES = 10_000;
+const BYTES = 16 << 20;
 // Bytes of a project's name in the name of its file.
 const NAME = 76;
 
@@ -31,10 +31,22 @@ function base() {
 
 async function change(act) {
   const transaction = (await base()).transaction(STATES, 'readwrite');
+  // All of it or nothing: what fails takes back what was done before it.
+  const acted = act(transaction.store).catch((error) => {
+    try {
+      transaction.abort();
+    } catch {
+      // The database has done so itself.
+    }
+    throw error;
+  });
   // Whatever is refused, the transaction says so; without a catcher the browser would report each request too.
-  const [, result] = await Promise.all([transaction.done, act(transaction.store)]);
+  const [result] = await Promise.all([acted, transaction.done]);
   return result;
 }
+
+// Errors that the page knows by their names, as it knows those of the browser (`shelf::reason`).
+const fault = (name) => Object.assign(new Error(name), { name });
 
 const text = (value) => (typeof value === 'string' ? value : '');
 const number = (value) => (Number.isFinite(value) ? value : 0);
@@ -46,7 +58,7 @@ export const all = async () => (await (await base()).getAll(STATES)).map(state).
 export const put = (row, known) =>
   change(async (store) => {
     const before = await store.get(row.id);
-    if (before?.version > VERSION) throw new Error('the state was kept by a newer version');
+    if (before?.version > VERSION) throw fault('VersionError');
     if (before || !known) await store.put({ ...row, version: VERSION });
   });
 
@@ -54,13 +66,13 @@ export const put = (row, known) =>
 export const remove = (id) =>
   change(async (store) => {
     const rows = (await store.getAll()).filter((row) => row.id === id || row.of === id);
-    for (const row of rows) store.delete(row.id);
+    for (const row of rows) await store.delete(row.id);
     return rows;
   });
 
 export const restore = (rows) =>
   change(async (store) => {
-    for (const row of rows) store.put(row);
+    for (const row of rows) await store.put(row);
   });
 
 // All states as an archive: each a file that the page opens, and a list of what goes with it.
@@ -80,20 +92,32 @@ export async function pack() {
   return zipSync(Object.fromEntries([['shelf.json', strToU8(JSON.stringify({ version: VERSION, states: list }, null, 2))], ...files]), { level: 9 });
 }
 
+// The files of an archive and its list; those that are too large are not read.
+function archived(bytes) {
+  let count = 0;
+  try {
+    const files = unzipSync(bytes, { filter: ({ name, originalSize }) => name.endsWith('.json') && originalSize <= BYTES && ++count <= FILES });
+    const { version, states } = JSON.parse(strFromU8(files['shelf.json']));
+    if (Array.isArray(states) && Number.isInteger(version)) return { files, version, states };
+  } catch {
+    // No ZIP, or none of ours.
+  }
+  throw fault('NoArchive');
+}
+
 // Adds the states of an archive that are not there yet: one whose id is taken by another text gets an id of its own. Returns their count.
 export async function unpack(bytes) {
-  let count = 0;
-  const files = unzipSync(bytes, { filter: ({ name, originalSize }) => name.endsWith('.json') && originalSize <= BYTES && ++count <= FILES });
-  const { version, states } = JSON.parse(strFromU8(files['shelf.json'] ?? strToU8('{}')));
-  if (version !== VERSION || !Array.isArray(states)) throw new Error('shelf.json');
+  const { files, version, states } = archived(bytes);
+  if (version > VERSION) throw fault('VersionError');
+  // Projects before their versions.
+  const entries = states.filter((row) => row && typeof row === 'object').sort((a, b) => Boolean(a.of) - Boolean(b.of));
+  if (!entries.every(({ file }) => Object.hasOwn(files, file))) throw fault('Incomplete');
+  const rows = entries.map((entry) => ({ ...state(entry), version: VERSION, text: strFromU8(files[entry.file]) }));
   return change(async (store) => {
     const known = new Map((await store.getAll()).map((row) => [row.id, row]));
     const renamed = new Map();
     let added = 0;
-    // Projects before their versions.
-    const rows = states.filter((row) => row && typeof row === 'object').sort((a, b) => Boolean(a.of) - Boolean(b.of));
-    for (const entry of rows) {
-      const row = { ...state(entry), version: VERSION, text: files[entry.file] ? strFromU8(files[entry.file]) : '' };
+    for (const row of rows) {
       if (!row.id || !row.text || known.get(row.id)?.text === row.text) continue;
       if (known.has(row.id)) {
         const id = `${row.id}${Math.random().toString(36).slice(2, 8)}`;

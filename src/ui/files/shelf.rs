@@ -24,19 +24,25 @@ pub(super) fn row(state: &ShelfState) -> JsValue {
     serde_wasm_bindgen::to_value(state).unwrap_or_default()
 }
 
-/// Asks the database; the error is the reason in the browser's words, or that there is no room.
+/// Asks the database; the error is the reason in words.
 pub(super) async fn ask(method: &'static str, values: &[&JsValue]) -> Result<JsValue, String> {
     let asked = async {
         let promise = call(&module().await?, method, values)?;
         JsFuture::from(promise.dyn_into::<js_sys::Promise>()?).await
     };
-    asked.await.map_err(|error| {
-        let name = js_sys::Reflect::get(&error, &"name".into()).ok().and_then(|name| name.as_string());
-        match name.as_deref() {
-            Some("QuotaExceededError") => t("projects.no-room").to_owned(),
-            _ => dom::told(&error),
-        }
-    })
+    asked.await.map_err(|error| reason(&error))
+}
+
+/// Why something was refused, by the name of the error: one of the browser's, or of `shelf.js`.
+fn reason(error: &JsValue) -> String {
+    match dom::error_name(error).as_str() {
+        "QuotaExceededError" => t("projects.no-room").to_owned(),
+        "VersionError" => t("projects.newer").to_owned(),
+        "SecurityError" | "NotAllowedError" => t("projects.denied").to_owned(),
+        "NoArchive" => t("projects.no-archive").to_owned(),
+        "Incomplete" => t("projects.incomplete").to_owned(),
+        _ => dom::told(error),
+    }
 }
 
 /// Gives the present project an id where it has none.
@@ -234,6 +240,7 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
+    use crate::text::catalog::{self, Language};
     use crate::ui::testing::{Bench, first_project, mount, mount_project, project};
     use crate::ui::worker::messages::{BEFORE_PROGRAM, BEFORE_VERSION};
 
@@ -307,13 +314,29 @@ mod tests {
     async fn refused_state_stays_where_it_was_set_aside() {
         let bench = bench().await;
         set_aside::keep_project(&named("Order 7"), Reason::Replaced);
-        for (fault, reason) in [("QuotaExceededError", t("projects.no-room")), ("SecurityError", "refused")] {
+        for (fault, reason) in [
+            ("QuotaExceededError", "projects.no-room"),
+            ("SecurityError", "projects.denied"),
+            ("VersionError", "projects.newer"),
+        ] {
+            let reason = t(reason);
             pretend::refuse(fault);
             let refused = take_in(bench.page).await.unwrap_err();
             tell(bench.page, &refused);
             assert!(bench.notices().contains(&say(&msg!("projects.refused", reason))), "{refused}");
             assert_eq!(set_aside::list().len(), 1);
         }
+    }
+
+    #[wasm_bindgen_test]
+    async fn unknown_error_is_told_by_its_name_in_chinese() {
+        let bench = bench().await;
+        pretend::refuse("UnknownError");
+        assert_eq!(keep_present(bench.page).await.unwrap_err(), "refused");
+        catalog::speak(Language::Chinese.sentences());
+        let told = keep_present(bench.page).await.unwrap_err();
+        catalog::speak(Language::English.sentences());
+        assert!(told.contains("UnknownError") && !told.contains("refused"), "{told}");
     }
 
     #[wasm_bindgen_test]
