@@ -142,6 +142,11 @@ fn finding(at: usize, diagnostic: &Diagnostic) -> String {
     if diagnostic.severity != Severity::Error {
         let (id, words) = (diagnostic.id(), t("page.silence"));
         let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-silence=\"{id}\">{words}</button>");
+        // The help has an entry for each warning about programs.
+        if id.starts_with("lint.") {
+            let more = t("help.more");
+            let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-explain=\"rule.{id}\">{more}</button>");
+        }
     }
     out.push_str("</li>");
     out
@@ -185,6 +190,15 @@ mod tests {
         assert!(first < says && says < second, "{html}");
         assert!(html.contains("data-d=\"0\" data-fix=\"0\"") && html.contains("data-silence="), "{html}");
         assert!(html.contains("bad-warn"), "{html}");
+    }
+
+    #[wasm_bindgen_test]
+    fn warning_about_a_program_leads_to_its_place_in_the_help() {
+        let place = Place { file: FileId(0), span: Span { start: 4, end: 6 } };
+        for (message, leads) in [(crate::msg!("lint.feed-zero"), true), (crate::msg!("page.not-a-value"), false)] {
+            let html = shown("G01 X1.\n", &[Diagnostic::warning(message).at(place)]);
+            assert_eq!(html.contains("data-explain=\"rule.lint.feed-zero\""), leads, "{html}");
+        }
     }
 
     #[wasm_bindgen_test]

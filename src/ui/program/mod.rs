@@ -287,6 +287,8 @@ fn press(page: Page, event: &MouseEvent) {
         page.apply_fix(diagnostic, fix);
     } else if let Some(id) = attribute("data-silence") {
         page.edit("", |project| project.silenced.push(id));
+    } else if let Some(id) = attribute("data-explain") {
+        page.view.explain(id);
     } else if let Some(line) = number("data-l") {
         let file = FileId(page.view.file.get_untracked() as u16);
         page.player.walk.update(|walk| walk.cursor = Some((file, line as u32)));
