@@ -43,6 +43,16 @@ test('the one file runs the machine, sizes it, edits the program and exports', (
     assert.equal(await page.locator('#pitch').inputValue(), '8');
   }));
 
+test('the one file is not shared by a link, which would open on no other computer', () =>
+  opened({}, async ({ page }) => {
+    await page.click('#share');
+    const dialog = page.getByRole('dialog');
+    await dialog.getByText('Send the project as a file').waitFor();
+    assert.equal(await dialog.getByRole('textbox').count(), 0);
+    const project = await saved(page, () => dialog.locator('.primary').click());
+    assert.equal(JSON.parse(project).machine, 'ribbon-line');
+  }));
+
 test('the one file speaks both languages', () =>
   opened({ locale: 'zh-CN' }, async ({ page }) => {
     assert.equal(await page.locator('html').getAttribute('lang'), 'zh');

@@ -92,14 +92,31 @@ pub(crate) fn ShareDialog() -> impl IntoView {
             <div class="share"><Copied text=text about=ELEMENT /></div>
         })
     };
-    view! {
-        <Dialog id="share-title" title=t("page.share-title") open=open close=move || open.set(false)>
+    let shared = if leads_to_this_disk(&dom::address().0) {
+        view! {
+            <p>{t("page.share-local")}</p>
+            <p><button type="button" class="primary" on:click=move |_| save(page)>{t("page.save-about")}</button></p>
+        }
+        .into_any()
+    } else {
+        view! {
             <p>{t("page.share-about")}</p>
             <div class="share">{content}</div>
             <p>{t("page.share-file")} " " <button type="button" class="link" on:click=move |_| save(page)>{t("page.save-about")}</button></p>
             {element}
+        }
+        .into_any()
+    };
+    view! {
+        <Dialog id="share-title" title=t("page.share-title") open=open close=move || open.set(false)>
+            {shared}
         </Dialog>
     }
+}
+
+/// Whether an address is that of a file: nobody else can open it, nor a page of another host.
+fn leads_to_this_disk(address: &str) -> bool {
+    address.starts_with("file:")
 }
 
 /// The element that shows a project inside another page. Neither an address nor the fragment of a link has a character that HTML does not take.
@@ -205,6 +222,14 @@ mod tests {
         let (_, fragment) = link.split_once('#').unwrap();
         assert!(Project::from_link(fragment).project == Some(order));
         assert!(!bench.has(".share .warn"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn address_of_a_file_is_not_shared() {
+        assert!(leads_to_this_disk("file:///media/stick/macroline.html"));
+        assert!(!leads_to_this_disk(&dom::address().0) && !leads_to_this_disk("https://file.example/"));
+        let bench = shared(project()).await;
+        assert!(!bench.text("dialog").contains(t("page.share-local")));
     }
 
     #[wasm_bindgen_test]
