@@ -85,7 +85,34 @@ fn alarm_fails_the_check_and_leads_its_sentence() {
     let result = &log["runs"][0]["results"][0];
     assert_eq!((&result["level"], &result["ruleId"]), (&json!("error"), &json!("nc.unclosed-square")));
     assert!(result["message"]["text"].as_str().unwrap().starts_with("[P281] "), "{result}");
-    assert_eq!(log["runs"][0]["tool"]["driver"]["rules"], json!([{ "id": "nc.unclosed-square" }]));
+    let rules = log["runs"][0]["tool"]["driver"]["rules"].as_array().unwrap();
+    assert_eq!(rules.iter().map(|rule| &rule["id"]).collect::<Vec<_>>(), ["nc.unclosed-square"]);
+}
+
+#[test]
+fn rules_say_what_they_are_about() {
+    let folder = folder("rules");
+    std::fs::write(folder.join("O1.nc"), "%\nO1\nG91 G01 X8 F100\n#101=ROUND[2.5\nM30\n%\n").unwrap();
+    for language in ["en", "zh"] {
+        let out = check(&folder, &["O1.nc", "--control", "mitsubishi-e60", "--language", language]);
+        let log: Json = serde_json::from_slice(&out.stdout).unwrap();
+        let rules = log["runs"][0]["tool"]["driver"]["rules"].as_array().unwrap();
+        assert!(rules.len() > 1, "{log}");
+        for rule in rules {
+            let text = |member: &str| rule[member]["text"].as_str().unwrap_or_default();
+            let (short, full, help) = (text("shortDescription"), text("fullDescription"), text("help"));
+            assert!(!short.is_empty() && full.starts_with(short) && help.starts_with(full), "{rule}");
+            assert!(!help.contains(['{', '}']) && full.chars().count() <= 1024, "{rule}");
+            assert_eq!(help.contains("--silence"), rule["defaultConfiguration"]["level"] != "error", "{rule}");
+            assert_eq!(rule["help"]["markdown"].as_str().unwrap().replace('\\', ""), help);
+            assert!(rule["name"].as_str().unwrap().chars().all(|c| c.is_ascii_alphanumeric()), "{rule}");
+        }
+        let point = rules.iter().find(|rule| rule["id"] == "lint.no-point").unwrap();
+        assert_eq!(
+            (&point["name"], &point["defaultConfiguration"]["level"]),
+            (&json!("LintNoPoint"), &json!("warning"))
+        );
+    }
 }
 
 #[test]

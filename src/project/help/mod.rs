@@ -17,6 +17,7 @@ pub mod search;
 pub mod explain;
 
 use self::content::{HelpEntry, HelpPlace, Page};
+pub(super) use self::terms::open;
 use self::texts::{Piece, Text, Texts};
 use crate::controls::Control;
 use crate::machines::AnyMachine;

@@ -59,7 +59,7 @@ pub(super) fn programs(control: &'static Control, texts: &Texts) -> Page {
 }
 
 /// A sentence with an ellipsis at each place of a value.
-fn open(sentence: &str) -> String {
+pub(in crate::project) fn open(sentence: &str) -> String {
     let text = |part| match part {
         SentencePart::Words(words) => words,
         SentencePart::Place(_, Form::Plural([_, many])) => many,

@@ -1,12 +1,13 @@
 //! Diagnostics as SARIF 2.1.0 of OASIS, which code hosts and editors show beside the lines that they are about.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use serde_json::{Value as Json, json};
 
 use super::Renderer;
 use crate::msg;
-use crate::text::catalog::sentence;
+use crate::project::help::open;
+use crate::text::catalog::{self, sentence, words};
 use crate::text::{Diagnostic, FileId, Fix, Place, Severity, Span, sentences};
 
 /// Address of the schema of the form.
@@ -14,14 +15,58 @@ const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
 
 /// A log of one run with these results of [`Renderer::sarif`].
 pub fn log(results: Vec<Json>) -> Json {
-    let ids: BTreeSet<&str> = results.iter().filter_map(|result| result["ruleId"].as_str()).collect();
-    let rules: Vec<Json> = ids.into_iter().map(|id| json!({ "id": id })).collect();
+    let level = |result: &Json| Some((result["ruleId"].as_str()?.to_owned(), result["level"].clone()));
+    let levels: BTreeMap<String, Json> = results.iter().filter_map(level).collect();
+    let rules: Vec<Json> = levels.iter().map(|(id, level)| rule(id, level)).collect();
     let driver = json!({ "name": "macroline", "semanticVersion": env!("CARGO_PKG_VERSION"), "rules": rules });
     json!({
         "$schema": SCHEMA,
         "version": "2.1.0",
         "runs": [{ "tool": { "driver": driver }, "columnKind": "unicodeCodePoints", "results": results }],
     })
+}
+
+/// What code hosts show beside all results of an id: its sentence with an ellipsis at each place of a value, and how the warning is left out.
+fn rule(id: &str, level: &Json) -> Json {
+    let said = catalog::id(id).map(|id| open(words(id))).unwrap_or_else(|| id.to_owned());
+    let silence = (level != "error").then(|| sentence(&msg!("project.sarif-silence", id)));
+    let help: Vec<&str> = core::iter::once(said.as_str()).chain(silence.as_deref()).collect();
+    let marked: Vec<String> = help.iter().map(|text| markdown(text)).collect();
+    json!({
+        "id": id,
+        "name": pascal(id),
+        "shortDescription": { "text": first_sentence(&said) },
+        "fullDescription": { "text": said },
+        "help": { "text": help.join("\n\n"), "markdown": marked.join("\n\n") },
+        "defaultConfiguration": { "level": level },
+    })
+}
+
+/// An id as one word: `lint.no-point` is `LintNoPoint`.
+fn pascal(id: &str) -> String {
+    let word = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect::<String>()
+    };
+    id.split(['.', '-']).map(word).collect()
+}
+
+/// The text up to the end of its first sentence.
+fn first_sentence(text: &str) -> &str {
+    let ends = [text.find(". ").map(|at| at + 1), text.find('。').map(|at| at + '。'.len_utf8())];
+    ends.into_iter().flatten().min().and_then(|end| text.get(..end)).unwrap_or(text)
+}
+
+/// A text whose signs mean nothing in Markdown.
+fn markdown(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if "\\`*_[]<>#".contains(c) {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
 }
 
 impl Renderer<'_> {
