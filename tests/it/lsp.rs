@@ -126,6 +126,50 @@ fn definition_and_references_lead_to_other_open_files() {
 }
 
 #[test]
+fn programs_on_the_disk_are_known_too_and_open_texts_win() {
+    let path = folder("beside");
+    for (name, text) in [
+        ("O9100.nc", "O9100\n#100=#1\nM99\n%\n"),
+        ("O9200", "O9200\nM99\n%\n"),
+        ("O9300.txt", "O9300\nM99\n%\n"),
+        ("O1.cnc", "O1\nM30\n%\n"),
+        ("O9400.nc", &format!("O9400\nM99\n({})\n%\n", "x".repeat(1 << 20))),
+    ] {
+        std::fs::write(path.join(name), text).unwrap();
+    }
+    let [main, part] = ["O1.nc", "O9100.nc"].map(|name| address(&path.join(name)));
+    let mut client = Client::start(&["--control", "mitsubishi-e60"]);
+    let calls = "O1\nG65 P9100\nM98 P9200\nM98 P9300\nM98 P9400\nM30\n%\n";
+    let unknown = |found: &Json| -> Vec<u64> {
+        let rows = found.as_array().unwrap().iter().filter(|row| row.to_string().contains("none of these files"));
+        rows.map(|row| row["range"]["start"]["line"].as_u64().unwrap()).collect()
+    };
+    let found = client.open(&main, calls);
+    assert_eq!(unknown(&found), [3, 4], "{found}");
+    assert!(!found.to_string().contains("O1.cnc"), "{found}");
+    let definition = client.at("textDocument/definition", &main, 1, 6);
+    assert_eq!((&definition["uri"], &definition["range"]["start"]["line"]), (&json!(part), &json!(0)));
+    client.open(&part, "(NEW)\nO9100\nM99\n%\n");
+    let definition = client.at("textDocument/definition", &main, 1, 6);
+    assert_eq!((&definition["uri"], &definition["range"]["start"]["line"]), (&json!(part), &json!(1)));
+    client.end();
+}
+
+#[test]
+fn client_chooses_the_language_unless_the_option_does() {
+    for (args, chinese) in
+        [(&["--control", "mitsubishi-e60"][..], true), (&["--control", "mitsubishi-e60", "--language", "en"], false)]
+    {
+        let mut client = Client::before_start(args);
+        client.introduce_with(json!({ "locale": "zh-cn" }));
+        let found = client.open("file:///shop/O1.nc", "O1\nG65 P9100\nM30\n%\n");
+        let said = found[0]["message"].as_str().unwrap();
+        assert_eq!(said.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c)), chinese, "{said}");
+        client.end();
+    }
+}
+
+#[test]
 fn outline_has_programs_with_their_blocks() {
     let mut client = Client::start(&["--control", "sinumerik-802d"]);
     let uri = "file:///shop/PART.MPF";

@@ -17,7 +17,8 @@ use crate::args::Format;
 use crate::language::failed;
 use crate::output::{Failure, refuse};
 
-fn read(path: &Path) -> Result<Decoded, Failure> {
+/// A file as text.
+pub(crate) fn read(path: &Path) -> Result<Decoded, Failure> {
     let bytes = std::fs::read(path).map_err(|error| Failure::Usage(failed(path, &error)))?;
     if u32::try_from(bytes.len()).is_err() {
         return Err(Failure::usage(&msg!("cli.file-too-large", file = path.display().to_string())));

@@ -59,8 +59,19 @@ fn chosen(arguments: impl Iterator<Item = OsString>) -> Option<Language> {
 
 /// The language of the system's texts; English where there is no file of it.
 fn of_system() -> Language {
-    let locale = sys_locale::get_locale().unwrap_or_default().to_lowercase();
-    locale.split(['-', '_', '.']).next().and_then(Language::of_code).unwrap_or(Language::English)
+    of_locale(&sys_locale::get_locale().unwrap_or_default()).unwrap_or(Language::English)
+}
+
+/// The language of a locale, `zh-CN`, `zh_CN.UTF-8` or `zh-cn`, where there is a file of it.
+fn of_locale(locale: &str) -> Option<Language> {
+    locale.to_lowercase().split(['-', '_', '.']).next().and_then(Language::of_code)
+}
+
+/// Speaks the language of a client's locale, unless the command line has chosen one.
+pub(crate) fn speak_as_client(locale: &str) {
+    if let (None, Some(language)) = (chosen(std::env::args_os().skip(1)), of_locale(locale)) {
+        catalog::speak(language.sentences());
+    }
 }
 
 /// The command with its help in the language that is spoken.

@@ -53,7 +53,14 @@ impl Client {
 
     /// Introduces the client.
     pub(super) fn introduce(&mut self) {
-        let found = self.ask("initialize", json!({ "processId": null, "rootUri": null, "capabilities": {} }));
+        self.introduce_with(json!({}));
+    }
+
+    /// Introduces a client that says more about itself.
+    pub(super) fn introduce_with(&mut self, more: Json) {
+        let mut about = json!({ "processId": null, "rootUri": null, "capabilities": {} });
+        about.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        let found = self.ask("initialize", about);
         assert_eq!(found["serverInfo"]["name"], "macroline");
         self.tell("initialized", json!({}));
     }

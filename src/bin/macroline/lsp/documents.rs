@@ -1,6 +1,7 @@
-//! Open files. Those of one folder are the programs of one control, so that calls lead from file to file.
+//! Open files and the programs beside them. Those of one folder are the programs of one control, so that calls lead from file to file.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 use std::rc::Rc;
 
 use lsp_types::{TextDocumentContentChangeEvent, Url};
@@ -12,6 +13,7 @@ use macroline::text::{Diagnostic, FileId};
 use super::convert::Lines;
 use super::setup::Setup;
 use super::wire::MOST;
+use crate::input;
 
 /// The programs of a folder as its control reads them.
 pub(super) struct Programs {
@@ -35,10 +37,19 @@ impl Programs {
     }
 }
 
+/// Endings of program files; one without an ending goes by its name, `O9100`.
+const ENDINGS: [&str; 5] = ["nc", "mpf", "spf", "cnc", "ngc"];
+/// Files of a folder that are looked at, and bytes of those that are read beside the open ones, which are parsed with every change. Our choice.
+const MOST_FILES: usize = 2000;
+const MOST_BYTES: u64 = 1 << 20;
+
 /// A folder with open files.
 #[derive(Default)]
 struct Folder {
+    /// The open files.
     texts: BTreeMap<Url, String>,
+    /// Programs on the disk, read when a file is opened, saved or closed; an open text counts in place of its file.
+    beside: BTreeMap<Url, String>,
     /// What its project file tells, read when a file is opened or saved.
     own: Option<Setup>,
     /// The programs, read when they are first asked for after a change; `None` inside where no control is known.
@@ -79,10 +90,13 @@ impl Documents {
         self.saved(&address);
     }
 
-    /// A file is on the disk as it is here: the folder may have another project file.
+    /// A file is on the disk as it is here: the folder may have another project file, and other programs.
     pub(super) fn saved(&mut self, address: &Url) {
         let Some(folder) = self.folders.get_mut(&folder(address)) else { return };
-        folder.own = address.to_file_path().ok().and_then(|path| Setup::of_folder(path.parent()?));
+        let path = address.to_file_path().ok();
+        let parent = path.as_deref().and_then(Path::parent);
+        folder.own = parent.and_then(Setup::of_folder);
+        folder.beside = parent.map(programs_of).unwrap_or_default();
         folder.read = None;
     }
 
@@ -109,9 +123,10 @@ impl Documents {
         let key = folder(address);
         let Some(folder) = self.folders.get_mut(&key) else { return };
         folder.texts.remove(address);
-        folder.read = None;
         if folder.texts.is_empty() {
             self.folders.remove(&key);
+        } else {
+            self.saved(address);
         }
     }
 
@@ -119,7 +134,7 @@ impl Documents {
     pub(super) fn programs(&mut self, address: &Url) -> Option<&Programs> {
         let folder = self.folders.get_mut(&folder(address)).filter(|folder| folder.texts.contains_key(address))?;
         let asked = self.asked.as_ref();
-        folder.read.get_or_insert_with(|| read(&folder.texts, asked.or(folder.own.as_ref()))).as_ref()
+        folder.read.get_or_insert_with(|| read(&folder.texts, &folder.beside, asked.or(folder.own.as_ref()))).as_ref()
     }
 
     /// One open file of each folder that has changed since its programs were read.
@@ -134,14 +149,44 @@ impl Documents {
     }
 }
 
-/// Reads the programs of a folder; `None` where no control is known.
-fn read(texts: &BTreeMap<Url, String>, setup: Option<&Setup>) -> Option<Programs> {
-    let setup = setup.cloned().or_else(|| texts.values().find_map(|text| Setup::of_program(text)))?;
-    let texts = || texts.iter().take(usize::from(u16::MAX));
-    let files = texts().map(|(address, text)| File { name: name(address), text: text.clone() });
+/// Whether a file is a program by its name.
+fn is_program(path: &Path) -> bool {
+    match path.extension().and_then(|ending| ending.to_str()) {
+        Some(ending) => ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known)),
+        None => {
+            let number = path.file_name().and_then(|name| name.to_str()?.strip_prefix(['O', 'o']));
+            number.is_some_and(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+        }
+    }
+}
+
+/// The programs of a folder on the disk, in the order of their names, as far as there is room for them.
+fn programs_of(folder: &Path) -> BTreeMap<Url, String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().take(MOST_FILES).flatten();
+    let mut paths: Vec<_> = entries.map(|entry| entry.path()).filter(|path| is_program(path)).collect();
+    paths.sort();
+    let mut room = MOST_BYTES;
+    let text = |path: &Path| {
+        let size = std::fs::metadata(path).ok().filter(|about| about.is_file() && about.len() <= room)?.len();
+        let decoded = input::read(path).ok().filter(|decoded| decoded.other.is_none())?;
+        room -= size;
+        Some((Url::from_file_path(path).ok()?, decoded.text))
+    };
+    paths.iter().map(|path| path.as_path()).filter_map(text).collect()
+}
+
+/// Reads the programs of a folder; `None` where no control is known. One on the disk that has the name of an open one but for its ending is
+/// left out: it is another state of that program.
+fn read(open: &BTreeMap<Url, String>, beside: &BTreeMap<Url, String>, setup: Option<&Setup>) -> Option<Programs> {
+    let stem = |address: &Url| name(address).split('.').next().unwrap_or_default().to_uppercase();
+    let stems: BTreeSet<String> = open.keys().map(stem).collect();
+    let beside = beside.iter().filter(|(address, _)| !stems.contains(&stem(address)));
+    let texts: Vec<(&Url, &String)> = open.iter().chain(beside).take(usize::from(u16::MAX)).collect();
+    let setup = setup.cloned().or_else(|| texts.iter().find_map(|(_, text)| Setup::of_program(text)))?;
+    let files = texts.iter().map(|(address, text)| File { name: name(address), text: (*text).clone() });
     let parsed = Rc::new(nc::parse_with(&Files(files.collect()), setup.control, &setup.switches));
     let mut found = review(&parsed, None, &setup.set_by_operator());
     silence(&mut found, &setup.silenced);
-    let addresses = texts().map(|(address, _)| address.clone()).collect();
+    let addresses = texts.iter().map(|(address, _)| (*address).clone()).collect();
     Some(Programs { addresses, setup, parsed, found })
 }

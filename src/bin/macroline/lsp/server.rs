@@ -28,6 +28,7 @@ use serde_json::Value as Json;
 use super::documents::{Documents, Programs};
 use super::findings::{FIX_ALL, remark};
 use super::setup::Setup;
+use crate::language::speak_as_client;
 use crate::output::Failure;
 
 /// Name of the settings in an editor, and of the server.
@@ -183,6 +184,7 @@ impl Server {
     /// The client introduces itself.
     fn begin(&mut self, params: InitializeParams) -> InitializeResult {
         self.state = State::Serves;
+        params.locale.as_deref().iter().for_each(|locale| speak_as_client(locale));
         let shown = params.capabilities.text_document.and_then(|text| text.publish_diagnostics);
         self.related = shown.and_then(|shown| shown.related_information).unwrap_or(false);
         let workspace = params.capabilities.workspace;
