@@ -494,13 +494,13 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("greatest-distance", member!(Params.greatest_distance)).group("polygon.group.limits").label("polygon.greatest-distance").help("polygon.greatest-distance.help")
         .unit("mm").range(1.0..=2000.0).default(150.0).decimals(2).step(5.0).fact(),
     number("rapid-x", member!(Params.rapid_x)).group("polygon.group.slides").label("polygon.rapid-x").help("polygon.rapid-x.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).setting(),
+        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
     number("rapid-z", member!(Params.rapid_z)).group("polygon.group.slides").label("polygon.rapid-z").help("polygon.rapid-z.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).setting(),
+        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
     number("clamp-x", member!(Params.clamp_x)).group("polygon.group.slides").label("polygon.clamp-x").help("polygon.clamp-x.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(3000.0).decimals(0).step(500.0).setting(),
+        .unit("mm/min").range(1.0..=1000000.0).default(3000.0).decimals(0).step(500.0).fact(),
     number("clamp-z", member!(Params.clamp_z)).group("polygon.group.slides").label("polygon.clamp-z").help("polygon.clamp-z.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).setting(),
+        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
     scaling::lead("lead-x", "polygon.group.slides", "scaling.lead-x", member!(Params.lead_x)),
     scaling::lead("lead-z", "polygon.group.slides", "scaling.lead-z", member!(Params.lead_z)),
     scaling::teeth("motor-teeth-x", "polygon.group.slides", "scaling.motor-teeth-x", member!(Params.motor_teeth_x)),
@@ -517,7 +517,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("macro-time", member!(Params.macro_time)).group("polygon.group.control").label("form.macro-time").help("form.macro-time.help")
         .unit("ms").range(0.1..=1000.0).default(2.0).decimals(3).step(0.1).fact(),
     number("preread", member!(Params.preread)).group("polygon.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).setting(),
+        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).fact(),
     choice("newline", member!(Params.newline: LineEnds)).group("polygon.group.control").label("form.newline").help("form.newline.help"),
     text("customer", member!(&Params.customer)).group("polygon.group.control").label("form.customer").help("form.customer.help").characters(22),
     text("product", member!(&Params.product)).group("polygon.group.control").label("form.product").help("form.product.help").characters(22),

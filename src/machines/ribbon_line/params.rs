@@ -430,9 +430,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("print-roller-diameter", member!(Params.print_roller_diameter)).group("ribbon.group.print").label("ribbon.print-roller-diameter").help("ribbon.print-roller-diameter.help").symbol("#111")
         .unit("mm").range(1.0..=5000.0).default(120.0).decimals(4).step(1.0).essential().fact(),
     number("speed-at-10v", member!(Params.speed_at_10v)).group("ribbon.group.unwinder").label("ribbon.speed-at-10v").help("ribbon.speed-at-10v.help").symbol("n10")
-        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).setting(),
+        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).fact(),
     number("speed-clamp", member!(Params.speed_clamp)).group("ribbon.group.unwinder").label("ribbon.speed-clamp").help("ribbon.speed-clamp.help").symbol("#116")
-        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).setting(),
+        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).fact(),
     number("override", member!(Params.override_percent)).group("ribbon.group.unwinder").label("ribbon.override").help("ribbon.override.help")
         .unit("%").range(0.0..=200.0).default(100.0).decimals(0).step(1.0),
     choice("override-form", member!(Params.override_form: OverrideForm)).group("ribbon.group.unwinder").label("ribbon.override-form").help("ribbon.override-form.help")
@@ -443,9 +443,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("manual-speed", member!(Params.manual_speed)).group("ribbon.group.unwinder").label("ribbon.manual-speed").help("ribbon.manual-speed.help").symbol("S")
         .unit("r/min").range(0.0..=30000.0).default(100.0).decimals(0).step(10.0),
     number("frequency-at-10v", member!(Params.frequency_at_10v)).group("ribbon.group.unwinder").label("ribbon.frequency-at-10v").help("ribbon.frequency-at-10v.help")
-        .unit("Hz").range(1.0..=1000.0).default(50.0).decimals(2).step(1.0).setting(),
+        .unit("Hz").range(1.0..=1000.0).default(50.0).decimals(2).step(1.0).fact(),
     number("inverter-ramp", member!(Params.inverter_ramp)).group("ribbon.group.unwinder").label("ribbon.inverter-ramp").help("ribbon.inverter-ramp.help")
-        .unit("s").range(0.0..=600.0).default(2.0).decimals(3).step(0.1).setting(),
+        .unit("s").range(0.0..=600.0).default(2.0).decimals(3).step(0.1).fact(),
     number("no-load-speed", member!(Params.no_load_speed)).group("ribbon.group.unwinder").label("ribbon.no-load-speed").help("ribbon.no-load-speed.help")
         .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(3).step(1.0).fact(),
     number("rated-load-speed", member!(Params.rated_load_speed)).group("ribbon.group.unwinder").label("ribbon.rated-load-speed").help("ribbon.rated-load-speed.help")
@@ -514,13 +514,13 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("pitches-per-block", member!(Params.pitches_per_block)).group("ribbon.group.job").label("ribbon.pitches-per-block").help("ribbon.pitches-per-block.help").symbol("#121")
         .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
     number("clamp-x", member!(Params.clamp_x)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).setting(),
+        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
     number("clamp-y", member!(Params.clamp_y)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).setting(),
+        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact(),
     number("rapid-x", member!(Params.rapid_x)).group("ribbon.group.axes").label("ribbon.rapid-x").help("ribbon.rapid-x.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).setting(),
+        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
     number("rapid-y", member!(Params.rapid_y)).group("ribbon.group.axes").label("ribbon.rapid-y").help("ribbon.rapid-y.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).setting(),
+        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact(),
     number("time-constant-x", member!(Params.time_constant_x)).group("ribbon.group.axes").label("ribbon.time-constant-x").help("ribbon.time-constant-x.help")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
     number("time-constant-y", member!(Params.time_constant_y)).group("ribbon.group.axes").label("ribbon.time-constant-y").help("ribbon.time-constant-y.help")
@@ -606,13 +606,13 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).setting(),
     choice("cam-law", member!(Params.cam_law: CamLaw)).group("ribbon.group.print-drive").label("ribbon.cam-law").help("ribbon.cam-law.help"),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
-        .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).setting(),
+        .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),
     number("block-time", member!(Params.block_time)).group("ribbon.group.control").label("form.block-time").help("form.block-time.help")
         .unit("ms").range(0.1..=1000.0).default(7.1).decimals(3).step(0.1).fact(),
     number("macro-time", member!(Params.macro_time)).group("ribbon.group.control").label("form.macro-time").help("form.macro-time.help")
         .unit("ms").range(0.0..=1000.0).default(3.0).decimals(3).step(0.1).fact(),
     number("preread", member!(Params.preread)).group("ribbon.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).setting(),
+        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).fact(),
     choice("variant", member!(Params.variant: Variant)).group("ribbon.group.program").label("ribbon.variant").help("ribbon.variant.help"),
     choice("pi", member!(Params.pi: PiForm)).group("ribbon.group.program").label("ribbon.pi").help("ribbon.pi.help"),
     choice("feed-form", member!(Params.feed_form: FeedForm)).group("ribbon.group.program").label("ribbon.feed-form").help("ribbon.feed-form.help").symbol("F"),

@@ -321,17 +321,17 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     choice("gear", member!(Params.gear: Gear)).group("turning.group.spindle").label("turning.gear").help("turning.gear.help")
         .when(Params::has_gears),
     number("stage-1", member!(Params.stage_1)).group("turning.group.spindle").label("turning.stage-1").help("turning.stage-1.help").symbol("M41")
-        .unit("r/min").range(1.0..=60000.0).default(1000.0).decimals(0).step(100.0).setting(),
+        .unit("r/min").range(1.0..=60000.0).default(1000.0).decimals(0).step(100.0).fact(),
     number("stage-2", member!(Params.stage_2)).group("turning.group.spindle").label("turning.stage-2").help("turning.stage.help").symbol("M42")
-        .unit("r/min").range(0.0..=60000.0).default(3000.0).decimals(0).step(100.0).setting().when(Params::has_gears),
+        .unit("r/min").range(0.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact().when(Params::has_gears),
     number("stage-3", member!(Params.stage_3)).group("turning.group.spindle").label("turning.stage-3").help("turning.stage.help").symbol("M43")
-        .unit("r/min").range(0.0..=60000.0).default(0.0).decimals(0).step(100.0).setting().when(Params::has_gears),
+        .unit("r/min").range(0.0..=60000.0).default(0.0).decimals(0).step(100.0).fact().when(Params::has_gears),
     number("stage-4", member!(Params.stage_4)).group("turning.group.spindle").label("turning.stage-4").help("turning.stage.help").symbol("M44")
-        .unit("r/min").range(0.0..=60000.0).default(0.0).decimals(0).step(100.0).setting().when(Params::has_gears),
+        .unit("r/min").range(0.0..=60000.0).default(0.0).decimals(0).step(100.0).fact().when(Params::has_gears),
     number("chuck-limit", member!(Params.chuck_limit)).group("turning.group.spindle").label("turning.chuck-limit").help("turning.chuck-limit.help")
         .unit("r/min").range(1.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact(),
     number("spindle-ramp", member!(Params.spindle_ramp)).group("turning.group.spindle").label("turning.spindle-ramp").help("turning.spindle-ramp.help")
-        .unit("s").range(0.0..=600.0).default(3.0).decimals(2).step(0.1).setting(),
+        .unit("s").range(0.0..=600.0).default(3.0).decimals(2).step(0.1).fact(),
     number("spindle-inertia", member!(Params.spindle_inertia)).group("turning.group.spindle").label("turning.spindle-inertia").help("turning.spindle-inertia.help").symbol("J")
         .unit("kg m²").range(0.0001..=10000.0).default(0.2).decimals(4).step(0.01).fact(),
     number("spindle-friction", member!(Params.spindle_friction)).group("turning.group.spindle").label("turning.spindle-friction").help("turning.spindle-friction.help")
@@ -339,7 +339,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("gear-time", member!(Params.gear_time)).group("turning.group.spindle").label("turning.gear-time").help("turning.gear-time.help")
         .unit("s").range(0.0..=60.0).default(2.0).decimals(2).step(0.1).fact().when(Params::has_gears),
     number("gear-patience", member!(Params.gear_patience)).group("turning.group.spindle").label("turning.gear-patience").help("turning.gear-patience.help")
-        .unit("s").range(0.0..=60.0).default(0.0).decimals(2).step(0.5).setting().when(Params::has_gear_alarm),
+        .unit("s").range(0.0..=60.0).default(0.0).decimals(2).step(0.5).fact().when(Params::has_gear_alarm),
     choice("output", member!(Params.output: Output)).group("turning.group.output").label("turning.output").help("turning.output.help")
         .fact().when(Params::has_signed_output),
     number("offset-zero", member!(Params.offset_zero)).group("turning.group.output").label("turning.offset-zero").help("turning.offset-zero.help")
@@ -371,17 +371,17 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("efficiency", member!(Params.efficiency)).group("turning.group.power").label("turning.efficiency").help("turning.efficiency.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(80.0).decimals(0).step(1.0).fact(),
     number("rapid-x", member!(Params.rapid_x)).group("turning.group.axes").label("turning.rapid-x").help("turning.rapid-x.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).setting(),
+        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
     number("rapid-z", member!(Params.rapid_z)).group("turning.group.axes").label("turning.rapid-z").help("turning.rapid-z.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(10000.0).decimals(0).step(500.0).setting(),
+        .unit("mm/min").range(1.0..=1000000.0).default(10000.0).decimals(0).step(500.0).fact(),
     number("clamp-x", member!(Params.clamp_x)).group("turning.group.axes").label("turning.clamp-x").help("turning.clamp-x.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(4000.0).decimals(0).step(500.0).setting(),
+        .unit("mm/min").range(1.0..=1000000.0).default(4000.0).decimals(0).step(500.0).fact(),
     number("clamp-z", member!(Params.clamp_z)).group("turning.group.axes").label("turning.clamp-z").help("turning.clamp-z.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).setting(),
+        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
     number("travel-x", member!(Params.travel_x)).group("turning.group.axes").label("turning.travel-x").help("turning.travel.help")
-        .unit("mm").range(0.0..=10000.0).default(0.0).decimals(1).step(10.0).setting(),
+        .unit("mm").range(0.0..=10000.0).default(0.0).decimals(1).step(10.0).fact(),
     number("travel-z", member!(Params.travel_z)).group("turning.group.axes").label("turning.travel-z").help("turning.travel.help")
-        .unit("mm").range(0.0..=20000.0).default(0.0).decimals(1).step(10.0).setting(),
+        .unit("mm").range(0.0..=20000.0).default(0.0).decimals(1).step(10.0).fact(),
     scaling::lead("lead-x", "turning.group.axes", "scaling.lead-x", member!(Params.lead_x)),
     scaling::lead("lead-z", "turning.group.axes", "scaling.lead-z", member!(Params.lead_z)),
     scaling::teeth("motor-teeth-x", "turning.group.axes", "scaling.motor-teeth-x", member!(Params.motor_teeth_x)),
@@ -398,7 +398,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("macro-time", member!(Params.macro_time)).group("turning.group.control").label("form.macro-time").help("form.macro-time.help")
         .unit("ms").range(0.1..=1000.0).default(1.0).decimals(3).step(0.1).fact(),
     number("preread", member!(Params.preread)).group("turning.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(2.0).decimals(0).step(1.0).setting(),
+        .range(1.0..=100.0).default(2.0).decimals(0).step(1.0).fact(),
     choice("newline", member!(Params.newline: LineEnds)).group("turning.group.control").label("form.newline").help("form.newline.help"),
     text("customer", member!(&Params.customer)).group("turning.group.control").label("form.customer").help("form.customer.help").characters(22),
     text("product", member!(&Params.product)).group("turning.group.control").label("form.product").help("form.product.help").characters(22),
