@@ -67,7 +67,7 @@ pub struct Field<P: 'static> {
     pub essential: bool,
     /// A fact of the machine (measured, from a data sheet or assumed), not a choice of the engineer.
     pub fact: bool,
-    /// A fact that is set, counted or agreed, such as a parameter of the control or a ratio of teeth: its origin counts, but it is exact.
+    /// A fact that is set, counted or agreed, such as a gain or a time constant of an axis: its origin counts, but it is exact.
     pub setting: bool,
     /// Whether the field is shown with these parameters on this control.
     pub shown: fn(&P, &Control) -> bool,

@@ -171,17 +171,17 @@ pub fn parameters<'a>(control: &Control, drives: &[AxisDrive<'a>]) -> Vec<(Param
 /// A field for the lead of a screw.
 pub const fn lead<P>(id: &'static str, group: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).group(group).label(label).help("scaling.lead.help");
-    row.unit("mm").range(0.1..=1000.0).default(5.0).decimals(4).step(1.0).setting()
+    row.unit("mm").range(0.1..=1000.0).default(5.0).decimals(4).step(1.0).fact()
 }
 
 /// A field for the teeth of a gear.
 pub const fn teeth<P>(id: &'static str, group: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).group(group).label(label).help("scaling.teeth.help");
-    row.range(1.0..=10_000.0).default(1.0).decimals(0).step(1.0).setting()
+    row.range(1.0..=10_000.0).default(1.0).decimals(0).step(1.0).fact()
 }
 
 /// A field for the counts of the encoders.
 pub const fn encoder<P>(id: &'static str, group: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).group(group).label("scaling.encoder").help("scaling.encoder.help");
-    row.unit("p/rev").range(1.0..=100_000_000.0).default(10_000.0).decimals(0).step(1000.0).setting()
+    row.unit("p/rev").range(1.0..=100_000_000.0).default(10_000.0).decimals(0).step(1000.0).fact()
 }

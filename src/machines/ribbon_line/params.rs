@@ -420,13 +420,13 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("spindle-speed", member!(Params.spindle_speed)).group("ribbon.group.unwinder").label("ribbon.spindle-speed").help("ribbon.spindle-speed.help").symbol("#100")
         .unit("r/min").range(1.0..=30000.0).default(1200.0).decimals(0).step(10.0).essential(),
     number("reduction-ratio", member!(Params.reduction_ratio)).group("ribbon.group.unwinder").label("ribbon.reduction-ratio").help("ribbon.reduction-ratio.help").symbol("#101")
-        .unit(": 1").range(0.001..=10000.0).default(25.0).decimals(6).step(1.0).essential().setting(),
+        .unit(": 1").range(0.001..=10000.0).default(25.0).decimals(6).step(1.0).essential().fact(),
     number("press-roller-diameter", member!(Params.press_roller_diameter)).group("ribbon.group.unwinder").label("ribbon.press-roller-diameter").help("ribbon.press-roller-diameter.help").symbol("#102")
         .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).essential().fact(),
     number("pitch", member!(Params.pitch)).group("ribbon.group.web").label("ribbon.pitch").help("ribbon.pitch.help").symbol("#107")
         .unit("mm").range(0.01..=10000.0).default(8.0).decimals(3).step(0.1).essential(),
     number("heads", member!(Params.heads)).group("ribbon.group.print").label("ribbon.heads").help("ribbon.heads.help").symbol("#109")
-        .range(1.0..=1000.0).default(6.0).decimals(0).step(1.0).essential().setting(),
+        .range(1.0..=1000.0).default(6.0).decimals(0).step(1.0).essential().fact(),
     number("print-roller-diameter", member!(Params.print_roller_diameter)).group("ribbon.group.print").label("ribbon.print-roller-diameter").help("ribbon.print-roller-diameter.help").symbol("#111")
         .unit("mm").range(1.0..=5000.0).default(120.0).decimals(4).step(1.0).essential().fact(),
     number("speed-at-10v", member!(Params.speed_at_10v)).group("ribbon.group.unwinder").label("ribbon.speed-at-10v").help("ribbon.speed-at-10v.help").symbol("n10")
@@ -534,9 +534,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("x-roller-diameter", member!(Params.x_roller_diameter)).group("ribbon.group.axes").label("ribbon.x-roller-diameter").help("ribbon.x-roller-diameter.help")
         .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).fact(),
     number("gear-x", member!(Params.gear_x)).group("ribbon.group.axes").label("ribbon.gear-x").help("ribbon.gear-x.help")
-        .unit(": 1").range(0.1..=10000.0).default(10.0).decimals(6).step(1.0).setting(),
+        .unit(": 1").range(0.1..=10000.0).default(10.0).decimals(6).step(1.0).fact(),
     number("gear-y", member!(Params.gear_y)).group("ribbon.group.axes").label("ribbon.gear-y").help("ribbon.gear-y.help")
-        .unit(": 1").range(0.1..=10000.0).default(5.0).decimals(6).step(1.0).setting(),
+        .unit(": 1").range(0.1..=10000.0).default(5.0).decimals(6).step(1.0).fact(),
     number("motor-rated-x", member!(Params.motor_rated_x)).group("ribbon.group.axes").label("ribbon.motor-rated-x").help("ribbon.motor-rated-x.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
     number("motor-max-x", member!(Params.motor_max_x)).group("ribbon.group.axes").label("ribbon.motor-max-x").help("ribbon.motor-max-x.help")
@@ -546,7 +546,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("motor-max-y", member!(Params.motor_max_y)).group("ribbon.group.axes").label("ribbon.motor-max-y").help("ribbon.motor-max-y.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
     number("encoder-resolution", member!(Params.encoder_resolution)).group("ribbon.group.axes").label("ribbon.encoder-resolution").help("ribbon.encoder-resolution.help")
-        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).setting(),
+        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
     number("site-height", member!(Params.site_height)).group("ribbon.group.axes").label("ribbon.site-height").help("ribbon.site-height.help")
         .unit("m").range(0.0..=5000.0).default(500.0).decimals(0).step(100.0).fact(),
     number("site-temperature", member!(Params.site_temperature)).group("ribbon.group.axes").label("ribbon.site-temperature").help("ribbon.site-temperature.help")
