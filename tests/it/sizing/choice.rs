@@ -404,7 +404,7 @@ fn strikes_of_the_cut_count_for_the_motors_of_a_polygon_lathe() {
 }
 
 #[test]
-fn drives_that_position_by_themselves_are_for_no_axis_of_the_control() {
+fn drives_that_position_by_themselves_move_no_axis() {
     for (control, own) in [("fanuc-0i-mf", "alpha"), ("sinumerik-802d", "1FT7")] {
         let sizing = sized(&Project::named("ribbon-line", Some(control), None).unwrap());
         for axis in ["x", "y"] {
