@@ -260,6 +260,8 @@ export interface SizedAxis {
     speed_rad_s: number;
     peak_torque_nm: number;
     peak_at_s: number;
+    /** Position of the knob in the run with that torque; null where the form has it. */
+    peak_at_knob_percent: number | null;
     effective_torque_nm: number;
     energy_given_j: number;
     energy_returned_j: number;
@@ -279,6 +281,8 @@ export interface Size {
     energy_returned_j: number | null;
     energy_returned_on_one_bus_j: number | null;
   } | null;
+  /** Where and why the run ended before the end of the program; null where it came there. */
+  cut: { at_s: number; reason: string } | null;
   envelope: {
     event: string;
     id: string;
@@ -288,6 +292,19 @@ export interface Size {
     bound: Bound | null;
     verdict: Verdict;
     worst: boolean;
+    /** Position of the knob at which it was met; null where the form has it. */
+    knob_percent: number | null;
+    /** The run was cut while something coasted on. */
+    more_than_value: boolean;
+  }[];
+  /** Limits of the form that would hold in operation, where one does not. */
+  would_hold: {
+    id: string;
+    value: number;
+    unit: string;
+    more_than_value: boolean;
+    field: string | null;
+    entry: string | null;
   }[];
   limits: { quantity: string; limit: string | null; margin: number; value: number; unit: string }[];
   /** The fastest operation of this hardware. */
