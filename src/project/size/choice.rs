@@ -121,6 +121,10 @@ enum Rank {
 /// What one or several runs ask of a shaft.
 struct Asked {
     motions: Vec<Motion>,
+    /// Mean speed (r/min), the greatest.
+    mean_speed: f64,
+    /// Starts in a minute, the most.
+    starts_per_minute: f64,
     /// Position (%) of the knob in the second run.
     knob: Option<f64>,
 }
@@ -131,7 +135,10 @@ impl Asked {
             let timeline = whole.run.timeline();
             axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end()))
         };
-        Asked { motions: runs.iter().map(motion).collect(), knob: runs.iter().find_map(|whole| whole.knob) }
+        let motions: Vec<Motion> = runs.iter().map(motion).collect();
+        let greatest = |of: fn(&Motion) -> f64| motions.iter().map(of).fold(0.0, f64::max);
+        let (mean_speed, starts_per_minute) = (greatest(Motion::mean_speed), greatest(Motion::starts_per_minute));
+        Asked { motions, mean_speed, starts_per_minute, knob: runs.iter().find_map(|whole| whole.knob) }
     }
 
     /// Whether the second run asks the greatest torque.
@@ -159,16 +166,6 @@ impl Asked {
         all.reduce(|worst, next| if next.share > worst.share { next } else { worst }).unwrap_or_default()
     }
 
-    /// Mean speed (r/min), the greatest.
-    fn mean_speed(&self) -> f64 {
-        self.motions.iter().map(Motion::mean_speed).fold(0.0, f64::max)
-    }
-
-    /// Starts in a minute, the most.
-    fn starts_per_minute(&self) -> f64 {
-        self.motions.iter().map(Motion::starts_per_minute).fold(0.0, f64::max)
-    }
-
     /// Mean power (W) that comes back beyond what the capacitors take, the greatest.
     fn to_resistor(&self, rotor: f64, back: &Regeneration) -> f64 {
         self.motions.iter().map(|motion| motion.to_resistor(rotor, back)).fold(0.0, f64::max)
@@ -176,11 +173,7 @@ impl Asked {
 
     /// Mean speed (r/min) and effective torque (Nm) of the run that asks the greatest one.
     fn effective(&self, rotor: f64) -> (f64, f64) {
-        let of = |motion: &Motion| {
-            let way: f64 = motion.turns().iter().map(|turn| 0.5 * (turn.from + turn.to).abs() * turn.seconds).sum();
-            let work = motion.work(rotor);
-            (if work.seconds > 0.0 { way / work.seconds / RPM } else { 0.0 }, work.effective)
-        };
+        let of = |motion: &Motion| (motion.mean_speed(), motion.work(rotor).effective);
         let greater = |worst: (f64, f64), next: (f64, f64)| if next.1 > worst.1 { next } else { worst };
         self.motions.iter().map(of).reduce(greater).unwrap_or_default()
     }
@@ -276,11 +269,15 @@ fn share_turning(of: &SizingRuns, mover: Mover) -> f64 {
     if timeline.end() > 0.0 { turning / timeline.end() } else { 0.0 }
 }
 
+/// The part of the catalogue that the form names for an axis.
+fn of_form<'a>(project: &'a Project, axis: &DrivenAxis) -> Option<&'a Part> {
+    let typed = named(project, axis.fields?.name)?;
+    project.catalogue().into_iter().find(|part| name(part) == typed)
+}
+
 /// Current (A) for 1 Nm of the motor that the form names for an axis, where the catalogue has it.
 pub(super) fn ampere_per_torque(project: &Project, axis: &DrivenAxis) -> Option<f64> {
-    let typed = named(project, axis.fields?.name)?;
-    let known = project.catalogue().into_iter().find(|part| name(part) == typed)?;
-    match &known.ratings {
+    match &of_form(project, axis)?.ratings {
         Ratings::Servo(ratings) => ratings.ampere_per_torque(),
         _ => None,
     }
@@ -289,10 +286,10 @@ pub(super) fn ampere_per_torque(project: &Project, axis: &DrivenAxis) -> Option<
 /// The motor that the form has: its rated torque, for which the form has no field, is that of the part whose name it has.
 fn fitted(project: &Project, axis: &DrivenAxis) -> Servo {
     let motor = axis.fitted.motor;
-    let typed = axis.fields.and_then(|fields| named(project, fields.name));
-    let known = typed.and_then(|typed| project.catalogue().into_iter().find(|part| name(part) == typed)?.servo());
     // A person may have typed other figures for it.
-    let same = known.filter(|known| known.stall >= motor.stall && known.rated <= motor.stall);
+    let same = of_form(project, axis)
+        .and_then(Part::servo)
+        .filter(|known| known.stall >= motor.stall && known.rated <= motor.stall);
     Servo { rated: same.map_or(motor.rated, |known| known.rated), ..motor }
 }
 
@@ -341,12 +338,12 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
     let hardest = asked.hardest(&motor);
     let shares = Shares { peak: hardest.share, ..motor.shares(&axis.load, &duty) };
-    let limits = part.acceptance().at_starts(asked.starts_per_minute()).derated(axis.site_share);
+    let limits = part.acceptance().at_starts(asked.starts_per_minute).derated(axis.site_share);
     let refused = shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &hardest)));
     let regenerative = amplifier.and_then(braking).map(|(back, most)| asked.to_resistor(motor.rotor, &back) / most);
     let refused = refused
         .or_else(|| (!follows(part, control)).then(|| (Rank::Role, msg!("size.refused-role"))))
-        .or_else(|| too_warm(&motor, &limits, (duty.effective, asked.mean_speed())))
+        .or_else(|| too_warm(&motor, &limits, (duty.effective, asked.mean_speed)))
         .or_else(|| {
             let share = regenerative.filter(|share| *share > 1.0)?;
             Some((Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))))
