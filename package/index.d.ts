@@ -268,6 +268,30 @@ export interface SizedAxis {
     current_per_torque_a_nm: number | null;
   } | null;
   candidates: Candidate[];
+  /** Its gear unit, with those of the catalogue that have this ratio; null where it has none. */
+  gear: {
+    ratio: number;
+    mean_torque_nm: number;
+    peak_torque_nm: number;
+    mean_input_rpm: number;
+    input_rpm: number;
+    /** The next lower and higher ratio, where the catalogue has none of this one. */
+    next_ratios: number[];
+    candidates: {
+      maker: string;
+      model: string;
+      passes: boolean;
+      reason: string | null;
+      /** Loads are in percent of the rating; null where that is not known. */
+      mean_load: number | null;
+      peak_load: number | null;
+      mean_speed_load: number | null;
+      speed_load: number | null;
+      status: PartStatus;
+      grade: string;
+      entries: Record<string, string>;
+    }[];
+  } | null;
 }
 
 export interface Size {
@@ -306,9 +330,25 @@ export interface Size {
     field: string | null;
     entry: string | null;
   }[];
-  limits: { quantity: string; limit: string | null; margin: number; value: number; unit: string }[];
+  limits: {
+    quantity: string;
+    limit: string | null;
+    margin: number;
+    value: number;
+    unit: string;
+    /** Results that fail now and with less as well. */
+    fails_with_less_too: string[];
+  }[];
   /** The fastest operation of this hardware. */
-  inverse: { line_speed: number; unit: string; result: string; binding: string; field: string; entry: string } | null;
+  inverse: {
+    line_speed: number;
+    unit: string;
+    result: string;
+    binding: string;
+    field: string;
+    entry: string;
+    fails_with_less_too: string[];
+  } | null;
   sensitivities: { input: string; result: string; factor: number; flips: { from: Verdict; to: Verdict } }[];
   tornado: { result: string; limit_use: number; bars: { input: string; low: number; high: number }[] }[];
   bom: {

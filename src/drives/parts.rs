@@ -1,4 +1,4 @@
-//! Parts as data: servo and induction motors, amplifiers, inverters, gear units and brake resistors with their ratings and the evidence for them.
+//! Parts as data: servo and induction motors, amplifiers, inverters, gear units, brake resistors and encoders with their ratings and the evidence for them.
 
 use super::servo::{Acceptance, Servo};
 use crate::text::{Citation, Grade};
@@ -91,6 +91,8 @@ pub enum Ratings {
     Gear(GearRatings),
     /// A brake resistor.
     Resistor(ResistorRatings),
+    /// An encoder of a spindle.
+    Encoder(EncoderRatings),
 }
 
 /// Ratings of a servo motor, without brake.
@@ -224,6 +226,15 @@ pub struct ResistorRatings {
     pub brake_peak_power: Option<f64>,
     /// Energy of one stop, J.
     pub brake_energy: Option<f64>,
+}
+
+/// Ratings of an encoder of a spindle.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct EncoderRatings {
+    /// Pulses per revolution.
+    pub pulses: Option<f64>,
+    /// Highest speed, r/min.
+    pub top_speed: Option<f64>,
 }
 
 /// Limits of a series of motors, with their source.

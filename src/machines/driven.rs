@@ -3,6 +3,7 @@
 use crate::drives::duty::{Motion, Strikes, Turn};
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
+use crate::math::RPM;
 use crate::motion::{Mover, Snapshot, Stretch};
 use crate::view::Limit;
 
@@ -23,6 +24,8 @@ pub struct DrivenAxis {
     pub hold: f64,
     /// Its interrupted cut.
     pub strikes: Strikes,
+    /// The gear unit between motor and load, where one can be bought.
+    pub gear: Option<FormGear>,
     /// The motor that the form has.
     pub fitted: Fitted,
     /// Share of its continuous torque that the site leaves a motor, 0 to 1.
@@ -66,6 +69,32 @@ pub struct MotorFields {
     pub inertia_limit: &'static str,
 }
 
+/// A gear unit as a form has it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FormGear {
+    /// Speed of its input over that of its output.
+    pub ratio: f64,
+    /// What it drives, at its output.
+    pub output: Load,
+    /// Torque at its output at standstill, Nm.
+    pub hold: f64,
+    /// Backlash (minutes of arc) that the machine reckons with; none where it has no effect.
+    pub backlash: Option<f64>,
+    /// Fields of the form that take another gear unit.
+    pub fields: GearFields,
+}
+
+/// Ids of the fields of a gear unit in a form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct GearFields {
+    /// Its efficiency, %.
+    pub efficiency: &'static str,
+    /// Moment of inertia at its input, kg cm²; none where the form has it with others.
+    pub inertia: Option<&'static str>,
+    /// Backlash, minutes of arc; none where the form has none.
+    pub backlash: Option<&'static str>,
+}
+
 /// A motor of a machine as its form describes it: by figures, whether or not the form names it too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FormMotor {
@@ -82,14 +111,23 @@ pub struct FormMotor {
 impl DrivenAxis {
     /// The motion of the motor's shaft in a part of a run.
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {
-        let turn = |stretch: &Stretch| Turn {
-            t: stretch.t,
-            seconds: stretch.seconds,
-            from: stretch.from * self.turn,
-            to: stretch.to * self.turn,
-        };
-        Motion::new(stretches.iter().map(turn), self.load, self.hold).with_strikes(self.strikes)
+        Motion::new(turns(stretches, self.turn), self.load, self.hold).with_strikes(self.strikes)
     }
+
+    /// The motion of the output of its gear unit in a part of a run.
+    pub fn behind(&self, gear: &FormGear, stretches: &[Stretch]) -> Motion {
+        Motion::new(turns(stretches, self.turn / gear.ratio), gear.output, gear.hold)
+    }
+}
+
+/// Stretches of a run as turns of a shaft, in radians per unit of the run.
+fn turns(stretches: &[Stretch], per_unit: f64) -> impl Iterator<Item = Turn> {
+    stretches.iter().map(move |stretch| Turn {
+        t: stretch.t,
+        seconds: stretch.seconds,
+        from: stretch.from * per_unit,
+        to: stretch.to * per_unit,
+    })
 }
 
 /// The size of a product that the operator types while the machine runs.
@@ -118,6 +156,8 @@ pub struct InverterDrive {
     pub brake: f64,
     /// Its run-ups and stops, where they count.
     pub cycle: Option<InverterCycle>,
+    /// The gear unit between motor and load, where one can be bought.
+    pub gear: Option<FormGear>,
     /// Fields of the form for maker with model and for the rated torque.
     pub fields: Option<(&'static str, &'static str)>,
 }
@@ -135,12 +175,38 @@ pub struct InverterCycle {
     pub peak: [f64; 2],
 }
 
+impl InverterDrive {
+    /// The motion of the output of its gear unit: run-up, work and stop, and where the ramps do not count the work alone.
+    pub fn behind(&self, gear: &FormGear) -> Motion {
+        let speed = self.speed.abs() * RPM / gear.ratio;
+        let steady = |t: f64, seconds: f64| Turn { t, seconds, from: speed, to: speed };
+        let turns = match self.cycle {
+            None => vec![steady(0.0, 1.0)],
+            Some(InverterCycle { of, .. }) => {
+                let rise = Turn { t: 0.0, seconds: of.ramp, from: 0.0, to: speed };
+                let fall = Turn { t: of.ramp + of.run, seconds: of.ramp, from: speed, to: 0.0 };
+                vec![rise, steady(of.ramp, of.run), fall]
+            }
+        };
+        Motion::new(turns, gear.output, gear.hold)
+    }
+}
+
 impl InverterCycle {
     /// Torques of run-up and stop with a rotor, signed.
     pub fn ramps(&self, rotor: Option<f64>) -> [Phase; 2] {
         let [rise, _, fall, _] = self.load.phases(self.rotor.map_or(0.0, |own| rotor.unwrap_or(own)), self.of);
         [rise, fall]
     }
+}
+
+/// What a machine asks of the encoder of its spindle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpindleEncoder {
+    /// Catalog id of the name of its drive.
+    pub name: &'static str,
+    /// Greatest speed of the spindle, r/min.
+    pub speed: f64,
 }
 
 /// A quantity of a machine `M` that is watched while it is operated.

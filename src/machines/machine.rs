@@ -7,7 +7,7 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
-use super::driven::{DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize};
+use super::driven::{DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, SpindleEncoder};
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
@@ -213,6 +213,10 @@ pub trait Prepared: Send + Sync {
     }
     /// The drive behind the inverter, to be sized; none where there is none, or what it is asked is not known.
     fn inverter_drive(&self) -> Option<InverterDrive> {
+        None
+    }
+    /// The encoder of the spindle, where it has one; that of a servo motor is in it.
+    fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None
     }
     /// The size of the product, where the program takes another one while the machine runs.

@@ -9,6 +9,7 @@ mod derating;
 mod dots;
 mod energy;
 mod envelope;
+mod gears;
 mod timeline;
 mod tornado;
 

@@ -40,6 +40,8 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             load: Load { inertia: drive.inertia / (gear * gear), torque: mean, efficiency },
             hold: 0.0,
             strikes: Strikes::new(peak, mean),
+            // Wheels of the lathe itself.
+            gear: None,
             fitted: Fitted { motor, limits: WHOLE },
             site_share: p.site_share / 100.0,
             fields: None,

@@ -5,9 +5,12 @@ use super::pose::State;
 use super::resolved::RibbonLine;
 use super::rules_of_drives::SHORT_TIME;
 use crate::drives::duty::Strikes;
-use crate::drives::load::Move;
+use crate::drives::load::{Load, Move};
 use crate::drives::web;
-use crate::machines::driven::{DrivenAxis, Fitted, GaugeRow, InverterCycle, InverterDrive, MotorFields, ProductSize};
+use crate::machines::driven::{
+    DrivenAxis, Fitted, FormGear, GaugeRow, GearFields, InverterCycle, InverterDrive, MotorFields, ProductSize,
+    SpindleEncoder,
+};
 use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
 use crate::view::Limit;
@@ -34,28 +37,67 @@ const PRINT: MotorFields = MotorFields {
     inertia_limit: "inertia-limit-y",
 };
 
+/// Fields of the gear unit of the pull roller.
+const PULL_GEAR: GearFields =
+    GearFields { efficiency: "efficiency-x", inertia: Some("gear-inertia-x"), backlash: Some("gear-backlash") };
+
+/// Fields of the gear unit of the print roller.
+const PRINT_GEAR: GearFields =
+    GearFields { efficiency: "efficiency-y", inertia: Some("gear-inertia-y"), backlash: Some("gear-backlash") };
+
+/// Fields of the gear unit of the unwinder. Its inertia is in that of the form.
+const UNWINDER_GEAR: GearFields = GearFields { efficiency: "unwinder-efficiency", inertia: None, backlash: None };
+
 /// The servo motors.
 pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
     let p = &line.p;
     let per_turn = |diameter: f64| PI * diameter;
     let print_turn = if line.degrees() { 360.0 } else { per_turn(p.print_roller_diameter) };
-    let axis = |id, name, at, (gear, turn): (f64, f64), of: &ServoAxis, fields| DrivenAxis {
+    let gear = |ratio: f64, of: &ServoAxis, fields| FormGear {
+        ratio,
+        output: of.output,
+        hold: of.hold * ratio,
+        backlash: of.reverses(p.path_mode).then_some(p.gear_backlash),
+        fields,
+    };
+    let axis = |id, name, at, (ratio, turn): (f64, f64), of: &ServoAxis, (fields, gear_fields)| DrivenAxis {
         id,
         name,
         mover: Mover::Axis(at),
-        turn: 2.0 * PI * gear / turn,
+        turn: 2.0 * PI * ratio / turn,
         load: of.load,
         hold: of.hold,
         strikes: Strikes::default(),
+        gear: is_geared(ratio).then(|| gear(ratio, of, gear_fields)),
         fitted: Fitted { motor: of.motor, limits: of.limits },
         site_share: p.site().share(),
         fields: Some(fields),
     };
     let m = &line.mechanics;
     vec![
-        axis("x", "ribbon.drive.pull", line.pull(), (p.gear_x, per_turn(p.x_roller_diameter)), &m.pull, &PULL),
-        axis("y", "ribbon.drive.print", line.print(), (p.gear_y, print_turn), &m.print, &PRINT),
+        axis(
+            "x",
+            "ribbon.drive.pull",
+            line.pull(),
+            (p.gear_x, per_turn(p.x_roller_diameter)),
+            &m.pull,
+            (&PULL, PULL_GEAR),
+        ),
+        axis("y", "ribbon.drive.print", line.print(), (p.gear_y, print_turn), &m.print, (&PRINT, PRINT_GEAR)),
     ]
+}
+
+/// Whether a ratio takes a gear unit: at 1 the motor sits on the roller.
+fn is_geared(ratio: f64) -> bool {
+    ratio != 1.0
+}
+
+/// The unwinder's gear unit. The inertia behind it is that of the form, which has the rotor too: more than its teeth are asked, never less.
+fn unwinder_gear(line: &RibbonLine) -> FormGear {
+    let ratio = line.p.reduction_ratio;
+    let load = unwinder_load(&line.p, line.mechanics.unwinder);
+    let output = Load { inertia: load.inertia * ratio * ratio, torque: line.mechanics.unwound, efficiency: 1.0 };
+    FormGear { ratio, output, hold: 0.0, backlash: None, fields: UNWINDER_GEAR }
 }
 
 /// Run-up and stop of the unwinder over the inverter's ramp, with a product between them, at the fastest position of the knob.
@@ -81,8 +123,14 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         site_share: line.p.unwinding.site_share / 100.0,
         brake: line.p.unwinding.motor_brake,
         cycle: (line.p.inverter_ramp > 0.0).then(|| unwinder_cycle(line)),
+        gear: is_geared(line.p.reduction_ratio).then(|| unwinder_gear(line)),
         fields: Some(("unwinder-motor", "unwinder-torque-rated")),
     }
+}
+
+/// The encoder of the unwinder's motor, where the form has one.
+pub(super) fn encoder(line: &RibbonLine) -> Option<SpindleEncoder> {
+    line.p.spindle_encoder.then_some(SpindleEncoder { name: "ribbon.drive.unwinder", speed: line.fast.actual_speed })
 }
 
 /// The pitch, which the program reads before each block.

@@ -11,11 +11,12 @@ use crate::math::RPM;
 /// A servo axis with its motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ServoAxis {
+    /// What it drives at the motor's shaft.
     pub load: Load,
     pub motor: Servo,
     pub limits: Acceptance,
-    /// What turns behind the gear, kg m².
-    pub turning: f64,
+    /// What it drives at the output of its gear.
+    pub output: Load,
     /// Seconds of a ramp.
     pub ramp: f64,
     /// Torque at standstill, Nm.
@@ -32,6 +33,8 @@ pub(super) struct Mechanics {
     pub print: ServoAxis,
     /// Share of the nip's holding force that a start uses.
     pub nip_use: f64,
+    /// Steady torque at the press roller, Nm.
+    pub unwound: f64,
     /// Steady torque of the unwinder's motor, Nm.
     pub unwinder: f64,
     /// Its torque over the inverter's ramp, Nm.
@@ -63,6 +66,7 @@ impl ServoAxis {
         let speed = side.rpm * RPM;
         let rise = load.accelerating(motor.rotor, speed, ramp);
         let hold = side.hold / ratio;
+        let output = Load { inertia: side.turning, torque: side.torque, efficiency: 1.0 };
         let phases = motion(p, d, (speed, ramp), hold).map(|of| load.phases(motor.rotor, of));
         let effective = phases.as_ref().map_or(load.torque, |phases| effective(phases));
         // Where the load drives the motor, stopping or holding asks more than starting.
@@ -70,7 +74,7 @@ impl ServoAxis {
         let peak = others.fold((load.torque + rise).abs(), f64::max);
         let duty = Duty { peak, effective, speed: side.rpm };
         let limits = Acceptance::mitsubishi(inertia_limit).at_starts(starts(p, d)).derated(p.site().share());
-        ServoAxis { load, motor, limits, turning: side.turning, ramp, hold, rise, duty }
+        ServoAxis { load, output, motor, limits, ramp, hold, rise, duty }
     }
 
     /// The shares of what the motor has.
@@ -201,6 +205,7 @@ impl Mechanics {
             pull: pull_axis,
             print: ServoAxis::new(&print_side, print_motor, print.inertia_limit, p, d),
             nip_use: web::nip_use((pull.pinch_friction, pull.pinch_force), tension, (web_mass, acceleration)),
+            unwound,
             unwinder,
             unwinder_ramp: match p.inverter_ramp > 0.0 {
                 true => unwinder + unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp),

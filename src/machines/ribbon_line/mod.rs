@@ -66,7 +66,7 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
-use crate::machines::driven::{DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, read};
+use crate::machines::driven::{DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, SpindleEncoder, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -198,6 +198,10 @@ impl Prepared for RibbonLine {
 
     fn inverter_drive(&self) -> Option<InverterDrive> {
         Some(driven::inverter(self))
+    }
+
+    fn spindle_encoder(&self) -> Option<SpindleEncoder> {
+        driven::encoder(self)
     }
 
     fn product_size(&self) -> Option<ProductSize> {

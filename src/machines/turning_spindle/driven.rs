@@ -4,7 +4,7 @@ use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::inertia;
 use crate::drives::load::{Load, Move, through_gear};
-use crate::machines::driven::{GaugeRow, InverterCycle, InverterDrive};
+use crate::machines::driven::{GaugeRow, InverterCycle, InverterDrive, SpindleEncoder};
 use crate::math::RPM;
 use crate::view::Limit;
 
@@ -24,6 +24,8 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: (p.spindle_ramp > 0.0).then(|| cycle(lathe, gear)),
+        // Stages of the headstock.
+        gear: None,
         fields: None,
     })
 }
@@ -40,6 +42,11 @@ fn cycle(lathe: &TurningSpindle, gear: f64) -> InverterCycle {
     let ramp = p.spindle_ramp * highest / d.stage_speed;
     let of = Move { speed: highest * gear * RPM, ramp, run: d.cutting_time, pause: 0.0, hold: 0.0 };
     InverterCycle { load, rotor: Some(p.rotor_inertia), of, peak: [p.motor_peak / 100.0, p.motor_braking / 100.0] }
+}
+
+/// The encoder of the spindle: the control counts the speed by it in every gear stage.
+pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
+    SpindleEncoder { name: "turning.drive.spindle", speed: run_up::highest(lathe) }
 }
 
 /// What is watched: the speed of the spindle.

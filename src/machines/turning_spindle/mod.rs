@@ -44,7 +44,7 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
-use crate::machines::driven::{FormMotor, Gauge, InverterDrive, read};
+use crate::machines::driven::{FormMotor, Gauge, InverterDrive, SpindleEncoder, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -149,6 +149,10 @@ impl Prepared for TurningSpindle {
 
     fn inverter_drive(&self) -> Option<InverterDrive> {
         driven::inverter(self)
+    }
+
+    fn spindle_encoder(&self) -> Option<SpindleEncoder> {
+        Some(driven::encoder(self))
     }
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {

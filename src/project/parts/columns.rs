@@ -2,7 +2,7 @@
 
 use crate::drives::parts::Ratings;
 use crate::drives::parts::{
-    AmplifierRatings, GearRatings, InductionRatings, InverterRatings, ResistorRatings, ServoRatings,
+    AmplifierRatings, EncoderRatings, GearRatings, InductionRatings, InverterRatings, ResistorRatings, ServoRatings,
 };
 
 /// The columns that each table has.
@@ -41,7 +41,7 @@ pub const COLUMNS: [&str; 28] = [
 ];
 
 /// The kinds of parts, as the column `kind` has them.
-pub(super) const KINDS: [&str; 6] = ["servo", "induction", "amplifier", "inverter", "gear", "resistor"];
+pub(super) const KINDS: [&str; 7] = ["servo", "induction", "amplifier", "inverter", "gear", "resistor", "encoder"];
 
 /// Columns of shares, from above 0 to 1.
 pub(super) const SHARES: [&str; 1] = ["efficiency"];
@@ -64,6 +64,7 @@ pub(super) fn ratings(kind: &str) -> Option<Ratings> {
         "inverter" => Ratings::Inverter(InverterRatings::default()),
         "gear" => Ratings::Gear(GearRatings::default()),
         "resistor" => Ratings::Resistor(ResistorRatings::default()),
+        "encoder" => Ratings::Encoder(EncoderRatings::default()),
         _ => return None,
     })
 }
@@ -77,6 +78,7 @@ pub fn kind(ratings: &Ratings) -> &'static str {
         Ratings::Inverter(_) => "inverter",
         Ratings::Gear(_) => "gear",
         Ratings::Resistor(_) => "resistor",
+        Ratings::Encoder(_) => "encoder",
     }
 }
 
@@ -135,6 +137,7 @@ pub(super) fn numbers(ratings: &mut Ratings) -> Vec<(&'static str, &mut Option<f
             ("peak_power_w", &mut of.brake_peak_power),
             ("brake_energy_j", &mut of.brake_energy),
         ],
+        Ratings::Encoder(of) => vec![("encoder_pulses", &mut of.pulses), ("max_speed_rpm", &mut of.top_speed)],
     }
 }
 

@@ -2,9 +2,9 @@
 //! form has by figures alone is a row of these figures, with the smallest motor of the catalogue that passes as a proposal.
 
 use super::choice::{Candidate, SizedAxis, name, named};
-use crate::drives::parts::{Part, PartGrade, Status};
+use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::machines::PreparedMachine;
-use crate::machines::driven::FormMotor;
+use crate::machines::driven::{FormMotor, SpindleEncoder};
 use crate::machines::report::inputs;
 use crate::machines::sheets::say;
 use crate::msg;
@@ -52,14 +52,32 @@ pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedA
     let entered = |motor: &FormMotor| entered(motor, &inputs);
     let sized = axes.iter().flat_map(|axis| {
         let entered = motors.iter().find(|motor| motor.drive == axis.id).and_then(entered);
-        of_axis(project, axis, entered).into_iter().chain(brake(axis))
+        of_axis(project, axis, entered).into_iter().chain(gear(axis)).chain(brake(axis))
     });
     let others = motors.iter().filter(|motor| axes.iter().all(|axis| axis.id != motor.drive)).flat_map(|motor| {
         let amplifier = amplifier_item(!motor.behind_inverter);
         let open = described(amplifier, Some(motor.name), say("size.bill.with-motor"), PartGrade::Open);
         entered(motor).into_iter().flat_map(move |motor| [motor, open.clone()])
     });
-    core::iter::once(control).chain(sized).chain(others).collect()
+    let encoder = prepared.spindle_encoder().map(|asked| encoder(project, asked));
+    core::iter::once(control).chain(sized).chain(others).chain(encoder).collect()
+}
+
+/// The encoder of a spindle: of those that turn fast enough the one for the least speed as a proposal, else what is asked.
+fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
+    let item = "size.item.encoder";
+    let goes = project.catalogue().into_iter().filter_map(|part| match part.ratings {
+        Ratings::Encoder(of) => Some((part, of.top_speed.filter(|speed| *speed >= asked.speed)?)),
+        _ => None,
+    });
+    let least = goes.min_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.model.cmp(&b.0.model)));
+    least.map_or_else(
+        || {
+            let told = sentence(&msg!("size.bill.encoder", speed = (asked.speed, 0)));
+            described(item, Some(asked.name), told, PartGrade::Open)
+        },
+        |(part, _)| of_part(item, asked.name, part, true),
+    )
 }
 
 /// A row that is no part of the catalogue: words of form and project.
@@ -86,6 +104,32 @@ fn brake(axis: &SizedAxis) -> Option<BillRow> {
     (axis.brake > 0.0).then_some(row)
 }
 
+/// The gear unit of an axis: the smallest of the catalogue that passes as a proposal, else what is asked of it.
+fn gear(axis: &SizedAxis) -> Option<BillRow> {
+    let gear = axis.gear.as_ref()?;
+    let item = "size.item.gear";
+    let asked = || {
+        let (ratio, torque, speed) = ((gear.ratio, 6), (gear.duty.peak, 2), (gear.duty.speed, 0));
+        described(item, Some(axis.name), sentence(&msg!("size.bill.gear", ratio, torque, speed)), PartGrade::Open)
+    };
+    Some(gear.least().map_or_else(asked, |part| of_part(item, axis.name, part, true)))
+}
+
+/// A row of a part of the catalogue.
+fn of_part(item: &'static str, axis: &'static str, part: &Part, proposed: bool) -> BillRow {
+    BillRow {
+        item,
+        axis: Some(axis),
+        maker: part.maker.clone(),
+        model: part.model.clone(),
+        proposed,
+        quantity: 1,
+        status: part.status,
+        grade: part.evidence.grade,
+        source: part.evidence.source.clone(),
+    }
+}
+
 /// Catalog id of what drives a motor.
 fn amplifier_item(is_servo: bool) -> &'static str {
     if is_servo { "size.item.amplifier" } else { "size.item.inverter" }
@@ -94,17 +138,7 @@ fn amplifier_item(is_servo: bool) -> &'static str {
 fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec<BillRow> {
     let item = amplifier_item(axis.work.is_some());
     let open = |words| described(item, Some(axis.name), say(words), PartGrade::Open);
-    let of = |item, part: &Part, proposed| BillRow {
-        item,
-        axis: Some(axis.name),
-        maker: part.maker.clone(),
-        model: part.model.clone(),
-        proposed,
-        quantity: 1,
-        status: part.status,
-        grade: part.evidence.grade,
-        source: part.evidence.source.clone(),
-    };
+    let of = |item, part: &Part, proposed| of_part(item, axis.name, part, proposed);
     let pair = |chosen: &Candidate, proposed| {
         let amplifier = chosen.amplifier.as_ref().map(|part| of(item, part, proposed));
         let amplifier = amplifier.unwrap_or_else(|| open("size.bill.no-amplifier"));

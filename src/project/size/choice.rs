@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
 use crate::drives::duty::{Hardest, Motion, Work};
@@ -48,6 +49,8 @@ pub struct SizedAxis {
     pub loaded: f64,
     /// Torque of the brake at its motor that closes without current, Nm; 0 without one.
     pub brake: f64,
+    /// Its gear unit, where it has one.
+    pub gear: Option<SizedGear>,
     /// Current of the motor that the form names for 1 Nm, A; none where the catalogue does not have it.
     pub ampere_per_torque: Option<f64>,
     /// What the run asks of the motor that the form has; none of a drive behind an inverter.
@@ -227,6 +230,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             turning,
             loaded: turning,
             brake: 0.0,
+            gear: gears::of_axis(&axis, &runs, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
             work: Some(asked.work(axis.fitted.motor.rotor)),
             knob: asked.knob,
@@ -250,6 +254,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
                 .cycle
                 .map_or(turning, |cycle| turning.min((cycle.of.run + 2.0 * cycle.of.ramp) / of.present.end)),
             brake: drive.brake,
+            gear: gears::of_inverter(&drive, &catalogue),
             ampere_per_torque: None,
             work: None,
             knob: None,

@@ -30,6 +30,8 @@ pub struct Growth {
     pub margin: f64,
     /// Id and catalog id of the result that fails beyond; none where the form takes no more.
     pub binding: Option<(&'static str, &'static str)>,
+    /// Ids and catalog ids of the results that fail now and with less as well: the field does not mend them.
+    pub unmended: Vec<(&'static str, &'static str)>,
 }
 
 /// The fastest operation of this hardware.
@@ -43,6 +45,8 @@ pub struct Fastest {
     pub decimals: u8,
     /// Id and catalog id of the result that fails beyond.
     pub binding: (&'static str, &'static str),
+    /// Ids and catalog ids of the results that fail at that speed and at lower ones too.
+    pub unmended: Vec<(&'static str, &'static str)>,
     /// The entry of the form with that speed.
     pub entry: (&'static str, String),
 }
@@ -67,7 +71,7 @@ struct Trial<'a> {
     decimals: u8,
     now: f64,
     /// Results that fail with less as well: they say nothing about this field.
-    ignored: Vec<&'static str>,
+    ignored: Vec<(&'static str, &'static str)>,
 }
 
 impl Trial<'_> {
@@ -86,22 +90,22 @@ impl Trial<'_> {
     /// The first result that fails with an entry, but for the ignored ones.
     fn fails(&self, entry: f64) -> Option<(&'static str, &'static str)> {
         let readouts = self.results(entry);
-        let fails = |row: &&Readout| row.verdict == Verdict::Fail && !self.ignored.contains(&row.id);
+        let fails = |row: &&Readout| row.verdict == Verdict::Fail && !self.ignored.contains(&(row.id, row.label));
         readouts.iter().find(fails).map(|row| (row.id, row.label))
     }
 
     /// The results that fail now and with the least entry that is tried.
-    fn persistent(&self) -> Vec<&'static str> {
+    fn persistent(&self) -> Vec<(&'static str, &'static str)> {
         let failing = |entry: f64| {
             let readouts = self.results(entry).into_iter();
-            readouts.filter(|row| row.verdict == Verdict::Fail).map(|row| row.id).collect::<Vec<_>>()
+            readouts.filter(|row| row.verdict == Verdict::Fail).map(|row| (row.id, row.label)).collect::<Vec<_>>()
         };
         let now = failing(self.now);
         if now.is_empty() {
             return now;
         }
         let least = failing(self.entry(math::pow(STEP, -f64::from(TRIALS))));
-        now.into_iter().filter(|id| least.contains(id)).collect()
+        now.into_iter().filter(|row| least.contains(row)).collect()
     }
 }
 
@@ -145,6 +149,7 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
         value,
         margin: if now > 0.0 { value / now - 1.0 } else { 0.0 },
         binding,
+        unmended: trial.ignored.clone(),
     };
     if upward && binding.is_none() {
         return Some(growth(trial.entry(fails), None));
@@ -171,6 +176,7 @@ fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
         value: (told.value, told.unit),
         decimals: told.decimals,
         binding,
+        unmended: speed.unmended.clone(),
         entry,
     })
 }

@@ -8,6 +8,8 @@ mod choice;
 
 mod envelope;
 
+mod gears;
+
 mod growth;
 
 mod runs;
@@ -23,6 +25,7 @@ mod tornado;
 pub use bill::BillRow;
 pub use choice::{Candidate, Refusal, SizedAxis};
 pub use envelope::{EnvelopeRow, Offer, OperatingEvent};
+pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth};
 pub use runs::{CutRun, SizingRuns};
 pub use terminals::TerminalRow;

@@ -2,6 +2,7 @@
 
 use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, Offer, OperatingEvent};
+use super::gears::{GearCandidate, SizedGear};
 use super::{BillRow, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
 use crate::drives::parts::{PartGrade, Status};
@@ -9,13 +10,15 @@ use crate::machines::sheets::{row, say};
 use crate::math::RPM;
 use crate::msg;
 use crate::text::catalog::{number_text, sentence};
-use crate::text::{Citation, Diagnostic, Grade, headed, units};
+use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
 use crate::view::{Limit, Row, Sheet, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
 const CATALOGUE: Citation = Citation::new("catalogue of parts, with the source of each row", Grade::Inferred);
 
+const GEARS: Citation =
+    Citation::new("catalogues of gear units: cubic mean of the output torque, from memory", Grade::Open);
 const DUTY: Citation = Citation::new("sizing facts 2.8", Grade::Open);
 
 /// Motors of an axis in an offer.
@@ -26,7 +29,7 @@ impl Sizing {
     pub fn sheets(&self) -> Vec<Sheet> {
         let mut sheets = vec![self.bill_sheet(), self.cycle_sheet(), self.limit_sheet(), self.envelope_sheet()];
         sheets.push(self.tornado_sheet());
-        sheets.extend(self.axes.iter().flat_map(|axis| [asked(axis), Some(motors(axis))]).flatten());
+        sheets.extend(self.axes.iter().flat_map(|axis| [asked(axis), Some(motors(axis)), gears(axis)]).flatten());
         sheets.push(self.terminal_sheet());
         sheets.retain(|sheet| !sheet.rows.is_empty());
         sheets
@@ -35,7 +38,8 @@ impl Sizing {
     /// The sheets of an offer: those, with the motors that an engineer would look at first.
     pub fn offer(&self) -> Vec<Sheet> {
         let mut sheets = self.sheets();
-        sheets.iter_mut().filter(|sheet| sheet.id == "motors").for_each(|sheet| sheet.rows.truncate(OFFERED));
+        let is_long = |sheet: &&mut Sheet| ["motors", "gears"].contains(&sheet.id);
+        sheets.iter_mut().filter(is_long).for_each(|sheet| sheet.rows.truncate(OFFERED));
         sheets
     }
 
@@ -132,6 +136,7 @@ impl Sizing {
     fn limit_sheet(&self) -> Sheet {
         let cells = |of: &Growth| {
             let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
+            let binding = beside(binding, &of.unmended);
             let margin = format!("{:+.0}\u{a0}%", 100.0 * of.margin);
             row([say(of.label), units::text(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
         };
@@ -144,7 +149,7 @@ impl Sizing {
         let fastest = self.fastest.as_ref().map(|fastest| {
             let speed = units::text(fastest.value.0, fastest.decimals, fastest.value.1);
             let label = headed(say("size.fastest"), say(fastest.result.1));
-            let cells = [label, speed, String::new(), say(fastest.binding.1)];
+            let cells = [label, speed, String::new(), beside(say(fastest.binding.1), &fastest.unmended)];
             Row { sets: vec![fastest.entry.clone()], ..row(cells, RUNS_OF_FORM) }
         });
         Sheet {
@@ -213,6 +218,12 @@ impl Sizing {
         let told = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
         (!self.offers.is_empty()).then_some(Row { sets, ..told })
     }
+}
+
+/// A limit that binds, with the results that fail whatever the field has.
+fn beside(binding: String, unmended: &[(&'static str, &'static str)]) -> String {
+    let results = listed(unmended.iter().map(|(_, label)| say(label)));
+    if unmended.is_empty() { binding } else { sentence(&msg!("size.unmended", binding, results)) }
 }
 
 /// A value, or one that a cut run leaves below the true one.
@@ -377,6 +388,63 @@ fn motors(axis: &SizedAxis) -> Sheet {
         ],
         rows: axis.candidates.iter().map(cells).collect(),
         drawing: String::new(),
+    }
+}
+
+/// The gear units of an axis, with what is asked of them above; a click takes one into the form.
+fn gears(axis: &SizedAxis) -> Option<Sheet> {
+    let gear = axis.gear.as_ref()?;
+    let duty = &gear.duty;
+    let asked = [
+        sentence(&msg!("size.gear-asked", ratio = (gear.ratio, 6))),
+        units::text(duty.mean, 2, "Nm"),
+        units::text(duty.peak, 2, "Nm"),
+        units::text(duty.mean_speed, 0, "r/min"),
+        units::text(duty.speed, 0, "r/min"),
+        String::new(),
+        no_gear(gear),
+    ];
+    let cells = |of: &GearCandidate| {
+        let share =
+            |asked: f64, has: Option<f64>| has.map_or(String::new(), |has| format!("{:.0} %", 100.0 * asked / has));
+        let has = &of.ratings;
+        let answer = of.refusal().map_or_else(|| say("size.gear-goes"), |refusal| sentence(&refusal));
+        let cells = [
+            of.part.name(),
+            share(duty.mean, has.rated_torque),
+            share(duty.peak, has.peak_torque),
+            share(duty.mean_speed, has.rated_speed),
+            share(duty.speed, has.top_speed),
+            status(of.part.status),
+            answer,
+        ];
+        let cite = Citation { grade: known(of.part.evidence.grade), ..GEARS };
+        Row { sets: of.entries.clone(), ..row(cells, cite) }
+    };
+    Some(Sheet {
+        id: "gears",
+        title: "sheet.gears",
+        columns: vec![
+            "sheet.gear",
+            "sheet.mean-torque",
+            "sheet.peak-load",
+            "sheet.mean-input-speed",
+            "sheet.input-speed",
+            "sheet.status",
+            "sheet.answer",
+        ],
+        rows: core::iter::once(row(asked, RUNS)).chain(gear.candidates.iter().map(cells)).collect(),
+        drawing: String::new(),
+    })
+}
+
+/// That the catalogue has no gear unit of the ratio, with the next ones; empty where it has.
+fn no_gear(gear: &SizedGear) -> String {
+    let next: Vec<String> = gear.next_ratios.iter().map(|ratio| number_text(*ratio, 6)).collect();
+    match (gear.candidates.is_empty(), next.is_empty()) {
+        (false, _) => String::new(),
+        (true, true) => say("size.no-gear"),
+        (true, false) => sentence(&msg!("size.no-gear-of-ratio", ratios = listed(&next))),
     }
 }
 

@@ -4,7 +4,9 @@ use serde_json::{Value as Json, json};
 
 use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, Offer};
+use super::gears::{GearCandidate, SizedGear};
 use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
+use crate::drives::gear::GearDuty;
 use crate::drives::parts::{Part, PartGrade, Status};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
@@ -70,12 +72,12 @@ fn axis(axis: &SizedAxis) -> Json {
         "least": axis.least().map(Part::name),
         "asked": work,
         "candidates": axis.candidates.iter().map(candidate).collect::<Vec<_>>(),
+        "gear": axis.gear.as_ref().map(gear),
     })
 }
 
 fn candidate(candidate: &Candidate) -> Json {
     let Candidate { part, shares, .. } = candidate;
-    let entries = candidate.entries.iter().map(|(id, text)| ((*id).to_owned(), Json::from(text.as_str())));
     json!({
         "maker": part.maker,
         "model": part.model,
@@ -88,8 +90,31 @@ fn candidate(candidate: &Candidate) -> Json {
         "status": status(part.status),
         "grade": grade(part.evidence.grade),
         "amplifier": candidate.amplifier.as_ref().map(Part::name),
-        "entries": entries.collect::<serde_json::Map<String, Json>>(),
+        "entries": entries(&candidate.entries),
     })
+}
+
+fn gear(gear: &SizedGear) -> Json {
+    let GearDuty { peak, mean, speed, mean_speed } = gear.duty;
+    let candidate = |of: &GearCandidate| {
+        let load = |asked: f64, has: Option<f64>| has.map(|has| percent(asked / has));
+        json!({
+            "maker": of.part.maker, "model": of.part.model, "passes": of.reason.is_none(),
+            "reason": of.refusal().map(|refusal| sentence(&refusal)),
+            "mean_load": load(mean, of.ratings.rated_torque), "peak_load": load(peak, of.ratings.peak_torque),
+            "mean_speed_load": load(mean_speed, of.ratings.rated_speed), "speed_load": load(speed, of.ratings.top_speed),
+            "status": status(of.part.status), "grade": grade(of.part.evidence.grade), "entries": entries(&of.entries),
+        })
+    };
+    json!({
+        "ratio": gear.ratio, "mean_torque_nm": mean, "peak_torque_nm": peak, "mean_input_rpm": mean_speed, "input_rpm": speed,
+        "next_ratios": gear.next_ratios, "candidates": gear.candidates.iter().map(candidate).collect::<Vec<_>>(),
+    })
+}
+
+/// What a part sets in the form, by the ids of its fields.
+fn entries(of: &[(&'static str, String)]) -> serde_json::Map<String, Json> {
+    of.iter().map(|(id, text)| ((*id).to_owned(), Json::from(text.as_str()))).collect()
 }
 
 fn event(row: &EnvelopeRow) -> Json {
@@ -110,15 +135,19 @@ fn offer(offer: &Offer) -> Json {
 fn limit(row: &Growth) -> Json {
     json!({
         "quantity": row.field, "limit": row.binding.map(|binding| binding.0), "margin": row.margin,
-        "value": row.value, "unit": row.unit,
+        "value": row.value, "unit": row.unit, "fails_with_less_too": ids(&row.unmended),
     })
 }
 
 fn fastest(fastest: &Fastest) -> Json {
     json!({
         "line_speed": fastest.value.0, "unit": fastest.value.1, "result": fastest.result.0, "binding": fastest.binding.0,
-        "field": fastest.entry.0, "entry": fastest.entry.1,
+        "field": fastest.entry.0, "entry": fastest.entry.1, "fails_with_less_too": ids(&fastest.unmended),
     })
+}
+
+fn ids(results: &[(&'static str, &'static str)]) -> Vec<&'static str> {
+    results.iter().map(|(id, _)| *id).collect()
 }
 
 fn flip(flip: &Flip) -> Json {
@@ -150,7 +179,7 @@ const SHOWN: usize = 8;
 impl Sizing {
     /// The sizing as lines.
     pub fn text(&self) -> String {
-        let rows = |sheet: &Sheet| if sheet.id == "motors" { SHOWN } else { usize::MAX };
+        let rows = |sheet: &Sheet| if ["motors", "gears"].contains(&sheet.id) { SHOWN } else { usize::MAX };
         self.sheets().iter().map(|sheet| sheet_text(sheet, rows(sheet))).collect()
     }
 }

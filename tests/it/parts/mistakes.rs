@@ -57,7 +57,7 @@ mistakes! {
         1 taken"#]];
     unknown_kind: "own.csv", "kind,maker,model\nstepper,Own,A1\n", expect![[r#"
         info[parts.left-out]: 1 row was left out because of errors, 0 were taken.
-        error: “stepper” is no kind. Possible: servo, induction, amplifier, inverter, gear, resistor.
+        error: “stepper” is no kind. Possible: servo, induction, amplifier, inverter, gear, resistor, encoder.
          --> own.csv:2:1
           |
         2 | stepper,Own,A1

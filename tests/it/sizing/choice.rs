@@ -155,10 +155,11 @@ fn line_that_fails_is_told_how_much_less_it_can_do() {
     assert!(speed.margin < 0.0 && speed.value < 2000.0, "{speed:?}");
 }
 
-/// Items of an axis in the bill with their parts; of the control where the axis has no name.
+/// Items of an axis in the bill with their parts, but for gear units (`gears.rs`) and encoders; of the control where the axis has no name.
 fn billed(project: &Project, axis: &str) -> Vec<(&'static str, String)> {
     let rows = sized(project).bill;
-    let of_axis = rows.iter().filter(|row| row.axis.map_or("", words) == axis);
+    let others = ["size.item.gear", "size.item.encoder"];
+    let of_axis = rows.iter().filter(|row| row.axis.map_or("", words) == axis && !others.contains(&row.item));
     of_axis.map(|row| (words(row.item), row.part())).collect()
 }
 
@@ -479,4 +480,42 @@ fn amplifier_gives_the_currents_that_are_asked() {
     let sizing = sized(&project);
     let own = candidates(&sizing, "x").iter().find(|motor| motor.part.model == "M1").unwrap();
     assert_eq!(own.amplifier.as_ref().map(|part| part.model.as_str()), Some("LARGE"));
+}
+
+#[test]
+fn fastest_operation_names_what_fails_at_any_speed() {
+    // A nip without friction holds no web, however slowly the line runs.
+    let slipping = line().with_entries(&[("pinch-friction", "0.01".to_owned())]).unwrap();
+    let failing = |project: &Project| -> Vec<&'static str> {
+        let readouts = project.design().readouts;
+        readouts.iter().filter(|row| row.verdict == Verdict::Fail).map(|row| row.id).collect()
+    };
+    assert!(failing(&line()).is_empty());
+    let fastest = sized(&slipping).fastest.unwrap();
+    let set = slipping.with_entries(&[fastest.entry.clone()]).unwrap();
+    let named: Vec<&str> = fastest.unmended.iter().map(|(id, _)| *id).collect();
+    assert!(!named.is_empty());
+    assert_eq!(failing(&set), named);
+    assert!(sized(&line()).fastest.unwrap().unmended.is_empty());
+}
+
+#[test]
+fn spindle_encoder_is_an_open_row_or_one_of_the_users_table() {
+    let mut lathe = Project::named("turning-spindle", None, None).unwrap();
+    let row = |project: &Project| sized(project).bill.into_iter().find(|row| row.item == "size.item.encoder");
+    let open = row(&lathe).unwrap();
+    assert!(!open.proposed && open.grade == PartGrade::Open && open.model.contains("r/min"), "{open:?}");
+    let table = "kind,maker,model,encoder_pulses,max_speed_rpm\n\
+                 encoder,Works,SLOW,1024,100\nencoder,Works,E9,1024,12000\nencoder,Works,E8,1024,8000\n";
+    let (parts, found) = parts::read(table, "own.csv");
+    assert!(found.is_empty(), "{found:?}");
+    lathe.add_parts(parts);
+    let proposed = row(&lathe).unwrap();
+    assert_eq!((proposed.proposed, proposed.model.as_str()), (true, "E8"));
+    // The unwinder has one where the form says so.
+    let mut line = line();
+    line.values.insert("spindle-encoder".to_owned(), Value::Flag(false));
+    assert_eq!(row(&line), None);
+    line.values.insert("spindle-encoder".to_owned(), Value::Flag(true));
+    assert_eq!(row(&line).map(|row| row.axis), Some(Some("ribbon.drive.unwinder")));
 }

@@ -1,0 +1,129 @@
+//! The choice of gear units: those of the catalogue that have the ratio of the form, against what the runs ask at their output and input.
+
+use super::runs::WholeRun;
+use crate::drives::gear::{GearDuty, GearReason};
+use crate::drives::inertia::CM2;
+use crate::drives::parts::{GearRatings, Part, Ratings};
+use crate::machines::driven::{DrivenAxis, FormGear, InverterDrive};
+use crate::msg;
+use crate::text::Message;
+use crate::text::catalog::number_text;
+
+/// Ratios that differ by such a part at most are one.
+const SAME_RATIO: f64 = 1e-6;
+
+/// A gear unit of a machine with what it is asked, and those that are to be had.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SizedGear {
+    /// Speed of its input over that of its output.
+    pub ratio: f64,
+    /// What the runs ask of it.
+    pub duty: GearDuty,
+    /// Those of this ratio: first those that pass, the smallest first, then the others by their reason.
+    pub candidates: Vec<GearCandidate>,
+    /// Where the catalogue has none of this ratio: the next lower and the next higher one, as far as there are.
+    pub next_ratios: Vec<f64>,
+}
+
+impl SizedGear {
+    /// The smallest that passes; none where none does.
+    pub fn least(&self) -> Option<&Part> {
+        self.candidates.iter().find(|candidate| candidate.reason.is_none()).map(|candidate| &candidate.part)
+    }
+}
+
+/// A gear unit for an axis or a drive.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GearCandidate {
+    /// The gear unit.
+    pub part: Part,
+    /// Its ratings.
+    pub ratings: GearRatings,
+    /// The first reason why it does not go; none where it passes.
+    pub reason: Option<GearReason>,
+    /// What it sets in the form: ids of fields and what is typed there.
+    pub entries: Vec<(&'static str, String)>,
+}
+
+impl GearCandidate {
+    /// Why it does not go, in words; none where it passes.
+    pub fn refusal(&self) -> Option<Message> {
+        Some(match self.reason? {
+            GearReason::Peak(torque, limit) => msg!("size.gear-peak", torque = (torque, 2), limit = (limit, 2)),
+            GearReason::Mean(torque, limit) => msg!("size.gear-mean", torque = (torque, 2), limit = (limit, 2)),
+            GearReason::Speed(speed, limit) => msg!("size.gear-speed", speed = (speed, 0), limit = (limit, 0)),
+            GearReason::MeanSpeed(speed, limit) => msg!("size.gear-mean-speed", speed = (speed, 0), limit = (limit, 0)),
+            GearReason::Backlash(own, limit) => msg!("size.gear-backlash", backlash = (own, 2), limit = (limit, 2)),
+            GearReason::Unknown => msg!("size.gear-unknown"),
+        })
+    }
+}
+
+/// The gear unit of a servo axis over several runs; none where it has none.
+pub(super) fn of_axis(axis: &DrivenAxis, runs: &[&WholeRun], catalogue: &[&Part]) -> Option<SizedGear> {
+    let gear = axis.gear.as_ref()?;
+    let duty = |whole: &&WholeRun| {
+        let timeline = whole.run.timeline();
+        GearDuty::new(&axis.behind(gear, &timeline.stretches(axis.mover, 0.0, timeline.end())), gear.ratio)
+    };
+    let duty = runs.iter().map(duty).reduce(GearDuty::or).unwrap_or_default();
+    Some(sized(gear, duty, catalogue))
+}
+
+/// The gear unit of the drive behind the inverter; none where it has none.
+pub(super) fn of_inverter(drive: &InverterDrive, catalogue: &[&Part]) -> Option<SizedGear> {
+    let gear = drive.gear.as_ref()?;
+    Some(sized(gear, GearDuty::new(&drive.behind(gear), gear.ratio), catalogue))
+}
+
+fn sized(gear: &FormGear, duty: GearDuty, catalogue: &[&Part]) -> SizedGear {
+    let all = catalogue.iter().filter_map(|part| match part.ratings {
+        Ratings::Gear(ratings) => Some((*part, ratings, ratings.ratio?)),
+        _ => None,
+    });
+    let is_same = |ratio: f64| (ratio - gear.ratio).abs() <= SAME_RATIO * gear.ratio;
+    let (same, others): (Vec<_>, Vec<_>) = all.partition(|(_, _, ratio)| is_same(*ratio));
+    let mut candidates: Vec<GearCandidate> = same
+        .into_iter()
+        .map(|(part, ratings, _)| {
+            let reason = ratings.refuses(&duty, gear.backlash);
+            GearCandidate { part: part.clone(), ratings, reason, entries: entries(gear, &ratings, reason) }
+        })
+        .collect();
+    candidates.sort_by(|a, b| {
+        let size = |of: &GearCandidate| of.ratings.rated_torque.unwrap_or(f64::INFINITY);
+        let rank = |of: &GearCandidate| of.reason.map(rank);
+        rank(a).cmp(&rank(b)).then(size(a).total_cmp(&size(b))).then_with(|| a.part.model.cmp(&b.part.model))
+    });
+    let ratios = || others.iter().map(|(_, _, ratio)| *ratio);
+    let lower = ratios().filter(|ratio| *ratio < gear.ratio).reduce(f64::max);
+    let higher = ratios().filter(|ratio| *ratio > gear.ratio).reduce(f64::min);
+    let next_ratios = if candidates.is_empty() { lower.into_iter().chain(higher).collect() } else { Vec::new() };
+    SizedGear { ratio: gear.ratio, duty, candidates, next_ratios }
+}
+
+/// Order of the reasons: those that lack least come first.
+fn rank(reason: GearReason) -> u8 {
+    match reason {
+        GearReason::Backlash(..) => 0,
+        GearReason::MeanSpeed(..) => 1,
+        GearReason::Speed(..) => 2,
+        GearReason::Mean(..) => 3,
+        GearReason::Peak(..) => 4,
+        GearReason::Unknown => 5,
+    }
+}
+
+/// What a gear unit sets in the form, as far as its source has it; nothing where it is not known whether it goes.
+fn entries(gear: &FormGear, ratings: &GearRatings, reason: Option<GearReason>) -> Vec<(&'static str, String)> {
+    if reason == Some(GearReason::Unknown) {
+        return Vec::new();
+    }
+    let efficiency = ratings.efficiency.map(|efficiency| (gear.fields.efficiency, number_text(100.0 * efficiency, 1)));
+    let inertia = gear.fields.inertia.zip(ratings.inertia);
+    let inertia = inertia.map(|(field, inertia)| (field, number_text(inertia / CM2, 4)));
+    // Where play has an effect, the machine is judged with that of the gear unit.
+    let backlash = gear.fields.backlash.filter(|_| gear.backlash.is_some()).zip(ratings.backlash);
+    let backlash = backlash.map(|(field, backlash)| (field, number_text(backlash, 2)));
+    efficiency.into_iter().chain(inertia).chain(backlash).collect()
+}
