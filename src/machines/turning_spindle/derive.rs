@@ -83,6 +83,13 @@ pub(super) struct Derived {
     pub held: Held,
 }
 
+impl Derived {
+    /// Speed of the spindle (r/min) that the program has at a diameter in mm.
+    pub(super) fn speed_at(&self, p: &Params, diameter: f64) -> f64 {
+        if p.speed_mode == SpeedMode::Fixed { self.fixed_speed } else { self.held.at(diameter).0 }
+    }
+}
+
 impl Params {
     /// Passes from stock to finished part.
     pub(super) fn passes(&self) -> f64 {

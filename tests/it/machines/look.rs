@@ -54,6 +54,21 @@ fn pose_figures_equal_the_snapshot() {
     );
 }
 
+#[test]
+fn every_line_of_a_chart_has_a_colour_on_screen_and_paper() {
+    let sheets = [include_str!("../../../style/app.css"), include_str!("../../../style/report.css")];
+    for machine in macroline::machines::ALL {
+        for control in machine.controls() {
+            let project = macroline::project::Project::of(machine.id(), Some(control)).unwrap();
+            let charts = project.prepared().charts(&Running, 0.0, 1.0, 4);
+            for (chart, tone) in charts.iter().flat_map(|chart| chart.series.iter().map(|line| (chart.id, line.tone))) {
+                let rule = format!(".l{tone} {{ stroke");
+                assert!(sheets.iter().all(|sheet| sheet.contains(&rule)), "{} {chart}: {rule}", machine.id());
+            }
+        }
+    }
+}
+
 /// A lamp in a group that a slide carries, behind a round window.
 fn nested() -> Scene {
     let mut drawing = Drawing::new(0.5);

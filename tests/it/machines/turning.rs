@@ -6,7 +6,7 @@ use expect_test::{expect, expect_file};
 use macroline::controls::Address;
 use macroline::drives::speed::surface_speed;
 use macroline::interp::Interp;
-use macroline::machines::form::{Origins, Values};
+use macroline::machines::form::{Origins, Value, Values};
 use macroline::machines::{self, AnyMachine, Frame, Samples};
 use macroline::motion::{Action, Budget, Event, Planner, Retention};
 use macroline::project::run::{self, RunOptions};
@@ -77,6 +77,14 @@ fn begun(project: &Project, settings: &[run::Setting]) -> Planner<Interp> {
 
 pub(super) fn result(project: &Project, id: &str) -> f64 {
     project.design().readouts.iter().find(|row| row.id == id).unwrap().value
+}
+
+/// An entry of the form.
+fn number(project: &Project, id: &str) -> f64 {
+    match project.values[id] {
+        Value::Number(value) => value,
+        _ => panic!("{id} is no number"),
+    }
 }
 
 /// From when to when blocks cut.
@@ -468,6 +476,42 @@ fn signed_output_exists_where_the_control_has_one() {
         let volts = planner.timeline().at(from + 0.1).spindle.volts;
         assert_eq!(volts < 0.0, signed, "{control}: {volts}");
         assert!(volts.abs() > 1.0);
+    }
+}
+
+#[test]
+fn charts_over_the_speed_have_every_gear_stage() {
+    for control in machine().controls() {
+        for changes in [&[("stage-2", "1200"), ("stage-3", "0")][..], &[("stage-2", "0")], &[("site-share", "80")]] {
+            let changes = &[changes, &[("material", "none"), ("cutting-force", "800")]].concat();
+            let project = ideal(control, changes);
+            let planner = over_time(&project);
+            let charts = project.prepared().charts(&planner, 0.0, planner.timeline().end(), 200);
+            let chart = |id: &str| charts.iter().find(|chart| chart.id == id).unwrap();
+            let (torque, power) = (chart("torque-speed"), chart("power-speed"));
+            let stages = |labels: &[&str]| labels.iter().filter(|label| label.contains("stage-")).count();
+            let labels: Vec<&str> = torque.series.iter().map(|line| line.label).collect();
+            let prepared = project.prepared();
+            let fitted = ["stage-2", "stage-3", "stage-4"].into_iter();
+            let fitted = fitted.take_while(|id| !prepared.hidden().contains(id) && number(&project, id) > 0.0);
+            assert_eq!(stages(&labels), 1 + fitted.count(), "{control} {changes:?}");
+            for (of_torque, of_power) in torque.series.iter().zip(&power.series) {
+                assert_eq!(of_torque.label, of_power.label);
+                for ((speed, torque), (other, power)) in of_torque.points.iter().zip(&of_power.points) {
+                    assert_eq!(speed, other);
+                    assert!((power - torque * speed / 9549.296_585_513_72).abs() <= 1e-9 * power.abs(), "{control}");
+                }
+            }
+            // A stage ends where its analog output does, and what the cut asks at the largest diameter is the result.
+            let first = torque.series[0].points.last().unwrap();
+            assert_eq!(first.0, number(&project, "stage-1"));
+            let cut = torque.series.iter().find(|line| line.label == "turning.chart.cut").unwrap();
+            assert!((cut.points.last().unwrap().1 - result(&project, "torque")).abs() < 1e-9, "{control} {changes:?}");
+            assert!(
+                (cut.points.last().unwrap().0 - result(&project, "speed-largest")).abs() < 1e-9,
+                "{control} {changes:?}"
+            );
+        }
     }
 }
 
