@@ -79,7 +79,7 @@ impl Project {
             ]
         });
         RunReport {
-            drawing: svg::picture_with(&scene, &pose, Theme::Light, &balloons(&scene, &pose, &prepared.parts())),
+            drawing: svg::picture_with(&scene, &pose, Theme::Line, &balloons(&scene, &pose, &prepared.parts())),
             figures: figures.into_iter().flatten().collect(),
             charts: prepared.charts(&run, 0.0, end, POINTS).into_iter().map(Chart::shown).collect(),
         }

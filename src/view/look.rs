@@ -172,6 +172,17 @@ impl Paint {
     }
 }
 
+impl Paint {
+    /// Whether it is a material, so that what it fills is a body.
+    pub(super) fn is_body(self) -> bool {
+        match self.substance() {
+            Substance::Token(name) => ["steel", "dark", "ribbon"].iter().any(|material| name.starts_with(material)),
+            Substance::Gradient(..) => !matches!(self, GroundShade | Floor | Sky),
+            Substance::Other => self != Clear,
+        }
+    }
+}
+
 /// Fill and stroke of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Look {

@@ -18,7 +18,32 @@ pub enum Theme {
     Light,
     /// Light on dark.
     Dark,
+    /// Ink on paper, as a drawing office has it: bodies are outlined and barely tinted, without light and shadow.
+    Line,
 }
+
+/// Tokens that differ in a line drawing from those of the light theme.
+const LINE_TOKENS: [(&str, &str); 16] = [
+    ("edge-line", "#15191e"),
+    ("shade", "#fff"),
+    ("steel-light", "#fff"),
+    ("steel", "#fff"),
+    ("steel-shade", "#eef0f2"),
+    ("dark-light", "#e9ecef"),
+    ("dark", "#dde2e7"),
+    ("dark-shade", "#cdd3da"),
+    ("ribbon-light", "#fdf6e6"),
+    ("ribbon", "#f6e8c4"),
+    ("ribbon-shade", "#b8811c"),
+    ("sky-high", "#fff"),
+    ("sky-low", "#fff"),
+    ("floor", "#fff"),
+    ("glass", "#fff"),
+    ("glass-deep", "#f4f6f8"),
+];
+
+/// Width in pixels of the outline of a body in a line drawing.
+const OUTLINE: f64 = 1.0;
 
 /// Where an SVG is shown.
 #[derive(Clone, Copy, PartialEq)]
@@ -31,12 +56,17 @@ enum Place {
 
 /// The value of a token of the style sheet in a theme; empty where there is none.
 fn token(name: &str, theme: Theme) -> &'static str {
+    if theme == Theme::Line
+        && let Some((_, colour)) = LINE_TOKENS.iter().find(|row| row.0 == name)
+    {
+        return colour;
+    }
     let of = |line: &'static str| line.trim_start().strip_prefix("--")?.strip_prefix(name)?.strip_prefix(": ");
     let value = SHEET.lines().find_map(of).unwrap_or_default().trim_end_matches(';');
     let pair = value.strip_prefix("light-dark(").and_then(|pair| pair.strip_suffix(')')?.split_once(", "));
     match (pair, theme) {
         (None, _) => value,
-        (Some((light, _)), Theme::Light) => light,
+        (Some((light, _)), Theme::Light | Theme::Line) => light,
         (Some((_, dark)), Theme::Dark) => dark,
     }
 }
@@ -350,8 +380,20 @@ impl Writer<'_> {
         }
     }
 
+    /// The look of a shape in a line drawing: lit edges are left out, bodies have an outline.
+    fn drawn(&self, node: &Node) -> Look {
+        let look = node.look;
+        match look.stroke {
+            _ if !matches!(self.place, Place::Alone(Theme::Line, _)) => look,
+            Paint::Rim if look.fill == Paint::Clear => Look { stroke: Paint::Clear, ..look },
+            Paint::Rim => look.thin(Paint::Edge, OUTLINE),
+            Paint::Clear if look.fill.is_body() && look.opacity == 1.0 => look.thin(Paint::Edge, OUTLINE),
+            _ => look,
+        }
+    }
+
     fn look(&mut self, node: &Node) {
-        let look: &Look = &node.look;
+        let look = &self.drawn(node);
         let pose = self.pose;
         let filled = pose.and_then(|pose| pose.fills.iter().find(|(id, _)| node.id == Some(*id)));
         self.paint_of("fill", filled.map_or(look.fill, |(_, paint)| *paint));

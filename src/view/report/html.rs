@@ -116,7 +116,9 @@ impl Page<'_> {
     /// Heading, conclusion, drawing, verdicts and title block.
     fn first_sheet(&mut self) {
         let report = self.report;
-        self.raw("<section class=\"sheet\"><div class=\"frame\"></div><header><div>");
+        self.raw("<section class=\"sheet\">");
+        self.frame();
+        self.raw("<header><div>");
         self.text("h1", "", &report.title);
         self.text("p", "dim", self.say("form.report.about"));
         self.raw("</div><b class=\"maker\">macroline</b></header>");
@@ -145,6 +147,19 @@ impl Page<'_> {
         self.raw("</div>");
         self.block();
         self.raw("</footer></section>");
+    }
+
+    /// The frame with its zones, by which one names a place in the drawing: four across and six down on A4. Source: ISO 5457, from memory.
+    fn frame(&mut self) {
+        self.raw("<div class=\"frame\" aria-hidden=\"true\">");
+        for (class, zones) in [("across", ["1", "2", "3", "4"].as_slice()), ("down", &["A", "B", "C", "D", "E", "F"])] {
+            self.raw("<p class=\"");
+            self.raw(class);
+            self.raw("\">");
+            zones.iter().for_each(|zone| self.text("span", "", zone));
+            self.raw("</p>");
+        }
+        self.raw("</div>");
     }
 
     fn head(&mut self, columns: &[&'static str], before: Option<&str>) {
