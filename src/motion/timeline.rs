@@ -197,16 +197,20 @@ impl Timeline {
         times + count(sure, marks.len())
     }
 
-    /// The first time after `t` at which a block within a place begins after another block; `None` where none is planned.
-    pub fn begins_after(&self, place: Place, t: f64) -> Option<f64> {
+    /// Times at which a block within a place begins after another block, as far as the run is planned.
+    pub fn begins(&self, place: Place) -> impl DoubleEndedIterator<Item = f64> {
         let marks = self.marks.until(f64::INFINITY);
         let span = place.span.start..place.span.end;
         let there =
-            |mark: &Activity| mark.begun && mark.place.file == place.file && span.contains(&mark.place.span.start);
+            move |mark: &Activity| mark.begun && mark.place.file == place.file && span.contains(&mark.place.span.start);
         // A block may have several marks: it waits, then moves.
-        let begins = |at: &usize| there(&marks[*at]) && (*at == 0 || !there(&marks[at - 1]));
-        let later = marks.partition_point(|mark| mark.t <= t)..marks.len();
-        later.into_iter().find(begins).map(|at| marks[at].t)
+        let begins = move |at: &usize| there(&marks[*at]) && (*at == 0 || !there(&marks[at - 1]));
+        (0..marks.len()).filter(begins).map(move |at| marks[at].t)
+    }
+
+    /// The first time after `t` at which a block within a place begins after another block; `None` where none is planned.
+    pub fn begins_after(&self, place: Place, t: f64) -> Option<f64> {
+        self.begins(place).find(|begin| *begin > t)
     }
 
     /// Visits of the commands of two axes to the region where both are below their limits, up to `t`; deviations of arcs are left out.

@@ -80,7 +80,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, InInches, field, mount, settled};
+    use crate::ui::testing::{Bench, InInches, field, mount, settled, until};
 
     async fn mounted() -> Bench {
         mount(|| view! { <Slider info=Arc::new(field("pitch")) /> }).await
@@ -115,6 +115,19 @@ mod tests {
         bench.page.undo();
         settled().await;
         assert_eq!(bench.value("input"), "200");
+    }
+
+    #[wasm_bindgen_test]
+    async fn dragging_ends_with_the_whole_run() {
+        let bench = mounted().await;
+        bench.run().await;
+        for position in 201..=220 {
+            bench.type_into("input", &position.to_string()).await;
+        }
+        let player = bench.page.player;
+        let end = move || player.ask_planner(|run| run.timeline().end());
+        // Whole again, and told so.
+        until(move || player.planned.get_untracked().1 && end() == Some(player.planned.get_untracked().0)).await;
     }
 
     #[wasm_bindgen_test]

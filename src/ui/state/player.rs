@@ -45,8 +45,11 @@ const LIMITS: Budget = Budget { blocks: 1_000_000_000, seconds: 36_000.0 };
 /// Steps of the planner between two looks at the clock.
 const STEPS: usize = 64;
 
-/// Milliseconds between two values of the slow signals.
+/// Milliseconds between two values of the slow signals, and between two whole plans while a field is dragged.
 const SLOW: f64 = 100.0;
+
+/// Edits that come in a row count as dragging: how many, and milliseconds between two of them at most.
+const DRAGGING: (u32, f64) = (3, 60.0);
 
 /// The run at the play head, as painters get it in each frame.
 pub(crate) struct Moment<'a> {
@@ -131,6 +134,32 @@ struct State {
     asked: bool,
     /// Seconds that were planned before the operator changed the past, until they are planned again: so long the time axis stays.
     expected: f64,
+    /// Findings of the last plan.
+    findings: Vec<Diagnostic>,
+    pace: Pace,
+}
+
+/// How quickly edits follow one another. While a field is dragged each step plans what the head needs, and the whole run some times a second.
+#[derive(Default)]
+struct Pace {
+    /// When the last edit was shown.
+    edited: f64,
+    /// Edits that followed quickly on one another.
+    in_a_row: u32,
+    /// When the run was last planned as a whole.
+    planned: f64,
+    /// Whether it is to be planned as a whole.
+    is_due: bool,
+}
+
+impl Pace {
+    /// Takes an edit at a time in ms; whether it is to be shown without a plan of the whole run.
+    fn hurries(&mut self, now: f64) -> bool {
+        let (enough, apart) = DRAGGING;
+        self.in_a_row = if now - self.edited < apart { self.in_a_row + 1 } else { 0 };
+        self.edited = now;
+        self.in_a_row >= enough && now - self.planned < SLOW
+    }
 }
 
 /// Begins the run of a project; nothing of it is planned yet.
@@ -153,6 +182,8 @@ impl Player {
             slicing: false,
             asked: false,
             expected: 0.0,
+            findings: Vec::new(),
+            pace: Pace::default(),
         };
         let player = Player {
             state: StoredValue::new_local(state),
@@ -207,14 +238,43 @@ impl Player {
             if self.state.is_disposed() {
                 return;
             }
-            let more = self.plan_far();
-            self.show();
+            let now = dom::now();
+            let more = if self.state.try_update_value(|state| state.pace.hurries(now)) == Some(true) {
+                self.plan_head();
+                false
+            } else {
+                self.plan_whole(now)
+            };
             dom::mark("rendered");
             dom::measure("edit", "input", "rendered");
             if more {
                 self.plan_on();
             }
         });
+    }
+
+    /// Shows the run, planned as far as the page shows it, at a time in ms; whether there is more to plan.
+    fn plan_whole(self, now: f64) -> bool {
+        self.state.update_value(|state| (state.pace.planned, state.pace.is_due) = (now, false));
+        let more = self.plan_far();
+        self.show();
+        more
+    }
+
+    /// Shows the run at the head, and soon as a whole. Until then charts, time axis and findings are those of the last whole plan.
+    fn plan_head(self) {
+        self.advance_plan(self.head() + AHEAD, SLICE);
+        let was_due = self.state.try_update_value(|state| core::mem::replace(&mut state.pace.is_due, true));
+        self.show();
+        if was_due == Some(false) {
+            let whole = move || {
+                // The page may be gone, or the run planned meanwhile.
+                if self.state.try_with_value(|state| state.pace.is_due) == Some(true) && self.plan_whole(dom::now()) {
+                    self.plan_on();
+                }
+            };
+            set_timeout(whole, Duration::from_millis(SLOW as u64));
+        }
     }
 
     /// Adds a painter: it gets every frame from now on.
@@ -272,10 +332,8 @@ impl Player {
 
     /// Goes to the next time at which a block within a place begins; from the end of the run to the first one.
     pub(crate) fn seek_block(self, place: Place) {
-        let to = self.state.with_value(|state| {
-            let timeline = state.planner.as_ref()?.timeline();
-            timeline.begins_after(place, state.head).or_else(|| timeline.begins_after(place, -1.0))
-        });
+        let head = self.head();
+        let to = self.ask_planner(|run| next_begin(&run.timeline().begins(place).collect::<Vec<_>>(), head)).flatten();
         if let Some(t) = to {
             self.playing.set(false);
             self.seek(t);
@@ -349,7 +407,7 @@ impl Player {
     /// Findings of the run, as far as it is planned.
     pub(crate) fn findings(self) -> Vec<Diagnostic> {
         self.plans.track();
-        self.ask_planner(|planner| planner.diagnostics().to_vec()).unwrap_or_default()
+        self.state.with_value(|state| state.findings.clone())
     }
 
     /// The charts of the whole plan, for a file.
@@ -414,18 +472,11 @@ impl Player {
 
     /// Plans up to a time, but only for some milliseconds; says whether there is more to plan.
     fn plan(self, until: f64, budget: f64) -> bool {
-        let begun = dom::now();
-        let more = self.state.try_update_value(|state| {
-            let planner = state.planner.as_mut()?;
-            loop {
-                let progress = planner.advance(until, STEPS);
-                let done = progress.ended.is_some() || progress.planned_to >= until;
-                if done || dom::now() - begun > budget {
-                    return Some((progress.planned_to, progress.ended, !done));
-                }
-            }
+        let advanced = self.advance_plan(until, budget);
+        self.state.update_value(|state| {
+            state.findings = state.planner.as_ref().map(|planner| planner.diagnostics().to_vec()).unwrap_or_default();
         });
-        let Some(Some((planned, ended, more))) = more else { return false };
+        let Some((planned, ended, more)) = advanced else { return false };
         let over = ended.is_some();
         self.state.update_value(|state| {
             if over || planned >= state.expected {
@@ -438,6 +489,22 @@ impl Player {
             self.plans.update(|count| *count += 1);
         }
         more
+    }
+
+    /// The same without telling it to the page: seconds that are planned, why the run is over there, and whether there is more to plan.
+    fn advance_plan(self, until: f64, budget: f64) -> Option<(f64, Option<RunEnd>, bool)> {
+        let begun = dom::now();
+        let progress = self.state.try_update_value(|state| {
+            let planner = state.planner.as_mut()?;
+            loop {
+                let progress = planner.advance(until, STEPS);
+                let done = progress.ended.is_some() || progress.planned_to >= until;
+                if done || dom::now() - begun > budget {
+                    return Some((progress.planned_to, progress.ended, !done));
+                }
+            }
+        });
+        progress.flatten()
     }
 
     /// Plans on in slices between the frames, until the plan is far enough.
@@ -547,7 +614,7 @@ impl Player {
         if ended { f64::INFINITY } else { planned - head }
     }
 
-    /// Writes the moment at the head into the page.
+    /// Writes the moment at the head into the page. Charts and readouts follow some times a second, and not while only the head is planned.
     fn show(self) {
         let time = dom::now();
         let (planned, _) = self.planned.get_untracked();
@@ -555,7 +622,7 @@ impl Player {
         let frame = Frame { step: self.speed_now() / 60.0, option: self.option.get_untracked() };
         let plans = self.plans.get_untracked();
         let shown = self.state.try_update_value(|state| {
-            let slow = !playing || time - state.slow_at >= SLOW;
+            let slow = !state.pace.is_due && (!playing || time - state.slow_at >= SLOW);
             if slow {
                 state.slow_at = time;
             }
@@ -581,5 +648,40 @@ impl Player {
             put(self.now, now);
         }
         put(self.running, block);
+    }
+}
+
+/// The first of the times behind the head, and behind the last of them the first again; none of none.
+pub(crate) fn next_begin(times: &[f64], head: f64) -> Option<f64> {
+    times.iter().find(|t| **t > head).or(times.first()).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+
+    #[wasm_bindgen_test]
+    fn only_edits_in_a_row_hurry_and_never_for_long() {
+        let mut pace = Pace::default();
+        let hurries = |pace: &mut Pace, times: &[f64]| -> Vec<bool> {
+            let take = |time: &f64| {
+                let hurries = pace.hurries(*time);
+                if !hurries {
+                    pace.planned = *time;
+                }
+                hurries
+            };
+            times.iter().map(take).collect()
+        };
+        // Typed figures, each a while after the other.
+        assert_eq!(hurries(&mut pace, &[1000.0, 1100.0, 1200.0, 1300.0, 1400.0]), [false; 5]);
+        // A slider: a step each 16 ms, planned whole once 100 ms have gone by.
+        let steps: Vec<f64> = (0..14).map(|step| 2000.0 + 16.0 * f64::from(step)).collect();
+        let hurried = hurries(&mut pace, &steps);
+        assert_eq!(hurried[..3], [false; 3]);
+        let whole = hurried[3..].iter().filter(|hurries| !**hurries).count();
+        assert_eq!(whole, 1, "{hurried:?}");
     }
 }
