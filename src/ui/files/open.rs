@@ -171,11 +171,14 @@ pub(super) fn OpenButton() -> impl IntoView {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+    use std::rc::Rc;
+
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
     use crate::motion::{Action, Event};
-    use crate::ui::testing::{Bench, mount, project, settled};
+    use crate::ui::testing::{Bench, mount, project, settled, until};
 
     async fn opened(name: &str, text: &str) -> Bench {
         let bench = mount(|| view! { <OpenButton /> }).await;
@@ -192,6 +195,25 @@ mod tests {
         assert!(bench.page.project.get_untracked() == project);
         bench.page.undo();
         assert_eq!(bench.page.machine.get_untracked(), crate::machines::ALL[0].id());
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_larger_than_a_program_is_opened() {
+        // Its program is as long as one may be. As JSON each line feed is two characters.
+        let line = "N1 G04 X1.\n";
+        let mut order = project();
+        order.name = "Order 8".to_owned();
+        let text = line.repeat(MAX_PROGRAM / line.len());
+        order.edited = Some(nc::Files(vec![nc::File { name: "O1.nc".to_owned(), text }]));
+        let json = order.to_json();
+        assert!(json.len() as f64 > BIG);
+        let large = Rc::new(Cell::new(None));
+        let found = Rc::clone(&large);
+        let bench = mount(move || found.set(Some(LargeFile::here()))).await;
+        let file = File::new_with_str_sequence(&js_sys::Array::of1(&json.into()), "order.json").unwrap();
+        take(bench.page, (large.get().unwrap(), bench.worker), vec![file]);
+        until(move || bench.page.project.with_untracked(|project| project.name == "Order 8")).await;
+        assert_eq!(bench.notices(), [""; 0]);
     }
 
     #[wasm_bindgen_test]

@@ -65,6 +65,7 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
         "," => player.step(false),
         "." => player.step(true),
         "a" => operator::toggle_list(page),
+        "g" => stepping::show_block(page),
         "Home" if tag != "INPUT" => player.seek(0.0),
         "?" | "/" => page.view.helping.set(true),
         key => return stepping::press(page, key),

@@ -17,7 +17,7 @@ use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{HelpPage, Hit, Request, Response};
 
 /// Keys and their effects.
-const KEYS: [(&str, &str); 13] = [
+const KEYS: [(&str, &str); 14] = [
     ("Space", "page.key-play"),
     (", .", "page.key-step"),
     ("Home", "page.key-start"),
@@ -27,6 +27,7 @@ const KEYS: [(&str, &str); 13] = [
     ("A", "operator.key-list"),
     ("← → Delete", "operator.key-mark"),
     ("Enter", "page.key-meaning"),
+    ("G", "page.key-block"),
     ("Ctrl Z", "page.key-undo"),
     ("Ctrl Shift Z", "page.key-redo"),
     ("? F1", "page.key-help"),

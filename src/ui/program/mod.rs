@@ -1,5 +1,7 @@
 //! The program files: running block marked, findings at their place, and the ways to change the text.
 
+mod begins;
+
 mod debugger;
 
 mod editor;
@@ -17,7 +19,7 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, MouseEvent};
 
 use crate::project::check::{FixChoice, fixes};
-use crate::text::{FileId, LineIndex, Place, Severity, Span};
+use crate::text::{FileId, Severity};
 use crate::ui::dom;
 use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{Glyph, Icon};
@@ -26,6 +28,7 @@ use crate::ui::state::view::ProgramView;
 use crate::ui::state::walk::Walk;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{counts, say, sign, t, tone};
+use begins::Begins;
 use debugger::{DebuggerBar, Seen};
 use editor::{Difference, Editor};
 use listing_view::Listing;
@@ -60,10 +63,10 @@ pub(crate) fn ProgramTab() -> impl IntoView {
         <Tools follow=follow />
         <Show when=move || page.program.edited.get()><Detached /></Show>
         <Silenced />
-        <div class="fill" on:click=move |event| press(page, &event) on:dblclick=move |event| seek_line(page, &event)>
+        <div class="fill" on:click=move |event| press(page, &event) on:dblclick=move |event| show_line(page, &event)>
             <Show when=move || page.view.program.get() == ProgramView::Listing><DebuggerBar /></Show>
             {body}
-            <Show when=move || page.view.program.get() == ProgramView::Listing><Seen /></Show>
+            <Show when=move || page.view.program.get() == ProgramView::Listing><Begins /><Seen /></Show>
             <Now />
         </div>
     }
@@ -260,21 +263,11 @@ fn Silenced() -> impl IntoView {
     }
 }
 
-/// A double click on a line: the machine at the next time at which its block begins.
-fn seek_line(page: Page, event: &MouseEvent) {
+/// A double click on a line: the machine when its block runs next. The first click has set the cursor.
+fn show_line(page: Page, event: &MouseEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-    let row = target.and_then(|target| target.closest("[data-l]").ok().flatten());
-    let line = row.and_then(|row| row.get_attribute("data-l")?.parse().ok());
-    let Some(line) = line else { return };
-    let file = FileId(page.view.file.get_untracked() as u16);
-    let place = page.program.written.with_untracked(|written| {
-        let text = &written.files.get(file)?.text;
-        let lines = LineIndex::new(text);
-        let start = lines.start(line);
-        Some(Place { file, span: Span { start, end: start + lines.line(text, line).len() as u32 } })
-    });
-    if let Some(place) = place {
-        page.player.seek_block(place);
+    if target.is_some_and(|target| target.closest("[data-l]").is_ok_and(|row| row.is_some())) {
+        stepping::show_block(page);
     }
 }
 

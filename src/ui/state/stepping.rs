@@ -169,18 +169,28 @@ pub(crate) fn press(page: Page, key: &str) -> bool {
     true
 }
 
+/// The block at the cursor; follows the cursor.
+pub(crate) fn at_cursor(page: Page) -> Option<(Location, Place)> {
+    let (file, line) = page.player.walk.with(|walk| walk.cursor)?;
+    let spot = Location::Line { file, line };
+    let place = page.program.written.with(|written| spot.place(&written.parsed))?;
+    Some((spot, place))
+}
+
 /// The block at the cursor; without one the user is asked for it.
 fn cursor(page: Page) -> Option<(Location, Place)> {
-    let at = page.player.walk.with_untracked(|walk| walk.cursor);
-    let found = at.and_then(|(file, line)| {
-        let spot = Location::Line { file, line };
-        let place = page.program.written.with_untracked(|written| spot.place(&written.parsed))?;
-        Some((spot, place))
-    });
+    let found = untrack(|| at_cursor(page));
     if found.is_none() {
         page.notices.notify("info", t("page.walk-cursor").to_owned());
     }
     found
+}
+
+/// Shows the machine when the block at the cursor runs next.
+pub(crate) fn show_block(page: Page) {
+    if let Some((_, place)) = untrack(|| at_cursor(page)) {
+        page.player.seek_block(place);
+    }
 }
 
 /// Sets a breakpoint at the cursor or removes it; with a condition it gets that condition. Whether it could be done.
