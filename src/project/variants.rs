@@ -56,14 +56,20 @@ impl Project {
         if self.variants.is_empty() {
             return None;
         }
-        let variant = |at: usize| {
+        let all: Vec<(String, Project)> =
+            [(present.to_owned(), self.clone())].into_iter().chain(self.each_variant()).collect();
+        Some(compare(&all))
+    }
+
+    /// The name of each variant with the project as it is with the settings of that variant. A program that the user has edited belongs to the
+    /// present settings alone: each of these has the program that its form writes.
+    pub fn each_variant(&self) -> impl Iterator<Item = (String, Project)> {
+        self.variants.iter().enumerate().map(|(at, kept)| {
             let mut project = self.clone();
             project.take_variant(at);
-            project
-        };
-        let kept = self.variants.iter().enumerate().map(|(at, kept)| (kept.name.clone(), variant(at)));
-        let all: Vec<(String, Project)> = [(present.to_owned(), self.clone())].into_iter().chain(kept).collect();
-        Some(compare(&all))
+            project.edited = None;
+            (kept.name.clone(), project)
+        })
     }
 }
 

@@ -72,7 +72,7 @@ test('a drawing of machines that was cancelled is done once more by a button', (
 test('variants are kept, compared, taken and undone', () =>
   withPage(app, {}, async ({ page }) => {
     await sized(page);
-    const section = page.locator('.variants');
+    const section = page.locator('section.variants');
     const pitch = section.locator('tbody tr', { hasText: 'Pitch mm' });
     await page.getByRole('button', { name: 'Keep as variant' }).click();
     await section.getByText('Nothing differs.').waitFor();
@@ -85,6 +85,16 @@ test('variants are kept, compared, taken and undone', () =>
     await page.waitForFunction(() => document.querySelectorAll('.variants tbody td').length % 3 === 0);
     await page.locator('.sizing .sheets[aria-busy="false"]').first().waitFor();
     await accessible(page);
+    // A beside the form, then beside the other variant: machines, entries and program in three clicks.
+    await page.getByRole('button', { name: 'Compare variant A in motion' }).click();
+    const dialog = page.locator('dialog[open]');
+    await dialog.getByRole('row', { name: /^Pitch mm 20 10/ }).waitFor();
+    await dialog.locator('.sides .scene').nth(1).waitFor();
+    await dialog.locator('.editor .cm-content').waitFor();
+    await dialog.getByRole('combobox', { name: 'Compared at the left' }).selectOption({ label: 'Wide' });
+    await dialog.locator('thead', { hasText: 'Wide' }).waitFor();
+    await accessible(page);
+    await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Take variant A into the form' }).press('Enter');
     await page.waitForFunction(() => document.getElementById('pitch').value === '10');
     await page.waitForFunction(() => document.querySelector('.variants tbody td')?.innerText === '10');

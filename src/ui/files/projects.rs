@@ -334,7 +334,7 @@ impl List {
         let called = if state.of.is_empty() { name } else { [name, crate::ui::words::day(state.at)].join(" ") };
         self.page.view.projects.set(false);
         let name = if called.trim().is_empty() { t("page.untitled").to_owned() } else { called };
-        self.page.view.compared.set(Some(Compared { name, text: state.text }));
+        self.page.view.compared.set(Some(Compared::Project(name, state.text)));
     }
 
     /// Shows a file that a person chose beside the present project.
@@ -345,7 +345,7 @@ impl List {
             match Project::from_json(&text).project {
                 Some(_) if !self.page.view.kept.is_disposed() => {
                     self.page.view.projects.set(false);
-                    self.page.view.compared.set(Some(Compared { name, text }));
+                    self.page.view.compared.set(Some(Compared::Project(name, text)));
                 }
                 _ => self.say(say(&msg!("compare.no-project", file = name))),
             }

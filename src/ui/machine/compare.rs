@@ -1,4 +1,4 @@
-//! Two projects side by side: both machines at the same time of their runs, what differs in entries and results, and the programs line by line.
+//! Two projects or variants side by side: both machines at the same time of their runs, what differs in entries and results, and the programs line by line.
 
 use std::sync::Arc;
 
@@ -11,7 +11,8 @@ use web_sys::Element;
 
 use super::scene_view::Drawn;
 use crate::machines::{Frame, PreparedMachine};
-use crate::nc::Files;
+use crate::msg;
+use crate::nc::File;
 use crate::project::Project;
 use crate::project::run::Run;
 use crate::ui::dom;
@@ -24,7 +25,7 @@ use crate::ui::parts::{Dialog, Glyph, IconButton};
 use crate::ui::state::player::begin;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{clock, t};
+use crate::ui::words::{clock, say, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 
@@ -72,9 +73,18 @@ pub(crate) fn CompareDialog() -> impl IntoView {
     let other = page.view.compared;
     let open = Signal::derive(move || other.with(Option::is_some));
     let content = move || {
-        let Compared { name, text } = other.get()?;
-        let project = Project::from_json(&text).project?;
-        Some(view! { <Sides name=name project=project text=text /> })
+        let present = page.project.get_untracked();
+        let name = if present.name.is_empty() { t("page.untitled") } else { present.name.as_str() };
+        let mut all = vec![(say(&msg!("compare.present", name)), present.clone())];
+        all.extend(present.each_variant());
+        let right = match other.get()? {
+            Compared::Variant(at) => at + 1,
+            Compared::Project(name, text) => {
+                all.push((name, Project::from_json(&text).project?));
+                all.len() - 1
+            }
+        };
+        (right < all.len()).then(|| view! { <Sides all=all right=right /> })
     };
     view! {
         <Dialog id="compare-title" title=t("compare.title") open=open close=move || other.set(None) class="wide compare">
@@ -83,46 +93,105 @@ pub(crate) fn CompareDialog() -> impl IntoView {
     }
 }
 
-/// The present project and another one.
+/// The projects and variants that can be compared, each with its name, and the places of the two that are.
+#[derive(Clone, Copy)]
+struct Pair {
+    all: StoredValue<Vec<(String, Project)>>,
+    places: [RwSignal<usize>; 2],
+}
+
+impl Pair {
+    /// What is read of the left and the right one; follows the choice.
+    fn each<T>(self, read: impl Fn(&str, &Project) -> T) -> Option<[T; 2]> {
+        let places = self.places.map(|place| place.get());
+        self.all.with_value(|all| {
+            let [left, right] = places.map(|at| all.get(at).map(|(name, project)| read(name, project)));
+            Some([left?, right?])
+        })
+    }
+
+    /// Their names.
+    fn names(self) -> [String; 2] {
+        self.each(|name, _| name.to_owned()).unwrap_or_default()
+    }
+
+    /// Puts one to a side, 0 or 1; what was there changes sides where the other side had it.
+    fn choose(self, side: usize, at: usize) {
+        let [own, other] = [self.places[side], self.places[1 - side]];
+        let before = own.get_untracked();
+        own.set(at);
+        if other.get_untracked() == at {
+            other.set(before);
+        }
+    }
+}
+
+/// Two of some projects and variants.
 #[component]
 fn Sides(
-    /// Name of the other project.
-    name: String,
-    /// The other project.
-    project: Project,
-    /// The same as the text of its file.
-    text: String,
+    /// All of them, each with its name; the present project first.
+    all: Vec<(String, Project)>,
+    /// The place of the one at the right; the present project is at the left.
+    right: usize,
 ) -> impl IntoView {
     let page = Page::here();
-    let present = page.project.get_untracked();
+    let pair = Pair { all: StoredValue::new(all), places: [RwSignal::new(0), RwSignal::new(right)] };
     let rows = RwSignal::new(String::new());
-    let show = move |response: Option<Response>| match response {
-        Some(Response::Html(html)) => drop(rows.try_set(html)),
-        _ => page.notices.notify("fail", t("page.no-answer").to_owned()),
-    };
-    Client::here().ask(&present, Request::Compare(name.clone(), text), show);
-    let files = [&present, &project].map(|project| project.written().files.clone());
+    let worker = Client::here();
+    Effect::new(move |_| {
+        let show = move |response: Option<Response>| match response {
+            Some(Response::Html(html)) => drop(rows.try_set(html)),
+            _ => page.notices.notify("fail", t("page.no-answer").to_owned()),
+        };
+        if let Some([left, right]) = pair.each(|_, project| project.clone()) {
+            worker.ask(&left, Request::Compare(pair.names(), right.to_json()), show);
+        }
+    });
     view! {
-        <Motion projects=[present, project] name=name />
+        <Motion pair=pair />
         <div class="scroll variants" tabindex="0" role="group" aria-label=t("compare.entries")>
             <table inner_html=rows></table>
         </div>
-        <Programs files=files />
+        <Programs pair=pair />
     }
+}
+
+/// The name over a side; a list to choose from where there are more than two to compare.
+#[component]
+fn Caption(
+    /// What is compared.
+    pair: Pair,
+    /// The side: 0 left, 1 right.
+    side: usize,
+) -> impl IntoView {
+    let place = pair.places[side];
+    let names = pair.all.with_value(|all| all.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>());
+    if names.len() == 2 {
+        return names.get(place.get_untracked()).cloned().into_any();
+    }
+    let options: Vec<_> = names.into_iter().enumerate().map(|(at, name)| (at.to_string(), name)).collect();
+    view! {
+        <Choice
+            attr:aria-label=t(["compare.left", "compare.right"][side]) options=Signal::stored(options)
+            chosen=Signal::derive(move || place.get().to_string())
+            choose=move |at: String| pair.choose(side, at.parse().unwrap_or(0))
+        />
+    }
+    .into_any()
 }
 
 /// Both machines with one transport: they are at the same time of their runs.
 #[component]
 fn Motion(
-    /// The present project and the other one.
-    projects: [Project; 2],
-    /// Name of the other one.
-    name: String,
+    /// What is compared.
+    pair: Pair,
 ) -> impl IntoView {
     let page = Page::here();
     let hosts: [NodeRef<html::Div>; 2] = [NodeRef::new(), NodeRef::new()];
     let sides = StoredValue::new_local(Vec::<Side>::new());
-    let (head, end, playing) = (RwSignal::new(0.0), RwSignal::new(SHOWN), RwSignal::new(false));
+    // The machine is met where it is on the page.
+    let head = RwSignal::new(page.player.head().min(SHOWN));
+    let (end, playing) = (RwSignal::new(SHOWN), RwSignal::new(false));
     let show = move || {
         // The dialog may be gone.
         let Some(t) = head.try_get_untracked() else { return };
@@ -130,11 +199,10 @@ fn Motion(
     };
     Effect::new(move |_| {
         let [Some(left), Some(right)] = hosts.map(|host| host.get()) else { return };
+        let Some(projects) = pair.each(|_, project| project.clone()) else { return };
         let made = projects.iter().zip([&left, &right]).map(|(project, host)| Side::new(project, host)).collect();
         sides.set_value(made);
-        // The machine is met where it is on the page.
-        head.set(page.player.head().min(SHOWN));
-        plan(sides, end, show);
+        plan(sides, head, end, show);
         // Once the dialog has its size.
         dom::soon(move || {
             sides.try_with_value(|sides| {
@@ -184,8 +252,8 @@ fn Motion(
     };
     view! {
         <div class="sides">
-            <figure><figcaption>{t("variants.now")}</figcaption><div class="stage" node_ref=hosts[0]></div></figure>
-            <figure><figcaption>{name}</figcaption><div class="stage" node_ref=hosts[1]></div></figure>
+            <figure><figcaption><Caption pair=pair side=0 /></figcaption><div class="stage" node_ref=hosts[0]></div></figure>
+            <figure><figcaption><Caption pair=pair side=1 /></figcaption><div class="stage" node_ref=hosts[1]></div></figure>
         </div>
         <div class="both">
             <IconButton glyph=glyph label=label press=toggle />
@@ -199,27 +267,33 @@ fn Motion(
 }
 
 /// Plans both runs in turns, and shows them as far as they are.
-fn plan(sides: StoredValue<Vec<Side>, LocalStorage>, end: RwSignal<f64>, show: impl Fn() + Copy + 'static) {
+fn plan(
+    sides: StoredValue<Vec<Side>, LocalStorage>,
+    head: RwSignal<f64>,
+    end: RwSignal<f64>,
+    show: impl Fn() + Copy + 'static,
+) {
     let planned = sides.try_update_value(|sides| {
         sides.iter_mut().filter(|side| !side.is_planned()).for_each(|side| drop(side.run.advance(SHOWN, SLICE)));
         sides.iter().all(Side::is_planned)
     });
     show();
     match planned {
-        Some(false) => in_turn(move || plan(sides, end, show)),
+        Some(false) => in_turn(move || plan(sides, head, end, show)),
         Some(true) => {
             let ends = sides.with_value(|sides| sides.iter().map(|side| side.run.timeline().end()).fold(0.0, f64::max));
             put(end, ends.min(SHOWN));
+            put(head, head.get_untracked().min(ends));
         }
         None => {}
     }
 }
 
-/// The programs, line by line: the other one's, and what the present one's have instead.
+/// The programs, line by line: those of the right one, and what the left one's have instead.
 #[component]
 fn Programs(
-    /// The files of the present project and of the other one.
-    files: [Files; 2],
+    /// What is compared.
+    pair: Pair,
 ) -> impl IntoView {
     let host: NodeRef<html::Div> = NodeRef::new();
     let (chosen, failed) = (RwSignal::new(0_usize), RwSignal::new(String::new()));
@@ -229,20 +303,28 @@ fn Programs(
             let _ = call(&editor, "close", &[]);
         }
     };
-    let options: Vec<_> = files[0].0.iter().enumerate().map(|(at, file)| (at.to_string(), file.name.clone())).collect();
+    let files = Memo::new(move |_| pair.each(|_, project| project.written().files.clone()).unwrap_or_default());
+    let option = |(at, file): (usize, &File)| (at.to_string(), file.name.clone());
+    let options = move || files.with(|[left, _]| left.0.iter().enumerate().map(option).collect::<Vec<_>>());
+    let title = move || {
+        let [left, right] = pair.names();
+        say(&msg!("compare.program", left, right))
+    };
     Effect::new(move |_| {
         let (at, Some(host)) = (chosen.get(), host.get()) else { return };
-        let [now, other] = &files;
+        let [now, other] = files.get();
+        // The other side may have fewer files.
+        let at = if at < now.0.len() { at } else { 0 };
         let Some(file) = now.0.get(at) else { return };
         let same = other.0.iter().find(|one| one.name == file.name).or(other.0.get(at));
         let texts = [same.map(|one| one.text.clone()).unwrap_or_default(), file.text.clone()].map(JsValue::from);
         // The two may be of controls with other words, so none is coloured.
         let pieces = Closure::<dyn Fn(JsValue) -> JsValue>::new(|_| js_sys::Array::new().into()).into_js_value();
-        let options = object([("label", t("compare.program").into()), ("pieces", pieces), ("phrases", phrases())]);
+        let options = object([("label", title().into()), ("pieces", pieces), ("phrases", phrases())]);
         spawn_local(async move {
             let [before, after] = &texts;
-            close();
             let module = load("editor.js").await;
+            close();
             match module.and_then(|module| call(&module, "difference", &[&host, before, after, &options])) {
                 Ok(editor) => drop(shown.try_set_value(Some(editor))),
                 Err(error) => drop(failed.try_set(format!("{} {}", t("page.editor-failed"), dom::told(&error)))),
@@ -253,9 +335,9 @@ fn Programs(
     let choose = move |at: String| chosen.set(at.parse().unwrap_or(0));
     view! {
         <div class="bar">
-            <h3>{t("compare.program")}</h3>
+            <h3>{title}</h3>
             <Choice
-                attr:aria-label=t("page.files") options=Signal::stored(options)
+                attr:aria-label=t("page.files") options=Signal::derive(options)
                 chosen=Signal::derive(move || chosen.get().to_string()) choose=choose
             />
         </div>
@@ -273,20 +355,94 @@ mod tests {
     use crate::ui::testing::{Bench, mount, project, settled, until};
     use crate::ui::worker::documents;
 
-    async fn compared(change: impl FnOnce(&mut Project)) -> Bench {
-        let mut other = project();
-        change(&mut other);
-        let bench = mount(|| {
+    /// The dialog on a page whose worker is here.
+    async fn dialog() -> Bench {
+        mount(|| {
             Client::here().answer_here(|project, request| match request {
-                Request::Compare(name, text) => Some(Response::Html(documents::compared_with(project, name, &text))),
+                Request::Compare(names, text) => Some(Response::Html(documents::compared_with(project, names, &text))),
                 _ => None,
             });
             view! { <CompareDialog /> }
         })
-        .await;
-        bench.page.view.compared.set(Some(Compared { name: "Order 7".to_owned(), text: other.to_json() }));
+        .await
+    }
+
+    /// The comparison with a project of the name "Order 7".
+    async fn compared(change: impl FnOnce(&mut Project)) -> Bench {
+        let mut other = project();
+        change(&mut other);
+        let bench = dialog().await;
+        bench.page.view.compared.set(Some(Compared::Project("Order 7".to_owned(), other.to_json())));
         settled().await;
         bench
+    }
+
+    /// The project "Order 8" of pitch 7 with the variants A of pitch 8 and B of pitch 9, compared with the variant at a place.
+    async fn compared_with_variant(at: usize) -> Bench {
+        let bench = dialog().await;
+        for pitch in [8.0, 9.0] {
+            bench.page.set("pitch", Value::Number(pitch));
+            bench.page.edit("", |project| _ = project.keep_variant(""));
+        }
+        bench.page.set("pitch", Value::Number(7.0));
+        bench.page.edit("name", |project| project.name = "Order 8".to_owned());
+        bench.page.view.compared.set(Some(Compared::Variant(at)));
+        settled().await;
+        bench
+    }
+
+    /// The names over the table.
+    fn heads(bench: &Bench) -> Vec<String> {
+        bench.all(".compare thead th").iter().skip(1).filter_map(|cell| cell.text_content()).collect()
+    }
+
+    /// The pitch of both in the table.
+    fn pitches(bench: &Bench) -> Vec<String> {
+        let rows = bench.all(".compare tbody tr");
+        let row = rows.iter().find(|row| row.text_content().is_some_and(|text| text.starts_with("Pitch"))).unwrap();
+        dom::all(row, "td").iter().filter_map(|cell| cell.text_content()).collect()
+    }
+
+    #[wasm_bindgen_test]
+    async fn variant_is_compared_with_the_project_under_its_name() {
+        let bench = compared_with_variant(0).await;
+        assert_eq!(heads(&bench), [say(&msg!("compare.present", name = "Order 8")), "A".to_owned()]);
+        assert_eq!(pitches(&bench), ["7", "8"]);
+        assert_eq!(bench.all(".sides .scene").len(), 2);
+        let [left, right] = [heads(&bench)[0].clone(), "A".to_owned()];
+        assert_eq!(bench.text(".compare h3"), say(&msg!("compare.program", left, right)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn two_variants_are_compared_at_the_time_reached() {
+        let bench = compared_with_variant(0).await;
+        bench.type_into(".both input", "3").await;
+        bench.choose(".sides figure:first-child select", "2").await;
+        assert_eq!(
+            (heads(&bench), pitches(&bench)),
+            (vec!["B".to_owned(), "A".to_owned()], vec!["9".to_owned(), "8".to_owned()])
+        );
+        assert_eq!((bench.all(".sides .scene").len(), bench.text(".both output")), (2, clock(3.0)));
+        // The same one at both sides: they change sides.
+        bench.choose(".sides figure:last-child select", "2").await;
+        assert_eq!(
+            (heads(&bench), pitches(&bench)),
+            (vec!["A".to_owned(), "B".to_owned()], vec!["8".to_owned(), "9".to_owned()])
+        );
+        assert_eq!(bench.value(".sides figure:first-child select"), "1");
+    }
+
+    #[wasm_bindgen_test]
+    async fn variant_beside_an_edited_program_has_its_own() {
+        let bench = compared_with_variant(0).await;
+        bench.page.edit("", |project| project.edited = Some(project.written().files.clone()));
+        let both = bench.page.project.with_untracked(|project| {
+            project
+                .each_variant()
+                .map(|(_, variant)| variant.written().files != project.written().files)
+                .collect::<Vec<_>>()
+        });
+        assert_eq!(both, [true, true]);
     }
 
     #[wasm_bindgen_test]

@@ -1,4 +1,4 @@
-//! Variants of the project: kept under a name, compared in the worker, taken into the form, removed.
+//! Variants of the project: kept under a name, compared in the worker or side by side in motion, taken into the form, removed.
 
 use std::time::Duration;
 
@@ -11,6 +11,7 @@ use crate::msg;
 use crate::project::Project;
 use crate::project::variant::{MAX_VARIANT_NAME, MAX_VARIANTS, Variant, variant_name};
 use crate::ui::dom;
+use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{say, t};
 use crate::ui::worker::client::Client;
@@ -132,6 +133,7 @@ fn head_of(variants: &[Variant]) -> String {
         out += "</span><span class=\"acts\">";
         let acts = [
             ("take", msg!("page.variant-take-about", variant = name.as_str()), "page.variant-take"),
+            ("compare", msg!("page.variant-compare-about", variant = name.as_str()), "projects.compare"),
             ("remove", msg!("page.variant-remove-about", variant = name.as_str()), "page.variant-remove"),
         ];
         for (act, about, words) in acts {
@@ -156,7 +158,8 @@ fn keep(page: Page, name: &str) {
     }
 }
 
-/// Does what the button that was clicked is for: keeps a variant under the typed name, takes one, removes one.
+/// Does what the button that was clicked is for: keeps a variant under the typed name, takes one, shows one in motion beside the present settings,
+/// removes one.
 fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let place = |act| target.as_ref()?.get_attribute(act)?.parse::<usize>().ok();
@@ -168,6 +171,8 @@ fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
         page.edit("", |project| project.take_variant(at));
         page.entries.show_again();
         page.notices.say(t("page.taken"));
+    } else if let Some(at) = place("data-compare") {
+        page.view.compared.set(Some(Compared::Variant(at)));
     } else if let Some(at) = place("data-remove") {
         page.edit("", |project| project.drop_variant(at));
         page.notices.say(t("page.variant-removed"));
@@ -280,11 +285,23 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    async fn variant_is_asked_to_be_shown_in_motion() {
+        let bench = section().await;
+        bench.press_button(t("page.variant-keep")).await;
+        bench.press("[data-compare]").await;
+        assert!(bench.page.view.compared.with_untracked(|compared| matches!(compared, Some(Compared::Variant(0)))));
+        assert_eq!(
+            bench.attribute("[data-compare]", "aria-label"),
+            say(&msg!("page.variant-compare-about", variant = "A"))
+        );
+    }
+
+    #[wasm_bindgen_test]
     async fn removed_variant_comes_back_by_undo() {
         let bench = section().await;
         bench.press_button(t("page.variant-keep")).await;
         bench.press_button(t("page.variant-keep")).await;
-        let button: HtmlElement = bench.find("thead .acts button + button").unchecked_into();
+        let button: HtmlElement = bench.find("[data-remove]").unchecked_into();
         button.focus().unwrap();
         button.click();
         settled().await;

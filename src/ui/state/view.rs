@@ -47,13 +47,13 @@ pub(crate) enum Kept {
     Elsewhere,
 }
 
-/// A project that the present one is compared with.
+/// What the present project is compared with.
 #[derive(Clone)]
-pub(crate) struct Compared {
-    /// What it is called.
-    pub name: String,
-    /// The text of its file.
-    pub text: String,
+pub(crate) enum Compared {
+    /// Another project: its name, and the text of its file.
+    Project(String, String),
+    /// A variant of the present project, by its place.
+    Variant(usize),
 }
 
 /// How the page looks: each a choice as its button counts, from 0.
@@ -102,7 +102,7 @@ pub(crate) struct View {
     pub help_at: RwSignal<String>,
     /// Step of the tour, from 0.
     pub tour: RwSignal<Option<usize>>,
-    /// The project that the present one is compared with.
+    /// What the present project is compared with.
     pub compared: RwSignal<Option<Compared>>,
     /// Whether the store of this browser has the project.
     pub kept: RwSignal<Kept>,

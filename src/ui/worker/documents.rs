@@ -59,10 +59,11 @@ pub(in crate::ui) fn variants(project: &Project) -> String {
     project.compared_variants(t("variants.now")).map(|comparison| differences(&comparison)).unwrap_or_default()
 }
 
-/// The same of the present project and another one, with the head of the table.
-pub(in crate::ui) fn compared_with(project: &Project, name: String, text: &str) -> String {
+/// The same of a project and another one under these names, with the head of the table.
+pub(in crate::ui) fn compared_with(project: &Project, names: [String; 2], text: &str) -> String {
     let Some(other) = Project::from_json(text).project else { return String::new() };
-    let comparison = compare(&[(t("variants.now").to_owned(), project.clone()), (name, other)]);
+    let [name, other_name] = names;
+    let comparison = compare(&[(name, project.clone()), (other_name, other)]);
     let mut out = "<thead><tr>".to_owned();
     for head in std::iter::once(t("variants.row")).chain(comparison.names.iter().map(String::as_str)) {
         out.push_str("<th scope=\"col\">");

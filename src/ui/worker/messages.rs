@@ -35,8 +35,8 @@ pub(crate) enum Request {
     Flips,
     /// The present settings beside the variants of the project.
     Variants,
-    /// The present project beside another one: its name, and the text of its file.
-    Compare(String, String),
+    /// A project beside another one: the names of both, and the text of the other one's file.
+    Compare([String; 2], String),
     /// The list of the projects that this browser keeps, the present one first.
     Shelf(Shelf),
     /// Documents that leave with the programs.

@@ -66,7 +66,7 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
             Request::Sizing => Response::Sheets(documents::sizing(&project, &mut progress)),
             Request::Chance => Response::Sheets(documents::chance(&project, &mut progress)),
             Request::Variants => Response::Html(documents::variants(&project)),
-            Request::Compare(name, text) => Response::Html(documents::compared_with(&project, name, &text)),
+            Request::Compare(names, text) => Response::Html(documents::compared_with(&project, names, &text)),
             Request::Shelf(shelf) => Response::Html(shelf::list(&project, &shelf)),
             Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
             Request::Flips => Response::Flips(
