@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use macroline::controls::options::CommentCharacters;
 use macroline::controls::{self, Switches};
+use macroline::machines;
 use macroline::machines::form::Value;
-use macroline::machines::{self, comments};
 use macroline::motion::{Budget, Retention};
 use macroline::nc::{self, Files, Parsed};
 use macroline::project::Project;
@@ -13,8 +13,8 @@ use macroline::project::decode::{Decoded, Encoding};
 use macroline::project::encode;
 use macroline::project::import::open;
 use macroline::project::run::{self, RunOptions};
-use macroline::text::catalog::Language;
 use macroline::text::catalog::parts::{SentencePart, parts};
+use macroline::text::catalog::{self, Language, programs};
 use serde_json::Value as Json;
 
 use super::command;
@@ -84,6 +84,45 @@ fn every_comment_of_every_program_has_chinese() {
     assert!(missing.is_empty(), "no Chinese of {missing:#?}");
 }
 
+/// Texts of the alarms and messages of a program.
+fn messages_of(parsed: &Parsed) -> Vec<String> {
+    let deck = parsed.deck();
+    let text = |block: &nc::Block| match block.stmt {
+        nc::Stmt::Message(text) => text,
+        _ => block.comment.filter(|_| nc::is_message(deck, parsed.control(), block)),
+    };
+    deck.blocks.iter().filter_map(text).map(|id| deck.text(Some(id)).trim().to_owned()).collect()
+}
+
+#[test]
+fn every_alarm_and_message_of_every_program_has_chinese() {
+    let mut all = BTreeSet::new();
+    for mut project in projects() {
+        all.extend(messages_of(&project.written().parsed));
+        for (field, value) in [("rest", "alarm"), ("job", "product-length")] {
+            if project.machine.fields().iter().any(|row| row.id == field) {
+                project.values.insert(field.to_owned(), Value::Text(value.to_owned()));
+            }
+        }
+        all.extend(messages_of(&project.written().parsed));
+    }
+    let missing: Vec<&String> = all.iter().filter(|text| programs::chinese(text).is_none()).collect();
+    assert!(missing.is_empty(), "no Chinese of {missing:#?}");
+    assert!(all.len() > 20, "{all:#?}");
+}
+
+#[test]
+fn alarm_of_the_program_has_its_chinese_behind_it() {
+    let alarm = macroline::msg!("interp.user-alarm-text", number = 20_u32, text = "FEED #115 ABOVE LIMIT #119");
+    let own = macroline::msg!("interp.user-alarm-text", number = 20_u32, text = "CHECK THE DOOR");
+    assert_eq!(catalog::sentence(&alarm), "The program raises its alarm 20: FEED #115 ABOVE LIMIT #119");
+    catalog::speak(Language::Chinese.sentences());
+    let said = [alarm, own].map(|alarm| catalog::sentence(&alarm));
+    catalog::speak(Language::English.sentences());
+    let chinese = "程序产生用户报警 20：FEED #115 ABOVE LIMIT #119（进给 #115 超过上限 #119）";
+    assert_eq!(said, [chinese, "程序产生用户报警 20：CHECK THE DOOR"]);
+}
+
 #[test]
 fn every_comment_in_the_sources_has_chinese() {
     let mut seen = 0;
@@ -97,7 +136,7 @@ fn every_comment_in_the_sources_has_chinese() {
                 for (at, _) in source.match_indices(start) {
                     let text = &source[at + start.len()..];
                     let comment = &text[..text.find('"').unwrap()];
-                    assert!(comments::chinese(comment).is_some(), "{}: no Chinese of “{comment}”", file.display());
+                    assert!(programs::chinese(comment).is_some(), "{}: no Chinese of “{comment}”", file.display());
                     seen += 1;
                 }
             }
@@ -108,7 +147,7 @@ fn every_comment_in_the_sources_has_chinese() {
 
 #[test]
 fn chinese_comments_are_short_and_in_gbk() {
-    for (english, chinese) in comments::all() {
+    for (english, chinese) in programs::all() {
         assert!(chinese.chars().all(|c| CommentCharacters::Gbk.has(c)), "{chinese}");
         assert!(!chinese.contains(['(', ')', '%', ';', '"']) && !chinese.is_ascii(), "{chinese}");
         let places = |text: &str| {
@@ -122,11 +161,11 @@ fn chinese_comments_are_short_and_in_gbk() {
 
 #[test]
 fn values_of_a_comment_stand_in_its_chinese() {
-    assert_eq!(comments::chinese("X PER PITCH").as_deref(), Some("X 每节距行程"));
-    assert_eq!(comments::chinese("THEN X12.5 IS 24 MM ACROSS FLATS").as_deref(), Some("此时 X12.5 对应对边宽度 24 mm"));
-    assert_eq!(comments::chinese("X OFFSET OF T3 IS -40."), Some("T3 的 X 刀偏为 -40.".to_owned()));
+    assert_eq!(programs::chinese("X PER PITCH").as_deref(), Some("X 每节距行程"));
+    assert_eq!(programs::chinese("THEN X12.5 IS 24 MM ACROSS FLATS").as_deref(), Some("此时 X12.5 对应对边宽度 24 mm"));
+    assert_eq!(programs::chinese("X OFFSET OF T3 IS -40."), Some("T3 的 X 刀偏为 -40.".to_owned()));
     for none in ["PITCH=8", "MACROLINE RIBBON-LINE 1", "A NOTE OF THE USER", "", "PER PITCH"] {
-        assert_eq!(comments::chinese(none), None, "{none}");
+        assert_eq!(programs::chinese(none), None, "{none}");
     }
 }
 

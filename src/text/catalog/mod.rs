@@ -8,11 +8,14 @@
 
 use std::borrow::Cow;
 use std::cell::Cell;
-use std::cmp::Ordering;
 
 pub mod parts;
+pub mod programs;
+mod rows;
 
 use parts::{Form, SentencePart, parts};
+pub use rows::words_of;
+use rows::{key_length, row_of};
 
 use super::message::{Message, MessageValue};
 use super::number::{self, Plain};
@@ -84,51 +87,18 @@ fn row(key: &str) -> Option<(&'static str, &'static str)> {
     row_of(SPOKEN.get(), key)
 }
 
-/// The sentence of a key in a file of this format that is not the one spoken.
-pub fn words_of(sentences: &'static str, key: &str) -> Option<&'static str> {
-    row_of(sentences, key).map(|(_, sentence)| sentence)
+/// A text of a program in the language that is spoken. `None` where that is English, or macroline did not write the text.
+pub fn of_program(text: &str) -> Option<String> {
+    match spoken() {
+        Language::English => None,
+        Language::Chinese => programs::chinese(text.trim()),
+    }
 }
 
 /// The ids of sentences that begin so, in their order.
 pub fn ids(start: &str) -> impl Iterator<Item = &'static str> {
     let lines = SPOKEN.get().lines().filter(move |line| line.starts_with(start));
     lines.filter_map(|line| line.get(..key_length(line)))
-}
-
-/// The line of a key, in halves: the lines are sorted.
-fn row_of(sentences: &'static str, key: &str) -> Option<(&'static str, &'static str)> {
-    let mut rest = sentences;
-    loop {
-        let (before, behind) = rest.as_bytes().split_at_checked(rest.len() / 2)?;
-        let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
-        let end = before.len() + behind.iter().position(|byte| *byte == b'\n')?;
-        let line = rest.get(start..end)?;
-        rest = match unescaped(line).cmp(key.bytes()) {
-            Ordering::Less => rest.get(end + 1..)?,
-            Ordering::Equal => {
-                return line
-                    .split_at_checked(key_length(line))
-                    .map(|(key, rest)| (key, rest.get(1..).unwrap_or_default()));
-            }
-            Ordering::Greater => rest.get(..start)?,
-        };
-    }
-}
-
-/// How many bytes of a line are its key: up to the first `=` without a backslash before it.
-fn key_length(line: &str) -> usize {
-    let mut escaped = false;
-    let end = line.bytes().position(|byte| {
-        let ends = byte == b'=' && !escaped;
-        escaped = byte == b'\\';
-        ends
-    });
-    end.unwrap_or(line.len())
-}
-
-/// The key of a line without the backslashes before its spaces, colons and equals signs. No key has a backslash of its own.
-fn unescaped(line: &str) -> impl Iterator<Item = u8> {
-    line.bytes().take(key_length(line)).filter(|byte| *byte != b'\\')
 }
 
 /// The sentence of a key without values (labels, help, titles); the key itself where the catalog lacks it.
@@ -169,6 +139,13 @@ fn shown<'m>(message: &'m Message, value: &'m MessageValue, form: Form<'m>) -> C
     match form {
         Form::Plain => plain(value),
         Form::Plural([one, other]) => Cow::Borrowed(if plain(value) == "1" { one } else { other }),
+        Form::Program => {
+            let text = plain(value);
+            match of_program(&text) {
+                Some(words) => Cow::Owned(format!("{text}（{words}）")),
+                None => text,
+            }
+        }
         Form::Unit => Cow::Owned(units::unit(&plain(value)).to_owned()),
         Form::Number(unit) => length(value, &unit_named(message, unit)).map_or_else(|| plain(value), Cow::Owned),
         Form::WithUnit(unit) => {

@@ -22,6 +22,8 @@ pub enum Form<'s> {
     Number(&'s str),
     /// `{unit, unit}`: a unit.
     Unit,
+    /// `{text, program}`: a text of a program as it is; behind it, in brackets, what it says in the language that is spoken, where macroline wrote it.
+    Program,
 }
 
 /// The parts of a sentence in their order. A bracket that opens no place is one of its words.
@@ -56,6 +58,7 @@ fn place(tail: &str) -> Option<(SentencePart<'_>, &str)> {
         Some(("unit", unit)) => Form::WithUnit(unit),
         Some(("number", unit)) => Form::Number(unit),
         None if form == "unit" => Form::Unit,
+        None if form == "program" => Form::Program,
         _ => return None,
     };
     Some((SentencePart::Place(name, form), behind))

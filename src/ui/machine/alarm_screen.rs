@@ -5,6 +5,7 @@ use leptos::prelude::*;
 use crate::motion::RunEnd;
 use crate::project::check::reported;
 use crate::project::run;
+use crate::text::catalog::of_program;
 use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Phrase, Place};
 use crate::ui::state::Page;
 use crate::ui::state::outlook::CycleStart;
@@ -18,6 +19,8 @@ struct Told {
     tone: &'static str,
     /// Number of the alarm and the text, in the control's own words.
     headline: String,
+    /// The program's text in the language of the page, where macroline wrote it.
+    translation: Option<String>,
     /// The meaning in a sentence.
     meaning: String,
     /// Number of the alarm; empty for a message.
@@ -39,6 +42,7 @@ fn told(page: Page) -> Option<Told> {
         Some(RunEnd::Stop) => of_stop(page, planned, at_once),
         _ => player.message.get().map(|headline| Told {
             tone: "info",
+            translation: of_program(&headline),
             headline,
             meaning: t("page.own-message").to_owned(),
             alarm: String::new(),
@@ -60,7 +64,8 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
         _ => "page.way-start",
     };
     let (tone, meaning) = if at_once { ("fail", "page.own-message-at-once") } else { ("warn", "page.own-message") };
-    Some(Told { tone, headline, meaning: t(meaning).to_owned(), alarm: String::new(), place, way_out })
+    let translation = of_program(&headline);
+    Some(Told { tone, headline, translation, meaning: t(meaning).to_owned(), alarm: String::new(), place, way_out })
 }
 
 fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
@@ -71,6 +76,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
         Some(MessageValue::Text(text)) if alarm.kind == DiagnosticKind::ProgramAlarm => Some(text.as_str()),
         _ => None,
     };
+    let translation = own.and_then(of_program);
     let parts = alarm.alarm.as_deref().into_iter().chain(alarm.wording.map(Phrase::words)).chain(own);
     let meaning = match alarm.kind {
         DiagnosticKind::ProgramAlarm if at_once => t("page.own-alarm-at-once").to_owned(),
@@ -84,7 +90,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
     };
     let number = alarm.alarm.as_deref().unwrap_or_default().to_owned();
     let headline = parts.collect::<Vec<_>>().join(" ");
-    Told { tone: "fail", headline, meaning, alarm: number, place: alarm.place, way_out }
+    Told { tone: "fail", headline, translation, meaning, alarm: number, place: alarm.place, way_out }
 }
 
 /// Variables that a text names, with meaning and value at the end of the run.
@@ -107,7 +113,7 @@ pub(super) fn AlarmScreen() -> impl IntoView {
     // On a phone it is a bar over the edge of the drawing until it is opened.
     let open = RwSignal::new(false);
     move || {
-        let Told { tone, headline, meaning, alarm, place, way_out } = told.get()?;
+        let Told { tone, headline, translation, meaning, alarm, place, way_out } = told.get()?;
         let more = (!alarm.is_empty()).then(|| {
             let open = move |_| page.view.explain(format!("alarm.{alarm}"));
             view! { <button type="button" class="link more" on:click=open>{t("help.more")}</button> }
@@ -128,6 +134,7 @@ pub(super) fn AlarmScreen() -> impl IntoView {
                 role="status" aria-label=t("page.screen")
             >
                 <h2>{headline}</h2>
+                {translation.map(|words| view! { <p class="translation">{words}</p> })}
                 <button
                     type="button" class="unfold" aria-expanded=move || open.get().to_string()
                     on:click=move |_| open.update(|open| *open = !*open)
@@ -168,6 +175,7 @@ mod tests {
     use super::*;
     use crate::motion::Action;
     use crate::project::Project;
+    use crate::text::catalog::{self, Language};
     use crate::ui::state::operator::act;
     use crate::ui::testing::{Bench, mount, mount_project};
 
@@ -210,6 +218,23 @@ mod tests {
         let bench = screen("sinumerik-802d").await;
         assert_eq!(bench.text("h2"), "FEED R115 ABOVE LIMIT R119");
         assert!(bench.text("p").contains(t("page.own-message-at-once")));
+    }
+
+    #[wasm_bindgen_test]
+    async fn text_of_the_program_has_its_chinese_below() {
+        catalog::speak(Language::Chinese.sentences());
+        let mut shown = Vec::new();
+        for control in ["gsk-980tdc", "sinumerik-802d"] {
+            let bench = screen(control).await;
+            shown.push((bench.text("h2"), bench.text(".translation")));
+        }
+        catalog::speak(Language::English.sentences());
+        let expected = [
+            ("5920 FEED #115 ABOVE LIMIT #119", "进给 #115 超过上限 #119"),
+            ("FEED R115 ABOVE LIMIT R119", "进给 R115 超过上限 R119"),
+        ];
+        assert_eq!(shown, expected.map(|(text, chinese)| (text.to_owned(), chinese.to_owned())));
+        assert!(!screen("gsk-980tdc").await.has(".translation"));
     }
 
     #[wasm_bindgen_test]
