@@ -6,6 +6,7 @@ mod imports;
 mod links;
 mod source;
 mod test_names;
+mod views;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

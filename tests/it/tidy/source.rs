@@ -90,7 +90,7 @@ impl Source {
         &ALL
     }
 
-    fn new(path: String, text: String) -> Source {
+    pub(super) fn new(path: String, text: String) -> Source {
         let file = syn::parse_file(&text).unwrap_or_else(|error| panic!("{path}: {error}"));
         let mut tokens = Vec::new();
         let code: TokenStream = text.parse().unwrap();
