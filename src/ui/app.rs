@@ -26,9 +26,10 @@ use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, SizingTab, V
 use super::state::notices::Notice;
 use super::state::view::Tab;
 use super::state::{Begun, Page, stepping};
-use super::words::t;
+use super::words::{say, t};
 use super::worker::client::Client;
 use super::worker::diagnostics;
+use crate::msg;
 
 /// What the page begins with, made before it is built: the project of the last visit or a fresh one with all that follows from it, and notices
 /// about it.
@@ -66,7 +67,19 @@ pub fn App(
     keys::listen(page);
     open::listen(page, large, worker);
     share::listen(page);
+    name_browser_tab(page);
     view! { <Later><Screen /></Later> }
+}
+
+/// Gives the browser's tab the name of the project, or that of its machine while it has none.
+fn name_browser_tab(page: Page) {
+    let name = Memo::new(move |_| {
+        page.project.with(|project| {
+            let machine = t(project.machine.name());
+            if project.name.is_empty() { machine.to_owned() } else { project.name.clone() }
+        })
+    });
+    Effect::new(move |_| document().set_title(&say(&msg!("page.browser-title", name = name.get()))));
 }
 
 /// Everything on the page, in place of the still in its HTML.
@@ -232,6 +245,17 @@ mod tests {
         for part in ["#form", ".centre", "#side", ".panel", "main[aria-busy=false]"] {
             assert!(bench.has(part), "{part}");
         }
+    }
+
+    #[wasm_bindgen_test]
+    async fn browser_tab_has_the_name_of_the_project_or_its_machine() {
+        let bench = app().await;
+        let titled = |name: &str| say(&msg!("page.browser-title", name));
+        assert_eq!(document().title(), titled(t(crate::machines::ALL[0].name())));
+        bench.type_into("input.name", "Order 7").await;
+        assert_eq!(document().title(), titled("Order 7"));
+        bench.press_button(t("page.undo")).await;
+        assert_eq!(document().title(), titled(t(crate::machines::ALL[0].name())));
     }
 
     #[wasm_bindgen_test]

@@ -10,7 +10,7 @@ after(() => app?.close());
 
 test('the page opens', () =>
   withPage(app, {}, async ({ page }) => {
-    assert.equal(await page.title(), 'macroline');
+    assert.match(await page.title(), /^.+ – macroline$/);
     assert.ok(await page.getByRole('heading', { level: 1 }).isVisible());
   }));
 

@@ -6,29 +6,56 @@ use super::link::is_link;
 use crate::machines;
 use crate::msg;
 use crate::project::examples::NameKind;
+use crate::text::catalog::Language;
+use crate::text::units::Lengths;
 use crate::text::{Diagnostic, listed};
 
 /// Begin of the fragment.
 const EMBED: &str = "embed";
 
 /// The project that the fragment of a page inside another one asks for (`docs/embedding.md`): behind `embed`, each after `&`, a link, or the ids of
-/// a machine and of a control. `None` where the fragment asks for no such page. Total, as [`Project::from_link`].
+/// a machine and of a control. A wrong language or system of units, which the page takes from the address before this is read (`boot.js`), is a warning.
+/// `None` where the fragment asks for no such page. Total, as [`Project::from_link`].
 pub fn embedded(fragment: &str) -> Option<Loaded> {
     let mut parts = fragment.split('&');
     if parts.next() != Some(EMBED) {
         return None;
     }
-    let (mut machine, mut control) = (None, None);
+    let (mut machine, mut control, mut link, mut found) = (None, None, None, Vec::new());
     for part in parts {
         match part.split_once('=') {
-            _ if is_link(part) => return Some(Project::from_link(part)),
+            _ if is_link(part) => link = link.or(Some(part)),
+            Some(("lang", code)) => found.extend(unknown_language(code)),
+            Some(("lengths", id)) => found.extend(unknown_lengths(id)),
             Some(("machine", id)) => machine = Some(id),
             Some(("control", id)) => control = Some(id),
             _ => {}
         }
     }
+    let mut loaded = link.map_or_else(|| of_ids(machine, control), Project::from_link);
+    loaded.diagnostics.extend(found);
+    Some(loaded)
+}
+
+/// A language that the page does not have: its code without a region, as the page reads it.
+fn unknown_language(code: &str) -> Option<Diagnostic> {
+    let language = code.split('-').next().unwrap_or_default();
+    let languages = || listed(Language::ALL.map(|known| format!("lang={}", known.code())));
+    Language::of_code(language)
+        .is_none()
+        .then(|| Diagnostic::warning(msg!("project.embed-language", languages = languages())))
+}
+
+/// A system of units that the page does not have.
+fn unknown_lengths(id: &str) -> Option<Diagnostic> {
+    let lengths = || listed(Lengths::ALL.map(|known| format!("lengths={}", known.id())));
+    Lengths::of_id(id).is_none().then(|| Diagnostic::warning(msg!("project.embed-lengths", lengths = lengths())))
+}
+
+/// The first example of a machine on a control, by their ids; without one the first machine, and its first control.
+fn of_ids(machine: Option<&str>, control: Option<&str>) -> Loaded {
     let machine = machine.or(machines::ALL.first().map(|machine| machine.id())).unwrap_or_default();
-    Some(match Project::named(machine, control, None) {
+    match Project::named(machine, control, None) {
         Ok(project) => Loaded { project: Some(project), diagnostics: Vec::new() },
         Err(unknown) => {
             let known = listed(unknown.known);
@@ -40,5 +67,5 @@ pub fn embedded(fragment: &str) -> Option<Loaded> {
             };
             Loaded { project: None, diagnostics: vec![Diagnostic::error(message)] }
         }
-    })
+    }
 }

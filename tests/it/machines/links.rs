@@ -208,6 +208,25 @@ fn embedded_page_shows_what_its_address_asks_for() {
 }
 
 #[test]
+fn embedded_page_says_which_languages_and_units_there_are() {
+    let mut order = ribbon();
+    order.name = "Order 7".to_owned();
+    let link = order.to_link().unwrap();
+    let said = |wishes: &str| {
+        let loaded = embedded(&format!("embed&{wishes}")).unwrap();
+        assert!(loaded.project.is_some(), "{wishes}");
+        loaded.diagnostics.iter().map(|found| sentence(&found.message)).collect::<Vec<_>>()
+    };
+    for right in ["lang=zh", "lang=zh-CN&lengths=inch", "lengths=mm&lang=en"] {
+        assert!(said(right).is_empty(), "{right}");
+    }
+    let wrong = said("lang=fr&lengths=feet");
+    assert!(wrong[0].ends_with("Possible: lang=en, lang=zh."), "{wrong:?}");
+    assert!(wrong[1].ends_with("Possible: lengths=mm, lengths=inch."), "{wrong:?}");
+    assert_eq!(said(&format!("{link}&lang=fr&lengths=")).len(), 2);
+}
+
+#[test]
 fn embedded_page_says_what_its_address_does_not_name() {
     assert!(embedded_by("embed&machine=loom").unwrap().starts_with("The address names no machine that is known."));
     let control = embedded_by("embed&machine=polygon-lathe&control=mitsubishi-e60").unwrap();
