@@ -1,6 +1,7 @@
 //! Numbers as people type them, and as they are written for people.
 
 use core::fmt::{self, Write};
+use std::cell::Cell;
 
 /// Characters of a typed number at most.
 const LONGEST: usize = 40;
@@ -146,9 +147,30 @@ pub fn decimals_of_four(number: f64, decimals: u8) -> u8 {
     decimals.min(most)
 }
 
-/// A number with all of so many decimals and thin spaces between thousands, for figures on the screen.
+/// How figures on the screen are written, as the language has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Figures {
+    /// `−15 080.5`: thin spaces between thousands, and the minus sign of print.
+    Spaced,
+    /// `-15080.5`: as in sentences, in programs and on the control.
+    Plain,
+}
+
+thread_local! {
+    static FIGURES: Cell<Figures> = const { Cell::new(Figures::Spaced) };
+}
+
+/// Writes figures so from now on, in this thread.
+pub fn write_figures(figures: Figures) {
+    FIGURES.set(figures);
+}
+
+/// A number with all of so many decimals, for figures on the screen; see [`Figures`].
 pub fn figure(number: f64, decimals: u8) -> String {
     let plain = Fixed(number, decimals).to_string();
+    if FIGURES.get() == Figures::Plain {
+        return plain;
+    }
     let (sign, digits) = plain.strip_prefix('-').map_or(("", plain.as_str()), |digits| ("\u{2212}", digits));
     let whole = digits.find('.').unwrap_or(digits.len());
     let mut out = String::from(sign);

@@ -67,7 +67,7 @@ pub(crate) fn value_of(control: &Control, value: Option<f64>, decimals: u8) -> S
     }
 }
 
-/// A number with a fixed count of decimals and thin spaces between thousands.
+/// A number with a fixed count of decimals, for figures on the screen.
 pub(crate) fn figure(number: f64, decimals: u8) -> String {
     if !number.is_finite() {
         return "–".to_owned();

@@ -1,7 +1,7 @@
 //! Numbers as people read them.
 
 use macroline::math;
-use macroline::text::catalog::number_text;
+use macroline::text::catalog::{self, Language, number_text};
 use macroline::text::number;
 use proptest::prelude::*;
 
@@ -132,4 +132,18 @@ proptest! {
             prop_assert!(steps(tan, over(sine, cosine)) < 1.0, "{x:?}: {}", steps(tan, over(sine, cosine)));
         }
     }
+}
+
+#[test]
+fn figures_are_written_as_the_language_has_them() {
+    let figures = || {
+        [(-15080.5, 1), (1_234_567.0, 0), (-0.25, 2), (999.0, 0)].map(|(size, decimals)| number::figure(size, decimals))
+    };
+    let english = ["\u{2212}15\u{202f}080.5", "1\u{202f}234\u{202f}567", "\u{2212}0.25", "999"];
+    assert_eq!(figures(), english);
+    catalog::speak(Language::Chinese.sentences());
+    assert_eq!(figures(), ["-15080.5", "1234567", "-0.25", "999"]);
+    assert_eq!(number::short(-12345.5, 3), "-12345.5");
+    catalog::speak(Language::English.sentences());
+    assert_eq!(figures(), english);
 }

@@ -18,7 +18,7 @@ pub use rows::words_of;
 use rows::{key_length, row_of};
 
 use super::message::{Message, MessageValue};
-use super::number::{self, Plain};
+use super::number::{self, Figures, Plain};
 use super::units;
 
 /// A language of the sentences.
@@ -72,9 +72,14 @@ thread_local! {
     static SPOKEN: Cell<&'static str> = const { Cell::new(FIRST) };
 }
 
-/// Takes the sentences of a file from now on, in this thread.
+/// Takes the sentences of a file from now on, in this thread, and writes figures as its language does: Chinese without separators and with `-`
+/// (`docs/glossary.md`, rule 6).
 pub fn speak(sentences: &'static str) {
     SPOKEN.set(sentences);
+    number::write_figures(match spoken() {
+        Language::English => Figures::Spaced,
+        Language::Chinese => Figures::Plain,
+    });
 }
 
 /// The language that is spoken. A file tells it in its row `language`.
