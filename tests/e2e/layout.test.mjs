@@ -10,7 +10,8 @@ after(() => app?.close());
 const clock = (page) => page.locator('#clock').textContent();
 const box = (page, selector) => page.locator(selector).boundingBox();
 
-for (const [width, height] of [[1366, 768], [1920, 1080], [1440, 900], [1024, 768], [390, 844]]) {
+// The last two are 1366 × 768 and 1440 × 900 at a zoom of 200 %.
+for (const [width, height] of [[1366, 768], [1920, 1080], [1440, 900], [1024, 768], [390, 844], [683, 384], [720, 450]]) {
   test(`machine, play and emergency stop are on the first screen (${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height } }, async ({ page }) => {
       for (const selector of ['#machine', '#play', '.mushroom']) {
