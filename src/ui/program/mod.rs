@@ -297,7 +297,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::text::Diagnostic;
+    use crate::text::{Diagnostic, Place, Span};
     use crate::ui::testing::{Bench, mount, settled};
 
     async fn tab() -> Bench {
