@@ -233,6 +233,8 @@ impl Bench {
     /// Plans the run and waits until its first seconds are shown.
     pub(crate) async fn run(&self) {
         let page = self.page;
+        // Edits in a row count as dragging, and the whole run follows later: a person does one thing after the other.
+        pause(100).await;
         page.player.settle();
         until(move || {
             let (planned, over) = page.player.planned.get_untracked();
