@@ -1,4 +1,4 @@
-//! Engineering shared by machines: inertia, load, duty, servo and its derating of an axis, parts to order, cams, analog output, spindle speed, positioning, gear units, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
+//! Engineering shared by machines: inertia, load, duty, servo and its derating of an axis, parts to order, cams, analog output, spindle speed, positioning, gear units, cuts, web (strip), its reel, a servo's block, induction drive, polygon turning, axis scaling.
 
 pub mod inertia;
 
@@ -25,6 +25,8 @@ pub mod cutting;
 pub mod spindle_motor;
 
 pub mod web;
+
+pub mod reel;
 
 pub mod block;
 

@@ -10,6 +10,7 @@ mod dots;
 mod energy;
 mod envelope;
 mod gears;
+mod reel;
 mod timeline;
 mod tornado;
 

@@ -2,9 +2,9 @@
 //! meanwhile.
 
 use super::derive::Derived;
+use super::mechanics::unwinder_load;
 use super::params::{FIELDS, PathMode};
 use super::resolved::RibbonLine;
-use crate::drives::inertia::CM2;
 use crate::drives::{load, web};
 use crate::machines::verdict::{Judgement, fail, ok, up};
 use crate::math::RPM;
@@ -12,10 +12,14 @@ use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
+/// Inertia (kg m²) at the motor's shaft of all that turns, the reel with it.
+fn inertia(line: &RibbonLine) -> f64 {
+    unwinder_load(&line.p, 0.0).inertia
+}
+
 /// Seconds from `rpm` to rest: web, friction and the motor's brake slow down all that turns. Source: sizing facts 2.2.
 pub(super) fn seconds(line: &RibbonLine, rpm: f64) -> f64 {
-    let unwinding = &line.p.unwinding;
-    load::coasting(unwinding.inertia * CM2, rpm * RPM, line.mechanics.unwinder + unwinding.motor_brake)
+    load::coasting(inertia(line), rpm * RPM, line.mechanics.unwinder + line.p.unwinding.motor_brake)
 }
 
 /// Ribbon (mm) that is laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
@@ -74,7 +78,7 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     let (edge, lag) = stop_of_x(line);
     let left = 2.0 * (capacity - laid_before(line) + lag) / speed - edge;
     if left > 0.0 {
-        let torque = load::braking(line.p.unwinding.inertia * CM2, line.fast.actual_speed * RPM, left);
+        let torque = load::braking(inertia(line), line.fast.actual_speed * RPM, left);
         let set = up(FIELDS, "unwinder-motor-brake", torque - line.mechanics.unwinder);
         advice.push(Advice::from(said.clone()).setting(msg!("advice.set-motor-brake", torque = set.1.as_str()), [set]));
     }

@@ -2,6 +2,7 @@
 
 use super::derive::Derived;
 use super::params::{Params, PathMode};
+use super::reel;
 use crate::drives::inertia::{self, CM2, Cylinder, STEEL};
 use crate::drives::load::{self, Load, Move, effective};
 use crate::drives::servo::{Acceptance, Duty, Servo, Shares};
@@ -139,9 +140,23 @@ fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Opti
     found.cycle().is_finite().then_some(found)
 }
 
-/// What the unwinder's motor drives, its own rotor with it.
+/// Steady torque (Nm) at the press roller with a brake of the reel in N. Source: sizing facts D1.
+fn unwound(p: &Params, brake: f64) -> f64 {
+    brake * p.press_roller_diameter / 2e3 + p.unwinding.friction
+}
+
+/// The same at the unwinder's motor.
+pub(super) fn unwinder_torque(p: &Params, brake: f64) -> f64 {
+    load::through_gear(unwound(p, brake), p.reduction_ratio, p.unwinding.efficiency / 100.0)
+}
+
+/// What the unwinder's motor drives, its own rotor with it, and the reel where it weighs most at the web: at its full diameter or at the core.
+/// The gear's losses count as if it drove the reel: a stop that the reel drives is sooner.
 pub(super) fn unwinder_load(p: &Params, torque: f64) -> Load {
-    Load { inertia: p.unwinding.inertia * CM2, torque, efficiency: 1.0 }
+    let reel = reel::wound(p);
+    let at_roller = inertia::at_radius(reel.mass_at_web(reel.worst()), p.press_roller_diameter / 2e3);
+    let at_shaft = inertia::through_gear(at_roller, p.reduction_ratio) / (p.unwinding.efficiency / 100.0);
+    Load { inertia: p.unwinding.inertia * CM2 + at_shaft, torque, efficiency: 1.0 }
 }
 
 /// A hollow roller in mm as a cylinder of steel; a wall that is thicker than the radius fills it.
@@ -199,13 +214,12 @@ impl Mechanics {
         let pull_axis = ServoAxis::new(&pull_side, pull_motor, pull.inertia_limit, p, d);
         let acceleration = d.line_speed / 60e3 / pull_axis.ramp;
         let tension = web.tension_before - web.tension_behind;
-        let unwound = unwinding.brake * p.press_roller_diameter / 2e3 + unwinding.friction;
-        let unwinder = load::through_gear(unwound, p.reduction_ratio, unwinding.efficiency / 100.0);
+        let unwinder = unwinder_torque(p, unwinding.brake);
         Mechanics {
             pull: pull_axis,
             print: ServoAxis::new(&print_side, print_motor, print.inertia_limit, p, d),
             nip_use: web::nip_use((pull.pinch_friction, pull.pinch_force), tension, (web_mass, acceleration)),
-            unwound,
+            unwound: unwound(p, unwinding.brake),
             unwinder,
             unwinder_ramp: match p.inverter_ramp > 0.0 {
                 true => unwinder + unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp),

@@ -6,6 +6,8 @@ mod examples;
 
 mod derive;
 
+mod reel;
+
 mod mechanics;
 
 mod resolved;
@@ -56,6 +58,8 @@ mod pose;
 
 mod charts;
 mod coasting;
+
+mod rules_of_reel;
 
 mod sheets;
 
@@ -139,10 +143,11 @@ impl Prepared for RibbonLine {
         };
         let line = readouts::ROWS.iter().map(|row| judge(row, self, unit(row.id, row.unit), RULES));
         let drives = readouts_of_drives::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_drives::RULES));
+        let reel = rules_of_reel::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_reel::RULES));
         let cam: &[_] = if cams::chosen(self).is_some() { cams::ROWS } else { &[] };
         let cam = cam.iter().map(|row| judge(row, self, row.unit, rules_of_cams::RULES));
         let dots = dot_error::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_dots::RULES));
-        let readouts = line.chain(drives).chain(dots).chain(cam).collect();
+        let readouts = line.chain(drives).chain(reel).chain(dots).chain(cam).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }
 

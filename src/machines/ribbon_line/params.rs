@@ -327,6 +327,9 @@ pub(crate) struct PrintParams {
 /// The drive of the unwinder.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct UnwindingParams {
+    pub reel_diameter: f64,
+    pub core_diameter: f64,
+    pub core_inertia: f64,
     pub inertia: f64,
     pub brake: f64,
     pub friction: f64,
@@ -454,6 +457,12 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("%").range(0.0..=200.0).default(2.286).decimals(3).step(1.0).fact(),
     number("reel-brake", member!(Params.unwinding.brake)).group("ribbon.group.unwinder").label("ribbon.reel-brake").help("ribbon.reel-brake.help")
         .unit("N").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
+    number("reel-diameter", member!(Params.unwinding.reel_diameter)).group("ribbon.group.unwinder").label("ribbon.reel-diameter").help("ribbon.reel-diameter.help").symbol("D")
+        .unit("mm").range(1.0..=5000.0).default(224.0).decimals(1).step(10.0).fact(),
+    number("reel-core-diameter", member!(Params.unwinding.core_diameter)).group("ribbon.group.unwinder").label("ribbon.reel-core-diameter").help("ribbon.reel-core-diameter.help").symbol("d")
+        .unit("mm").range(1.0..=5000.0).default(68.0).decimals(1).step(1.0).fact(),
+    number("reel-core-inertia", member!(Params.unwinding.core_inertia)).group("ribbon.group.unwinder").label("ribbon.reel-core-inertia").help("ribbon.reel-core-inertia.help")
+        .unit("kg cm²").range(0.0..=10000000.0).default(20.0).decimals(2).step(1.0).fact(),
     number("unwinder-friction", member!(Params.unwinding.friction)).group("ribbon.group.unwinder").label("ribbon.unwinder-friction").help("ribbon.unwinder-friction.help")
         .unit("Nm").range(0.0..=10000.0).default(1.0).decimals(3).step(0.1).fact(),
     number("unwinder-efficiency", member!(Params.unwinding.efficiency)).group("ribbon.group.unwinder").label("ribbon.unwinder-efficiency").help("ribbon.unwinder-efficiency.help").symbol("η")

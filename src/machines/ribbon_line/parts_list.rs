@@ -58,7 +58,7 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
         part(
             "ribbon.part.supply",
             (supply.x - 0.55 * supply.r, supply.y + 0.4 * supply.r),
-            &[("", "ribbon-thickness"), ("× ", "ribbon-width")],
+            &[("Ø ", "reel-diameter"), ("", "ribbon-thickness"), ("× ", "ribbon-width")],
         ),
         part(
             "ribbon.part.unwinder",

@@ -39,7 +39,7 @@ pub(super) const SHORT_TIME: f64 = 1.5;
 const LONGEST: f64 = 5000.0;
 
 /// Longest ramp of the inverter that the form takes, s.
-const LONGEST_RAMP: f64 = 600.0;
+pub(super) const LONGEST_RAMP: f64 = 600.0;
 
 /// A limit at the knob's end, as it is where the knob stands now.
 pub(super) fn here(limit: f64, now: f64, end: f64) -> f64 {

@@ -92,7 +92,7 @@ fn ground(drawing: &mut Drawing, layout: &Layout) {
     let mut shadow = |x: f64, wide: f64| {
         drawing.ellipse((x, floor - 1.0 * s), (wide, 0.14 * wide), Look::fill(Paint::GroundShade));
     };
-    shadow(layout.supply.x + 14.0 * s, 140.0 * s);
+    shadow(layout.supply.x + 14.0 * s, 1.25 * layout.supply.r);
     shadow(0.5 * (layout.unwinder.x + layout.pull.x), 150.0 * s);
     for station in [&layout.unwinder, &layout.pull, &layout.print] {
         shadow(station.x + 14.0 * station.scale, 118.0 * station.scale);

@@ -1,10 +1,12 @@
 //! Positions and sizes in the drawing of the ribbon line, in mm from the nip of the unwinder: x to the right, y down, the ribbon at height 0.
 //!
-//! Rollers, pitch and loop are in true proportion. Plates, cabinets and reels are no inputs of the form: they follow the rollers.
+//! Rollers, pitch, loop and supply reel are in true proportion. Plates, cabinets and the take-up reel are no inputs of the form: they follow the
+//! rollers.
 
 use super::slack_loop::SlackLoop;
 use super::web::Web;
-use crate::math::{self, PI};
+use crate::drives::reel;
+use crate::math;
 use crate::view::scene::{LETTER, LINE};
 
 use super::super::params::Params;
@@ -13,8 +15,9 @@ use super::super::params::Params;
 pub(crate) const ROLLER: f64 = 50.0;
 /// The same of the print roller over its heads, mm.
 pub(crate) const PRINT_ROLLER: f64 = 60.0;
-/// Radius of the full supply reel, of both cores and of the take-up reel at the start, for the plain size, mm.
-pub(crate) const REEL: f64 = 112.0;
+/// Radius of a full supply reel beside which everything has its plain size at least, mm.
+const REEL: f64 = 224.0;
+/// Radius of the core of the take-up reel, as which hubs are drawn, and of that reel at the start, for the plain size, mm.
 pub(crate) const CORE: f64 = 34.0;
 pub(crate) const TAKE_UP: f64 = 66.0;
 /// Greatest take-up reel for the plain size, mm.
@@ -54,20 +57,21 @@ pub(crate) struct Reel {
     pub(crate) y: f64,
     /// Radius at the start of the run.
     pub(crate) r: f64,
+    /// Radius of the core.
+    pub(crate) core: f64,
     /// Least and greatest radius.
     pub(crate) range: (f64, f64),
 }
 
 impl Reel {
-    /// Radius after a length of ribbon left (negative) or came: `R² = R0² + t L / π`, t being the thickness.
+    /// Radius after a length of ribbon left (negative) or came.
     pub(crate) fn radius(&self, thickness: f64, length: f64) -> f64 {
-        let square = self.r * self.r + thickness * length / PI;
-        math::clamp(square.max(0.0).sqrt(), self.range.0, self.range.1)
+        math::clamp(reel::radius_after(self.r, thickness, length), self.range.0, self.range.1)
     }
 
-    /// Turns since the start: `L / (π (R0 + R))`, the mean circumference.
+    /// Turns since the start.
     pub(crate) fn turns(&self, thickness: f64, length: f64) -> f64 {
-        length.abs() / (PI * (self.r + self.radius(thickness, length)))
+        reel::turns((self.r, self.radius(thickness, length)), length)
     }
 }
 
@@ -125,11 +129,17 @@ pub(crate) fn round_step(number: f64) -> f64 {
         }
 }
 
+/// Radius of the core and of the full supply reel, mm; a core that is not smaller carries a thin winding.
+fn supply(p: &Params) -> (f64, f64) {
+    let core = 0.5 * p.unwinding.core_diameter;
+    (core, (0.5 * p.unwinding.reel_diameter).max(1.02 * core))
+}
+
 impl Layout {
     /// The layout for names of so many letters above unwinder, pull rollers and print roller, and beside the take-up reel.
     pub(crate) fn new(p: &Params, letters: [usize; 4]) -> Layout {
         let (r1, r2, r3) = (0.5 * p.press_roller_diameter, 0.5 * p.x_roller_diameter, 0.5 * p.print_roller_diameter);
-        let scale = (r1.max(r2) / ROLLER).max(r3 / PRINT_ROLLER);
+        let scale = (r1.max(r2) / ROLLER).max(r3 / PRINT_ROLLER).max(supply(p).1 / REEL);
         // Labels have their size in pixels, and the view grows with the room that they take.
         let mut layout = Layout::with(p, letters, scale, 1.3 * scale);
         for _ in 0..24 {
@@ -160,28 +170,38 @@ impl Layout {
         let print = Station { x, r, scale, cabinet: 88.0 * scale };
         let full = slack.depth(p.loop_capacity);
         let low = |station: &Station| station.cabinet + 226.0 * station.scale;
-        let floor = [low(&unwinder), low(&pull), low(&print), 300.0 * s, full + 38.0 * s];
+        let (core, wound) = supply(p);
+        let floor = [low(&unwinder), low(&pull), low(&print), 300.0 * s, full + 38.0 * s, 2.0 * wound + 38.0 * s];
         let floor = floor.into_iter().fold(0.0, f64::max);
         let width = p.ribbon_width / (20.0 * s);
         let deep = s * math::clamp(0.7 + 0.3 * width, 0.75, 1.4);
         let depth = (26.0 * deep, -16.0 * deep);
 
+        // A small reel has the room of a plain one: names stand above it.
+        let beside = wound.max(0.5 * REEL * s);
         let supply = Reel {
-            x: -unwinder.r.max(50.0 * unwinder.scale) - (16.0 + REEL) * s,
-            y: 106.0 * s,
-            r: REEL * s,
-            range: (1.15 * CORE * s, REEL * s),
+            x: -unwinder.r.max(50.0 * unwinder.scale) - 16.0 * s - beside,
+            y: wound - 6.0 * s,
+            r: wound,
+            core,
+            range: (core, wound),
         };
         let x = print.x + print.r.max(69.0 * print.scale) + 66.0 * s;
         let deflector = (x, 18.0 * s, 18.0 * s);
-        let take_up = Reel { x: x + 25.0 * s, y: 192.0 * s, r: TAKE_UP * s, range: (TAKE_UP * s, TAKE_UP_FULL * s) };
+        let take_up = Reel {
+            x: x + 25.0 * s,
+            y: 192.0 * s,
+            r: TAKE_UP * s,
+            core: CORE * s,
+            range: (TAKE_UP * s, TAKE_UP_FULL * s),
+        };
 
         // Names above the machine; those of the reels are beside them.
         let top = |station: &Station| -2.0 * PINCH * station.r - 42.0 * station.scale;
         let plates = top(&unwinder).min(top(&pull)).min(-2.0 * print.r - 16.0 * print.scale);
         let reel_name = -6.0 * s - 44.0 * unit - 2.0 * line;
         let base = (plates - 14.0 * unit).min(reel_name - 8.0 * unit) - 2.0 * line;
-        let left = supply.x - supply.r - 16.0 * s;
+        let left = supply.x - beside - 16.0 * s;
         let rho = (LENS * s).max(72.0 * unit);
         let lens_y = -rho - 24.0 * s;
         let lens_x = print.x + print.r.max(50.0 * print.scale) + depth.0 + 30.0 * s + rho;

@@ -34,11 +34,14 @@ impl Wound {
     }
 }
 
+/// Rings of a drawn winding at most: a reel that is large beside its machine has them further apart.
+const RINGS: f64 = 40.0;
+
 /// A spiral as half circles about two centres, from the core to a radius.
-fn spiral(radius: f64) -> String {
-    let half = 0.5 * RING;
-    let mut d = filled("M# 0", &[CORE]);
-    let mut x = CORE;
+fn spiral(core: f64, radius: f64) -> String {
+    let half = 0.5 * RING.max((radius - core) / RINGS);
+    let mut d = filled("M# 0", &[core]);
+    let mut x = core;
     let mut way = -1.0;
     while x < radius - 1.0 {
         let next = x + half;
@@ -58,9 +61,11 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, reel: &Reel, groups
     let [frame, body, face, hub] = groups;
     let scale = layout.scale;
     drawing.place(frame, SceneGroup { at: (reel.x, reel.y), scale, ..SceneGroup::default() });
-    for group in [body, face, hub] {
+    for group in [body, face] {
         drawing.place(group, SceneGroup { parent: frame, ..SceneGroup::default() });
     }
+    let hub_scale = reel.core / (CORE * scale);
+    drawing.place(hub, SceneGroup { parent: frame, scale: hub_scale, ..SceneGroup::default() });
     let (radius, flange, h) = (reel.r / scale, reel.range.1 / scale + 8.0, (layout.floor - reel.y) / scale);
     let (dx, dy) = DEEP;
     drawing.within(frame, |drawing| {
@@ -83,7 +88,7 @@ pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, reel: &Reel, groups
     let radius = reel.r / layout.scale;
     drawing.within(face, |drawing| {
         drawing.circle((0.0, 0.0, radius), Look::fill(wound.face));
-        drawing.path(spiral(radius), Look::line(Paint::RibbonShade, 0.9).faint(0.75));
+        drawing.path(spiral(reel.core / layout.scale, radius), Look::line(Paint::RibbonShade, 0.9).faint(0.75));
         drawing.circle((0.0, 0.0, radius), Look::line(Paint::RibbonShade, 1.6));
     });
     drawing.within(hub, |drawing| {

@@ -1,0 +1,171 @@
+//! The results about the supply reel with their rules: ribbon on it, and what start and stop ask of ribbon and brake while its diameter changes.
+
+use super::mechanics::{unwinder_load, unwinder_torque};
+use super::params::{FIELDS, Params};
+use super::reel::{ramp_acceleration, wound};
+use super::resolved::RibbonLine;
+use super::rules_of_drives::LONGEST_RAMP;
+use crate::drives::inertia::CM2;
+use crate::drives::reel;
+use crate::machines::verdict::{Judgement, ReadoutRow, Rule, down, fail, ok, up, warn};
+use crate::math::RPM;
+use crate::msg;
+use crate::text::{Citation, Grade};
+use crate::view::Advice;
+use crate::view::Limit::{AtLeast, AtMost};
+
+const FACTS: Citation = Citation::new("sizing facts 2.9", Grade::Inferred);
+
+/// Rows in the order they are shown.
+#[rustfmt::skip]
+pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
+    ReadoutRow {
+        id: "reel-length", label: "ribbon.readout.reel-length", unit: "m", decimals: 2, headline: false,
+        formula: "π · (D² - d²) / (4 · thickness)", cite: FACTS, value: |line| wound(&line.p).length(),
+    },
+    ReadoutRow {
+        id: "reel-time", label: "ribbon.readout.reel-time", unit: "s", decimals: 1, headline: false,
+        formula: "length / line speed", cite: FACTS, value: time,
+    },
+    ReadoutRow {
+        id: "reel-products", label: "ribbon.readout.reel-products", unit: "", decimals: 0, headline: false,
+        formula: "whole products in the length", cite: FACTS, value: products,
+    },
+    ReadoutRow {
+        id: "reel-inertia-full", label: "ribbon.readout.reel-inertia-full", unit: "kg cm²", decimals: 2, headline: false,
+        formula: "m (D² + d²) / 8 + core", cite: FACTS,
+        value: |line| wound(&line.p).inertia(wound(&line.p).full) / CM2,
+    },
+    ReadoutRow {
+        id: "reel-inertia-empty", label: "ribbon.readout.reel-inertia-empty", unit: "kg cm²", decimals: 2, headline: false,
+        formula: "core", cite: FACTS, value: |line| wound(&line.p).inertia(wound(&line.p).core) / CM2,
+    },
+    ReadoutRow {
+        id: "reel-speed-empty", label: "ribbon.readout.reel-speed-empty", unit: "r/min", decimals: 1, headline: false,
+        formula: "line speed / (π · d)", cite: FACTS,
+        value: |line| reel::speed(wound(&line.p).core, line.d.line_speed / 60e3) / RPM,
+    },
+    ReadoutRow {
+        id: "reel-brake-torque-full", label: "ribbon.readout.reel-brake-torque-full", unit: "Nm", decimals: 3, headline: false,
+        formula: "brake · D / 2", cite: FACTS,
+        value: |line| reel::torque(wound(&line.p).full, line.p.unwinding.brake),
+    },
+    ReadoutRow {
+        id: "reel-brake-torque-empty", label: "ribbon.readout.reel-brake-torque-empty", unit: "Nm", decimals: 3, headline: false,
+        formula: "brake · d / 2", cite: FACTS,
+        value: |line| reel::torque(wound(&line.p).core, line.p.unwinding.brake),
+    },
+    ReadoutRow {
+        id: "reel-pull", label: "ribbon.readout.reel-pull", unit: "N", decimals: 2, headline: false,
+        formula: "brake + J · α / r over the inverter’s ramp, of the full reel or at the core, whichever is more", cite: FACTS,
+        value: |line| line.p.unwinding.brake + ramp_pull(&line.p),
+    },
+    ReadoutRow {
+        id: "reel-brake-needed", label: "ribbon.readout.reel-brake-needed", unit: "N", decimals: 2, headline: false,
+        formula: "J · α / r of the fastest stop, over the ramp or without current, of the full reel or at the core, whichever is more", cite: FACTS,
+        value: |line| ramp_pull(&line.p).max(coasting_pull(line)),
+    },
+];
+
+/// All rules about the reel.
+pub(super) const RULES: &[Rule<RibbonLine>] = &[
+    Rule::new("reel-products", lasts, Citation::new("sizing facts 2.9, engineering choice", Grade::Inferred)),
+    Rule::new("reel-pull", pull, Citation::new("sizing facts 2.6, engineering choice; rule 12", Grade::Inferred)),
+    Rule::new("reel-brake-needed", holds, FACTS),
+];
+
+/// Acceleration in m/s², without sign, of the ribbon at an unwinder without current, with a brake of the reel in N: what slows its motor down over
+/// all that turns, alike at every speed. Source: sizing facts 2.2.
+fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
+    let torque = unwinder_torque(p, brake) + p.unwinding.motor_brake;
+    torque / unwinder_load(p, 0.0).inertia / p.reduction_ratio * p.press_roller_diameter / 2e3
+}
+
+/// Seconds in which the line takes the ribbon of a reel; 0 of a reel without ribbon, whatever the speed.
+fn time(line: &RibbonLine) -> f64 {
+    let length = wound(&line.p).length();
+    if length > 0.0 { 60e3 * length / line.d.line_speed } else { 0.0 }
+}
+
+/// Whole products that the ribbon of a reel makes.
+fn products(line: &RibbonLine) -> f64 {
+    (1e3 * wound(&line.p).length() / line.d.product_length).floor()
+}
+
+/// Pull (N) of the reel over the inverter's ramp, where it weighs most at the ribbon.
+fn ramp_pull(p: &Params) -> f64 {
+    let reel = wound(p);
+    reel.pull(reel.worst(), ramp_acceleration(p))
+}
+
+/// The same while the unwinder comes to rest without current: it slows down alike from every speed.
+fn coasting_pull(line: &RibbonLine) -> f64 {
+    let reel = wound(&line.p);
+    reel.pull(reel.worst(), coasting_acceleration(&line.p, line.p.unwinding.brake))
+}
+
+/// A reel holds a product at least; the advice is the reel that does, where the form takes one so large.
+fn lasts(line: &RibbonLine) -> Option<Judgement> {
+    let (limit, reel) = (AtLeast(1.0), wound(&line.p));
+    if limit.holds(products(line)) {
+        return ok(limit);
+    }
+    let needed = line.d.product_length / 1e3;
+    let said = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
+    let set = up(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
+    let fits = set.1.parse().is_ok_and(|diameter: f64| diameter <= LARGEST);
+    let button = || msg!("advice.set-reel", diameter = set.1.as_str());
+    warn(limit, [if fits { said.setting(button(), [set.clone()]) } else { said }])
+}
+
+/// Greatest diameter (mm) of a reel that the form takes.
+const LARGEST: f64 = 5000.0;
+
+/// The pull at the start against the tension limit of the ribbon.
+fn pull(line: &RibbonLine) -> Option<Judgement> {
+    let (p, most) = (&line.p, line.d.tension_limit);
+    let (brake, extra) = (p.unwinding.brake, ramp_pull(p));
+    let limit = AtMost(most);
+    if limit.holds(brake + extra) {
+        return ok(limit);
+    }
+    let said = msg!("ribbon.reel-pull", tension = (brake + extra, 1), limit = (most, 1), brake = (brake, 1));
+    let ramp = p.inverter_ramp * extra / (most - brake);
+    let advice = if most > brake && ramp <= LONGEST_RAMP {
+        with_ramp(ramp, said.into())
+    } else if most > extra {
+        let set = down(FIELDS, "reel-brake", most - extra);
+        Advice::from(said).setting(msg!("advice.set-brake", force = set.1.as_str()), [set])
+    } else {
+        said.into()
+    };
+    fail(limit, [advice])
+}
+
+/// An advice with a longer ramp of the inverter, s.
+fn with_ramp(seconds: f64, said: Advice) -> Advice {
+    let set = up(FIELDS, "inverter-ramp", seconds);
+    said.setting(msg!("advice.set-ramp", time = set.1.as_str()), [set])
+}
+
+/// Whether the brake slows the reel down as fast as the unwinder stops: the reel runs on into slack ribbon else.
+fn holds(line: &RibbonLine) -> Option<Judgement> {
+    let (p, brake) = (&line.p, line.p.unwinding.brake);
+    let (ramp, coasting) = (ramp_pull(p), coasting_pull(line));
+    let (limit, needed) = (AtMost(brake), ramp.max(coasting));
+    if limit.holds(needed) {
+        return ok(limit);
+    }
+    let said = || Advice::from(msg!("ribbon.reel-runs-on", needed = (needed, 2), brake = (brake, 2)));
+    // More brake stops the unwinder sooner too: the pull without current grows evenly with it.
+    let reel = wound(p);
+    let with = |brake: f64| reel.pull(reel.worst(), coasting_acceleration(p, brake));
+    let (without, growth) = (with(0.0), with(1.0) - with(0.0));
+    let set = up(FIELDS, "reel-brake", ramp.max(without / (1.0 - growth)));
+    let mut advice = vec![said().setting(msg!("advice.set-brake", force = set.1.as_str()), [set])];
+    let seconds = p.inverter_ramp * ramp / brake;
+    if coasting <= brake && seconds <= LONGEST_RAMP {
+        advice.push(with_ramp(seconds, said()));
+    }
+    warn(limit, advice)
+}

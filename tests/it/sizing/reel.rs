@@ -1,0 +1,165 @@
+//! The supply reel: its formulas against sums over turns and shells, and its results, verdicts and repairs in the form.
+
+use macroline::drives::inertia::Cylinder;
+use macroline::drives::reel::{Reel, acceleration, radius_after, speed, torque, turns};
+use macroline::machines::form::Value;
+use macroline::math::PI;
+use macroline::project::Project;
+use macroline::view::{Readout, Verdict};
+use proptest::prelude::*;
+
+use super::same;
+
+fn reels() -> impl Strategy<Value = Reel> {
+    let sizes = (0.02..2.0_f64, 0.01..0.99_f64, 0.005..1.0_f64, 1e-5..2e-3_f64);
+    (sizes, 300.0..3000.0_f64, 0.0..2.0_f64).prop_map(|((full, part, width, thickness), density, core_inertia)| Reel {
+        full,
+        core: part * full,
+        width,
+        thickness,
+        density,
+        core_inertia,
+    })
+}
+
+proptest! {
+    #[test]
+    fn length_is_that_of_its_turns(reel in reels()) {
+        // Whole turns, each a circle at its middle.
+        let layers = ((reel.full - reel.core) / 2.0 / reel.thickness).floor();
+        prop_assume!((1.0..20_000.0).contains(&layers));
+        let whole = Reel { full: reel.core + 2.0 * layers * reel.thickness, ..reel };
+        let sum: f64 = (0..layers as usize).map(|at| PI * (reel.core + (2.0 * at as f64 + 1.0) * reel.thickness)).sum();
+        same("length", whole.length(), sum, 1e-9);
+        same("full", whole.full_for(sum), whole.full, 1e-9);
+        same("empty", whole.diameter_after(sum + reel.thickness), reel.core, 1e-3);
+        same("turns", turns((reel.core / 2.0, whole.full / 2.0), sum), layers, 1e-9);
+    }
+
+    #[test]
+    fn what_leaves_and_what_stays_is_the_whole(reel in reels(), share in 0.0..1.0_f64) {
+        let gone = share * reel.length();
+        let rest = Reel { full: reel.diameter_after(gone), ..reel };
+        same("rest", rest.length() + gone, reel.length(), 1e-9);
+        same("back", radius_after(rest.full / 2.0, reel.thickness, gone), reel.full / 2.0, 1e-9);
+    }
+
+    #[test]
+    fn inertia_is_that_of_its_shells(reel in reels(), share in 0.0..1.0_f64) {
+        let diameter = reel.core + share * (reel.full - reel.core);
+        let (from, to, shells) = (reel.core / 2.0, diameter / 2.0, 2000);
+        let step = (to - from) / f64::from(shells);
+        let sum: f64 = (0..shells)
+            .map(|at| from + (f64::from(at) + 0.5) * step)
+            .map(|r| 2.0 * PI * r * step * reel.width * reel.density * r * r)
+            .sum();
+        same("inertia", reel.inertia(diameter), sum + reel.core_inertia, 1e-5);
+        let web = Cylinder { outer: diameter, inner: reel.core, length: reel.width, density: reel.density };
+        same("mass", reel.web_mass(diameter), web.mass(), 1e-12);
+    }
+
+    #[test]
+    fn no_diameter_pulls_more_than_the_worst(reel in reels()) {
+        let worst = reel.mass_at_web(reel.worst());
+        for at in 0..=200 {
+            let diameter = reel.core + f64::from(at) / 200.0 * (reel.full - reel.core);
+            prop_assert!(reel.mass_at_web(diameter) <= worst * (1.0 + 1e-12), "{diameter}");
+        }
+    }
+
+    #[test]
+    fn pull_of_a_run_up_is_the_energy_that_the_reel_has_then(reel in reels(), v in 0.01..5.0_f64, seconds in 0.05..20.0_f64) {
+        let diameter = reel.worst();
+        let way = 0.5 * v * seconds;
+        let turning = speed(diameter, v);
+        let energy = 0.5 * reel.inertia(diameter) * turning * turning;
+        same("energy", reel.pull(diameter, acceleration(v, seconds)) * way, energy, 1e-9);
+        // J α of the reel's own shaft.
+        let own = reel.inertia(diameter) * acceleration(v, seconds) / (diameter / 2.0);
+        same("torque", torque(diameter, reel.pull(diameter, acceleration(v, seconds))), own, 1e-9);
+    }
+}
+
+fn line(entries: &[(&str, f64)]) -> Project {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    for (id, number) in entries {
+        assert!(project.machine.fields().iter().any(|field| field.id == *id), "{id}");
+        project.values.insert((*id).to_owned(), Value::Number(*number));
+    }
+    project
+}
+
+fn result(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
+}
+
+/// A reel of 600 mm on a core of 100 mm, 0.2 mm · 50 mm of 1000 kg/m³.
+const LARGE: [(&str, f64); 6] = [
+    ("reel-diameter", 600.0),
+    ("reel-core-diameter", 100.0),
+    ("reel-core-inertia", 0.0),
+    ("ribbon-thickness", 0.2),
+    ("ribbon-width", 50.0),
+    ("web-density", 1000.0),
+];
+
+#[test]
+fn results_of_the_reel_follow_the_formulas() {
+    let project = line(&LARGE);
+    let value = |id: &str| result(&project, id).value;
+    // π (0.36 - 0.01) / (4 · 0.0002)
+    let length = PI * 0.35 / 0.0008;
+    same("length", value("reel-length"), length, 1e-12);
+    same("time", value("reel-time"), length * 60e3 / value("line-speed"), 1e-12);
+    assert_eq!(value("reel-products"), (length * 1e3 / value("product-length")).floor());
+    // π / 32 · ρ · b · (D⁴ - d⁴)
+    let inertia = PI / 32.0 * 1000.0 * 0.05 * (0.1296 - 0.0001);
+    same("full", value("reel-inertia-full") * 1e-4, inertia, 1e-12);
+    assert_eq!(value("reel-inertia-empty"), 0.0);
+    same("speed", value("reel-speed-empty"), value("line-speed") / (PI * 100.0), 1e-12);
+    same("brake", value("reel-brake-torque-full"), 20.0 * 0.3, 1e-12);
+    same("brake", value("reel-brake-torque-empty"), 20.0 * 0.05, 1e-12);
+    // 1480 r/min behind 50 : 1 on 100.5 mm, reached in 2 s.
+    let faster = PI * 0.1005 / 50.0 * 1480.0 / 60.0 / 2.0;
+    let extra = inertia / 0.09 * faster;
+    same("pull", value("reel-pull"), 20.0 + extra, 1e-12);
+    // The same at the motor, behind 70 % of the gear.
+    let ramp = value("unwinder-torque") + (40e-4 + inertia / 0.09 * 0.001005 * 0.001005 / 0.7) * PI / 30.0 * 740.0;
+    same("ramp", value("unwinder-ramp-torque"), ramp, 1e-12);
+}
+
+/// The verdict of a result, and of the same after each of its repairs.
+fn mended(project: &Project, id: &str) -> (Verdict, Vec<(&'static str, Verdict)>) {
+    let row = result(project, id);
+    let after = |sets: &[(&'static str, String)]| result(&project.with_entries(sets).unwrap(), id).verdict;
+    let repairs = row.advice.iter().filter(|advice| !advice.sets.is_empty());
+    (row.verdict, repairs.map(|advice| (advice.sets[0].0, after(&advice.sets))).collect())
+}
+
+#[test]
+fn a_reel_of_the_line_passes() {
+    for id in ["reel-products", "reel-pull", "reel-brake-needed"] {
+        assert_eq!(result(&line(&[]), id).verdict, Verdict::Ok, "{id}");
+    }
+}
+
+#[test]
+fn what_a_reel_cannot_do_is_told_and_mended() {
+    // A product of 4 m on a reel of a metre.
+    let short = line(&[("reel-diameter", 70.0)]);
+    assert_eq!(mended(&short, "reel-products"), (Verdict::Warn, vec![("reel-diameter", Verdict::Ok)]));
+    // A heavy reel that runs up in 20 ms tears soft ribbon; over a longer ramp it does not.
+    let hasty = line(&[("reel-core-inertia", 20000.0), ("inverter-ramp", 0.02)]);
+    assert_eq!(mended(&hasty, "reel-pull"), (Verdict::Fail, vec![("inverter-ramp", Verdict::Ok)]));
+    // A brake that pulls more than the ribbon takes at rest.
+    let tight = line(&[("reel-brake", 400.0)]);
+    assert_eq!(mended(&tight, "reel-pull"), (Verdict::Fail, vec![("reel-brake", Verdict::Ok)]));
+    // A brake that does not stop a heavy reel in time.
+    let loose = line(&[("reel-core-inertia", 2000.0), ("reel-brake", 1.0), ("unwinder-motor-brake", 0.0)]);
+    let brake = mended(&loose, "reel-brake-needed");
+    assert_eq!(brake.0, Verdict::Warn);
+    assert!(
+        brake.1.contains(&("reel-brake", Verdict::Ok)) && brake.1.iter().all(|row| row.1 == Verdict::Ok),
+        "{brake:?}"
+    );
+}
