@@ -299,6 +299,8 @@ export interface Size {
   /** Null where the program does not come to its end. */
   cycle: {
     time_s: number;
+    /** From its end to the next start. */
+    pause_s: number;
     parts_per_hour: number;
     /** Null without a servo motor. */
     energy_given_j: number | null;
@@ -361,6 +363,8 @@ export interface Size {
     /** In place of a part that is to be chosen. */
     proposal: boolean;
     quantity: number;
+    /** Why the motor that the form names does not carry its axis. */
+    refused: string | null;
     status: PartStatus;
     grade: string;
     source: string;

@@ -24,6 +24,7 @@ pub struct Motion {
     load: Load,
     hold: f64,
     strikes: Strikes,
+    pause: f64,
 }
 
 /// An interrupted cut at a steady speed: its torque about the mean, which the steady torque of the load is. All zero where nothing strikes.
@@ -81,12 +82,17 @@ impl Motion {
     /// A motion by its turns, without gaps. The steady torque of the load acts against the motion; at standstill the motor holds `hold` Nm.
     pub fn new(turns: impl IntoIterator<Item = Turn>, load: Load, hold: f64) -> Motion {
         let turns = turns.into_iter().flat_map(at_reversal).filter(|turn| turn.seconds > 0.0).collect();
-        Motion { turns, load, hold, strikes: Strikes::default() }
+        Motion { turns, load, hold, strikes: Strikes::default(), pause: 0.0 }
     }
 
     /// The same with an interrupted cut wherever it turns at a steady speed.
     pub fn with_strikes(self, strikes: Strikes) -> Motion {
         Motion { strikes, ..self }
+    }
+
+    /// The same with a standstill of `pause` seconds behind it, until the next run.
+    pub fn with_pause(self, pause: f64) -> Motion {
+        Motion { pause, ..self }
     }
 
     /// The turns; none changes its direction.
@@ -137,7 +143,7 @@ impl Motion {
             work.seconds += turn.seconds;
         }
         if work.seconds > 0.0 {
-            work.effective = (square / work.seconds).sqrt();
+            work.effective = with_pause((square / work.seconds).sqrt(), work.seconds, self.pause, self.hold);
         }
         work
     }
@@ -156,9 +162,9 @@ impl Motion {
         hardest
     }
 
-    /// Mean speed in r/min over the whole motion, without sign.
+    /// Mean speed in r/min over the whole motion and its pause, without sign.
     pub fn mean_speed(&self) -> f64 {
-        let (mut way, mut seconds) = (0.0, 0.0);
+        let (mut way, mut seconds) = (0.0, self.counted_pause());
         for turn in &self.turns {
             way += 0.5 * (turn.from.abs() + turn.to.abs()) * turn.seconds;
             seconds += turn.seconds;
@@ -166,7 +172,12 @@ impl Motion {
         if seconds > 0.0 { way / seconds / RPM } else { 0.0 }
     }
 
-    /// Starts from standstill in a minute.
+    /// Seconds of the pause that count for the warmth of its motor.
+    fn counted_pause(&self) -> f64 {
+        counted_pause(self.turns.iter().map(|turn| turn.seconds).sum(), self.pause)
+    }
+
+    /// Starts from standstill in a minute of the motion.
     pub fn starts_per_minute(&self) -> f64 {
         let starts = self.turns.iter().filter(|turn| turn.from.abs() < STANDS && turn.to.abs() >= STANDS).count();
         let seconds = self.turns.iter().map(|turn| turn.seconds).sum::<f64>();
@@ -176,7 +187,7 @@ impl Motion {
 
     /// Mean power in W that a brake resistor takes of what comes back, whose capacitors take their part at each stop. Source: sizing facts 2.4.
     pub fn to_resistor(&self, rotor: f64, regeneration: &Regeneration) -> f64 {
-        let (mut sum, mut stop, mut seconds) = (0.0, 0.0, 0.0);
+        let (mut sum, mut stop, mut seconds) = (0.0, 0.0, self.counted_pause());
         for turn in &self.turns {
             seconds += turn.seconds;
             let torque = self.torque(turn, rotor);
@@ -245,6 +256,24 @@ const WITHOUT_STANDSTILL: f64 = 0.98;
 
 /// Longest cycle of S3 and S6, seconds.
 const LONGEST_CYCLE: f64 = 600.0;
+
+/// Seconds of a pause behind a run that count for the warmth of a motor: a cycle has 10 min at most, for in a longer run a motor gets as warm as
+/// it gets, whatever the pause behind it. Source: sizing facts 2.8.
+pub fn counted_pause(run: f64, pause: f64) -> f64 {
+    pause.min((LONGEST_CYCLE - run).max(0.0))
+}
+
+/// Effective torque in Nm of a run and the pause behind it: `√((T² t + T_hold² t_pause) / (t + t_pause))`, with the torque of the run, its
+/// seconds, and what the motor holds at standstill; that alone where the pause is so long that it is a duty of its own.
+/// Source: sizing facts 2.2 (7-9) and 2.8.
+pub fn with_pause(effective: f64, run: f64, pause: f64, hold: f64) -> f64 {
+    let counted = counted_pause(run, pause);
+    let over_both = match counted > 0.0 {
+        true => ((effective * effective * run + hold * hold * counted) / (run + counted)).sqrt(),
+        false => effective,
+    };
+    if pause >= LONGEST_CYCLE { over_both.max(hold.abs()) } else { over_both }
+}
 
 /// The duty type of a drive that turns for `turning` of a cycle and is loaded for `loaded` of it, both 0 to 1: the least cyclic duration factor
 /// of the standard that covers it. Source: sizing facts 2.8, from memory.

@@ -67,6 +67,8 @@ pub struct MotorFields {
     pub top_speed: &'static str,
     /// Greatest load inertia over rotor inertia.
     pub inertia_limit: &'static str,
+    /// Greatest effective torque, % of the torque at standstill.
+    pub effective_limit: &'static str,
 }
 
 /// A gear unit as a form has it.

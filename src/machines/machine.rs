@@ -219,6 +219,10 @@ pub trait Prepared: Send + Sync {
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None
     }
+    /// Seconds from the end of a run to the next start: the pattern of the shift.
+    fn pause(&self) -> f64 {
+        0.0
+    }
     /// The size of the product, where the program takes another one while the machine runs.
     fn product_size(&self) -> Option<ProductSize> {
         None

@@ -20,6 +20,8 @@ pub mod scaling;
 
 mod site;
 
+mod shift;
+
 mod materials;
 
 pub mod ladder;

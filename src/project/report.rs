@@ -75,7 +75,12 @@ impl Project {
         let figures = cycle.map(|time| {
             [
                 Figure { label: "form.report.cycle-time", value: time, unit: "s", decimals: 1 },
-                Figure { label: "form.report.parts-per-hour", value: 3600.0 / time, unit: "1/h", decimals: 1 },
+                Figure {
+                    label: "form.report.parts-per-hour",
+                    value: 3600.0 / (time + prepared.pause()),
+                    unit: "1/h",
+                    decimals: 1,
+                },
             ]
         });
         RunReport {

@@ -322,7 +322,7 @@ impl Derived {
             dots_per_product: p.count(),
             product_length: p.printed_length(),
             product_time: timing.product,
-            products_per_hour: 3600.0 / timing.product,
+            products_per_hour: 3600.0 / (timing.product + p.pause),
             volts_command: analog.command(actual_speed),
             volts: analog.output(actual_speed),
             top_volts: analog.output(top_speed),

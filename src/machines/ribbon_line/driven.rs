@@ -24,6 +24,7 @@ const PULL: MotorFields = MotorFields {
     rated_speed: "motor-rated-x",
     top_speed: "motor-max-x",
     inertia_limit: "inertia-limit-x",
+    effective_limit: "effective-limit-x",
 };
 
 /// Fields of the motor of the print roller.
@@ -35,6 +36,7 @@ const PRINT: MotorFields = MotorFields {
     rated_speed: "motor-rated-y",
     top_speed: "motor-max-y",
     inertia_limit: "inertia-limit-y",
+    effective_limit: "effective-limit-y",
 };
 
 /// Fields of the gear unit of the pull roller.
@@ -108,7 +110,7 @@ fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
         load: unwinder_load(p, line.mechanics.unwinder),
         // It is in the inertia of the form.
         rotor: None,
-        of: Move { speed: speed * RPM, ramp, run: line.fast.product_time, pause: 0.0, hold: 0.0 },
+        of: Move { speed: speed * RPM, ramp, run: line.fast.product_time, pause: p.pause, hold: 0.0 },
         peak: [SHORT_TIME, SHORT_TIME],
     }
 }

@@ -3,6 +3,7 @@
 use super::derive::Derived;
 use super::params::{Params, PathMode};
 use super::reel;
+use crate::drives::duty::with_pause;
 use crate::drives::inertia::{self, CM2, Cylinder, STEEL};
 use crate::drives::load::{self, Load, Move, effective};
 use crate::drives::servo::{Acceptance, Duty, Servo, Shares};
@@ -55,7 +56,7 @@ struct Side {
 }
 
 impl ServoAxis {
-    fn new(side: &Side, motor: Servo, inertia_limit: f64, p: &Params, d: &Derived) -> ServoAxis {
+    fn new(side: &Side, motor: Servo, limits: Acceptance, p: &Params, d: &Derived) -> ServoAxis {
         let (ratio, efficiency) = side.gear;
         let load = Load {
             inertia: inertia::through_gear(side.turning, ratio) + side.gear_inertia * CM2,
@@ -70,11 +71,12 @@ impl ServoAxis {
         let output = Load { inertia: side.turning, torque: side.torque, efficiency: 1.0 };
         let phases = motion(p, d, (speed, ramp), hold).map(|of| load.phases(motor.rotor, of));
         let effective = phases.as_ref().map_or(load.torque, |phases| effective(phases));
+        let effective = with_pause(effective, d.product_time, p.pause, hold);
         // Where the load drives the motor, stopping or holding asks more than starting.
         let others = phases.iter().flatten().map(|phase| phase.torque.abs());
         let peak = others.fold((load.torque + rise).abs(), f64::max);
         let duty = Duty { peak, effective, speed: side.rpm };
-        let limits = Acceptance::mitsubishi(inertia_limit).at_starts(starts(p, d)).derated(p.site().share());
+        let limits = limits.at_starts(starts(p, d)).derated(p.site().share());
         ServoAxis { load, output, motor, limits, ramp, hold, rise, duty }
     }
 
@@ -112,6 +114,12 @@ impl ServoAxis {
         let speed = self.duty.speed.min(self.motor.top_speed) * RPM;
         self.load.stop_energy(self.motor.rotor, speed, self.ramp).max(0.0)
     }
+}
+
+/// The limits of the form: the ratio of inertias, and the share (%) of the stall torque. A motor that is taken from the list sets those of its
+/// series, so that form and list judge it alike.
+fn limits(inertia_ratio: f64, effective: f64) -> Acceptance {
+    Acceptance { effective: effective / 100.0, ..Acceptance::mitsubishi(inertia_ratio) }
 }
 
 /// Starts of the axes in a minute: each block with exact stop is one.
@@ -211,13 +219,13 @@ impl Mechanics {
         };
         let pull_motor = servo(pull.stall, pull.peak, pull.rotor, p.motor_rated_x, p.motor_max_x);
         let print_motor = servo(print.stall, print.peak, print.rotor, p.motor_rated_y, p.motor_max_y);
-        let pull_axis = ServoAxis::new(&pull_side, pull_motor, pull.inertia_limit, p, d);
+        let pull_axis = ServoAxis::new(&pull_side, pull_motor, limits(pull.inertia_limit, pull.effective_limit), p, d);
         let acceleration = d.line_speed / 60e3 / pull_axis.ramp;
         let tension = web.tension_before - web.tension_behind;
         let unwinder = unwinder_torque(p, unwinding.brake);
         Mechanics {
             pull: pull_axis,
-            print: ServoAxis::new(&print_side, print_motor, print.inertia_limit, p, d),
+            print: ServoAxis::new(&print_side, print_motor, limits(print.inertia_limit, print.effective_limit), p, d),
             nip_use: web::nip_use((pull.pinch_friction, pull.pinch_force), tension, (web_mass, acceleration)),
             unwound: unwound(p, unwinding.brake),
             unwinder,

@@ -213,6 +213,10 @@ impl Prepared for RibbonLine {
         Some(driven::pitch(self))
     }
 
+    fn pause(&self) -> f64 {
+        self.p.pause
+    }
+
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
         read(driven::GAUGES, self, |t| run.at(t), span, points)
     }

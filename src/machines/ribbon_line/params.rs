@@ -6,7 +6,7 @@ use crate::controls::{Code, Control, ParamRole, VarKind};
 use crate::drives::derating::Site;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
-use crate::machines::site;
+use crate::machines::{shift, site};
 use crate::{member, options};
 
 /// The axis that pulls the ribbon.
@@ -240,6 +240,7 @@ pub(crate) struct Params {
     pub product_length: f64,
     pub rest: Rest,
     pub pitches_per_block: f64,
+    pub pause: f64,
     pub clamp_x: f64,
     pub clamp_y: f64,
     pub rapid_x: f64,
@@ -304,6 +305,7 @@ pub(crate) struct PullParams {
     pub peak: f64,
     pub rotor: f64,
     pub inertia_limit: f64,
+    pub effective_limit: f64,
 }
 
 /// The drive of the print roller: roller, heads, gear, motor.
@@ -322,6 +324,7 @@ pub(crate) struct PrintParams {
     pub peak: f64,
     pub rotor: f64,
     pub inertia_limit: f64,
+    pub effective_limit: f64,
 }
 
 /// The drive of the unwinder.
@@ -458,11 +461,11 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("reel-brake", member!(Params.unwinding.brake)).group("ribbon.group.unwinder").label("ribbon.reel-brake").help("ribbon.reel-brake.help")
         .unit("N").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
     number("reel-diameter", member!(Params.unwinding.reel_diameter)).group("ribbon.group.unwinder").label("ribbon.reel-diameter").help("ribbon.reel-diameter.help").symbol("D")
-        .unit("mm").range(1.0..=5000.0).default(224.0).decimals(1).step(10.0).fact(),
+        .unit("mm").range(10.0..=5000.0).default(224.0).decimals(1).step(10.0).fact(),
     number("reel-core-diameter", member!(Params.unwinding.core_diameter)).group("ribbon.group.unwinder").label("ribbon.reel-core-diameter").help("ribbon.reel-core-diameter.help").symbol("d")
-        .unit("mm").range(1.0..=5000.0).default(68.0).decimals(1).step(1.0).fact(),
+        .unit("mm").range(10.0..=5000.0).default(68.0).decimals(1).step(1.0).fact(),
     number("reel-core-inertia", member!(Params.unwinding.core_inertia)).group("ribbon.group.unwinder").label("ribbon.reel-core-inertia").help("ribbon.reel-core-inertia.help")
-        .unit("kg cm²").range(0.0..=10000000.0).default(20.0).decimals(2).step(1.0).fact(),
+        .unit("kg cm²").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
     number("unwinder-friction", member!(Params.unwinding.friction)).group("ribbon.group.unwinder").label("ribbon.unwinder-friction").help("ribbon.unwinder-friction.help")
         .unit("Nm").range(0.0..=10000.0).default(1.0).decimals(3).step(0.1).fact(),
     number("unwinder-efficiency", member!(Params.unwinding.efficiency)).group("ribbon.group.unwinder").label("ribbon.unwinder-efficiency").help("ribbon.unwinder-efficiency.help").symbol("η")
@@ -522,6 +525,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .when(Params::is_length),
     number("pitches-per-block", member!(Params.pitches_per_block)).group("ribbon.group.job").label("ribbon.pitches-per-block").help("ribbon.pitches-per-block.help").symbol("#121")
         .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
+    shift::pause("ribbon.group.job", member!(Params.pause)),
     number("clamp-x", member!(Params.clamp_x)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
         .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
     number("clamp-y", member!(Params.clamp_y)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")
@@ -588,6 +592,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("kg cm²").range(0.001..=100000.0).default(0.375).decimals(4).step(0.1).fact(),
     number("inertia-limit-x", member!(Params.pull.inertia_limit)).group("ribbon.group.pull-drive").label("ribbon.inertia-limit-x").help("ribbon.inertia-limit-x.help")
         .unit(": 1").range(0.1..=1000.0).default(15.0).decimals(1).step(1.0).setting(),
+    number("effective-limit-x", member!(Params.pull.effective_limit)).group("ribbon.group.pull-drive").label("ribbon.effective-limit-x").help("ribbon.effective-limit-x.help")
+        .unit("%").range(1.0..=100.0).default(80.0).decimals(1).step(1.0).setting(),
     number("print-roller-wall", member!(Params.print.wall)).group("ribbon.group.print-drive").label("ribbon.print-roller-wall").help("ribbon.print-roller-wall.help")
         .unit("mm").range(0.1..=2500.0).default(10.0).decimals(2).step(1.0).fact(),
     number("print-roller-length", member!(Params.print.length)).group("ribbon.group.print-drive").label("ribbon.print-roller-length").help("ribbon.print-roller-length.help")
@@ -613,6 +619,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("kg cm²").range(0.001..=100000.0).default(6.6).decimals(4).step(0.1).fact(),
     number("inertia-limit-y", member!(Params.print.inertia_limit)).group("ribbon.group.print-drive").label("ribbon.inertia-limit-y").help("ribbon.inertia-limit-y.help")
         .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).setting(),
+    number("effective-limit-y", member!(Params.print.effective_limit)).group("ribbon.group.print-drive").label("ribbon.effective-limit-y").help("ribbon.effective-limit-y.help")
+        .unit("%").range(1.0..=100.0).default(80.0).decimals(1).step(1.0).setting(),
     choice("cam-law", member!(Params.cam_law: CamLaw)).group("ribbon.group.print-drive").label("ribbon.cam-law").help("ribbon.cam-law.help"),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
         .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),

@@ -173,7 +173,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "products-per-hour", label: "ribbon.readout.products-per-hour", unit: "1/h", decimals: 1, headline: false,
-        formula: "3600 / time of a product",
+        formula: "3600 / (time of a product + pause)",
         cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |line| line.d.products_per_hour,
     },
     ReadoutRow {

@@ -23,13 +23,16 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("cam-blocks-smear", smear, Citation::new("sizing facts 3.5", Grade::Inferred)),
 ];
 
-/// What a cam would ask of the print motor, where the rollers do not match; none where no ribbon speed is slow enough for it.
+/// Share of the line speed below which a cam is no remedy. Our choice.
+const CRAWL: f64 = 1e-3;
+
+/// What a cam would ask of the print motor, where the rollers do not match; none where no ribbon speed is slow enough for it, or one that crawls.
 pub(super) fn advice(line: &RibbonLine) -> Option<Message> {
     let Some((_, end)) = cams::by(line, Law::ModifiedSine) else { return Some(msg!("ribbon.match-cam-no-time")) };
     let peak = (end.start_torque(), 2);
     let speed = end.speed_by_start().min(end.speed_by_heat());
     let effective = (end.effective_torque(), 2);
-    (speed >= 1.0).then(|| {
+    (speed >= (CRAWL * line.fast.line_speed).max(1.0)).then(|| {
         msg!(
             "ribbon.match-cam",
             torque = peak,

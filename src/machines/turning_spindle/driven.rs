@@ -40,7 +40,7 @@ fn cycle(lathe: &TurningSpindle, gear: f64) -> InverterCycle {
         efficiency,
     };
     let ramp = p.spindle_ramp * highest / d.stage_speed;
-    let of = Move { speed: highest * gear * RPM, ramp, run: d.cutting_time, pause: 0.0, hold: 0.0 };
+    let of = Move { speed: highest * gear * RPM, ramp, run: d.cutting_time, pause: p.pause, hold: 0.0 };
     InverterCycle { load, rotor: Some(p.rotor_inertia), of, peak: [p.motor_peak / 100.0, p.motor_braking / 100.0] }
 }
 

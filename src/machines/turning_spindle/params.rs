@@ -7,7 +7,7 @@ use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
-use crate::machines::site;
+use crate::machines::{shift, site};
 use crate::{member, options};
 
 options! {
@@ -79,6 +79,7 @@ pub(crate) struct Params {
     pub work_density: f64,
     pub large_diameter: f64,
     pub allowance: f64,
+    pub pause: f64,
     pub depth: f64,
     pub clearance: f64,
     pub start_x: f64,
@@ -259,6 +260,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("kg/m³").range(1.0..=25000.0).default(STEEL).decimals(0).step(50.0).fact(),
     number("allowance", member!(Params.allowance)).group("turning.group.part").label("turning.allowance").help("turning.allowance.help").symbol("#114")
         .unit("mm").range(0.01..=1000.0).default(2.0).decimals(3).step(0.1).when(Params::is_facing),
+    shift::pause("turning.group.part", member!(Params.pause)),
     number("depth", member!(Params.depth)).group("turning.group.cut").label("turning.depth").help("turning.depth.help").symbol("#106")
         .unit("mm").range(0.01..=100.0).default(1.0).decimals(3).step(0.1).essential(),
     choice("speed-mode", member!(Params.speed_mode: SpeedMode)).group("turning.group.cut").label("turning.speed-mode").help("turning.speed-mode.help")

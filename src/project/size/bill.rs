@@ -10,7 +10,7 @@ use crate::machines::sheets::say;
 use crate::msg;
 use crate::project::Project;
 use crate::text::catalog::{number_text, sentence};
-use crate::text::listed;
+use crate::text::{Message, listed};
 use crate::view::report::Input;
 
 /// A row of the bill.
@@ -28,6 +28,8 @@ pub struct BillRow {
     pub proposed: bool,
     /// How many.
     pub quantity: u32,
+    /// Why the motor that the form names does not carry its axis, as the list of motors says; none where it does, or is not in the list.
+    pub refusal: Option<Message>,
     /// Whether it is still made; none where that is not known.
     pub status: Option<Status>,
     /// How well it is known.
@@ -83,7 +85,18 @@ fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
 /// A row that is no part of the catalogue: words of form and project.
 fn described(item: &'static str, axis: Option<&'static str>, model: String, grade: PartGrade) -> BillRow {
     let source = say(if grade == PartGrade::Open { "size.bill.no-source" } else { "size.bill.of-project" });
-    BillRow { item, axis, maker: String::new(), model, proposed: false, quantity: 1, status: None, grade, source }
+    BillRow {
+        item,
+        axis,
+        maker: String::new(),
+        model,
+        proposed: false,
+        quantity: 1,
+        refusal: None,
+        status: None,
+        grade,
+        source,
+    }
 }
 
 /// The motor that the form has by its figures; none where it shows none of them.
@@ -124,6 +137,7 @@ fn of_part(item: &'static str, axis: &'static str, part: &Part, proposed: bool) 
         model: part.model.clone(),
         proposed,
         quantity: 1,
+        refusal: None,
         status: part.status,
         grade: part.evidence.grade,
         source: part.evidence.source.clone(),
@@ -142,7 +156,8 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
     let pair = |chosen: &Candidate, proposed| {
         let amplifier = chosen.amplifier.as_ref().map(|part| of(item, part, proposed));
         let amplifier = amplifier.unwrap_or_else(|| open("size.bill.no-amplifier"));
-        [of("size.item.motor", &chosen.part, proposed), amplifier]
+        let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
+        [BillRow { refusal, ..of("size.item.motor", &chosen.part, proposed) }, amplifier]
     };
     let typed = axis.field.and_then(|field| named(project, field));
     let known = axis.candidates.iter().find(|candidate| Some(name(&candidate.part)) == typed);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
-use crate::drives::duty::{Hardest, Motion, Work};
+use crate::drives::duty::{Hardest, Motion, Work, with_pause};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
@@ -133,10 +133,10 @@ struct Asked {
 }
 
 impl Asked {
-    fn of(axis: &DrivenAxis, runs: &[&WholeRun]) -> Asked {
+    fn of(axis: &DrivenAxis, runs: &[&WholeRun], pause: f64) -> Asked {
         let motion = |whole: &&WholeRun| {
             let timeline = whole.run.timeline();
-            axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end()))
+            axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end())).with_pause(pause)
         };
         let motions: Vec<Motion> = runs.iter().map(motion).collect();
         let greatest = |of: fn(&Motion) -> f64| motions.iter().map(of).fold(0.0, f64::max);
@@ -216,13 +216,13 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     let runs = [Some(&of.present), of.fast.as_ref()].into_iter().flatten();
     let runs: Vec<&WholeRun> = runs.collect();
     let catalogue = project.catalogue();
-    let control = project.control;
+    let (control, pause) = (project.control, prepared.pause());
     let servo = prepared.driven_axes().into_iter().map(|axis| {
-        let asked = Asked::of(&axis, &runs);
+        let asked = Asked::of(&axis, &runs, pause);
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
         let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
-        let turning = share_turning(of, axis.mover);
+        let turning = share_turning(of, axis.mover, pause);
         SizedAxis {
             id: axis.id,
             name: axis.name,
@@ -244,7 +244,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
         let candidates = motors.map(|part| induction(part, &drive, &catalogue, control)).collect();
         let field = drive.fields.map(|(model, _)| model);
-        let turning = share_turning(of, Mover::Spindle);
+        let turning = share_turning(of, Mover::Spindle, pause);
         SizedAxis {
             id: drive.id,
             name: drive.name,
@@ -252,7 +252,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             turning,
             loaded: drive
                 .cycle
-                .map_or(turning, |cycle| turning.min((cycle.of.run + 2.0 * cycle.of.ramp) / of.present.end)),
+                .map_or(turning, |cycle| turning.min((cycle.of.run + 2.0 * cycle.of.ramp) / (of.present.end + pause))),
             brake: drive.brake,
             gear: gears::of_inverter(&drive, &catalogue),
             ampere_per_torque: None,
@@ -266,12 +266,12 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     servo.chain(behind).collect()
 }
 
-/// Share of the time of a part for which something turns.
-fn share_turning(of: &SizingRuns, mover: Mover) -> f64 {
+/// Share of the time of a part, with the pause behind it, for which something turns.
+fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     let timeline = of.present.run.timeline();
     let all = timeline.stretches(mover, 0.0, timeline.end());
     let turning = all.iter().filter(|part| part.from != 0.0 || part.to != 0.0).map(|part| part.seconds).sum::<f64>();
-    if timeline.end() > 0.0 { turning / timeline.end() } else { 0.0 }
+    if timeline.end() > 0.0 { turning / (timeline.end() + pause) } else { 0.0 }
 }
 
 /// The part of the catalogue that the form names for an axis.
@@ -360,7 +360,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
         shares: Some(shares),
         regenerative,
         refusal: refused.map(|(rank, message)| Refusal { rank, message }),
-        entries: axis.fields.map(|fields| entries(fields, part, &motor, limits.inertia_ratio)).unwrap_or_default(),
+        entries: axis.fields.map(|fields| entries(fields, part, &motor)).unwrap_or_default(),
     }
 }
 
@@ -451,7 +451,9 @@ fn braking(amplifier: &Part) -> Option<(Regeneration, f64)> {
 }
 
 /// What a servo motor sets in the form.
-fn entries(fields: &MotorFields, part: &Part, motor: &Servo, inertia_ratio: f64) -> Vec<(&'static str, String)> {
+fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<(&'static str, String)> {
+    // The limits of its series, before what starts and site take of them: the form counts those itself.
+    let limits = part.acceptance();
     vec![
         (fields.name, name(part)),
         (fields.stall, number_text(motor.stall, 3)),
@@ -459,7 +461,8 @@ fn entries(fields: &MotorFields, part: &Part, motor: &Servo, inertia_ratio: f64)
         (fields.rotor, number_text(motor.rotor / CM2, 4)),
         (fields.rated_speed, number_text(motor.rated_speed, 1)),
         (fields.top_speed, number_text(motor.top_speed, 1)),
-        (fields.inertia_limit, number_text(inertia_ratio, 1)),
+        (fields.inertia_limit, number_text(limits.inertia_ratio, 1)),
+        (fields.effective_limit, number_text(100.0 * limits.effective, 1)),
     ]
 }
 
@@ -503,7 +506,9 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
             }
         }
         let [rise, fall] = ramps;
+        let run = cycle.of.run + 2.0 * cycle.of.ramp;
         let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.of.run }, fall]);
+        let effective = with_pause(effective, run, cycle.of.pause, cycle.of.hold);
         shares.effective = effective / most;
         if effective > most {
             let refused =

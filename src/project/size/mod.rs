@@ -42,8 +42,22 @@ use crate::machines::PreparedMachine;
 pub struct Cycle {
     /// Seconds from cycle start to the end of the program.
     pub seconds: f64,
+    /// Seconds from there to the next start.
+    pub pause: f64,
     /// Energy of its servo motors; none where it has none.
     pub energy: Option<PartEnergy>,
+}
+
+impl Cycle {
+    /// Seconds from one start to the next.
+    pub fn between_starts(&self) -> f64 {
+        self.seconds + self.pause
+    }
+
+    /// Parts in an hour of the shift.
+    pub fn parts_per_hour(&self) -> f64 {
+        3600.0 / self.between_starts()
+    }
 }
 
 /// Energy of all servo motors over a part.
@@ -145,5 +159,5 @@ fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
         works.fold((0.0, 0.0), |(given, returned), work| (given + work.given, returned + work.returned));
     let together: Vec<(&Motion, f64)> = motors.iter().map(|(motion, rotor)| (motion, *rotor)).collect();
     let energy = PartEnergy { given, returned, returned_on_one_bus: on_one_bus(&together).1 };
-    Some(Cycle { seconds, energy: (!together.is_empty()).then_some(energy) })
+    Some(Cycle { seconds, pause: prepared.pause(), energy: (!together.is_empty()).then_some(energy) })
 }

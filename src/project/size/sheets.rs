@@ -56,7 +56,7 @@ impl Sizing {
                 of.maker.clone(),
                 of.model.clone(),
                 of.quantity.to_string(),
-                if of.maker.is_empty() { String::new() } else { ordered_status(of.status) },
+                if of.maker.is_empty() { String::new() } else { order_of(of) },
                 part_grade(of.grade),
                 of.source.clone(),
             ];
@@ -97,9 +97,11 @@ impl Sizing {
         let times = self.cycle.map(|cycle| {
             [
                 ("size.cycle-time", units::text(cycle.seconds, 2, "s")),
-                ("size.parts-per-hour", units::text(3600.0 / cycle.seconds, 1, "1/h")),
+                ("size.parts-per-hour", units::text(cycle.parts_per_hour(), 1, "1/h")),
             ]
         });
+        let pause = self.cycle.filter(|cycle| cycle.pause > 0.0).map(|cycle| cycle.pause);
+        let pause = pause.map(|pause| ("form.pause", units::text(pause, 1, "s")));
         let energies = self.cycle.and_then(|cycle| cycle.energy).map(|energy| {
             [
                 ("size.given", units::text(energy.given, 1, "J")),
@@ -107,7 +109,7 @@ impl Sizing {
                 ("size.returned-on-one-bus", units::text(energy.returned_on_one_bus, 1, "J")),
             ]
         });
-        let axes = self.cycle.iter().flat_map(|cycle| self.axes.iter().map(move |axis| (axis, cycle.seconds)));
+        let axes = self.cycle.iter().flat_map(|cycle| self.axes.iter().map(move |axis| (axis, cycle.between_starts())));
         let duties = axes.map(|(axis, cycle)| {
             let share = (100.0 * axis.turning, 0);
             let duty = match duty_type(axis.turning, axis.loaded, cycle) {
@@ -121,7 +123,7 @@ impl Sizing {
             };
             row([headed(say(axis.name), say("size.duty")), sentence(&duty)], DUTY)
         });
-        let cells = times.into_iter().flatten().chain(energies.into_iter().flatten());
+        let cells = times.into_iter().flatten().chain(pause).chain(energies.into_iter().flatten());
         let cells = cells.map(|(label, value)| row([say(label), value], RUNS));
         let cut = self.cut.iter().map(|cut| row([say("size.cycle-time"), sentence(&cut.message())], RUNS));
         Sheet {
@@ -246,7 +248,11 @@ impl Sizing {
             })
         };
         let cut = self.cut.iter().map(|cut| Diagnostic::warning(cut.message()));
-        cut.chain(beyond.map(told)).collect()
+        let refused = self.bill.iter().filter_map(|row| {
+            let (axis, reason) = (say(row.axis?), sentence(row.refusal.as_ref()?));
+            Some(Diagnostic::warning(msg!("size.named-refused", axis, motor = row.part(), reason)))
+        });
+        cut.chain(refused).chain(beyond.map(told)).collect()
     }
 }
 
@@ -295,6 +301,12 @@ fn ordered_status(of: Option<Status>) -> String {
         Some(Status::SparePart) => say("size.status.spare-part-ordered"),
         Some(Status::Current) | None => status(of),
     }
+}
+
+/// What has to be known of a part before it is ordered: whether it is made, and why it does not go.
+fn order_of(of: &BillRow) -> String {
+    let refused = of.refusal.as_ref().map(|message| format!("✕ {}", sentence(message)));
+    refused.into_iter().chain([ordered_status(of.status)]).collect::<Vec<_>>().join(" · ")
 }
 
 /// How well a part is known, in words.

@@ -38,7 +38,7 @@ impl Sizing {
         json!({
             "axes": self.axes.iter().map(axis).collect::<Vec<_>>(),
             "cycle": self.cycle.map(|cycle| json!({
-                "time_s": cycle.seconds, "parts_per_hour": 3600.0 / cycle.seconds, "energy_given_j": cycle.energy.map(|energy| energy.given),
+                "time_s": cycle.seconds, "pause_s": cycle.pause, "parts_per_hour": cycle.parts_per_hour(), "energy_given_j": cycle.energy.map(|energy| energy.given),
                 "energy_returned_j": cycle.energy.map(|energy| energy.returned),
                 "energy_returned_on_one_bus_j": cycle.energy.map(|energy| energy.returned_on_one_bus),
             })),
@@ -169,7 +169,7 @@ fn terminal(row: &TerminalRow) -> Json {
 fn bill(row: &BillRow) -> Json {
     json!({
         "item": say(row.item), "axis": row.axis.map(say), "part": row.part(), "maker": row.maker, "model": row.model, "proposal": row.proposed,
-        "quantity": row.quantity, "status": status(row.status), "grade": grade(row.grade), "source": row.source,
+        "quantity": row.quantity, "refused": row.refusal.as_ref().map(sentence), "status": status(row.status), "grade": grade(row.grade), "source": row.source,
     })
 }
 

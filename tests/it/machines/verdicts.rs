@@ -79,6 +79,9 @@ const RARE: &[Entered] = &[
         "mitsubishi-e60",
         &[("heads", "40"), ("motor-peak-y", "3"), ("motor-stall-y", "1"), ("cam-law", "polynomial-345")],
     ),
+    // A tool that turns against its work, and a ratio that leaves the sides hollow.
+    ("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("tool-ratio", "-2")]),
+    ("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("tool-ratio", "3"), ("sides", "6")]),
     // A fixed speed beyond the chosen stage, and a faster stage beside it.
     (
         "turning-spindle",
@@ -193,6 +196,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("polygon.cannot-cut", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.faces-back", "a deed: inserts are turned in their holders"),
     ("polygon.hollow-sides", "a fact; the choice of a cutter behind it has the button"),
+    ("polygon.less-hollow", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.little-relief", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.no-b", "no speed is a remedy"),
     ("polygon.no-better", "no way is within every limit"),

@@ -519,3 +519,53 @@ fn spindle_encoder_is_an_open_row_or_one_of_the_users_table() {
     line.values.insert("spindle-encoder".to_owned(), Value::Flag(true));
     assert_eq!(row(&line).map(|row| row.axis), Some(Some("ribbon.drive.unwinder")));
 }
+
+/// A line on a FANUC control whose pull roller has so much friction that its motor of 0.16 Nm is used to three quarters.
+fn used_to_three_quarters(motor: &str) -> Project {
+    let project = Project::named("ribbon-line", Some("fanuc-0i-mf"), None).unwrap();
+    let sets = [("pitch-count", "100".to_owned()), ("friction-x", "5.3".to_owned())];
+    let project = project.with_entries(&sets).unwrap();
+    let sizing = sized(&project);
+    let found = candidates(&sizing, "x").iter().find(|candidate| candidate.part.model == motor);
+    project.with_entries(&found.unwrap_or_else(|| panic!("no {motor}")).entries).unwrap()
+}
+
+#[test]
+fn form_and_list_judge_a_motor_by_the_limits_of_its_series() {
+    // (15 N · 50 mm + 5.3 Nm) / (50 · 95 %) = 0.127 Nm of 0.16 while it turns: within 80 % of Mitsubishi, beyond the 70 % of FANUC.
+    let project = used_to_three_quarters("beta 0.2/5000is");
+    assert_eq!(project.values["effective-limit-x"], Value::Number(70.0));
+    let result = |project: &Project| {
+        let readouts = project.design().readouts;
+        readouts.into_iter().find(|row| row.id == "x-effective-torque").unwrap()
+    };
+    super::same("effective", result(&project).value, 0.123, 0.02);
+    assert_eq!(result(&project).verdict, Verdict::Fail);
+    super::same("limit", result(&project).limit.unwrap().value(), 0.7 * 0.16, 0.01);
+    let sizing = sized(&project);
+    let own = candidates(&sizing, "x").iter().find(|candidate| candidate.part.model == "beta 0.2/5000is").unwrap();
+    assert!(reason(own).starts_with("Too warm: "), "{}", reason(own));
+    // The limit is the person's to set.
+    let lax = project.with_entries(&[("effective-limit-x", "80".to_owned())]).unwrap();
+    assert_eq!(result(&lax).verdict, Verdict::Ok);
+}
+
+#[test]
+fn named_motor_that_the_list_refuses_is_marked_in_the_bill() {
+    let refused = sized(&used_to_three_quarters("beta 0.2/5000is"));
+    let motor = refused.bill.iter().find(|row| row.model == "beta 0.2/5000is").unwrap();
+    let why = sentence(motor.refusal.as_ref().expect("a reason"));
+    assert!(why.starts_with("Too warm: "), "{why}");
+    let cells = refused.bill_sheet().rows.into_iter().map(|row| row.cells);
+    assert!(cells.flatten().any(|cell| cell.starts_with(&format!("✕ {why}"))));
+    let told =
+        refused.findings().iter().map(|found| sentence(&found.message)).filter(|found| found.contains(&why)).count();
+    assert_eq!(told, 1);
+    let json = refused.json();
+    let rows = json["bom"].as_array().unwrap();
+    assert_eq!(rows.iter().filter(|row| row["refused"] == why.as_str()).count(), 1);
+    // One that passes has no mark.
+    let passes = sized(&used_to_three_quarters("beta 4.0/4000is"));
+    assert!(passes.bill.iter().any(|row| row.model == "beta 4.0/4000is"));
+    assert!(passes.bill.iter().all(|row| row.refusal.is_none()), "{:?}", passes.bill);
+}

@@ -138,3 +138,67 @@ fn current_follows_the_torque_of_a_motor_of_the_catalogue() {
         super::same(event.id(), row("x-current"), 3.2 / 2.39 * row("x-torque"), 1e-9);
     }
 }
+
+proptest! {
+    /// A pause counts like a turn of the same length at rest, until run and pause fill 10 min; beyond it takes nothing off the torque of the run.
+    #[test]
+    fn pause_counts_as_a_turn_at_rest(
+        points in prop::collection::vec((0.01f64..20.0, -200.0f64..200.0), 1..8),
+        (pause, hold, rotor) in (0.0f64..3000.0, 0.0f64..0.5, 0.0f64..1e-3),
+    ) {
+        let load = Load { inertia: 1e-3, torque: 0.05, efficiency: 0.9 };
+        let (mut t, mut from, mut turns) = (0.0, 0.0, Vec::new());
+        for (seconds, to) in points.iter().chain([&(0.5, 0.0)]) {
+            turns.push(Turn { t, seconds: *seconds, from, to: *to });
+            (t, from) = (t + seconds, *to);
+        }
+        let counted = if t < 600.0 { pause.min(600.0 - t) } else { 0.0 };
+        let own = Motion::new(turns.clone(), load, hold);
+        let paused = own.clone().with_pause(pause).work(rotor);
+        turns.push(Turn { t, seconds: counted, from: 0.0, to: 0.0 });
+        let stands = Motion::new(turns, load, hold);
+        let wanted = if pause >= 600.0 { stands.work(rotor).effective.max(hold) } else { stands.work(rotor).effective };
+        super::same("effective", paused.effective, wanted, 1e-12);
+        super::same("speed", own.clone().with_pause(pause).mean_speed(), stands.mean_speed(), 1e-12);
+        // The energy of a part is that of its run.
+        let alone = own.work(rotor);
+        prop_assert_eq!((paused.given, paused.returned, paused.seconds), (alone.given, alone.returned, alone.seconds));
+    }
+}
+
+#[test]
+fn pause_of_the_shift_counts_in_torque_duty_and_parts_per_hour() {
+    for (machine, example, pause) in
+        [("ribbon-line", None, 60.0), ("polygon-lathe", None, 120.0), ("turning-spindle", Some("shaft"), 120.0)]
+    {
+        let project = Project::named(machine, None, example).unwrap();
+        let with = |pause: f64| sized(&project.with_entries(&[("pause", format!("{pause}"))]).unwrap());
+        let (now, later) = (with(0.0), with(pause));
+        let seconds = now.cycle.unwrap().seconds;
+        super::same("parts", later.cycle.unwrap().parts_per_hour(), 3600.0 / (seconds + pause), 1e-4);
+        for (axis, paused) in now.axes.iter().zip(&later.axes) {
+            assert!(paused.turning < axis.turning && paused.loaded <= axis.loaded, "{machine} {}", axis.id);
+            let Some((work, rests)) = axis.work.zip(paused.work) else { continue };
+            assert!(rests.effective < work.effective, "{machine} {}: {} {}", axis.id, work.effective, rests.effective);
+            super::same("peak", rests.peak.0, work.peak.0, 1e-6);
+            super::same("speed", rests.speed, work.speed, 1e-9);
+        }
+    }
+    // Motors that turn for all of a product have S1; with a pause of a minute behind it S3.
+    let mut line = Project::named("ribbon-line", None, None).unwrap();
+    line.values.insert("pitch-count".to_owned(), Value::Number(100.0));
+    let duty = |line: &Project| {
+        let sheet = sized(line).sheets().into_iter().find(|sheet| sheet.id == "cycle").unwrap();
+        sheet.rows.into_iter().map(|row| row.cells.join(" ")).find(|row| row.contains("Pull roller")).unwrap()
+    };
+    assert!(duty(&line).contains("S1"), "{}", duty(&line));
+    line.values.insert("pause".to_owned(), Value::Number(60.0));
+    assert!(duty(&line).contains("S3"), "{}", duty(&line));
+    // The form has the same effective torque: √(T² t / (t + p)), and what the ribbon pulls at rest.
+    let result = |line: &Project, id: &str| line.design().readouts.into_iter().find(|row| row.id == id).unwrap().value;
+    let (paused, time) = (result(&line, "y-effective-torque"), result(&line, "product-time"));
+    super::same("per hour", result(&line, "products-per-hour"), 3600.0 / (time + 60.0), 1e-12);
+    line.values.insert("pause".to_owned(), Value::Number(0.0));
+    let share = time / (time + 60.0);
+    super::same("form", paused, result(&line, "y-effective-torque") * share.sqrt(), 1e-9);
+}
