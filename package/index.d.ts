@@ -245,6 +245,10 @@ export interface Candidate {
   inertia_ratio: number | null;
   status: PartStatus;
   grade: string;
+  /** Mean power for an external brake resistor, W; null where none is needed, or nothing is known of the amplifier. */
+  resistor_w: number | null;
+  /** The smallest that takes it; null where there is none. */
+  resistor: string | null;
   amplifier: string | null;
   /** Values of the form that take it. */
   entries: Record<string, string>;
@@ -302,7 +306,7 @@ export interface Size {
     /** From its end to the next start. */
     pause_s: number;
     parts_per_hour: number;
-    /** Null without a servo motor. */
+    /** Null where nothing is known of its motors. */
     energy_given_j: number | null;
     energy_returned_j: number | null;
     energy_returned_on_one_bus_j: number | null;

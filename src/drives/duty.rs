@@ -17,6 +17,18 @@ pub struct Turn {
     pub to: f64,
 }
 
+impl Turn {
+    /// The turn in two at a time within it.
+    fn split(self, t: f64) -> [Turn; 2] {
+        let first = t - self.t;
+        let between = self.from + (self.to - self.from) * first / self.seconds;
+        [
+            Turn { seconds: first, to: between, ..self },
+            Turn { t, seconds: self.seconds - first, from: between, to: self.to },
+        ]
+    }
+}
+
 /// The motion of a shaft with its load, without the rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
@@ -25,6 +37,8 @@ pub struct Motion {
     hold: f64,
     strikes: Strikes,
     pause: f64,
+    /// When the load has its steady torque; at all times where there are none.
+    works: Option<Vec<(f64, f64)>>,
 }
 
 /// An interrupted cut at a steady speed: its torque about the mean, which the steady torque of the load is. All zero where nothing strikes.
@@ -61,6 +75,24 @@ pub struct Work {
     pub seconds: f64,
 }
 
+/// What a brake resistor is asked.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ToResistor {
+    /// Mean power over a run and its pause, W.
+    pub mean: f64,
+    /// Greatest energy of a stop, J.
+    pub stop: f64,
+    /// Greatest power that comes back, W: the capacitors may be full before it.
+    pub peak: f64,
+}
+
+impl ToResistor {
+    /// The greatest of every figure.
+    pub fn or(self, other: ToResistor) -> ToResistor {
+        ToResistor { mean: self.mean.max(other.mean), stop: self.stop.max(other.stop), peak: self.peak.max(other.peak) }
+    }
+}
+
 /// Change of speed, as a part of it, up to which a turn counts as steady: rounding leaves a little.
 const STEADY: f64 = 1e-6;
 
@@ -82,7 +114,7 @@ impl Motion {
     /// A motion by its turns, without gaps. The steady torque of the load acts against the motion; at standstill the motor holds `hold` Nm.
     pub fn new(turns: impl IntoIterator<Item = Turn>, load: Load, hold: f64) -> Motion {
         let turns = turns.into_iter().flat_map(at_reversal).filter(|turn| turn.seconds > 0.0).collect();
-        Motion { turns, load, hold, strikes: Strikes::default(), pause: 0.0 }
+        Motion { turns, load, hold, strikes: Strikes::default(), pause: 0.0, works: None }
     }
 
     /// The same with an interrupted cut wherever it turns at a steady speed.
@@ -93,6 +125,42 @@ impl Motion {
     /// The same with a standstill of `pause` seconds behind it, until the next run.
     pub fn with_pause(self, pause: f64) -> Motion {
         Motion { pause, ..self }
+    }
+
+    /// The same with the steady torque of the load and its strikes between some times alone, in order and without overlaps: it idles else.
+    pub fn with_work(self, works: Vec<(f64, f64)>) -> Motion {
+        let mut ends = works.iter().flat_map(|(from, to)| [*from, *to]).peekable();
+        let mut turns = Vec::with_capacity(self.turns.len());
+        for turn in self.turns {
+            let mut rest = turn;
+            while ends.next_if(|t| *t <= rest.t).is_some() {}
+            while let Some(t) = ends.next_if(|t| *t < rest.t + rest.seconds) {
+                let [first, second] = rest.split(t);
+                turns.push(first);
+                rest = second;
+            }
+            turns.push(rest);
+        }
+        turns.retain(|turn| turn.seconds > 0.0);
+        Motion { turns, works: Some(works), ..self }
+    }
+
+    /// Whether the load has its steady torque in a turn.
+    fn works(&self, turn: &Turn) -> bool {
+        let middle = turn.t + 0.5 * turn.seconds;
+        self.works.as_ref().is_none_or(|works| {
+            let at = works.partition_point(|(from, _)| *from <= middle);
+            at.checked_sub(1).and_then(|at| works.get(at)).is_some_and(|(_, to)| middle < *to)
+        })
+    }
+
+    /// Seconds in which it is loaded: it works, or changes its speed.
+    pub fn loaded(&self) -> f64 {
+        let is_loaded = |turn: &&Turn| {
+            let speed = turn.from.abs().max(turn.to.abs());
+            speed >= STANDS && (self.works(turn) || (turn.to - turn.from).abs() > STEADY * speed)
+        };
+        self.turns.iter().filter(is_loaded).map(|turn| turn.seconds).sum()
     }
 
     /// The turns; none changes its direction.
@@ -110,10 +178,11 @@ impl Motion {
         let side = (from + to).signum();
         let rises = side * (to - from) > 0.0;
         let change = |by: f64| by * (to - from).abs() / seconds;
+        let steady = if self.works(turn) { self.load.torque } else { 0.0 };
         let along = if rises {
-            self.load.torque + change(self.load.accelerating(rotor, 1.0, 1.0))
+            steady + change(self.load.accelerating(rotor, 1.0, 1.0))
         } else {
-            self.load.torque - change(self.load.braking(rotor, 1.0, 1.0))
+            steady - change(self.load.braking(rotor, 1.0, 1.0))
         };
         side * along
     }
@@ -122,7 +191,8 @@ impl Motion {
     fn greatest(&self, turn: &Turn, torque: f64) -> (f64, f64) {
         let speed = turn.from.abs().max(turn.to.abs());
         let is_steady = speed >= STANDS && (turn.to - turn.from).abs() <= STEADY * speed;
-        if is_steady { (torque.abs().max(self.strikes.peak), self.strikes.spread) } else { (torque.abs(), 0.0) }
+        let strikes = is_steady && self.works(turn);
+        if strikes { (torque.abs().max(self.strikes.peak), self.strikes.spread) } else { (torque.abs(), 0.0) }
     }
 
     /// The whole motion with a rotor in kg m².
@@ -185,21 +255,32 @@ impl Motion {
         if starts > 1 { 60.0 * starts as f64 / seconds } else { 0.0 }
     }
 
-    /// Mean power in W that a brake resistor takes of what comes back, whose capacitors take their part at each stop. Source: sizing facts 2.4.
-    pub fn to_resistor(&self, rotor: f64, regeneration: &Regeneration) -> f64 {
+    /// What a brake resistor takes of what comes back, where capacitors take their part at each stop. Source: sizing facts 2.4.
+    pub fn to_resistor(&self, rotor: f64, regeneration: &Regeneration) -> ToResistor {
+        let mut taken = ToResistor::default();
         let (mut sum, mut stop, mut seconds) = (0.0, 0.0, self.counted_pause());
+        let mut end = |stop: &mut f64, most: &mut f64| {
+            let joules = regeneration.to_resistor(core::mem::take(stop));
+            sum += joules;
+            *most = most.max(joules);
+        };
         for turn in &self.turns {
             seconds += turn.seconds;
             let torque = self.torque(turn, rotor);
             let back = -0.5 * torque * (turn.from + turn.to) * turn.seconds;
             if back > 0.0 {
                 stop += back;
+                let most = power(-torque, turn.from).max(power(-torque, turn.to));
+                taken.peak = taken.peak.max(regeneration.efficiency * most);
             } else {
-                sum += regeneration.to_resistor(core::mem::take(&mut stop));
+                end(&mut stop, &mut taken.stop);
             }
         }
-        sum += regeneration.to_resistor(stop);
-        if seconds > 0.0 { sum / seconds } else { 0.0 }
+        end(&mut stop, &mut taken.stop);
+        if seconds > 0.0 {
+            taken.mean = sum / seconds;
+        }
+        if taken.stop > 0.0 { taken } else { ToResistor::default() }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Parts as data: servo and induction motors, amplifiers, inverters, gear units, brake resistors and encoders with their ratings and the evidence for them.
 
+use super::duty::ToResistor;
 use super::servo::{Acceptance, Servo};
 use crate::text::{Citation, Grade};
 
@@ -226,6 +227,16 @@ pub struct ResistorRatings {
     pub brake_peak_power: Option<f64>,
     /// Energy of one stop, J.
     pub brake_energy: Option<f64>,
+}
+
+impl ResistorRatings {
+    /// Whether it takes what it is asked: its continuous power has to be known, peak power and the energy of a stop count where they are.
+    pub fn takes(&self, asked: &ToResistor) -> bool {
+        let keeps = |most: Option<f64>, value: f64| most.is_none_or(|most| value <= most);
+        self.brake_power.is_some_and(|most| asked.mean <= most)
+            && keeps(self.brake_peak_power, asked.peak)
+            && keeps(self.brake_energy, asked.stop)
+    }
 }
 
 /// Ratings of an encoder of a spindle.

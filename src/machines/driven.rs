@@ -158,10 +158,25 @@ pub struct InverterDrive {
     pub brake: f64,
     /// Its run-ups and stops, where they count.
     pub cycle: Option<InverterCycle>,
+    /// Radians per second of the motor per r/min of the spindle in a run.
+    pub turn: f64,
+    /// What it turns, at the motor's shaft and without its rotor, with the torque that it has beside its work.
+    pub turned: Load,
+    /// Inertia of its rotor, kg m²; 0 where the load has it.
+    pub rotor: f64,
+    /// Energy (J) at its shaft that the work of a part takes beyond that torque.
+    pub work: f64,
     /// The gear unit between motor and load, where one can be bought.
     pub gear: Option<FormGear>,
     /// Fields of the form for maker with model and for the rated torque.
     pub fields: Option<(&'static str, &'static str)>,
+}
+
+impl InverterDrive {
+    /// The motion of the motor's shaft in a part of a run, without its work.
+    pub fn motion(&self, stretches: &[Stretch]) -> Motion {
+        Motion::new(turns(stretches, self.turn), self.turned, 0.0)
+    }
 }
 
 /// Run-up and stop of a drive behind an inverter, with its work between them.

@@ -219,6 +219,10 @@ pub trait Prepared: Send + Sync {
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None
     }
+    /// When the motors of its axes have the torque of their work in a run; at all times where there are none.
+    fn working(&self, _run: &dyn Samples, _until: f64) -> Option<Vec<(f64, f64)>> {
+        None
+    }
     /// Seconds from the end of a run to the next start: the pattern of the shift.
     fn pause(&self) -> f64 {
         0.0

@@ -62,6 +62,8 @@ impl Timed for VariableChange {
 pub struct Visit {
     /// When both were in the region.
     pub begin: f64,
+    /// When one of them left it, or the time up to which was looked.
+    pub end: f64,
     /// The least position of the first axis.
     pub across: f64,
     /// The least and the greatest position of the second axis.
@@ -244,10 +246,14 @@ impl Timeline {
             });
             match visits.last_mut().filter(|_| within && from <= 0.0) {
                 Some(last) => {
+                    last.end = segment.t + to;
                     last.across = last.across.min(least.0);
                     last.along = (last.along.0.min(ends.0), last.along.1.max(ends.1));
                 }
-                None => visits.push(Visit { begin: segment.t + from, across: least.0, along: ends }),
+                None => {
+                    let (begin, end) = (segment.t + from, segment.t + to);
+                    visits.push(Visit { begin, end, across: least.0, along: ends });
+                }
             }
             within = to >= until;
         }

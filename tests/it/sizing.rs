@@ -11,6 +11,7 @@ mod energy;
 mod envelope;
 mod gears;
 mod reel;
+mod resistors;
 mod timeline;
 mod tornado;
 

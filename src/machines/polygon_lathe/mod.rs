@@ -166,6 +166,10 @@ impl Prepared for PolygonLathe {
         driven::axes(self)
     }
 
+    fn working(&self, run: &dyn Samples, until: f64) -> Option<Vec<(f64, f64)>> {
+        Some(progress::cuts(self, run, until))
+    }
+
     fn pause(&self) -> f64 {
         self.p.pause
     }

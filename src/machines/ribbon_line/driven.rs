@@ -125,6 +125,10 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         site_share: line.p.unwinding.site_share / 100.0,
         brake: line.p.unwinding.motor_brake,
         cycle: (line.p.inverter_ramp > 0.0).then(|| unwinder_cycle(line)),
+        turn: RPM,
+        turned: unwinder_load(&line.p, line.mechanics.unwinder),
+        rotor: 0.0,
+        work: 0.0,
         gear: is_geared(line.p.reduction_ratio).then(|| unwinder_gear(line)),
         fields: Some(("unwinder-motor", "unwinder-torque-rated")),
     }

@@ -3,7 +3,7 @@
 use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::inertia;
-use crate::drives::load::{Load, Move, through_gear};
+use crate::drives::load::{Load, Move, power, through_gear};
 use crate::machines::driven::{GaugeRow, InverterCycle, InverterDrive, SpindleEncoder};
 use crate::math::RPM;
 use crate::view::Limit;
@@ -24,21 +24,38 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: (p.spindle_ramp > 0.0).then(|| cycle(lathe, gear)),
+        turn: gear * RPM,
+        turned: turned(lathe, gear),
+        rotor: p.rotor_inertia,
+        work: cut_energy(lathe, gear),
         // Stages of the headstock.
         gear: None,
         fields: None,
     })
 }
 
-/// Run-up to the highest speed and stop, with the cut between them, behind a gear of motor speed over spindle speed.
-fn cycle(lathe: &TurningSpindle, gear: f64) -> InverterCycle {
+/// Energy (J) at the motor that the cuts of a part take: their power at the largest diameter, which is the greatest of all, over their time.
+fn cut_energy(lathe: &TurningSpindle, gear: f64) -> f64 {
     let (p, d) = (&lathe.p, &lathe.d);
-    let (efficiency, highest) = (p.efficiency / 100.0, run_up::highest(lathe));
-    let load = Load {
+    let torque = through_gear(d.torque, gear, p.efficiency / 100.0);
+    let energy = power(torque, d.speed_largest * gear * RPM) * d.cutting_time;
+    if energy.is_finite() { energy } else { 0.0 }
+}
+
+/// Chuck and work at the motor, against the friction of the spindle.
+fn turned(lathe: &TurningSpindle, gear: f64) -> Load {
+    let (p, efficiency) = (&lathe.p, lathe.p.efficiency / 100.0);
+    Load {
         inertia: inertia::through_gear(p.spindle_inertia + p.work_inertia(), gear),
         torque: through_gear(p.spindle_friction, gear, efficiency),
         efficiency,
-    };
+    }
+}
+
+/// Run-up to the highest speed and stop, with the cut between them, behind a gear of motor speed over spindle speed.
+fn cycle(lathe: &TurningSpindle, gear: f64) -> InverterCycle {
+    let (p, d) = (&lathe.p, &lathe.d);
+    let (load, highest) = (turned(lathe, gear), run_up::highest(lathe));
     let ramp = p.spindle_ramp * highest / d.stage_speed;
     let of = Move { speed: highest * gear * RPM, ramp, run: d.cutting_time, pause: p.pause, hold: 0.0 };
     InverterCycle { load, rotor: Some(p.rotor_inertia), of, peak: [p.motor_peak / 100.0, p.motor_braking / 100.0] }

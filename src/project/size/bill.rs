@@ -159,17 +159,27 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
         let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
         [BillRow { refusal, ..of("size.item.motor", &chosen.part, proposed) }, amplifier]
     };
+    let resistor = |chosen: &Candidate, proposed| {
+        let of_axis = chosen.resistor.as_ref()?;
+        let amplifier = chosen.amplifier.as_ref().map(|part| part.model.as_str()).unwrap_or_default();
+        let (power, energy) = ((of_axis.asked.mean, 1), (of_axis.asked.stop, 1));
+        let told = || sentence(&msg!("size.bill.resistor", power, energy, amplifier));
+        let open = || described("size.item.resistor", Some(axis.name), told(), PartGrade::Open);
+        Some(of_axis.part.as_ref().map_or_else(open, |part| of("size.item.resistor", part, proposed)))
+    };
+    let all =
+        |chosen: &Candidate, proposed| pair(chosen, proposed).into_iter().chain(resistor(chosen, proposed)).collect();
     let typed = axis.field.and_then(|field| named(project, field));
     let known = axis.candidates.iter().find(|candidate| Some(name(&candidate.part)) == typed);
     match (known, typed) {
-        (Some(chosen), _) => pair(chosen, false).into(),
+        (Some(chosen), _) => all(chosen, false),
         // The motor of the form is not in the catalogue.
         (None, Some(typed)) => {
             let motor = described("size.item.motor", Some(axis.name), typed, PartGrade::Entered);
             vec![motor, open("size.bill.no-amplifier")]
         }
         (None, None) => {
-            let proposal = axis.ordered().map(|chosen| pair(chosen, true).to_vec());
+            let proposal: Option<Vec<BillRow>> = axis.ordered().map(|chosen| all(chosen, true));
             entered.into_iter().chain(proposal.unwrap_or_else(|| vec![open("size.bill.with-motor")])).collect()
         }
     }

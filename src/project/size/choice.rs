@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
-use crate::drives::duty::{Hardest, Motion, Work, with_pause};
+use crate::drives::duty::{Hardest, Motion, ToResistor, Work, with_pause};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
@@ -95,10 +95,22 @@ pub struct Candidate {
     pub shares: Option<Shares>,
     /// Mean power that comes back, as a share of what the brake resistor of its amplifier takes; none where that is not known.
     pub regenerative: Option<f64>,
+    /// What comes back beyond its amplifier's own resistor, and the smallest resistor of the catalogue that is paired with it and takes that; none
+    /// where nothing does, or the capacitors of the amplifier are not known.
+    pub resistor: Option<Resistor>,
     /// The first reason why it does not go; none where it passes.
     pub refusal: Option<Refusal>,
     /// What it sets in the form: ids of fields and what is typed there; empty where the form has no fields for it.
     pub entries: Vec<(&'static str, String)>,
+}
+
+/// A brake resistor beside an amplifier.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Resistor {
+    /// What it is asked.
+    pub asked: ToResistor,
+    /// The resistor; none where the catalogue has none.
+    pub part: Option<Part>,
 }
 
 /// Why a motor does not go.
@@ -169,9 +181,10 @@ impl Asked {
         all.reduce(|worst, next| if next.share > worst.share { next } else { worst }).unwrap_or_default()
     }
 
-    /// Mean power (W) that comes back beyond what the capacitors take, the greatest.
-    fn to_resistor(&self, rotor: f64, back: &Regeneration) -> f64 {
-        self.motions.iter().map(|motion| motion.to_resistor(rotor, back)).fold(0.0, f64::max)
+    /// What comes back beyond what the capacitors take, the greatest of every figure.
+    fn to_resistor(&self, rotor: f64, back: &Regeneration) -> ToResistor {
+        let all = self.motions.iter().map(|motion| motion.to_resistor(rotor, back));
+        all.reduce(ToResistor::or).unwrap_or_default()
     }
 
     /// Mean speed (r/min) and effective torque (Nm) of the run that asks the greatest one.
@@ -222,13 +235,13 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
         let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
-        let turning = share_turning(of, axis.mover, pause);
+        let (turning, loaded) = (share_turning(of, axis.mover, pause), share_loaded(of, &axis, pause));
         SizedAxis {
             id: axis.id,
             name: axis.name,
             field: axis.fields.map(|fields| fields.name),
             turning,
-            loaded: turning,
+            loaded: loaded.unwrap_or(turning),
             brake: 0.0,
             gear: gears::of_axis(&axis, &runs, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
@@ -272,6 +285,13 @@ fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     let all = timeline.stretches(mover, 0.0, timeline.end());
     let turning = all.iter().filter(|part| part.from != 0.0 || part.to != 0.0).map(|part| part.seconds).sum::<f64>();
     if timeline.end() > 0.0 { turning / (timeline.end() + pause) } else { 0.0 }
+}
+
+/// Share of the time of a part, with the pause behind it, for which an axis is loaded, where the machine tells when it works.
+fn share_loaded(of: &SizingRuns, axis: &DrivenAxis, pause: f64) -> Option<f64> {
+    let timeline = of.present.run.timeline();
+    let motion = axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end()));
+    Some(motion.with_work(of.present.works.clone()?).loaded() / (timeline.end() + pause))
 }
 
 /// The part of the catalogue that the form names for an axis.
@@ -345,12 +365,15 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let shares = Shares { peak: hardest.share, ..motor.shares(&axis.load, &duty) };
     let limits = part.acceptance().at_starts(asked.starts_per_minute).derated(axis.site_share);
     let refused = shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &hardest)));
-    let regenerative = amplifier.and_then(braking).map(|(back, most)| asked.to_resistor(motor.rotor, &back) / most);
+    let back = amplifier.and_then(braking).map(|(back, own)| (asked.to_resistor(motor.rotor, &back), own));
+    let regenerative = back.and_then(|(asked, own)| Some(asked.mean / own?));
+    let resistor = amplifier.zip(back).and_then(|(of, (asked, own))| resistor(of, asked, own, catalogue, control));
+    let has_resistor = resistor.as_ref().is_some_and(|resistor| resistor.part.is_some());
     let refused = refused
         .or_else(|| (!follows(part, control)).then(|| (Rank::Role, msg!("size.refused-role"))))
         .or_else(|| too_warm(&motor, &limits, (duty.effective, asked.mean_speed)))
         .or_else(|| {
-            let share = regenerative.filter(|share| *share > 1.0)?;
+            let share = regenerative.filter(|share| *share > 1.0 && !has_resistor)?;
             Some((Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))))
         });
     Candidate {
@@ -359,6 +382,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
         limits: part.limits(),
         shares: Some(shares),
         regenerative,
+        resistor,
         refusal: refused.map(|(rank, message)| Refusal { rank, message }),
         entries: axis.fields.map(|fields| entries(fields, part, &motor)).unwrap_or_default(),
     }
@@ -438,8 +462,32 @@ fn too_warm(motor: &Servo, limits: &Acceptance, (effective, speed): (f64, f64)) 
     (effective > most).then(|| (Rank::Effective, message()))
 }
 
-/// How an amplifier takes energy back, and the continuous power (W) of its brake resistor, where both are known.
-fn braking(amplifier: &Part) -> Option<(Regeneration, f64)> {
+/// Mean power (W) below which nothing is said to come back. Our choice.
+const NOTHING: f64 = 0.05;
+
+/// The resistor for what comes back beyond the amplifier's own, whose continuous power (W) may be known; none where nothing does.
+fn resistor(
+    amplifier: &Part,
+    asked: ToResistor,
+    own: Option<f64>,
+    catalogue: &[&Part],
+    control: &Control,
+) -> Option<Resistor> {
+    let is_asked = asked.mean > own.unwrap_or(0.0).max(NOTHING);
+    is_asked.then(|| {
+        let part = smallest(catalogue, control, |other| match &other.ratings {
+            Ratings::Resistor(of) if other.fits.contains(&amplifier.model) => {
+                of.takes(&asked).then_some(of.brake_power).flatten()
+            }
+            _ => None,
+        });
+        Resistor { asked, part: part.cloned() }
+    })
+}
+
+/// How an amplifier takes energy back, where its capacitors or its own resistor are known, and the continuous power (W) of that. An efficiency
+/// that is not known counts as 1.
+fn braking(amplifier: &Part) -> Option<(Regeneration, Option<f64>)> {
     let Ratings::Amplifier(AmplifierRatings { regeneration_efficiency, capacitor_energy, brake_power, .. }) =
         &amplifier.ratings
     else {
@@ -447,7 +495,8 @@ fn braking(amplifier: &Part) -> Option<(Regeneration, f64)> {
     };
     let back =
         Regeneration { efficiency: regeneration_efficiency.unwrap_or(1.0), capacitor: capacitor_energy.unwrap_or(0.0) };
-    brake_power.filter(|most| *most > 0.0).map(|most| (back, most))
+    let own = brake_power.filter(|most| *most > 0.0);
+    (own.is_some() || capacitor_energy.is_some()).then_some((back, own))
 }
 
 /// What a servo motor sets in the form.
@@ -534,6 +583,7 @@ fn unknown(part: &Part) -> Candidate {
         limits: part.limits(),
         shares: None,
         regenerative: None,
+        resistor: None,
         refusal: Some(Refusal { rank: Rank::Unknown, message: msg!("size.refused-unknown") }),
         entries: Vec::new(),
     }

@@ -23,7 +23,7 @@ mod terminals;
 mod tornado;
 
 pub use bill::BillRow;
-pub use choice::{Candidate, Refusal, SizedAxis};
+pub use choice::{Candidate, Refusal, Resistor, SizedAxis};
 pub use envelope::{EnvelopeRow, Offer, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth};
@@ -34,8 +34,9 @@ pub use tornado::{Swing, Tornado};
 use super::Project;
 use super::program::Written;
 use super::sensitivity::{Flip, Sensitivity};
-use crate::drives::duty::{Motion, on_one_bus};
+use crate::drives::duty::{Motion, Work, on_one_bus};
 use crate::machines::PreparedMachine;
+use crate::motion::Mover;
 
 /// Time and energy of a part, from the run of its program.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +45,7 @@ pub struct Cycle {
     pub seconds: f64,
     /// Seconds from there to the next start.
     pub pause: f64,
-    /// Energy of its servo motors; none where it has none.
+    /// Energy of its motors; none where nothing is known of them.
     pub energy: Option<PartEnergy>,
 }
 
@@ -60,14 +61,14 @@ impl Cycle {
     }
 }
 
-/// Energy of all servo motors over a part.
+/// Energy of all motors over a part, that behind the inverter among them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PartEnergy {
     /// Energy that they give at their shafts, J.
     pub given: f64,
     /// Energy that comes back to them, J.
     pub returned: f64,
-    /// Energy that comes back from all of them together where they share a DC bus, J.
+    /// Energy that comes back from all of them where the servo motors share a DC bus, J; an inverter has a bus of its own.
     pub returned_on_one_bus: f64,
 }
 
@@ -152,12 +153,23 @@ fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
     let motors: Vec<(Motion, f64)> = prepared
         .driven_axes()
         .into_iter()
-        .map(|axis| (axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end())), axis.fitted.motor.rotor))
+        .map(|axis| {
+            let motion = axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end()));
+            let works = runs.present.works.clone();
+            (works.map_or_else(|| motion.clone(), |works| motion.clone().with_work(works)), axis.fitted.motor.rotor)
+        })
         .collect();
-    let works = motors.iter().map(|(motion, rotor)| motion.work(*rotor));
+    let inverter = prepared.inverter_drive().map(|drive| {
+        let motion = drive.motion(&timeline.stretches(Mover::Spindle, 0.0, timeline.end()));
+        let work = motion.work(drive.rotor);
+        Work { given: work.given + drive.work, ..work }
+    });
+    let works = motors.iter().map(|(motion, rotor)| motion.work(*rotor)).chain(inverter);
     let (given, returned) =
         works.fold((0.0, 0.0), |(given, returned), work| (given + work.given, returned + work.returned));
     let together: Vec<(&Motion, f64)> = motors.iter().map(|(motion, rotor)| (motion, *rotor)).collect();
-    let energy = PartEnergy { given, returned, returned_on_one_bus: on_one_bus(&together).1 };
-    Some(Cycle { seconds, pause: prepared.pause(), energy: (!together.is_empty()).then_some(energy) })
+    let returned_on_one_bus = on_one_bus(&together).1 + inverter.map_or(0.0, |work| work.returned);
+    let is_known = !together.is_empty() || inverter.is_some();
+    let energy = PartEnergy { given, returned, returned_on_one_bus };
+    Some(Cycle { seconds, pause: prepared.pause(), energy: is_known.then_some(energy) })
 }

@@ -31,6 +31,8 @@ pub(super) struct WholeRun {
     pub(super) end: f64,
     /// How it ended.
     pub(super) ended: RunEnd,
+    /// When the motors of its axes have the torque of their work; at all times where there are none.
+    pub(super) works: Option<Vec<(f64, f64)>>,
 }
 
 /// A run that ended before the end of its program.
@@ -95,7 +97,8 @@ impl WholeRun {
         let ended = finish(&mut run);
         let end = run.ended_at().unwrap_or(run.timeline().end());
         let contact = prepared.first_contact(&run, end).map_or(end, |(t, _)| t);
-        WholeRun { knob, run, contact, end, ended }
+        let works = prepared.working(&run, run.timeline().end());
+        WholeRun { knob, run, contact, end, ended, works }
     }
 
     /// Time (s) of the middle of its work.

@@ -465,12 +465,21 @@ fn answer(of: &Candidate) -> String {
     if let Some(refusal) = &of.refusal {
         return sentence(&refusal.message);
     }
-    let told = match (&of.amplifier, of.regenerative) {
-        (Some(amplifier), Some(share)) => {
+    let told = match (&of.amplifier, &of.resistor, of.regenerative) {
+        (Some(amplifier), Some(resistor), _) => {
+            let (amplifier, power) = (amplifier.model.as_str(), (resistor.asked.mean, 1));
+            match &resistor.part {
+                Some(part) => {
+                    msg!("size.passes-with-external", amplifier, power, resistor = part.model.as_str())
+                }
+                None => msg!("size.passes-with-open-resistor", amplifier, power),
+            }
+        }
+        (Some(amplifier), None, Some(share)) => {
             msg!("size.passes-with-resistor", amplifier = amplifier.model.as_str(), percent = (100.0 * share, 0))
         }
-        (Some(amplifier), None) => msg!("size.passes-with", amplifier = amplifier.model.as_str()),
-        (None, _) => msg!("size.passes"),
+        (Some(amplifier), None, None) => msg!("size.passes-with", amplifier = amplifier.model.as_str()),
+        (None, ..) => msg!("size.passes"),
     };
     sentence(&told)
 }

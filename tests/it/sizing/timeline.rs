@@ -129,7 +129,16 @@ fn energy_of_a_part_is_that_of_its_motors() {
     let works = project.prepared().driven_axes().into_iter().map(|axis| {
         axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end())).work(axis.fitted.motor.rotor)
     });
-    super::same("energy of a part", cycle.energy.unwrap().given, works.map(|work| work.given).sum(), 1e-9);
+    // The unwinder among them, whose spindle is told in r/min of its motor.
+    let unwinder = project.prepared().inverter_drive().unwrap();
+    let turns = run.timeline().stretches(Mover::Spindle, 0.0, run.timeline().end());
+    let unwinder = unwinder.motion(&turns).work(unwinder.rotor);
+    let given = works.map(|work| work.given).sum::<f64>() + unwinder.given;
+    super::same("energy of a part", cycle.energy.unwrap().given, given, 1e-9);
+    // Its steady torque over the turns of the run, and what runs it up, at least.
+    let turned: f64 = turns.iter().map(|turn| 0.5 * (turn.from + turn.to) * turn.seconds / 60.0).sum();
+    let steady = project.design().readouts.into_iter().find(|row| row.id == "unwinder-torque").unwrap().value;
+    assert!(unwinder.given > 0.9 * steady * turned * std::f64::consts::TAU, "{} J", unwinder.given);
     super::same("cycle time", cycle.seconds, run.ended_at().unwrap(), 1e-9);
     // A program that does not end makes no part.
     let mut endless = project.clone();
