@@ -499,7 +499,7 @@ fn charts_over_the_speed_have_every_gear_stage() {
                 assert_eq!(of_torque.label, of_power.label);
                 for ((speed, torque), (other, power)) in of_torque.points.iter().zip(&of_power.points) {
                     assert_eq!(speed, other);
-                    assert!((power - torque * speed / 9549.296_585_513_72).abs() <= 1e-9 * power.abs(), "{control}");
+                    assert!((power - torque * speed / 9_549.296_585_513_72).abs() <= 1e-9 * power.abs(), "{control}");
                 }
             }
             // A stage ends where its analog output does, and what the cut asks at the largest diameter is the result.

@@ -492,7 +492,7 @@ fn fastest_operation_names_what_fails_at_any_speed() {
     };
     assert!(failing(&line()).is_empty());
     let fastest = sized(&slipping).fastest.unwrap();
-    let set = slipping.with_entries(&[fastest.entry.clone()]).unwrap();
+    let set = slipping.with_entries(std::slice::from_ref(&fastest.entry)).unwrap();
     let named: Vec<&str> = fastest.unmended.iter().map(|(id, _)| *id).collect();
     assert!(!named.is_empty());
     assert_eq!(failing(&set), named);
