@@ -117,7 +117,7 @@ fn machine_without_servo_motors_has_no_energy_of_them() {
     let project = Project::named("turning-spindle", None, None).unwrap();
     let sizing = size(&project, &project.written());
     assert_eq!(sizing.cycle.expect("the program comes to its end").energy, None);
-    assert!(!sizing.text().contains("servo motors give"));
+    assert!(!sizing.text().contains("motors give"));
     assert!(sizing.json()["cycle"]["energy_given_j"].is_null());
 }
 
