@@ -4,13 +4,11 @@ use std::collections::BTreeSet;
 
 use super::json::{self, Entries};
 use crate::msg;
+use crate::text::escape::clip;
 use crate::text::{Diagnostic, Message, Severity};
 
 /// Findings that are listed at most; the others are counted.
 const LISTED: usize = 100;
-
-/// Characters of a key or name that are repeated in a sentence at most.
-const CLIPPED: usize = 60;
 
 /// Findings about a project file.
 pub(super) struct Findings<'t> {
@@ -65,9 +63,4 @@ impl<'t> Findings<'t> {
         }
         self.list
     }
-}
-
-/// A text from outside as a part of a sentence: not long, without control characters.
-pub(super) fn clip(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).take(CLIPPED).collect()
 }

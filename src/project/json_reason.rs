@@ -1,8 +1,8 @@
 //! Why a text is no JSON, or not of the shape that is read: serde says so in English; here it is said in the language that is spoken.
 
 use crate::msg;
-use crate::project::findings::clip;
 use crate::text::catalog::{sentence, words};
+use crate::text::escape::clip;
 use crate::text::{either, listed};
 
 /// What serde_json says of a text that is no JSON, and our words for it.

@@ -8,6 +8,14 @@ pub fn is_obeyed(c: char) -> bool {
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
+/// Characters of a text from outside that a sentence repeats at most.
+const CLIPPED: usize = 60;
+
+/// A text from outside as a part of a sentence: its first 60 characters, without control characters.
+pub fn clip(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).take(CLIPPED).collect()
+}
+
 /// A text for a terminal: U+FFFD in place of the characters that it obeys, line feeds and tabs apart.
 pub fn terminal(text: &str) -> Cow<'_, str> {
     let obeyed = |c: char| is_obeyed(c) && !matches!(c, '\n' | '\t');

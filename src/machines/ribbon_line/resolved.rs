@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use super::derive::Derived;
 use super::mechanics::Mechanics;
 use super::params::{Endless, KnobStep, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
-use super::scene::labels::{distance, names};
+use super::scene::captions::{distance, names};
 use super::scene::layout::Layout;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Control, Dialect};

@@ -10,6 +10,8 @@ pub(super) mod slack_loop;
 
 pub(super) mod layout;
 
+pub(super) mod captions;
+
 pub(super) mod stations;
 
 mod reels;

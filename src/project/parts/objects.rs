@@ -9,8 +9,8 @@ use super::row::{Cell, Decimals, MAX_PARTS, PAIRS, Rows};
 use super::table;
 use crate::drives::parts::Part;
 use crate::msg;
-use crate::project::findings::clip;
 use crate::project::json::{self, Entries};
+use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 
 /// Unknown names that are told at most.

@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 use super::columns::{self, KINDS, OVERLOAD, REQUIRED, SHARES};
 use crate::drives::parts::{Evidence, Part, PartGrade, Ratings, Status};
 use crate::msg;
-use crate::project::findings::{Findings, clip};
+use crate::project::findings::Findings;
+use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 
 /// Parts of a table at most.

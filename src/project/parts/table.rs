@@ -4,7 +4,7 @@ use super::columns::{self, COLUMNS, OVERLOAD, REQUIRED};
 use super::row::{Cell, Decimals, MAX_PARTS, PAIRS, Rows};
 use crate::drives::parts::{Part, PartGrade, Status};
 use crate::msg;
-use crate::project::findings::clip;
+use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 
 /// Cells of a row that are looked at.

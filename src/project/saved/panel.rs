@@ -10,8 +10,9 @@ use serde_json::value::RawValue;
 use crate::drives::speed::SpeedLimit;
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
-use crate::project::findings::{Findings, clip};
+use crate::project::findings::Findings;
 use crate::project::json::{Entries, Entry, number};
+use crate::text::escape::clip;
 
 /// Events of a panel at most.
 pub(super) const MAX_EVENTS: usize = 100_000;

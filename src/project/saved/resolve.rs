@@ -12,11 +12,12 @@ use crate::machines::AnyMachine;
 use crate::machines::form::{KindInfo, Provenance, Value, Values};
 use crate::msg;
 use crate::nc::{File, Files};
-use crate::project::findings::{Findings, clip};
+use crate::project::findings::Findings;
 use crate::project::json::{Entries, Located, kind_word};
 use crate::project::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::project::{Project, parts};
 use crate::text::catalog::Language;
+use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 use crate::view::report::TitleBlock;
 

@@ -7,10 +7,16 @@ use super::source::Source;
 /// The names that one file takes from another, each with its line.
 type Ties = BTreeMap<(usize, usize), BTreeSet<String>>;
 
+/// A module: its crate, and the path from that crate's root.
+type Module<'a> = (&'a str, Vec<&'a str>);
+
+/// The crate that others name.
+const LIBRARY: &str = "src";
+
 /// The files of `src/` and the imports between them.
 pub(super) struct Imports<'a> {
     files: Vec<&'a Source>,
-    by_module: BTreeMap<Vec<&'a str>, usize>,
+    by_module: BTreeMap<Module<'a>, usize>,
     /// Names taken, by importing and defining file.
     ties: Ties,
 }
@@ -20,11 +26,11 @@ const DEPTH: usize = 8;
 
 impl<'a> Imports<'a> {
     pub(super) fn new(files: Vec<&'a Source>) -> Imports<'a> {
-        let by_module = files.iter().enumerate().map(|(at, file)| (file.modules(), at)).collect();
+        let by_module = files.iter().enumerate().map(|(at, file)| (file.home(), at)).collect();
         let mut imports = Imports { files, by_module, ties: BTreeMap::new() };
         let mut ties = Ties::new();
         for (from, file) in imports.files.iter().enumerate() {
-            let own = file.modules();
+            let own = file.home();
             let used = file.imports.iter().filter(|import| !import.is_public);
             let used = used.map(|import| (import.path.iter().map(String::as_str).collect(), import.line));
             for (path, _) in used.chain(file.paths()) {
@@ -39,17 +45,18 @@ impl<'a> Imports<'a> {
     }
 
     /// The file that defines what a path names, as seen from a module; `None` for modules as such, other crates and locals.
-    fn definition(&self, own: &[&'a str], path: &[&str], depth: usize) -> Option<usize> {
+    fn definition(&self, own: &Module<'a>, path: &[&str], depth: usize) -> Option<usize> {
         let (first, rest) = path.split_first()?;
         let file = self.files[*self.by_module.get(own)?];
         match *first {
-            "crate" | "macroline" => self.below(Vec::new(), rest, depth),
-            "self" => self.below(own.to_vec(), rest, depth),
-            "super" => self.below(own[..own.len().checked_sub(1)?].to_vec(), rest, depth),
+            "crate" => self.below((own.0, Vec::new()), rest, depth),
+            "macroline" => self.below((LIBRARY, Vec::new()), rest, depth),
+            "self" => self.below(own.clone(), rest, depth),
+            "super" => self.below(own.clone(), path, depth),
             first
                 if file.children.iter().any(|child| child == first) || file.items.iter().any(|item| item == first) =>
             {
-                self.below(own.to_vec(), path, depth)
+                self.below(own.clone(), path, depth)
             }
             first => {
                 let import = file.imports.iter().find(|import| import.name == first)?;
@@ -60,16 +67,16 @@ impl<'a> Imports<'a> {
     }
 
     /// The same for a path below a module.
-    fn below(&self, mut module: Vec<&'a str>, path: &[&str], depth: usize) -> Option<usize> {
+    fn below(&self, mut module: Module<'a>, path: &[&str], depth: usize) -> Option<usize> {
         let (first, rest) = path.split_first()?;
         if *first == "super" {
-            module.pop()?;
+            module.1.pop()?;
             return self.below(module, rest, depth);
         }
         let at = *self.by_module.get(&module)?;
         let file = self.files[at];
         if let Some(child) = file.children.iter().find(|child| child == first) {
-            module.push(child);
+            module.1.push(child);
             return self.below(module, rest, depth);
         }
         if file.items.iter().any(|item| item == first) {
@@ -86,7 +93,7 @@ impl<'a> Imports<'a> {
             self.definition(&module, &path, depth)
         });
         // A name that a macro makes is the file's own; the root has none.
-        through.into_iter().next().or((!module.is_empty()).then_some(at))
+        through.into_iter().next().or((!module.1.is_empty()).then_some(at))
     }
 
     /// Every import between two files: importing file, defining file, the names.
@@ -124,4 +131,36 @@ impl<'a> Imports<'a> {
         }
         found
     }
+}
+
+/// Circles among files that are given by path and text.
+fn circles_of(files: &[(&str, &str)]) -> Vec<String> {
+    let sources: Vec<Source> = files.iter().map(|(path, text)| Source::new((*path).into(), (*text).into())).collect();
+    Imports::new(sources.iter().collect()).circles()
+}
+
+#[test]
+fn circle_through_the_root_of_the_crate_is_found() {
+    let root = ("src/lib.rs", "mod a;\nmod b;");
+    let a = ("src/a.rs", "use crate::b::B;\npub struct A(B);");
+    let b = ("src/b.rs", "pub struct B;\npub fn b(a: &crate::a::A) {}");
+    let through_the_binary = ("src/main.rs", "use macroline::a::A;\nfn main() {}");
+    let circle = "2 files:\n    src/a.rs -> src/b.rs: B\n    src/b.rs -> src/a.rs: A";
+    assert_eq!(circles_of(&[root, a, b, through_the_binary]), [circle]);
+    assert!(circles_of(&[root, a, ("src/b.rs", "pub struct B;"), through_the_binary]).is_empty());
+}
+
+#[test]
+fn circle_within_a_binary_is_found() {
+    let library = ("src/lib.rs", "pub mod a;");
+    let main = ("src/bin/tool/main.rs", "mod a;\nmod lsp;\nfn main() {}");
+    let a = ("src/bin/tool/a.rs", "pub(crate) struct A(crate::lsp::wire::Wire);");
+    let lsp = ("src/bin/tool/lsp/mod.rs", "pub(crate) mod wire;");
+    let back = ("src/bin/tool/lsp/wire.rs", "pub(crate) struct Wire;\nfn wire(a: &crate::a::A) {}");
+    let circle = "2 files:\n    src/bin/tool/a.rs -> src/bin/tool/lsp/wire.rs: Wire\n    \
+                  src/bin/tool/lsp/wire.rs -> src/bin/tool/a.rs: A";
+    assert_eq!(circles_of(&[library, ("src/a.rs", "pub struct A;"), main, a, lsp, back]), [circle]);
+    // The library's file of that name is another one.
+    let onward = ("src/bin/tool/lsp/wire.rs", "pub(crate) struct Wire;\nfn wire(a: &macroline::a::A) {}");
+    assert!(circles_of(&[library, ("src/a.rs", "pub struct A;"), main, a, lsp, onward]).is_empty());
 }

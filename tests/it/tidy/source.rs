@@ -157,6 +157,19 @@ impl Source {
         if matches!(path, "" | "lib" | "main") || path.starts_with("bin/") { vec![] } else { path.split('/').collect() }
     }
 
+    /// The crate that the file belongs to, by the folder or file of its root, and its modules there: the library is `src`.
+    /// `src/bin/worker.rs` is the root of a crate of its own, as is `src/bin/macroline/main.rs` with the files beside it.
+    pub(super) fn home(&self) -> (&str, Vec<&str>) {
+        if self.path == "src/main.rs" {
+            return ("src/main.rs", vec![]);
+        }
+        let Some(binary) = self.path.strip_prefix("src/bin/") else { return ("src", self.modules()) };
+        let Some((folder, file)) = binary.split_once('/') else { return (&self.path, vec![]) };
+        let file = file.strip_suffix(".rs").unwrap_or_default();
+        let file = file.strip_suffix("/mod").unwrap_or(file);
+        (folder, if file == "main" { vec![] } else { file.split('/').collect() })
+    }
+
     /// The first of [`modules`](Source::modules).
     pub(super) fn room(&self) -> Option<&str> {
         self.modules().first().copied()

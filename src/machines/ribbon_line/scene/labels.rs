@@ -1,5 +1,6 @@
 //! Names and live values of the ribbon line, the ruler of the loop, and the figures of the lens.
 
+use super::captions::{distance, names};
 use super::layout::{LETTER_WIDTH, Layout, Station, round_step};
 use super::parts::{group, node};
 use crate::machines::ribbon_line::params::Params;
@@ -10,23 +11,6 @@ use crate::text::number::{figure, filled};
 use crate::text::{columns, units};
 use crate::view::scene::{LETTER, LINE};
 use crate::view::{Callout, Drawing, Font, Look, Paint, SceneGroup};
-
-/// Names above unwinder, pull rollers and print roller, with their diameters.
-pub(crate) fn names(p: &Params) -> [String; 3] {
-    let name =
-        |id: &'static str, axis: &str, diameter: f64| format!("{}{axis}, Ø {}", say(id), units::dimension(diameter, 1));
-    let print = format!(" {}", p.print_axis.address());
-    [
-        name("ribbon.scene.unwinder", "", p.press_roller_diameter),
-        name("ribbon.scene.pull", "", p.x_roller_diameter),
-        name("ribbon.scene.print", &print, p.print_roller_diameter),
-    ]
-}
-
-/// Distance of two dots.
-pub(crate) fn distance(p: &Params) -> String {
-    format!("{} {}", say("ribbon.scene.every"), units::text(p.pitch, 3, "mm"))
-}
 
 /// A smear as the lens shows it, mm.
 pub(crate) fn smear_text(smear: f64) -> String {
