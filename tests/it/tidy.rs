@@ -4,6 +4,7 @@ pub(crate) mod catalog;
 mod citations;
 mod imports;
 mod links;
+mod lists;
 mod source;
 mod test_names;
 mod views;
@@ -174,7 +175,7 @@ fn control_files_hold_rows_and_no_logic() {
     });
     let broken =
         files.flat_map(|source| source.find_words(&["fn", "if", "match", "impl", "trait", "for", "while"])).collect();
-    let mend = "row builders stand in src/controls/mod.rs; a difference of behaviour is a switch row or a named rewrite in src/nc/lower.rs";
+    let mend = "row builders stand in src/controls/schema/; a difference of behaviour is a switch row or a named rewrite in src/nc/lower/";
     hold("The files of the controls contain rows and no logic.", mend, broken);
 }
 
@@ -322,7 +323,11 @@ fn public_type_names_are_unique() {
     }
     let twice = places.iter().filter(|(_, places)| places.len() > 1);
     let broken = twice.map(|(name, places)| format!("{name}: {}", places.join(", "))).collect();
-    hold("A public type has a name of its own.", "name each after the trade's noun for it (WORDS.md)", broken);
+    hold(
+        "A public type has a name of its own.",
+        "name each after the trade's noun for it (CONTRIBUTING.md, “Words”)",
+        broken,
+    );
 }
 
 /// Rooms with structs that are tables: a field of a machine's form, or a row of a control, is a field of the struct.
