@@ -1,8 +1,8 @@
 //! What is as fast in the browser: the same programs natively and in wasm under Node (`scripts/both.mjs` compares).
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
-#[allow(dead_code)]
+#[allow(dead_code, reason = "each bench takes a part of it")]
 mod work;
 
 use std::hint::black_box;

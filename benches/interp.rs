@@ -1,11 +1,11 @@
 //! How fast programs run: text to canonical commands, nothing printed.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
-#[allow(dead_code)]
+#[allow(dead_code, reason = "each bench takes a part of it")]
 mod work;
 
-use criterion::{Criterion, Throughput, criterion_group};
+use criterion::{Criterion, Throughput};
 use macroline::interp::world::Still;
 use macroline::interp::{Interp, StartProgram};
 use work::{COUNT, flat, formulas, named, named_flat, named_formulas, parse, parse_on, run};
@@ -35,10 +35,8 @@ fn speed(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, speed);
-
 fn main() {
-    benches();
+    speed(&mut Criterion::default().configure_from_args());
     let (flat, formulas) = (flat(COUNT), formulas());
     summary::line("flat G91 G01 blocks, text to canon", COUNT, "blocks", Some(2.5e6), || run(&parse(&flat)));
     summary::line("P9100 formulas in a WHILE loop", COUNT, "passes", Some(500e3), || run(&parse(&formulas)));

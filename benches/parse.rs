@@ -1,14 +1,14 @@
 //! How fast programs are read, reviewed and written.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
-#[allow(dead_code)]
+#[allow(dead_code, reason = "each bench takes a part of it")]
 mod work;
 
 use std::fmt::Write as _;
 use std::rc::Rc;
 
-use criterion::{Criterion, Throughput, criterion_group};
+use criterion::{Criterion, Throughput};
 use macroline::controls;
 use macroline::nc::{Files, Parsed, emit, parse, tokens};
 use macroline::project::check::review;
@@ -57,10 +57,8 @@ fn speed(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, speed);
-
 fn main() {
-    benches();
+    speed(&mut Criterion::default().configure_from_args());
     let control = controls::ALL[0];
     let (flat, formulas) = (flat(), formulas());
     let (flat_read, formulas_read) = (Rc::new(parse(&flat, control)), Rc::new(parse(&formulas, control)));

@@ -1,11 +1,11 @@
 //! How fast time is planned and asked: blocks, moments, a knob after an hour.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
 
 use std::rc::Rc;
 
-use criterion::{BatchSize, Criterion, Throughput, criterion_group};
+use criterion::{BatchSize, Criterion, Throughput};
 use macroline::controls::{self, Address, Control, Dialect, Switches};
 use macroline::drives::Analog;
 use macroline::interp::{Interp, StartProgram};
@@ -97,10 +97,8 @@ fn speed(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, speed);
-
 fn main() {
-    benches();
+    speed(&mut Criterion::default().configure_from_args());
     let blocks = whole(Retention::Timeline).blocks();
     let read = blocks.nc + blocks.macros;
     summary::line("ten minutes of the ribbon line, planned", read, "blocks", None, || whole(Retention::Timeline));

@@ -1,11 +1,11 @@
 //! How fast the section of a polygon is found.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
 
 use std::hint::black_box;
 
-use criterion::{Criterion, Throughput, criterion_group};
+use criterion::{Criterion, Throughput};
 use macroline::drives::polygon::{CutterSetup, Ratio, Section};
 use macroline::machines::form::Value;
 use macroline::project::Project;
@@ -60,10 +60,8 @@ fn lathe() -> Project {
     project
 }
 
-criterion_group!(benches, speed);
-
 fn main() {
-    benches();
+    speed(&mut Criterion::default().configure_from_args());
     // 5 ms for a section.
     let asked = Some(ANGLES as f64 / 5e-3);
     let (even, worn) = (twelve(), worn());

@@ -1,8 +1,8 @@
 //! How fast `macroline run` is, as a user meets it: the binary, its log read from a pipe; planning beside it, and memory of a long run.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
-#[allow(dead_code)]
+#[allow(dead_code, reason = "each bench takes a part of it")]
 mod work;
 
 use std::io::{BufReader, Read};
@@ -47,7 +47,7 @@ fn peak(process: u32) -> u64 {
     line.and_then(|line| line.trim().strip_suffix("kB")?.trim().parse().ok()).unwrap_or(0)
 }
 
-#[allow(clippy::print_stdout)]
+#[allow(clippy::print_stdout, reason = "its figures are for people")]
 fn main() {
     let flat = program("flat.nc", &work::flat(COUNT).0[0].text);
     let planned = || run(&flat, &["--no-canon"], |_, _| {});

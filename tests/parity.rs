@@ -1,7 +1,7 @@
 //! Native code and wasm under Node compute the same to the bit: the same goldens for both, decimals to read and check sums over all bits.
 //!
 //! `UPDATE_EXPECT=1 cargo test --test parity` writes the goldens natively; `make test-wasm` compares wasm with them.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "a test stops at a fault")]
 
 use std::fmt::Write as _;
 use std::rc::Rc;

@@ -7,15 +7,15 @@
 #[path = "../../tests/it/generated/dice.rs"]
 mod dice;
 #[path = "../../tests/it/generated/laws.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "a target takes a part of it")]
 mod laws;
 #[path = "../../tests/it/generated/named.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "a target takes a part of it")]
 mod named;
 #[path = "../../tests/it/generated/parts.rs"]
 mod parts;
 #[path = "../../tests/it/generated/program.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "a target takes a part of it")]
 mod program;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

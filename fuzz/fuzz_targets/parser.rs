@@ -2,10 +2,10 @@
 #![no_main]
 
 #[path = "../../tests/it/generated/dice.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "a target takes a part of it")]
 mod dice;
 #[path = "../../tests/it/generated/laws.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "a target takes a part of it")]
 mod laws;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

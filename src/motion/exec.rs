@@ -11,8 +11,10 @@ pub(super) const MEASURE: f64 = 0.01;
 
 /// The state of the executor.
 #[derive(Debug, Clone)]
-// A movement stays where it is: a box for each would cost more than the room of the other states.
-#[allow(clippy::large_enum_variant)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a box for each movement would cost more than the room of the other states"
+)]
 pub(super) enum Exec {
     /// Takes the next command as soon as it is ready.
     Idle,

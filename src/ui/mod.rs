@@ -1,7 +1,6 @@
 //! The shell: signals and components, not one formula.
 
-// The macro of components writes `pub` for their properties.
-#![allow(unreachable_pub)]
+#![allow(unreachable_pub, reason = "the macro of components writes `pub` for their properties")]
 
 mod words;
 

@@ -1,5 +1,5 @@
 //! The native tests, one binary: a test states a feature, and says in its failure what to do.
-#![allow(clippy::unwrap_used, clippy::string_slice)]
+#![allow(clippy::unwrap_used, clippy::string_slice, reason = "a test stops at a fault")]
 
 mod changes;
 mod cli;

@@ -210,6 +210,32 @@ impl Source {
         found
     }
 
+    /// What every attribute `allow(…)` and `expect(…)` has in its brackets, those within `cfg_attr` too.
+    pub(super) fn disabled_lints(&self) -> Vec<&[Token]> {
+        let is = |at: usize, text: &str| self.tokens.get(at).is_some_and(|token| token.text == text);
+        let mut found = Vec::new();
+        for at in 0..self.tokens.len() {
+            let opens = is(at, "#") && (is(at + 1, "[") || is(at + 1, "!") && is(at + 2, "["));
+            if !opens {
+                continue;
+            }
+            let begin = if is(at + 1, "!") { at + 3 } else { at + 2 };
+            let mut depth = 1;
+            let closes = |token: &Token| {
+                depth += i32::from(token.text == "[") - i32::from(token.text == "]");
+                depth == 0
+            };
+            let end = begin + self.tokens[begin..].iter().position(closes).unwrap_or_default();
+            for at in begin..end {
+                if (is(at, "allow") || is(at, "expect")) && is(at + 1, "(") {
+                    let close = (at..end).find(|&at| is(at, ")")).unwrap_or(end);
+                    found.push(&self.tokens[at + 2..close]);
+                }
+            }
+        }
+        found
+    }
+
     /// Every path of two or more words in the shipped code, outside `use`.
     pub(super) fn paths(&self) -> Vec<(Vec<&str>, usize)> {
         let tokens = self.shipped();
@@ -366,4 +392,15 @@ mod tests { fn unshipped() {} }"##;
     assert_eq!((names, source.modules()), (vec!["up", "Lexer", "*"], vec!["nc", "lex"]));
     assert_eq!((source.items, source.public_types[0].1), (vec!["A".to_owned(), "c".to_owned()], 4));
     assert_eq!((source.functions[0].size, source.structs[0].size), (1, 1));
+}
+
+#[test]
+fn disabled_lints_are_seen_wherever_they_stand() {
+    let text = "//! A file.\n#![allow(clippy::unwrap_used, missing_docs)]\n#[expect(dead_code)]\nfn a() {}\n\
+                #[cfg_attr(test, allow(unused, reason = \"[b]\"))]\nfn b() { c.expect(\"d\"); }";
+    let source = Source::new("benches/a.rs".to_owned(), text.to_owned());
+    let lints = source.disabled_lints();
+    let names = |lints: &&[Token]| lints.iter().map(|token| token.text.as_str()).collect::<String>();
+    let names: Vec<String> = lints.iter().map(names).collect();
+    assert_eq!(names, ["clippy::unwrap_used,missing_docs", "dead_code", "unused,reason=[b]"]);
 }
