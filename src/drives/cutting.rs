@@ -62,7 +62,7 @@ impl Cut {
 /// Cutting force in N of a chip of `depth` mm by `feed` mm at an edge angle κ and a rake angle γ in degrees, after Kienzle:
 /// `F = k_c1.1 · b · h^(1 - m_c) · (1 - γ / 100)` with `h = f sin κ`, `b = a_p / sin κ`; `k_c1.1` in N/mm².
 ///
-/// Source: `reference/turning-spindle.md` 4 (1760.9 N for C45, 3 mm, 0.3 mm, 95°).
+/// Source: `reference/turning-spindle.md` section 4 (1760.9 N for C45, 3 mm, 0.3 mm, 95°).
 pub fn kienzle(unit_force: f64, exponent: f64, (depth, feed): (f64, f64), (edge, rake): (f64, f64)) -> f64 {
     let sine = math::sin(edge.to_radians());
     unit_force * depth / sine * math::pow(feed * sine, 1.0 - exponent) * (1.0 - rake / 100.0)

@@ -4,7 +4,7 @@ use crate::math::PI;
 
 /// Spindle speed in r/min for a surface speed in m/min at a diameter in mm: `n = 1000 v / (π d)`. Infinite at the centre.
 ///
-/// Source: `reference/gsk-knd-polygon.md` section 1.3, `reference/sinumerik-802d.md` section 3.4.
+/// Source: `reference/gsk-980tdc.md` section 1.3, `reference/sinumerik-802d.md` section 3.4.
 pub fn surface_rpm(speed: f64, diameter: f64) -> f64 {
     if speed > 0.0 { 1000.0 * speed / (PI * diameter.abs()) } else { 0.0 }
 }
@@ -87,7 +87,7 @@ impl SpeedLimits {
     /// A speed within the limits and what holds it there: the smallest of the upper limits, the largest of the lower ones; where both
     /// cannot be, the upper. Standstill is below no limit.
     ///
-    /// Source: `reference/sinumerik-802d.md` section 3.4, `reference/gsk-knd-polygon.md` section 1.3 (the upper one wins).
+    /// Source: `reference/sinumerik-802d.md` section 3.4, `reference/gsk-980tdc.md` section 1.3 (the upper one wins).
     pub fn hold(&self, rpm: f64) -> (f64, Bound) {
         if rpm <= 0.0 {
             return (0.0, Bound::None);

@@ -21,7 +21,7 @@ impl MotorCurve {
     /// A motor of `power` kW with base speed `base` r/min, whose top speed `top` r/min turns the spindle at `stage` r/min, by an efficiency
     /// of the gear: `P = P_m η`, `n_b = n_bm · stage / top`.
     ///
-    /// Source: `reference/turning-spindle.md` 4.
+    /// Source: `reference/turning-spindle.md` section 4.
     pub fn new(power: f64, efficiency: f64, (base, top): (f64, f64), stage: f64) -> MotorCurve {
         MotorCurve { power: power * efficiency, base: stage * (base / top).min(1.0) }
     }
@@ -40,7 +40,7 @@ impl MotorCurve {
     /// is negative where it helps, as in braking: `J ω_b / (M - T)` up to base speed, above it `J ∫ ω / (P - T ω) dω`
     /// `= J / T² · (P ln((P - T ω_b) / (P - T ω)) - T (ω - ω_b))`. Infinite where the load takes all of the torque.
     ///
-    /// Source: `reference/turning-spindle.md` 5.
+    /// Source: `reference/turning-spindle.md` section 5.
     pub fn seconds_to(&self, rpm: f64, inertia: f64, load: f64) -> f64 {
         let (speed, power) = (rpm.abs() * RPM, 1000.0 * self.power);
         let base = (self.base * RPM).min(speed);
@@ -71,7 +71,7 @@ pub fn power(torque: f64, rpm: f64) -> f64 {
 /// Torque in Nm that accelerates an inertia in kg·m² to a speed in r/min by a ramp of `tau` s behind a position loop of gain `gain` 1/s:
 /// `M = J · 2π n / 60 · (1 - e^(-K τ)) / τ`, without a ramp `J · 2π n / 60 · K`.
 ///
-/// Source: `reference/operation.md` F, run-up by a ramp; the gain by the servo lag of first order.
+/// Source: `reference/turning-spindle.md` section 5, run-up by a ramp; the gain by the servo lag of first order.
 pub fn run_up(inertia: f64, rpm: f64, tau: f64, gain: f64) -> f64 {
     inertia * rpm.abs() * RPM * if tau > 0.0 { -math::expm1(-gain * tau) / tau } else { gain }
 }

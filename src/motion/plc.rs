@@ -164,7 +164,7 @@ pub trait Plc {
 /// A builder's gear change: the shift voltage, a delay, the old gear out and the new one in, the wait for its contact, another delay; then
 /// the voltage is that of the speed again.
 ///
-/// Source: `reference/gsk-knd-polygon.md` section 1.2 (No.067, DT000, ASPn, DT001; A1.0 where the contact does not come).
+/// Source: `reference/gsk-980tdc.md` section 1.2 (No.067, DT000, ASPn, DT001; A1.0 where the contact does not come).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GearShift {
     /// Volts while it shifts.

@@ -29,7 +29,7 @@ fn signed_output_matches_the_fact_sheet() {
 
 #[test]
 fn output_offsets_shift_both_ends_of_the_line() {
-    // gsk-knd-polygon.md section 1.1: mV = c0 + (10000 + c10 - c0) n / n_max, 0 to 10000.
+    // gsk-980tdc.md section 1.1: mV = c0 + (10000 + c10 - c0) n / n_max, 0 to 10000.
     let analog = Analog { offset_zero: 0.05, offset_rated: -0.1, ..Analog::unipolar(2000.0, 10.0) };
     close(analog.command(0.0), 0.05, 1e-12);
     close(analog.command(2000.0), 9.9, 1e-12);

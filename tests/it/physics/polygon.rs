@@ -1,4 +1,4 @@
-//! Polygon turning against the check tables and closed forms of the sheet (gsk-knd-polygon.md section 3), and against its own tip paths.
+//! Polygon turning against the check tables and closed forms of the sheet (polygon-turning.md section 3), and against its own tip paths.
 
 mod choosing;
 mod section;

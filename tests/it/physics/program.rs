@@ -8,7 +8,7 @@ use macroline::nc::{Files, parse, parse_with};
 
 use super::*;
 
-/// The ribbon line's loop on the sheet (mitsubishi-e60.md section 7), recomputed only when the override has changed.
+/// The ribbon line's loop on the sheet (ribbon-line.md section 6), recomputed only when the override has changed.
 const RIBBON: &str = "%
 O9101(RIBBON)
 N1 #100=1200
@@ -123,7 +123,7 @@ fn hour_of_blocks_stays_small_and_replans_from_a_checkpoint() {
     close(planner.timeline().at(t + 1.0).axes[0].feed, 0.8 * 15079.645, 3e-6);
 }
 
-/// The sample of the GSK manual (gsk-knd-polygon.md section 1.3), on the bench of its control.
+/// The sample of the GSK manual (gsk-980tdc.md section 1.3), on the bench of its control.
 fn sample(switches: &[(&str, &str)], lines: &str) -> Planner<Interp> {
     let control = controls::find("gsk-980tdc").unwrap();
     let switches = Switches(switches.iter().map(|(id, set)| (id.to_string(), set.to_string())).collect());

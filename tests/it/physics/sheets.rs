@@ -441,7 +441,7 @@ fn gsk_output_keeps_its_volts_unless_a_parameter_clears_them() {
 
 #[test]
 fn gsk_manual_sample_gives_its_printed_speeds() {
-    // gsk-knd-polygon.md section 1.3: S300 at 100, 50 and 80 mm; and note 1, G96 with the S that it had.
+    // gsk-980tdc.md section 1.3: S300 at 100, 50 and 80 mm; and note 1, G96 with the S that it had.
     for (diameter, rpm) in [(100.0, 955.0), (50.0, 1910.0), (80.0, 1194.0)] {
         for (switches, word) in [(&[][..], diameter), (&[("diameter", "radius")], diameter / 2.0)] {
             let planner =
@@ -464,7 +464,7 @@ fn gsk_manual_sample_gives_its_printed_speeds() {
 
 #[test]
 fn gsk_volts_follow_gears_and_offsets() {
-    // gsk-knd-polygon.md section 6: gears 1000, 2000, 4000, 5000, S800 is 8, 4, 2, 1.6 V.
+    // gsk-980tdc.md section 6: gears 1000, 2000, 4000, 5000, S800 is 8, 4, 2, 1.6 V.
     for (gear, volts) in [(1, 8.0), (2, 4.0), (3, 2.0), (4, 1.6)] {
         let mut lathe = Lathe::new("gsk-980tdc", &[]);
         lathe.plant.spindle = lathe.plant.spindle.with_stages([1000.0, 2000.0, 4000.0, 5000.0].map(Stage::new));

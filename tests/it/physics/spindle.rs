@@ -30,7 +30,7 @@ fn spindle_ramps_linearly_and_counts_turns_exactly() {
 
 #[test]
 fn volts_match_the_fact_sheet() {
-    // mitsubishi-e60.md section 6.2: override, volts.
+    // ribbon-line.md section 4, 8.108 V at 100 %: override, volts.
     let analog = Analog::unipolar(1480.0, 10.0);
     let table = [
         (10.0, 0.811),

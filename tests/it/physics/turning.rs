@@ -279,7 +279,7 @@ fn knob_is_ignored_in_threads_by_the_control() {
 
 #[test]
 fn gear_shift_follows_the_ladder_sequence() {
-    // gsk-knd-polygon.md section 1.2.
+    // gsk-980tdc.md section 1.2.
     let stages = [750.0, 1500.0, 3000.0].map(Stage::new);
     let mut plant = plant();
     plant.spindle.speed_clamp = 9999.0;

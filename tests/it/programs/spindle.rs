@@ -13,7 +13,7 @@ use super::{log_of, start_on};
 
 const MADE: Citation = Citation::new("made for tests", Grade::Inferred);
 
-/// Open points of such controls (sinumerik-802d.md section 9).
+/// Open points of such controls (sinumerik-802d.md section 11).
 const SWITCHES: &[Switch] = &[
     switch(M5Timing::of(&[M5Timing::Before, M5Timing::End]), MADE),
     switch(LimitInG97::of(&[LimitInG97::No, LimitInG97::Yes]), MADE),
