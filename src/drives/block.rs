@@ -64,21 +64,3 @@ pub fn response(period: f64, time_constant: f64, position_gain: f64) -> f64 {
     let averaged = if x > 0.0 { math::sin(x).abs() / x } else { 1.0 };
     averaged * position_gain / math::hypot(position_gain, turning)
 }
-
-/// Seconds after the end of the interpolation until a block behind an exponential filter is within `width` millimetres of its end:
-/// `τ ln(F τ (1 - e^(-T / τ)) / w)`. Source: sizing facts, section 4, F9.
-pub fn exponential_tail(block: &AxisBlock, width: f64) -> f64 {
-    let tau = block.time_constant;
-    let rest = block.speed * tau * (1.0 - math::exp(-block.interpolation / tau));
-    tau * math::ln(rest / width).max(0.0)
-}
-
-/// Seconds and highest speed of a move of `length` from rest to rest at a constant acceleration, `speed` at most: `L / F + F / a`, or `2 √(L / a)`
-/// where the speed is not reached. Source: sizing facts, section 4, F10 and F11.
-pub fn accelerated(length: f64, speed: f64, acceleration: f64) -> (f64, f64) {
-    if length >= speed * speed / acceleration {
-        (length / speed + speed / acceleration, speed)
-    } else {
-        (2.0 * (length / acceleration).sqrt(), (length * acceleration).sqrt())
-    }
-}

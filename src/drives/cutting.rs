@@ -49,14 +49,6 @@ impl Cut {
         let free = 60.0 * PI * length(first, last) * 0.5 * (first + last) / (1000.0 * speed * self.feed);
         at(high, length(small, first)) + free + at(low, length(last.max(first), large))
     }
-
-    /// The diameter in mm after `t` seconds at a surface speed in m/min, as long as no limit binds and the centre is not reached:
-    /// `d² = d₁² + 2 · 1000 v f t (d₂ - d₁) / (60 π L)`.
-    pub fn surface_diameter(&self, speed: f64, t: f64) -> f64 {
-        let (from, to) = self.diameters;
-        let square = from * from + 2.0 * 1000.0 * speed * self.feed * t * (to - from) / (60.0 * PI * self.length);
-        square.max(0.0).sqrt()
-    }
 }
 
 /// Cutting force in N of a chip of `depth` mm by `feed` mm at an edge angle κ and a rake angle γ in degrees, after Kienzle:

@@ -97,11 +97,6 @@ impl Load {
     pub fn stop_energy(&self, rotor: f64, speed: f64, seconds: f64) -> f64 {
         0.5 * (self.inertia * self.efficiency + rotor) * speed * speed - 0.5 * self.torque * speed * seconds
     }
-
-    /// Kinetic energy in J of load and rotor, without losses: `½ (J_L + J_M) ω²`. Source: checked as C16.
-    pub fn kinetic_energy(&self, rotor: f64, speed: f64) -> f64 {
-        0.5 * (self.inertia + rotor) * speed * speed
-    }
 }
 
 /// Effective torque of a cycle in Nm, by which a motor gets warm: `√(Σ T² t / Σ t)`. Source: sizing facts 2.2 (7-9), checked as B16 and C13.

@@ -46,18 +46,8 @@ pub fn contact_length(radius: f64, depth: f64) -> f64 {
     2.0 * (2.0 * radius * depth).sqrt()
 }
 
-/// Deviation of the surface ratio from 1 that a smear allows: `s / c`. Source: sizing facts 3.2, checked as E11.
-pub fn ratio_tolerance(smear: f64, contact: f64) -> f64 {
-    smear / contact
-}
-
 /// Share of the holding force of a nip that is used by what pulls at it: `|T₁ - T₂ + m a| / (μ N)`, at most a half for a web that does not slip.
 /// Newtons, kg, m/s². Source: sizing facts 2.2, checked as the reciprocal of B19.
 pub fn nip_use((friction, force): (f64, f64), pull: f64, (mass, acceleration): (f64, f64)) -> f64 {
     (pull + mass * acceleration).abs() / (friction * force)
-}
-
-/// Time constant in seconds of the tension in a span: its length over the speed of the web. Source: sizing facts 2.6, checked as D13.
-pub fn span_time(length: f64, speed: f64) -> f64 {
-    length / speed
 }

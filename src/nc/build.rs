@@ -161,11 +161,6 @@ impl Formula {
         self.call(Function::Fix)
     }
 
-    /// Away from zero.
-    pub fn fup(self) -> Formula {
-        self.call(Function::Fup)
-    }
-
     /// Any other function.
     pub fn apply(self, function: Function) -> Formula {
         self.call(function)

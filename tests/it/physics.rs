@@ -22,6 +22,7 @@ mod zero_return;
 
 use macroline::controls::{self, Address, Control, Dialect, Switches};
 use macroline::drives::Analog;
+use macroline::drives::cutting::Cut;
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
 use macroline::math;
@@ -30,6 +31,14 @@ use macroline::motion::{
     RunningProgram, Setup, Snapshot, SpindlePlant,
 };
 use script::{Line, Script, place};
+
+/// The diameter in mm after `t` seconds of a cut at a surface speed in m/min, as long as no limit binds and the centre is not reached:
+/// `d² = d₁² + 2 · 1000 v f t (d₂ - d₁) / (60 π L)`.
+fn surface_diameter(cut: &Cut, speed: f64, t: f64) -> f64 {
+    let (from, to) = cut.diameters;
+    let square = from * from + 2.0 * 1000.0 * speed * cut.feed * t * (to - from) / (60.0 * math::PI * cut.length);
+    square.max(0.0).sqrt()
+}
 
 const TAU: f64 = 0.1;
 const GAIN: f64 = 33.0;

@@ -23,7 +23,7 @@ use macroline::drives::induction::Induction;
 use macroline::drives::inertia::{self, Cylinder, STEEL};
 use macroline::drives::load::{self, Load, Move, Phase, Regeneration, effective};
 use macroline::drives::servo::{Acceptance, Duty, Reason, Servo};
-use macroline::drives::{block, web};
+use macroline::drives::web;
 use macroline::machines::form;
 use macroline::math::{self, PI};
 use macroline::project::Project;
@@ -243,7 +243,7 @@ fn printing() -> Vec<(&'static str, f64)> {
         ("C13", effective(&phases)),
         ("C14", 100.0 * effective(&phases) / motor.stall),
         ("C15", load.stop_energy(motor.rotor, axis.speed(), TAU)),
-        ("C16", load.kinetic_energy(motor.rotor, axis.speed())),
+        ("C16", 0.5 * (load.inertia + motor.rotor) * axis.speed() * axis.speed()),
         ("C17", returned),
         ("C18", resistor),
         ("C19", resistor / axis.step_by_step().cycle()),
@@ -270,7 +270,7 @@ fn unwinding() -> Vec<(&'static str, f64)> {
         ("D10", 100.0 * full.slip() / SPEED),
         ("D11", web::draw_tension(20.0, area, 0.01)),
         ("D12", web::draw_tension(3000.0, area, 0.01)),
-        ("D13", web::span_time(SPAN, v)),
+        ("D13", SPAN / v),
         ("D14", step),
         ("D15", 100.0 * half),
         ("D16", half * v * 6e4),
@@ -305,8 +305,26 @@ fn dots() -> Vec<(&'static str, f64)> {
         ("E8", web_speed() * (warms / moving).sqrt() * 1e3),
         ("E9", web::mark_length(3.0, arc() / PITCH, CONTACT * 1e3)),
         ("E10", web::contact_length(60.0, 0.02)),
-        ("E11", 100.0 * web::ratio_tolerance(0.05, 2.0)),
+        ("E11", 100.0 * 0.05 / 2.0),
     ]
+}
+
+/// Seconds after the end of the interpolation until a block behind an exponential filter is within `width` millimetres of its end:
+/// `τ ln(F τ (1 - e^(-T / τ)) / w)`.
+fn exponential_tail(block: &AxisBlock, width: f64) -> f64 {
+    let tau = block.time_constant;
+    let rest = block.speed * tau * (1.0 - math::exp(-block.interpolation / tau));
+    tau * math::ln(rest / width).max(0.0)
+}
+
+/// Seconds and highest speed of a move of `length` from rest to rest at a constant acceleration, `speed` at most: `L / F + F / a`, or `2 √(L / a)`
+/// where the speed is not reached.
+fn accelerated(length: f64, speed: f64, acceleration: f64) -> (f64, f64) {
+    if length >= speed * speed / acceleration {
+        (length / speed + speed / acceleration, speed)
+    } else {
+        (2.0 * (length / acceleration).sqrt(), (length * acceleration).sqrt())
+    }
 }
 
 fn blocks() -> Vec<(&'static str, f64)> {
@@ -321,9 +339,9 @@ fn blocks() -> Vec<(&'static str, f64)> {
         ("F6", 100.0 * pitch_time() / slow.exact_stop(0.02)),
         ("F7", quick.exact_stop(0.02) * 1e3),
         ("F8", 100.0 * pitch_time() / quick.exact_stop(0.02)),
-        ("F9", block::exponential_tail(&quick, 0.02) * 1e3),
-        ("F10", block::accelerated(8.0, v, 5e3).0 * 1e3),
-        ("F11", block::accelerated(8.0, v, 5e3).1),
+        ("F9", exponential_tail(&quick, 0.02) * 1e3),
+        ("F10", accelerated(8.0, v, 5e3).0 * 1e3),
+        ("F11", accelerated(8.0, v, 5e3).1),
         ("F12", needed * 1e3),
         ("F13", PITCH / needed * 1e3),
         ("F14", 4.0 * PITCH / needed * 1e3),
@@ -345,7 +363,7 @@ fn polygon() -> Vec<(&'static str, f64)> {
         ("P6", slow * 6.0 / GAIN),
         ("P7", quick * 6.0 / GAIN * 0.01 / (tool / work)),
         ("P8", disc.accelerating(0.0, speed, 0.5)),
-        ("P9", disc.kinetic_energy(0.0, speed)),
+        ("P9", 0.5 * disc.inertia * speed * speed),
     ]
 }
 

@@ -179,13 +179,33 @@ fn control_files_hold_rows_and_no_logic() {
     hold("The files of the controls contain rows and no logic.", mend, broken);
 }
 
+/// Where a file brings in one of these modules of the standard library, however the `use` is written: `use std::{fs, io}`.
+fn imported(source: &Source, modules: &[&str]) -> Vec<String> {
+    let of = |import: &source::Import| match &import.path[..] {
+        [std, module, ..] if std == "std" && modules.contains(&module.as_str()) => Some(module.clone()),
+        _ => None,
+    };
+    let imports = source.imports.iter().filter_map(|import| Some((import.line, of(import)?)));
+    imports.map(|(line, module)| format!("{}: use of std::{module}", source.place(line))).collect()
+}
+
+#[test]
+fn grouped_imports_of_the_standard_library_are_seen() {
+    let text = "//! A file.\nuse std::{cell, fs, io::{self, Read}};\nuse crate::io::b;";
+    let source = Source::new("src/nc/lex.rs".to_owned(), text.to_owned());
+    let found = imported(&source, &["fs", "io"]);
+    assert_eq!(found, ["fs", "io", "io"].map(|name| format!("src/nc/lex.rs:2: use of std::{name}")));
+}
+
 #[test]
 fn core_has_no_clock_randomness_or_files() {
     let words =
         ["SystemTime", "Instant", "rand", "getrandom", "HashMap", "HashSet", "RandomState", "println", "eprintln"];
-    let paths = ["time", "fs", "env", "net", "thread", "process", "io"].map(|name| format!("std : : {name}"));
+    let outside = ["time", "fs", "env", "net", "thread", "process", "io"];
+    let paths = outside.map(|name| format!("std : : {name}"));
     let paths = paths.each_ref().map(String::as_str);
-    let find = |source: &Source| [source.find_words(&words), source.find_code(&paths)].concat();
+    let find =
+        |source: &Source| [source.find_words(&words), source.find_code(&paths), imported(source, &outside)].concat();
     let mend = "take the value as an argument, from the page or the command line; a BTreeMap has an order, a HashMap a random one";
     hold("A run is a pure function of its input.", mend, core().flat_map(find).collect());
 }
@@ -213,7 +233,9 @@ fn libm_is_named_only_in_math() {
 fn core_has_no_panicking_calls() {
     // The const row builders of the controls stop the compiler.
     let outside = core().filter(|source| source.room() != Some("controls"));
-    let panics = ["panic !", "unreachable !", ". unwrap ( )", ". expect ("];
+    let macros = ["panic", "unreachable", "assert", "assert_eq", "assert_ne"].map(|name| format!("{name} !"));
+    let calls = ["unwrap", "expect", "unwrap_err", "expect_err"].map(|name| format!(". {name} ("));
+    let panics: Vec<&str> = macros.iter().chain(&calls).map(String::as_str).collect();
     let broken = outside.flat_map(|source| source.find_code(&panics)).collect();
     hold(
         "parse, emit, design, plan and run are total.",

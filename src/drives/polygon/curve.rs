@@ -174,12 +174,6 @@ impl Branch {
     }
 }
 
-/// The tip circle whose sides are flat at their middle, `r = d / ((k-1)² - 1)`; none from 0 to 2, where every side is crowned. Source: polygon turning facts 3.3.
-pub fn flat_radius(apothem: f64, ratio: f64) -> Option<f64> {
-    let excess = (ratio - 1.0) * (ratio - 1.0) - 1.0;
-    (excess > 0.0).then(|| apothem / excess)
-}
-
 /// The ratio that is flat at the middle of the sides for a distance of the axes and a tip circle: `k = 1 + √(a/r)`. Source: polygon turning facts 3.3.
 pub fn flat_ratio(distance: f64, radius: f64) -> f64 {
     1.0 + (distance / radius).sqrt()

@@ -42,15 +42,3 @@ pub fn radius_for(apothem: f64, sides: u32, sag: f64) -> f64 {
     let e = (root * root - 1.0).sqrt() / half_angle_tangent(sides);
     (0.5 * apothem * (1.0 / e - 1.0)).max(0.0)
 }
-
-/// Where a side ends in stock of a radius, as the angle from its normal: `cos² φ = (d²/R² - ε²) / (1 - ε²)`.
-pub fn edge_in_stock(apothem: f64, radius: f64, stock: f64) -> f64 {
-    let e = flattening(apothem, radius);
-    let square = apothem * apothem / (stock * stock) - e * e;
-    math::acos(math::clamp(square / (1.0 - e * e), 0.0, 1.0).sqrt())
-}
-
-/// How far the edges lie below the ideal side where it ends in stock of a radius: `δ = d - R cos φ`.
-pub fn sag_in_stock(apothem: f64, radius: f64, stock: f64) -> f64 {
-    apothem - stock * math::cos(edge_in_stock(apothem, radius, stock))
-}

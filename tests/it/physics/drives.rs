@@ -1,6 +1,6 @@
 //! The formulas of a lathe's spindle against the printed values: volts, limits, angles, cutting times.
 
-use macroline::drives::cutting::{Cut, power, torque};
+use macroline::drives::cutting::{power, torque};
 use macroline::drives::orient::{Approach, Travel, first_travel, travel};
 use macroline::drives::speed::{Steps, limit_diameter, stage_for, surface_rpm, surface_speed};
 use macroline::drives::{Analog, Bound, SpeedLimits, Stage};
@@ -182,7 +182,7 @@ fn cutting_time_equals_the_integral_over_the_path() {
     // Where the tool is after half of the time: the time to there is half.
     let cut = Cut { diameters: (80.0, 30.0), length: 25.0, feed: 0.2 };
     let half = cut.surface_time(180.0, (0.0, 1e9)) / 2.0;
-    let there = cut.surface_diameter(180.0, half);
+    let there = surface_diameter(&cut, 180.0, half);
     let part = Cut { diameters: (80.0, there), length: (80.0 - there) / 2.0, feed: 0.2 };
     close(part.surface_time(180.0, (0.0, 1e9)), half, 1e-12);
 }

@@ -1,7 +1,6 @@
 //! A lathe's spindle over time: surface speed, limits, gears, volts without M03, waits for the speed.
 
 use macroline::controls::spindle::RapidSpeed;
-use macroline::drives::cutting::Cut;
 use macroline::drives::speed::{SpeedLimit, Steps, surface_rpm};
 use macroline::drives::{Bound, Stage};
 use macroline::motion::GearShift;
@@ -58,7 +57,7 @@ fn facing_time_matches_the_fact_sheet() {
         if diameter > 22.918312 * 1.0001 {
             // 0.1 % is asked for.
             close(now.spindle.surface_speed.unwrap(), 180.0, 2e-4);
-            close(diameter, cut.surface_diameter(180.0, t - begin), 2e-5);
+            close(diameter, surface_diameter(&cut, 180.0, t - begin), 2e-5);
             assert_eq!(now.spindle.bound, Bound::None);
         } else if diameter.abs() < 22.918312 * 0.9999 {
             assert_eq!((now.spindle.command, now.spindle.bound), (2500.0, Bound::Surface));

@@ -67,7 +67,7 @@ fn ratio_2_sections_equal_the_ellipse_formula() {
         let stock = if whole { 1.5 * full } else { random.between(d, full) };
         let section = Section::new(&cutter, stock).unwrap();
         let half = PI / f64::from(sides);
-        let edge = if whole { half } else { ellipse::edge_in_stock(d, r, stock) };
+        let edge = if whole { half } else { edge_in_stock(d, r, stock) };
         for _ in 0..8 {
             let off = random.between(-half, half);
             let wanted = if off.abs() > edge { stock } else { ellipse::reach(d, r, off) };
@@ -83,7 +83,7 @@ fn ratio_2_sections_equal_the_ellipse_formula() {
             near(section.across_corners().0, ellipse::across_corners(d, r, sides), 1e-9);
             close(section.area(), ellipse::area(d, r, sides), 1e-12);
         } else {
-            near(side.flatness(), ellipse::sag_in_stock(d, r, stock), 1e-9);
+            near(side.flatness(), sag_in_stock(d, r, stock), 1e-9);
             assert!(!corner.meets && corner.radius == stock);
         }
     }
