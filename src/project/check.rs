@@ -124,7 +124,7 @@ impl Project {
         self.machine.left_out().iter().filter_map(|block| block.find(parsed)).collect()
     }
 
-    /// Certain alarms and warnings of the project's program, beyond the findings of its reader; suppressed ones too.
+    /// Certain alarms and warnings of the project's program, beyond the findings of its reader; silenced ones too.
     pub fn advice(&self, written: &Written) -> Vec<Diagnostic> {
         let mut found =
             beyond(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel, self.control));

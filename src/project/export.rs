@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::program::Written;
+use super::silence::silence;
 use super::size::Sizing;
-use super::suppress::silence;
 use super::{Project, encode};
 use crate::controls::options::CommentCharacters;
 use crate::machines::PreparedMachine;

@@ -50,7 +50,7 @@ mod report;
 
 pub mod render;
 
-pub mod suppress;
+pub mod silence;
 
 pub mod request;
 
@@ -121,7 +121,7 @@ pub struct Project {
     pub switches: Switches,
     /// Language of the comments of the program, where the control can show it.
     pub comments: Language,
-    /// Message ids of suppressed warnings.
+    /// Message ids of silenced warnings.
     pub silenced: Vec<String>,
     /// Events of the operator panel.
     pub panel: Panel,

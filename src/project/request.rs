@@ -6,7 +6,7 @@ use super::Project;
 use super::check::review;
 use super::file_findings::{FileFindings, FileRead, Sources};
 use super::list;
-use super::suppress::silence;
+use super::silence::silence;
 use crate::controls::options::CommentCharacters;
 use crate::controls::{self, Control, Switches};
 use crate::msg;

@@ -9,7 +9,7 @@ use super::check::{not_reached, review, with_run};
 use super::file_findings::{FileFindings, FileRead, Sources, list_json};
 use super::request::{Choices, ProgramSource, Refused};
 use super::run::{self, AtStop, Run, RunOptions, RunSummary, Setting};
-use super::suppress::silence;
+use super::silence::silence;
 use crate::controls::options::CommentCharacters;
 use crate::controls::{Control, Dialect, Switches};
 use crate::interp::StartProgram;
@@ -114,7 +114,7 @@ impl Operated {
         RunOptions { start, settings: &self.settings, limits: self.limits, keep: self.keep }
     }
 
-    /// The run of a project; `files` are findings about earlier files, `silenced` the suppressed ids.
+    /// The run of a project; `files` are findings about earlier files, `silenced` the silenced ids.
     fn project(
         &self,
         (project, file): FileRead<Project>,

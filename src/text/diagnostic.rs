@@ -135,7 +135,7 @@ impl Diagnostic {
         found.sort_by_key(|d| d.place.map(|place| (place.file, place.span.start)));
     }
 
-    /// Stable id: suppresses warnings, appears in JSON, and identifies remarks that differ only in their values.
+    /// Stable id: silences warnings, appears in JSON, and identifies remarks that differ only in their values.
     pub fn id(&self) -> &'static str {
         self.message.id
     }

@@ -33,7 +33,7 @@ fn each_part_of_a_project_has_its_phrase() {
         (|project| project.edited = Some(Files::one("O1.nc", "M30")), "Program edited"),
         (|project| project.panel = Panel::new(two_actions()), "Operator’s actions"),
         (|project| project.title_block.number = "ML-1".to_owned(), "Title block"),
-        (|project| project.silenced.push("lint.unreachable".to_owned()), "Hidden warnings"),
+        (|project| project.silenced.push("lint.unreachable".to_owned()), "Silenced warnings"),
         (|project| assert!(project.keep_variant("").is_some()), "Variants"),
     ];
     for (change, phrase) in cases {

@@ -40,6 +40,10 @@ pub(crate) fn write(folder: &Path, files: &[NamedBytes]) -> Result<(), Failed> {
 
 /// Makes a folder; returns it and those above it that were missing, the outermost first.
 fn make(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
+    let there = folder.ancestors().find(|path| path.exists());
+    if let Some(file) = there.filter(|path| !path.is_dir()) {
+        return Err(sentence(&msg!("cli.file-in-the-way", file = file.display().to_string())));
+    }
     let missing = folder.ancestors().take_while(|path| !path.as_os_str().is_empty() && !path.exists());
     let mut missing: Vec<PathBuf> = missing.map(Path::to_owned).collect();
     missing.reverse();

@@ -8,7 +8,7 @@ use macroline::project::console::{Console, Outcome};
 use macroline::project::file_findings::{FileFindings, Sources};
 use macroline::project::run::{AtStop, Setting};
 use macroline::project::run_request::{ReadyRun, RunRequest};
-use macroline::project::suppress::silence;
+use macroline::project::silence::silence;
 use serde_json::{Value as Json, json};
 
 use crate::args::RunArgs;

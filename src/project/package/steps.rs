@@ -15,7 +15,7 @@ use crate::project::request::Refused;
 use crate::project::run::Setting;
 use crate::project::run_request::ReadyRun;
 use crate::project::session::{Halt, Session};
-use crate::project::suppress::silence;
+use crate::project::silence::silence;
 use crate::text::Diagnostic;
 use crate::text::catalog::sentence;
 

@@ -21,7 +21,7 @@ use crate::nc;
 use crate::project::Project;
 use crate::project::check::{FixChoice, with_run};
 use crate::project::dependence::fields_by_result;
-use crate::project::suppress::silence;
+use crate::project::silence::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
 use crate::ui::words::{say, t};

@@ -15,7 +15,7 @@ use crate::nc::{self, Files};
 use crate::project::Project;
 use crate::project::help::texts::Texts;
 use crate::project::sensitivity::Sensitivity;
-use crate::project::suppress::silence;
+use crate::project::silence::silence;
 use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, LineIndex, catalog};
 use crate::ui::words::{counts, sign, t, tell, tone};

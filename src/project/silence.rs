@@ -1,10 +1,10 @@
-//! Warnings that the user suppresses by their stable ids.
+//! Warnings that the user silences by their stable ids.
 
 use std::collections::BTreeSet;
 
 use crate::text::{Diagnostic, Severity};
 
-/// Removes suppressed warnings, in place, and returns their number. Errors are never suppressed.
+/// Removes silenced warnings, in place, and returns their number. Errors are never silenced.
 pub fn silence(found: &mut Vec<Diagnostic>, silenced: &[String]) -> usize {
     let before = found.len();
     if !silenced.is_empty() {
