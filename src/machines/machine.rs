@@ -19,6 +19,7 @@ use crate::math;
 use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Visit};
 use crate::msg;
 use crate::nc::{Deck, File};
+use crate::text::catalog::words;
 use crate::text::{Diagnostic, DiagnosticKind, Severity, listed};
 use crate::view::{Advice, Chart, DrawnPart, Explorer, Pose, Readout, Scene, Sheet, Verdict};
 
@@ -416,7 +417,10 @@ impl PreparedMachine {
         design.diagnostics.splice(0..0, self.invalid.iter().cloned());
         let assumed = assumed(&self.facts, origins);
         if !assumed.is_empty() {
-            let message = msg!("form.assumed", count = assumed.len() as u32, fields = listed(&assumed));
+            let fields = self.trial.machine.fields();
+            let label = |id: &&str| fields.iter().find(|field| field.id == *id).map(|field| words(field.label));
+            let labels = listed(assumed.iter().filter_map(label));
+            let message = msg!("form.assumed", count = assumed.len() as u32, fields = labels);
             design.diagnostics.push(Diagnostic::info(message).kind(DiagnosticKind::AssumedFacts));
         }
         design

@@ -13,7 +13,9 @@ pub fn design(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>
     let design = project.design();
     let mut told = origins::json(project);
     told["readouts"] = list::readouts_json(&design.readouts);
-    let all = vec![file, FileFindings { sources: Sources::default(), list: design.diagnostics }];
+    let mut list = design.diagnostics;
+    origins::shorten(project, &mut list);
+    let all = vec![file, FileFindings { sources: Sources::default(), list }];
     told["diagnostics"] = list_json(&all);
     (told, all)
 }
@@ -40,7 +42,8 @@ pub fn exported(project: &Project, date: &str, file: FileFindings) -> (Export, V
     let (advice, sizing) = (project.advice(&written), size(project, &written));
     let options = ExportOptions { advice: &advice, date, sizing: Some(&sizing) };
     let mut export = project.export_with(&written, &options);
-    let (files, list) = (core::mem::take(&mut export.about), core::mem::take(&mut export.diagnostics));
+    let (files, mut list) = (core::mem::take(&mut export.about), core::mem::take(&mut export.diagnostics));
+    origins::shorten(project, &mut list);
     let all = vec![file, FileFindings { sources: Sources::written(files), list }];
     (export, all)
 }

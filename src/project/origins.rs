@@ -10,7 +10,7 @@ use crate::machines::report::inputs;
 use crate::msg;
 use crate::text::catalog::{sentence, words};
 use crate::text::columns::left;
-use crate::text::{headed, listed};
+use crate::text::{Diagnostic, DiagnosticKind, headed, listed};
 use crate::view::report::Input;
 
 /// Origin of a value.
@@ -71,8 +71,35 @@ pub fn values(project: &Project) -> Vec<(Input, Origin)> {
 }
 
 /// Ids of the facts that are only assumed, in the order of the form.
-fn assumed_facts(project: &Project) -> Vec<&'static str> {
+pub fn assumed_facts(project: &Project) -> Vec<&'static str> {
     assumed(project.prepared().facts(), &project.provenance)
+}
+
+/// Assumed facts that a finding names; more of them are counted.
+const NAMED: usize = 5;
+
+/// Findings about the values of the form, [shortened](shorten).
+pub fn findings(project: &Project) -> Vec<Diagnostic> {
+    let mut list = project.design().diagnostics;
+    shorten(project, &mut list);
+    list
+}
+
+/// Names of many assumed facts those to measure first, and leads to [`text`] for the others.
+pub fn shorten(project: &Project, list: &mut [Diagnostic]) {
+    let assumed = assumed_facts(project).len();
+    let many = |found: &&mut Diagnostic| found.kind == DiagnosticKind::AssumedFacts && assumed > NAMED;
+    if let Some(found) = list.iter_mut().find(many) {
+        let (flips, fields) = (Sensitivity::new(project).flips(), project.machine.fields());
+        let label = |flip: &Flip| fields.iter().find(|field| field.id == flip.field).map(|field| words(field.label));
+        let first: Vec<&str> = flips.iter().take(NAMED).filter_map(label).collect();
+        let others = (assumed - first.len()) as u32;
+        let fields = match first.is_empty() {
+            true => words("project.assumed-listed").to_owned(),
+            false => sentence(&msg!("project.assumed-first", fields = listed(first), count = others)),
+        };
+        found.message = msg!("form.assumed", count = assumed as u32, fields);
+    }
 }
 
 /// Values with origins, the example that they are, and the assumed facts: first those that flip a verdict.

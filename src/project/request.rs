@@ -6,6 +6,7 @@ use super::Project;
 use super::check::review;
 use super::file_findings::{FileFindings, FileRead, Sources};
 use super::list;
+use super::origins;
 use super::silence::silence;
 use crate::controls::options::CommentCharacters;
 use crate::controls::{self, Control, Switches};
@@ -109,7 +110,7 @@ pub fn check(subject: ProgramSource, choices: &Choices) -> Result<Checked, Refus
             let Some(mut project) = project else { return Err(Refused::Files(vec![file])) };
             project.switches = choices.switched(project.switches, project.control)?;
             // Those about the form stand in the file of the project.
-            file.list.extend(project.design().diagnostics);
+            file.list.extend(origins::findings(&project));
             let written = project.written();
             let mut list = project.advice(&written);
             list.extend(written.diagnostics);

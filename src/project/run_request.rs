@@ -7,6 +7,7 @@ use serde_json::Value as Json;
 use super::Project;
 use super::check::{not_reached, review, with_run};
 use super::file_findings::{FileFindings, FileRead, Sources, list_json};
+use super::origins;
 use super::request::{Choices, ProgramSource, Refused};
 use super::run::{self, AtStop, Run, RunOptions, RunSummary, Setting};
 use super::silence::silence;
@@ -125,7 +126,7 @@ impl Operated {
         let Some(mut project) = project else { return Err(Refused::Files(files)) };
         project.switches = self.choices.switched(project.switches, project.control)?;
         project.panel = Panel::new(project.panel.events().iter().chain(self.panel.events()).cloned());
-        let mut list = project.design().diagnostics;
+        let mut list = origins::findings(&project);
         let written = project.written();
         settable(&self.settings, project.control, written.parsed.dialect())?;
         list.extend(written.diagnostics.iter().cloned());

@@ -72,7 +72,7 @@ pub enum DiagnosticKind {
     Starved,
     /// An alarm that the program raises itself; `text` of its message is the program's text, where it has one.
     ProgramAlarm,
-    /// Facts of the form that are only assumed; `count` and `fields` of the message are their count and the ids of their fields.
+    /// Facts of the form that are only assumed; `count` and `fields` of the message are their count and their names.
     AssumedFacts,
 }
 }

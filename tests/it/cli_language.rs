@@ -263,3 +263,35 @@ fn programs_and_json_are_the_same_in_every_language() {
     }
     assert_eq!(chinese(&folder, &["parts"]).stdout, english(&["parts"]).stdout);
 }
+
+#[test]
+fn assumed_facts_are_counted_and_the_first_named() {
+    let folder = folder("assumed");
+    let project = project(&folder, "ribbon-line");
+    let english = |args: &[&str]| command::macroline().current_dir(&folder).args(args).output().unwrap();
+    let design: Json = serde_json::from_slice(&english(&["design", &project, "--json"]).stdout).unwrap();
+    let ids =
+        |list: &str| design[list].as_array().unwrap().iter().map(|fact| fact["field"].as_str().unwrap_or_default());
+    let count = ids("assumed").count();
+    assert!(count > 50);
+    let fields = macroline::machines::find("ribbon-line").unwrap().fields();
+    let label = |id: &str| fields.iter().find(|field| field.id == id).unwrap().label;
+    let first = design["measure_first"].as_array().unwrap()[0].as_str().unwrap();
+    let first = macroline::text::catalog::words(label(first));
+    for command in ["check", "design", "run"] {
+        let out = text(&english(&[command, &project]));
+        let line = out.lines().find(|line| line.contains("only assumed")).unwrap_or_else(|| panic!("{command}: {out}"));
+        let named = format!("{count} facts of the machine are only assumed: first of all {first},");
+        assert!(line.contains(&named) && line.contains("`design` lists"), "{command}: {line}");
+        assert!(ids("assumed").filter(|id| id.contains('-')).all(|id| !line.contains(id)), "{command}: {line}");
+        let chinese = text(&chinese(&folder, &[command, &project]));
+        let line = chinese.lines().find(|line| line.contains("只是假定")).unwrap();
+        assert!(line.contains("首先是"), "{command}: {line}");
+        assert_chinese(line);
+    }
+    let exported = english(&["export", &project, "--out", "out"]);
+    assert!(exported.status.success(), "{}", text(&exported));
+    let report = std::fs::read_to_string(folder.join("out/report.md")).unwrap();
+    let line = report.lines().find(|line| line.contains("facts of the machine are only assumed: ")).unwrap();
+    assert!(line.contains(first) && !line.contains("reduction-ratio"), "{line}");
+}

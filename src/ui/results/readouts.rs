@@ -2,7 +2,8 @@
 
 use leptos::prelude::*;
 
-use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue, headed};
+use crate::project::origins::assumed_facts;
+use crate::text::{Diagnostic, DiagnosticKind, Message, headed};
 use crate::ui::dom::go_to_field;
 use crate::ui::state::Page;
 use crate::ui::words::{figure, limit_text, say, sign, t, tell, tone, verdict_tone, verdict_words};
@@ -35,13 +36,13 @@ fn Remark(
 ) -> impl IntoView {
     let tone = tone(told.severity);
     let mark = view! { <i aria-hidden="true">{sign(tone)}</i> };
-    let body = match told.message.value("fields") {
-        Some(MessageValue::Text(ids)) if told.kind == DiagnosticKind::AssumedFacts => {
+    let body = match told.kind {
+        DiagnosticKind::AssumedFacts => {
             let message = Message { id: "page.assumed-facts", ..told.message.clone() };
             view! {
                 <details>
                     <summary>{mark}<span>{say(&message)}</span></summary>
-                    <AssumedFields ids=ids.clone() />
+                    <AssumedFields />
                 </details>
             }
             .into_any()
@@ -53,12 +54,10 @@ fn Remark(
 
 /// Facts that are only assumed; each leads to its field.
 #[component]
-fn AssumedFields(
-    /// Ids of the fields, separated by commas.
-    ids: String,
-) -> impl IntoView {
-    let fields = Page::here().project.with_untracked(|project| project.machine.fields());
-    let named = fields.into_iter().filter(|field| ids.split([',', ' ']).any(|id| id == field.id));
+fn AssumedFields() -> impl IntoView {
+    let (fields, ids) =
+        Page::here().project.with_untracked(|project| (project.machine.fields(), assumed_facts(project)));
+    let named = fields.into_iter().filter(|field| ids.contains(&field.id));
     let link = |field: crate::machines::form::FieldInfo| {
         view! { <button type="button" class="link" on:click=move |_| go_to_field(field.id)>{t(field.label)}</button> }
     };
