@@ -3,7 +3,7 @@
 use crate::controls::{Control, ParamDef, ParamRole};
 use crate::text::Citation;
 use crate::text::catalog::{number_text, words};
-use crate::view::{Row, Sheet};
+use crate::view::{Column, Row, Sheet, SheetKind};
 
 /// A sentence of the catalog, for cells and drawings.
 pub fn say(id: &'static str) -> String {
@@ -47,8 +47,16 @@ pub fn parameters(control: &Control, axes: &AxisUnits, values: Vec<(ParamRole, A
     let rows = rows.collect();
     Sheet {
         id: "parameters",
+        kind: SheetKind::Parameters,
         title: "sheet.parameters",
-        columns: vec!["sheet.number", "sheet.name", "sheet.axis", "sheet.value", "sheet.unit", "sheet.meaning"],
+        columns: vec![
+            Column::Parameter("sheet.number"),
+            Column::Plain("sheet.name"),
+            Column::Plain("sheet.axis"),
+            Column::Plain("sheet.value"),
+            Column::Plain("sheet.unit"),
+            Column::Prose("sheet.meaning"),
+        ],
         rows,
         drawing: String::new(),
     }
@@ -58,8 +66,16 @@ pub fn parameters(control: &Control, axes: &AxisUnits, values: Vec<(ParamRole, A
 pub fn interface(rows: Vec<Row>) -> Sheet {
     Sheet {
         id: "interface",
+        kind: SheetKind::Plain,
         title: "sheet.interface",
-        columns: vec!["sheet.device", "sheet.variable", "sheet.writes", "sheet.reads", "sheet.unit", "sheet.use"],
+        columns: vec![
+            Column::Plain("sheet.device"),
+            Column::Plain("sheet.variable"),
+            Column::Plain("sheet.writes"),
+            Column::Plain("sheet.reads"),
+            Column::Plain("sheet.unit"),
+            Column::Prose("sheet.use"),
+        ],
         rows,
         drawing: String::new(),
     }

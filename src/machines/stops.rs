@@ -4,7 +4,7 @@ use super::sheets::{row, say};
 use crate::motion::ProgramState;
 use crate::text::catalog::sentence;
 use crate::text::{Citation, Message};
-use crate::view::Sheet;
+use crate::view::{Column, Sheet, SheetKind};
 
 /// An interruption of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -117,8 +117,11 @@ pub fn sheet(reactions: &[Reaction]) -> Sheet {
     let has_inverter = reactions.iter().any(|reaction| reaction.at == Interruption::InverterFault);
     Sheet {
         id: "stops",
+        kind: SheetKind::Plain,
         title: if has_inverter { "sheet.stops-and-fault" } else { "sheet.stops" },
-        columns: vec!["sheet.interruption", "sheet.spindle", "sheet.axes", "sheet.material", "sheet.operator"],
+        columns: ["sheet.interruption", "sheet.spindle", "sheet.axes", "sheet.material", "sheet.operator"]
+            .map(Column::Plain)
+            .to_vec(),
         rows: reactions.iter().map(line).collect(),
         drawing: String::new(),
     }

@@ -11,7 +11,7 @@ use crate::machines::sheets::{row, say};
 use crate::msg;
 use crate::text::catalog::sentence;
 use crate::text::{Citation, Grade};
-use crate::view::{Readout, Sheet, Verdict};
+use crate::view::{Column, Readout, Sheet, SheetKind, Verdict};
 
 /// Greatest part by which a fact is off.
 const OFF: f64 = 0.1;
@@ -106,8 +106,9 @@ impl Chance {
         });
         Sheet {
             id: "chance",
+            kind: SheetKind::Plain,
             title: "sheet.chance",
-            columns: vec!["sheet.failing", "sheet.share"],
+            columns: vec![Column::Plain("sheet.failing"), Column::Plain("sheet.share")],
             rows: [first].into_iter().chain(fails).collect(),
             drawing: String::new(),
         }

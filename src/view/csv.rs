@@ -41,7 +41,7 @@ pub fn charts(charts: &[Chart]) -> String {
 
 /// A sheet: heads, then rows.
 pub fn sheet(sheet: &Sheet) -> String {
-    let heads = sheet.columns.iter().map(|id| quoted(words(id))).collect::<Vec<_>>().join(",");
+    let heads = sheet.columns.iter().map(|column| quoted(words(column.head()))).collect::<Vec<_>>().join(",");
     let rows = sheet.rows.iter().map(|row| row.cells.iter().map(|cell| quoted(cell)).collect::<Vec<_>>().join(","));
     file(core::iter::once(heads).chain(rows).map(|line| line + "\r\n").collect())
 }

@@ -43,7 +43,7 @@ pub use look::{Look, Paint};
 pub use parts::DrawnPart;
 pub use readout::{Advice, Limit, Readout, Verdict};
 pub use scene::{Font, Node, Placement, Pose, Scene, SceneGroup, Shape};
-pub use sheet::{Row, Sheet};
+pub use sheet::{Column, Row, Sheet, SheetKind};
 pub use svg::Theme;
 pub use tornado_chart::{TornadoBar, TornadoChart};
 pub use torque_chart::{MotorPoint, OperatingLine, TorqueChart, TorqueWords};

@@ -4,7 +4,7 @@ use super::{Bit, Device, Ladder, PlcSide, RungAction};
 use crate::machines::sheets::{self, row, say};
 use crate::text::Citation;
 use crate::view::ladder::{self, DrawnContact, DrawnRung};
-use crate::view::{Row, Sheet};
+use crate::view::{Column, Row, Sheet, SheetKind};
 
 impl Ladder {
     /// The instruction list, rung by rung, with its drawing.
@@ -18,8 +18,8 @@ impl Ladder {
                 rows.push(row([rows.len().to_string(), instruction, note], cite));
             }
         }
-        let columns = vec!["sheet.step", "sheet.instruction", "sheet.use"];
-        Sheet { id: "ladder", title, columns, rows, drawing: ladder::svg(&self.drawn()) }
+        let columns = vec![Column::Plain("sheet.step"), Column::Plain("sheet.instruction"), Column::Prose("sheet.use")];
+        Sheet { id: "ladder", kind: SheetKind::Plain, title, columns, rows, drawing: ladder::svg(&self.drawn()) }
     }
 
     /// Rungs as the drawing takes them.

@@ -9,7 +9,7 @@ use crate::math;
 use crate::nc::build::{Builder, NewWord, g, m, p as p_word, real, s, word, x, z};
 use crate::nc::{self, Deck, File};
 use crate::text::{Citation, Grade};
-use crate::view::Sheet;
+use crate::view::{Column, Sheet, SheetKind};
 
 const MANUAL: Citation = Citation::new("maker's manual on G51.2", Grade::Sister);
 
@@ -114,8 +114,9 @@ pub(super) fn sheet(lathe: &PolygonLathe) -> Sheet {
     let note = |id: &'static str| if id.is_empty() { String::new() } else { say(id) };
     Sheet {
         id: "own-code",
+        kind: SheetKind::Plain,
         title: "polygon.sheet.own-code",
-        columns: vec!["polygon.sheet.block", "sheet.use"],
+        columns: vec![Column::Plain("polygon.sheet.block"), Column::Prose("sheet.use")],
         rows: blocks.into_iter().map(|(block, id)| row([block, note(id)], MANUAL)).collect(),
         drawing: String::new(),
     }

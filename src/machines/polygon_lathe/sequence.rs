@@ -7,8 +7,8 @@ use crate::machines::sheets::{row, say};
 use crate::text::catalog::number_text as show;
 use crate::text::number::{Plain, fill, filled};
 use crate::text::{Citation, Grade};
-use crate::view::Sheet;
 use crate::view::svg::escape;
+use crate::view::{Column, Sheet, SheetKind};
 
 const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
@@ -63,8 +63,9 @@ fn sheet(lathe: &PolygonLathe, (id, title): (&'static str, &'static str)) -> She
     let breaks = breaks.map(|text| row([String::new(), say(text)], OURS));
     Sheet {
         id,
+        kind: SheetKind::Plain,
         title,
-        columns: vec!["polygon.sheet.time", "sheet.use"],
+        columns: vec![Column::Plain("polygon.sheet.time"), Column::Prose("sheet.use")],
         rows: steps(lathe).into_iter().map(step).chain(breaks).collect(),
         drawing: diagram(lathe),
     }

@@ -15,7 +15,7 @@ use crate::math::PI;
 use crate::text::catalog::number_text as show;
 use crate::text::units::{self, Lengths};
 use crate::text::{Citation, Grade, clauses};
-use crate::view::{Row, Sheet};
+use crate::view::{Column, Row, Sheet, SheetKind};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
 const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
@@ -105,8 +105,9 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
     };
     Sheet {
         id: "choices",
+        kind: SheetKind::Plain,
         title: "polygon.sheet.choices",
-        columns: vec![
+        columns: [
             "polygon.sheet.rank",
             "polygon.inserts",
             "polygon.sheet.ratio",
@@ -119,7 +120,9 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
             "polygon.readout.work-speed",
             "polygon.readout.tool-speed",
             head_of_speed(),
-        ],
+        ]
+        .map(Column::Plain)
+        .to_vec(),
         rows: ways(&lathe.p, &lathe.sizes).into_iter().take(WAYS).enumerate().map(way).collect(),
         drawing: String::new(),
     }
@@ -161,14 +164,17 @@ fn passes(lathe: &PolygonLathe) -> Option<Sheet> {
     }
     Some(Sheet {
         id: "passes",
+        kind: SheetKind::Plain,
         title: "polygon.sheet.passes",
-        columns: vec![
+        columns: [
             "polygon.scene.pass",
             "polygon.across-flats",
             "polygon.sheet.feed",
             "polygon.readout.relief",
             head_of_speed(),
-        ],
+        ]
+        .map(Column::Plain)
+        .to_vec(),
         rows,
         drawing: String::new(),
     })
@@ -208,8 +214,9 @@ fn inserts(lathe: &PolygonLathe) -> Option<Sheet> {
     };
     Some(Sheet {
         id: "inserts",
+        kind: SheetKind::Plain,
         title: "polygon.sheet.inserts",
-        columns: vec![
+        columns: [
             "polygon.sheet.insert",
             "polygon.radius-errors",
             "polygon.angle-errors",
@@ -217,7 +224,9 @@ fn inserts(lathe: &PolygonLathe) -> Option<Sheet> {
             "polygon.readout.deviation-low",
             "polygon.readout.deviation-high",
             "polygon.readout.insert-turn",
-        ],
+        ]
+        .map(Column::Plain)
+        .to_vec(),
         rows: (0..setup.tips.len()).map(one).collect(),
         drawing: String::new(),
     })

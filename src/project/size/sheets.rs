@@ -11,7 +11,7 @@ use crate::math::RPM;
 use crate::msg;
 use crate::text::catalog::{number_text, sentence};
 use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
-use crate::view::{Limit, Row, Sheet, TornadoBar, TornadoChart, TorqueWords, Verdict};
+use crate::view::{Column, Limit, Row, Sheet, SheetKind, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
@@ -38,8 +38,8 @@ impl Sizing {
     /// The sheets of an offer: those, with the motors that an engineer would look at first.
     pub fn offer(&self) -> Vec<Sheet> {
         let mut sheets = self.sheets();
-        let is_long = |sheet: &&mut Sheet| ["motors", "gears"].contains(&sheet.id);
-        sheets.iter_mut().filter(is_long).for_each(|sheet| sheet.rows.truncate(OFFERED));
+        let choices = sheets.iter_mut().filter(|sheet| sheet.kind == SheetKind::Choice);
+        choices.for_each(|sheet| sheet.rows.truncate(OFFERED));
         sheets
     }
 
@@ -64,15 +64,16 @@ impl Sizing {
         };
         Sheet {
             id: "bill",
+            kind: SheetKind::Bill,
             title: "sheet.bill",
             columns: vec![
-                "sheet.item",
-                "sheet.maker",
-                "sheet.order-number",
-                "sheet.quantity",
-                "sheet.status",
-                "page.grade",
-                "form.report.source",
+                Column::Plain("sheet.item"),
+                Column::Plain("sheet.maker"),
+                Column::Plain("sheet.order-number"),
+                Column::Plain("sheet.quantity"),
+                Column::Plain("sheet.status"),
+                Column::Plain("page.grade"),
+                Column::Source("form.report.source"),
             ],
             rows: self.bill.iter().map(cells).collect(),
             drawing: String::new(),
@@ -85,8 +86,9 @@ impl Sizing {
             |of: &TerminalRow| row([of.terminal.clone(), of.signal.clone(), of.from.clone(), of.to.clone()], of.cite);
         Sheet {
             id: "terminals",
+            kind: SheetKind::Plain,
             title: "sheet.terminals",
-            columns: vec!["sheet.terminal", "sheet.signal", "sheet.from", "sheet.to"],
+            columns: ["sheet.terminal", "sheet.signal", "sheet.from", "sheet.to"].map(Column::Plain).to_vec(),
             rows: self.terminals.iter().map(cells).collect(),
             drawing: String::new(),
         }
@@ -128,8 +130,9 @@ impl Sizing {
         let cut = self.cut.iter().map(|cut| row([say("size.cycle-time"), sentence(&cut.message())], RUNS));
         Sheet {
             id: "cycle",
+            kind: SheetKind::Plain,
             title: "sheet.cycle",
-            columns: vec!["sheet.quantity-watched", "sheet.value"],
+            columns: vec![Column::Plain("sheet.quantity-watched"), Column::Plain("sheet.value")],
             rows: cut.chain(cells).chain(duties).collect(),
             drawing: String::new(),
         }
@@ -156,8 +159,9 @@ impl Sizing {
         });
         Sheet {
             id: "limits",
+            kind: SheetKind::Plain,
             title: "sheet.limits",
-            columns: vec!["sheet.grows", "sheet.until", "sheet.margin", "sheet.binds"],
+            columns: ["sheet.grows", "sheet.until", "sheet.margin", "sheet.binds"].map(Column::Plain).to_vec(),
             rows: self.limits.iter().map(cells).chain(fastest).chain(least).collect(),
             drawing: String::new(),
         }
@@ -174,8 +178,11 @@ impl Sizing {
         });
         Sheet {
             id: "tornado",
+            kind: SheetKind::Plain,
             title: "sheet.tornado",
-            columns: vec!["sheet.result", "sheet.assumed-fact", "sheet.tenth-less", "sheet.tenth-more"],
+            columns: ["sheet.result", "sheet.assumed-fact", "sheet.tenth-less", "sheet.tenth-more"]
+                .map(Column::Plain)
+                .to_vec(),
             rows: rows.collect(),
             drawing: self.tornadoes.iter().map(tornado_chart).collect(),
         }
@@ -199,11 +206,12 @@ impl Sizing {
             let cells = watched.iter().map(|of| at(&of.id).map_or(String::new(), value));
             row([say(event.name())].into_iter().chain(cells).collect::<Vec<_>>(), RUNS)
         });
-        let columns = watched.iter().map(|of| of.axis.unwrap_or(of.label));
+        let columns = watched.iter().map(|of| Column::Plain(of.axis.unwrap_or(of.label)));
         Sheet {
             id: "envelope",
+            kind: SheetKind::Plain,
             title: "sheet.envelope",
-            columns: ["sheet.event"].into_iter().chain(columns).collect(),
+            columns: [Column::Plain("sheet.event")].into_iter().chain(columns).collect(),
             rows: [limits].into_iter().chain(rows).chain(self.needed(&watched)).collect(),
             drawing: String::new(),
         }
@@ -360,8 +368,9 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
     let currents = currents.into_iter().filter_map(|(label, value)| Some((label, value?)));
     Some(Sheet {
         id: "asked",
+        kind: SheetKind::Plain,
         title: axis.name,
-        columns: vec!["sheet.quantity-watched", "sheet.value"],
+        columns: vec![Column::Plain("sheet.quantity-watched"), Column::Plain("sheet.value")],
         rows: cells.into_iter().chain(currents).map(|(label, value)| row([say(label), value], RUNS)).collect(),
         drawing: chart.svg(&words),
     })
@@ -388,15 +397,16 @@ fn motors(axis: &SizedAxis) -> Sheet {
     };
     Sheet {
         id: "motors",
+        kind: SheetKind::Choice,
         // Behind the sheet with its name.
         title: if axis.chart.is_some() { "sheet.motors" } else { axis.name },
         columns: vec![
-            "sheet.motor",
-            "sheet.effective-load",
-            "sheet.peak-load",
-            "sheet.inertia-ratio",
-            "sheet.status",
-            "sheet.answer",
+            Column::Product("sheet.motor"),
+            Column::Plain("sheet.effective-load"),
+            Column::Plain("sheet.peak-load"),
+            Column::Plain("sheet.inertia-ratio"),
+            Column::Plain("sheet.status"),
+            Column::Prose("sheet.answer"),
         ],
         rows: axis.candidates.iter().map(cells).collect(),
         drawing: String::new(),
@@ -435,15 +445,16 @@ fn gears(axis: &SizedAxis) -> Option<Sheet> {
     };
     Some(Sheet {
         id: "gears",
+        kind: SheetKind::Choice,
         title: "sheet.gears",
         columns: vec![
-            "sheet.gear",
-            "sheet.mean-torque",
-            "sheet.peak-load",
-            "sheet.mean-input-speed",
-            "sheet.input-speed",
-            "sheet.status",
-            "sheet.answer",
+            Column::Product("sheet.gear"),
+            Column::Plain("sheet.mean-torque"),
+            Column::Plain("sheet.peak-load"),
+            Column::Plain("sheet.mean-input-speed"),
+            Column::Plain("sheet.input-speed"),
+            Column::Plain("sheet.status"),
+            Column::Prose("sheet.answer"),
         ],
         rows: core::iter::once(row(asked, RUNS)).chain(gear.candidates.iter().map(cells)).collect(),
         drawing: String::new(),

@@ -11,7 +11,7 @@ use crate::drives::parts::{Part, PartGrade, Status};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
 use crate::text::catalog::{sentence, words};
-use crate::view::{Limit, Sheet};
+use crate::view::{Limit, Sheet, SheetKind};
 
 fn say(id: &'static str) -> &'static str {
     words(id)
@@ -181,7 +181,7 @@ const SHOWN: usize = 8;
 impl Sizing {
     /// The sizing as lines.
     pub fn text(&self) -> String {
-        let rows = |sheet: &Sheet| if ["motors", "gears"].contains(&sheet.id) { SHOWN } else { usize::MAX };
+        let rows = |sheet: &Sheet| if sheet.kind == SheetKind::Choice { SHOWN } else { usize::MAX };
         self.sheets().iter().map(|sheet| sheet_text(sheet, rows(sheet))).collect()
     }
 }

@@ -13,16 +13,16 @@ use crate::project::{Project, encode};
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity, columns};
 use crate::ui::words::{say, sign, t, tell, tone, verdict_tone, verdict_words};
 use crate::view::svg::escape;
-use crate::view::{Comparison, Row, Sheet, VariantCell, Verdict};
+use crate::view::{Column, Comparison, Row, Sheet, SheetKind, VariantCell, Verdict};
 
 /// The sheets of a project, by the tab that shows them.
 pub(super) fn sheets(project: &Project) -> Sheets {
     let mut out = Sheets::default();
     for sheet in &project.prepared().sheets() {
         let takes = sheet.rows.iter().any(|row| !row.sets.is_empty());
-        let tab = match sheet.id {
+        let tab = match sheet.kind {
             _ if takes => &mut out.ways,
-            "parameters" => &mut out.parameters,
+            SheetKind::Parameters => &mut out.parameters,
             _ => &mut out.plc,
         };
         html(tab, sheet, project);
@@ -151,10 +151,9 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     let some = |at: &usize| sheet.rows.iter().any(|row| row.cells.get(*at).is_some_and(|cell| !cell.is_empty()));
     let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
     // Where there is little room, prose behind many columns goes below them: see `.stacked`.
-    let prose =
-        matches!(sheet.columns.last(), Some(&("sheet.meaning" | "sheet.use" | "sheet.answer"))) && shown.len() > 3;
+    let prose = matches!(sheet.columns.last(), Some(Column::Prose(_))) && shown.len() > 3;
     // Sentences in several columns stand below one another there, each with its head: see `.told`.
-    let is_bill = sheet.id == "bill";
+    let is_bill = sheet.kind == SheetKind::Bill;
     let told = is_bill || shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
     // A source that all rows share stands once.
     let common = sheet.common_source().filter(|_| is_bill || !told && !prose);
@@ -165,8 +164,8 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
         out.push_str(&format!(" stacked n{}", shown.len() - 1));
     }
     out.push_str("\"><thead><tr>");
-    let heads = shown.iter().filter_map(|at| sheet.columns.get(*at));
-    for head in heads.chain(common.is_none().then_some(&"page.grade")) {
+    let heads = shown.iter().filter_map(|at| sheet.columns.get(*at)).map(|column| column.head());
+    for head in heads.chain(common.is_none().then_some("page.grade")) {
         out.push_str("<th scope=\"col\">");
         escape(out, t(head));
         out.push_str("</th>");
@@ -190,17 +189,17 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
             out.push_str("<tr>");
             for (at, cell) in shown.iter().zip(&cells) {
                 match sheet.columns.get(*at) {
-                    Some(&"sheet.number") if meaning::of(project, cell, Table::Parameters).is_some() => {
+                    Some(Column::Parameter(_)) if meaning::of(project, cell, Table::Parameters).is_some() => {
                         out.push_str("<td data-means=\"parameters\">");
                         escape(out, cell);
                         out.push_str("</td>");
                     }
-                    Some(&("sheet.meaning" | "sheet.use" | "sheet.answer" | "sheet.motor")) => tagged(out, "td", cell),
+                    Some(Column::Prose(_) | Column::Product(_)) => tagged(out, "td", cell),
                     // No head over nothing.
                     _ if told && cell.is_empty() => out.push_str("<td></td>"),
-                    Some(head) if told => {
+                    Some(column) if told => {
                         out.push_str("<td>");
-                        tagged(out, "small", t(head));
+                        tagged(out, "small", t(column.head()));
                         escape(out, cell);
                         out.push_str("</td>");
                     }

@@ -283,7 +283,7 @@ pub(crate) struct Finding {
     /// Place in [`DiagnosticKind::ALL`].
     kind: u8,
     alarm: Option<String>,
-    wording: Option<String>,
+    wording: Option<u16>,
     place: Option<Range>,
     hints: Vec<Sentence>,
     fixes: Vec<(Sentence, Vec<(Range, String)>)>,
@@ -326,23 +326,24 @@ impl From<Range> for Place {
     }
 }
 
-impl From<&Diagnostic> for Finding {
-    fn from(found: &Diagnostic) -> Finding {
+impl Finding {
+    /// The diagnostic as a message; its wording is the number of the row in the control's table of alarms.
+    pub(super) fn new(found: &Diagnostic, control: &Control) -> Finding {
+        let shown = (found.alarm.as_deref(), found.wording);
+        let row = control.alarms.iter().position(|row| (Some(row.number), Some(row.text)) == shown);
         let edits = |fix: &Fix| fix.edits.iter().map(|(place, text)| ((*place).into(), text.clone())).collect();
         Finding {
             message: (&found.message).into(),
             severity: found.severity as u8,
             kind: found.kind as u8,
             alarm: found.alarm.as_deref().map(str::to_owned),
-            wording: found.wording.map(|wording| wording.english.to_owned()),
+            wording: row.and_then(|row| u16::try_from(row).ok()),
             place: found.place.map(Range::from),
             hints: found.hints.iter().map(Sentence::from).collect(),
             fixes: found.fixes.iter().map(|fix| ((&fix.title).into(), edits(fix))).collect(),
         }
     }
-}
 
-impl Finding {
     /// The diagnostic; its wording is that of the control's own row. `None` where the catalog lacks its sentence.
     pub(super) fn diagnostic(self, control: &Control) -> Option<Diagnostic> {
         let message = self.message.message()?;
@@ -351,8 +352,7 @@ impl Finding {
         found.severity = *Severity::ALL.get(severity)?;
         found.place = self.place.map(Place::from);
         found.alarm = self.alarm.map(Into::into);
-        found.wording =
-            control.alarms.iter().map(|row| row.text).find(|text| self.wording.as_deref() == Some(text.english));
+        found.wording = self.wording.and_then(|row| control.alarms.get(usize::from(row))).map(|row| row.text);
         found.hints.extend(self.hints.into_iter().filter_map(Sentence::message));
         for (title, edits) in self.fixes {
             let Some(title) = title.message() else { continue };
@@ -373,14 +373,14 @@ mod tests {
     fn finding_is_the_same_on_both_ends() {
         let control = project().control;
         let place = Place { file: FileId(1), span: Span { start: 2, end: 5 } };
-        let row = control.alarms.first().map(|row| (row.number, row.text));
+        let row = control.alarms.last().map(|row| (row.number, row.text));
         let sent = Diagnostic::warning(crate::msg!("page.more-findings", count = 5.0))
             .at(place)
             .alarm(row)
             .hint(crate::msg!("page.taken"))
             .kind(DiagnosticKind::Starved)
             .fix(crate::msg!("page.mended"), vec![(place, "X1.".to_owned())]);
-        let wire = serde_wasm_bindgen::to_value(&Finding::from(&sent)).unwrap();
+        let wire = serde_wasm_bindgen::to_value(&Finding::new(&sent, control)).unwrap();
         let got = serde_wasm_bindgen::from_value::<Finding>(wire).unwrap().diagnostic(control).unwrap();
         assert_eq!(crate::ui::words::tell_alarm(&got), crate::ui::words::tell_alarm(&sent));
         assert_eq!((got.severity, got.kind, got.place), (sent.severity, sent.kind, sent.place));

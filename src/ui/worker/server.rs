@@ -155,7 +155,12 @@ fn check(text: String, project: &Project) -> Report {
 /// All diagnostics of the project's program.
 fn review(project: &Project) -> Vec<Finding> {
     let written = project.written();
-    written.diagnostics.iter().chain(&project.advice(&written)).map(Finding::from).collect()
+    written
+        .diagnostics
+        .iter()
+        .chain(&project.advice(&written))
+        .map(|found| Finding::new(found, project.control))
+        .collect()
 }
 
 #[cfg(test)]

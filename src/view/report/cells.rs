@@ -3,7 +3,7 @@
 use super::document::{Figure, Input, ListedPart, Report};
 use crate::text::Grade;
 use crate::text::catalog::{number_text, sentence, words};
-use crate::view::{Limit, Readout, Row, Sheet, Verdict};
+use crate::view::{Column, Limit, Readout, Row, Sheet, Verdict};
 
 /// A judgement in a word or two.
 pub(super) fn verdict(verdict: Verdict) -> &'static str {
@@ -90,7 +90,7 @@ pub(super) fn cells_of_input(report: &Report, input: &Input) -> [String; 5] {
 
 /// Whether the source of each row is a column of the sheet already.
 pub(super) fn has_sources(sheet: &Sheet) -> bool {
-    sheet.columns.contains(&"form.report.source")
+    sheet.columns.iter().any(|column| matches!(column, Column::Source(_)))
 }
 
 /// The cells of a row of a sheet, with its source at last.

@@ -337,7 +337,7 @@ impl Page<'_> {
     fn sheet(&mut self, sheet: &Sheet) {
         self.title(sheet.title);
         self.raw(&format!("<table class=\"{}\">", sheet.id));
-        let mut heads = sheet.columns.clone();
+        let mut heads: Vec<&str> = sheet.columns.iter().map(|column| column.head()).collect();
         // A source that all rows share stands once.
         let common = sheet.common_source();
         if common.is_none() && !has_sources(sheet) {

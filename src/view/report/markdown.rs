@@ -98,7 +98,7 @@ fn inputs(out: &mut String, report: &Report) {
 }
 
 fn sheet(out: &mut String, sheet: &Sheet) {
-    let mut columns = sheet.columns.clone();
+    let mut columns: Vec<&str> = sheet.columns.iter().map(|column| column.head()).collect();
     if !has_sources(sheet) {
         columns.push("form.report.source");
     }

@@ -11,8 +11,8 @@ use macroline::motion::{Snapshot, Visit};
 use macroline::text::{Grade, Phrase};
 use macroline::view::look::{Gradient, Ramp};
 use macroline::view::{
-    self, Callout, Chart, Drawing, Look, Paint, Placement, Pose, Row, Scene, SceneGroup, Series, Shape, Sheet, Theme,
-    csv, plot, svg,
+    self, Callout, Chart, Column, Drawing, Look, Paint, Placement, Pose, Row, Scene, SceneGroup, Series, Shape, Sheet,
+    SheetKind, Theme, csv, plot, svg,
 };
 
 /// The line at full speed, `t` seconds after X has its speed.
@@ -342,8 +342,14 @@ fn csv_of_more_than_ascii_begins_with_a_byte_order_mark() {
     for (cell, mark) in [("motor", false), ("电机", true)] {
         let row = Row { cells: vec![cell.to_owned()], grade: Grade::Manual, source: Phrase::new(""), sets: Vec::new() };
         let rows = vec![row];
-        let sheet =
-            Sheet { id: "bill", title: "projects.title", columns: vec!["page.share"], rows, drawing: String::new() };
+        let sheet = Sheet {
+            id: "bill",
+            kind: SheetKind::Bill,
+            title: "projects.title",
+            columns: vec![Column::Plain("page.share")],
+            rows,
+            drawing: String::new(),
+        };
         assert_eq!(csv::sheet(&sheet).starts_with('\u{feff}'), mark, "{cell}");
     }
 }
