@@ -29,3 +29,34 @@ pub(crate) fn HelpDialog() -> impl IntoView {
         </Dialog>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, settled};
+
+    #[wasm_bindgen_test]
+    async fn content_is_made_when_help_is_first_opened_and_kept() {
+        let bench = mount(|| view! { <HelpDialog /> }).await;
+        assert!(bench.has("dialog.help:not([open])") && !bench.has("#help-search"));
+        bench.page.view.helping.set(true);
+        settled().await;
+        assert_eq!(bench.text("#help-title"), t("page.help"));
+        bench.type_into("#help-search", "slack").await;
+        bench.press_button(t("page.close")).await;
+        assert!(bench.has("dialog.help:not([open])"));
+        assert_eq!(bench.value("#help-search"), "slack", "what was looked for is there when help is opened again");
+    }
+
+    #[wasm_bindgen_test]
+    async fn closing_forgets_the_place_that_was_asked_for() {
+        let bench = mount(|| view! { <HelpDialog /> }).await;
+        bench.page.view.explain("field.pitch");
+        settled().await;
+        assert!(bench.has("dialog.help[open]"));
+        bench.press_button(t("page.close")).await;
+        assert!(bench.page.view.help_at.get_untracked().is_empty());
+    }
+}

@@ -100,3 +100,63 @@ async fn png(svg: &str) -> Option<Vec<u8>> {
     let buffer = JsFuture::from(blob.array_buffer()).await.ok()?;
     Some(js_sys::Uint8Array::new(&buffer).to_vec())
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, until};
+
+    const SIGNATURE: [u8; 8] = [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n'];
+
+    /// The buttons, with downloads noted in place of the browser's own.
+    async fn buttons() -> Bench {
+        let note =
+            "window.saved = []; HTMLAnchorElement.prototype.click = function () { window.saved.push(this.download); }";
+        js_sys::Function::new_no_args(note).call0(&js_sys::global()).unwrap();
+        let bench = mount(|| view! { <SavePicture /> }).await;
+        bench.run().await;
+        bench
+    }
+
+    /// Names of the files that were saved.
+    fn saved() -> Vec<String> {
+        let names = js_sys::Reflect::get(&js_sys::global(), &"saved".into()).unwrap();
+        js_sys::Array::from(&names).iter().filter_map(|name| name.as_string()).collect()
+    }
+
+    #[wasm_bindgen_test]
+    async fn drawing_is_saved_as_svg_and_png() {
+        let bench = buttons().await;
+        let name = |ending: &str| bench.page.project.with_untracked(|project| project.file_name(ending));
+        bench.press_button("SVG").await;
+        assert_eq!(saved(), [name("svg")]);
+        bench.press_button("PNG").await;
+        until(|| saved().len() == 2).await;
+        assert_eq!((saved()[1].clone(), bench.notices()), (name("png"), Vec::<String>::new()));
+    }
+
+    #[wasm_bindgen_test]
+    async fn picture_has_twice_the_pixels_of_the_drawing() {
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30\" height=\"20\"/>";
+        let bytes = png(svg).await.unwrap();
+        assert_eq!(bytes[..8], SIGNATURE);
+        // Width and height stand at the begin of the first chunk.
+        assert_eq!((bytes[16..20].to_vec(), bytes[20..24].to_vec()), (vec![0, 0, 0, 60], vec![0, 0, 0, 40]));
+        assert!(png("<svg").await.is_none(), "a drawing that the browser cannot read");
+    }
+
+    #[wasm_bindgen_test]
+    async fn clip_that_is_recorded_can_be_broken_off() {
+        let bench = buttons().await;
+        if !clip::is_possible() {
+            return;
+        }
+        let record = say(&crate::msg!("page.clip", time = clip::SECONDS));
+        bench.press_button(&record).await;
+        assert!(bench.has(".clip progress"));
+        bench.press_button(t("page.cancel")).await;
+        assert!(!bench.has(".clip") && saved().is_empty() && bench.notices().is_empty());
+    }
+}

@@ -139,3 +139,58 @@ pub(super) fn Plot(
         {readout}
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::machine::film::Film;
+    use crate::ui::testing::{Bench, event, mount, until};
+
+    /// A pointer at a part of the chart's width; `buttons` is 1 for a press.
+    async fn point(bench: &Bench, kind: &str, part: f64, buttons: i32) {
+        let over = bench.find(".over");
+        let area = over.get_bounding_client_rect();
+        let members = [("clientX", (area.left() + part * area.width()).into()), ("buttons", buttons.into())];
+        over.dispatch_event(&event("PointerEvent", kind, &members)).unwrap();
+        bench.drawn().await;
+    }
+
+    async fn film() -> Bench {
+        let bench = mount(|| view! { <Film /> }).await;
+        bench.run().await;
+        bench.choose(".window", "2").await;
+        bench.seek(1.0).await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn pointer_shows_time_and_values_until_it_leaves() {
+        let bench = film().await;
+        point(&bench, "pointermove", 0.25, 0).await;
+        let text = bench.text(".pointed");
+        assert!(text.starts_with("0.5") && text.split("  ").count() > 1, "{text}");
+        assert!(!bench.has(".pointed.left"));
+        point(&bench, "pointermove", 0.75, 0).await;
+        assert!(bench.text(".pointed.left").starts_with("1.5"));
+        bench.find(".plots").dispatch_event(&event("PointerEvent", "pointerleave", &[])).unwrap();
+        bench.drawn().await;
+        assert!(!bench.has(".pointed"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn press_sets_the_head_and_stops_the_play() {
+        let bench = film().await;
+        let player = bench.page.player;
+        player.playing.set(true);
+        point(&bench, "pointermove", 0.25, 0).await;
+        assert!(player.playing.get_untracked(), "to look is not to press");
+        player.playing.set(false);
+        bench.seek(1.0).await;
+        player.playing.set(true);
+        point(&bench, "pointerdown", 0.25, 1).await;
+        assert!(!player.playing.get_untracked());
+        until(move || player.now.with_untracked(|now| now.t) < 1.0).await;
+    }
+}
