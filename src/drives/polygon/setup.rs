@@ -86,19 +86,13 @@ impl CutterSetup {
         Curve::new(self.distance, self.tips.get(insert)?.radius, self.ratio.value())
     }
 
-    /// Where a tip is when the work has turned by `angle` since the start: `a - r e^(iτ)` with `τ = E + kθ + φ`. Source: polygon turning facts 3.1.
-    pub fn tip_on_machine(&self, insert: usize, angle: f64) -> Option<(f64, f64)> {
+    /// Where the tip of an insert is as the turning work sees it, in mm, with work and tool at their angles θ and τ in radians:
+    /// `e^(-iθ) · (a - r e^(i(τ+φ)))`. Source: polygon turning facts 3.1; mirrored, these are the paper's equations (1) and (2).
+    pub fn tip_on_work(&self, insert: usize, work: f64, tool: f64) -> Option<(f64, f64)> {
         let tip = self.tips.get(insert)?;
-        let (sin, cos) = math::sin_cos(self.tool_start + self.ratio.value() * angle + tip.angle);
-        Some((self.distance - tip.radius * cos, -tip.radius * sin))
-    }
-
-    /// The same as the turning work sees it: `e^(-i(A+θ))` times the place on the machine. Source: polygon turning facts 3.1; mirrored, and with both start angles 0, these are
-    /// the paper's equations (1) and (2).
-    pub fn tip_on_work(&self, insert: usize, angle: f64) -> Option<(f64, f64)> {
-        let (x, y) = self.tip_on_machine(insert, angle)?;
-        let (sin, cos) = math::sin_cos(self.work_start + angle);
-        Some((x * cos + y * sin, y * cos - x * sin))
+        let ((s, c), (sin, cos)) = (math::sin_cos(work), math::sin_cos(tool + tip.angle));
+        let (x, y) = (self.distance - tip.radius * cos, -tip.radius * sin);
+        Some((x * c + y * s, y * c - x * s))
     }
 
     /// The normal of the side that an insert at an angle on the disc cuts as it first passes: `ψ = -A + (E + φ)/k`. The work's start angle turns the

@@ -171,12 +171,6 @@ pub(super) fn tips(lathe: &PolygonLathe, now: &Snapshot) -> Option<(CutterSetup,
     let mut setup = lathe.p.setup(across_flats)?;
     setup.distance = 0.5 * across_flats + setup.radius;
     let [work, tool] = [WORK, TOOL].map(|axis| now.pmc[axis].actual / 180.0 * PI);
-    let (s, c) = math::sin_cos(work);
-    let on_work = setup.tips.iter().map(|tip| {
-        let (sin, cos) = math::sin_cos(tool + tip.angle);
-        let (x, y) = (setup.distance - tip.radius * cos, -tip.radius * sin);
-        (x * c + y * s, y * c - x * s)
-    });
-    let on_work = on_work.collect();
+    let on_work = (0..setup.tips.len()).filter_map(|insert| setup.tip_on_work(insert, work, tool)).collect();
     Some((setup, on_work))
 }

@@ -99,7 +99,7 @@ fn tip_moves_by_equations_1_and_2() {
         for at in 0..200 {
             let alpha = 0.1 * f64::from(at);
             let theta = alpha * f64::from(tool) / f64::from(work);
-            let (x, y) = cutter.tip_on_work(0, alpha).unwrap();
+            let (x, y) = cutter.tip_on_work(0, alpha, theta).unwrap();
             near(x, 55.0 * math::cos(alpha) - 45.0 * math::cos(theta - alpha), 1e-9);
             // The paper's figure is seen from the other side, and its second equation has R sin αt.
             near(-y, 55.0 * math::sin(alpha) + 45.0 * math::sin(theta - alpha), 1e-9);
@@ -109,7 +109,7 @@ fn tip_moves_by_equations_1_and_2() {
 
 fn path_at_1_to_2_is_an_ellipse() {
     for at in 0..200 {
-        let (x, y) = cutter(2, 1).tip_on_work(0, 0.1 * f64::from(at)).unwrap();
+        let (x, y) = cutter(2, 1).tip_on_work(0, 0.1 * f64::from(at), 0.2 * f64::from(at)).unwrap();
         near(math::hypot(x / 10.0, y / 100.0), 1.0, 1e-9);
     }
 }
@@ -117,7 +117,7 @@ fn path_at_1_to_2_is_an_ellipse() {
 fn two_inserts_turn_a_square() {
     let square = cutter(2, 1);
     assert_eq!(square.sides(), 4);
-    let reach = |insert| square.tip_on_machine(insert, 0.3).map(|(x, y)| math::hypot(x - 55.0, y)).unwrap();
+    let reach = |insert| square.tip_on_work(insert, 0.0, 0.6).map(|(x, y)| math::hypot(x - 55.0, y)).unwrap();
     near(reach(0), 45.0, 1e-9);
     near(reach(1), 45.0, 1e-9);
 }

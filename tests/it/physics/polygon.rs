@@ -19,6 +19,12 @@ fn setup(a: f64, r: f64, ratio: Ratio, inserts: u32) -> CutterSetup {
     CutterSetup::even(2.0 * (a - r), r, ratio, inserts)
 }
 
+/// Where a tip is on the work that has turned by `angle` since the start.
+fn tip(cutter: &CutterSetup, insert: usize, angle: f64) -> (f64, f64) {
+    let tool = cutter.tool_start + cutter.ratio.value() * angle;
+    cutter.tip_on_work(insert, cutter.work_start + angle, tool).unwrap()
+}
+
 /// The tip circle whose sides are flat at their middle, `r = d / ((k-1)² - 1)`; none from 0 to 2, where every side is crowned (sheet 3.3).
 fn flat_radius(apothem: f64, ratio: f64) -> Option<f64> {
     let excess = (ratio - 1.0) * (ratio - 1.0) - 1.0;
@@ -115,14 +121,14 @@ fn tip_paths_equal_the_papers_mirrored() {
     let cutter = setup(55.0, 45.0, ratio(2, 1), 2);
     for i in 0..100 {
         let turned = 0.1 * f64::from(i);
-        let (x, y) = cutter.tip_on_work(0, turned).unwrap();
+        let (x, y) = tip(&cutter, 0, turned);
         near(x, 10.0 * math::cos(turned), 1e-12);
         near(-y, 100.0 * math::sin(turned), 1e-12);
         // Equation (5): an ellipse.
         near((x / 10.0) * (x / 10.0) + (y / 100.0) * (y / 100.0), 1.0, 1e-12);
     }
-    assert_eq!(cutter.tip_on_machine(0, 0.0), Some((10.0, 0.0)));
-    assert_eq!(cutter.tip_on_machine(2, 0.0), None);
+    assert_eq!(cutter.tip_on_work(0, 0.0, 0.0), Some((10.0, 0.0)));
+    assert_eq!(cutter.tip_on_work(2, 0.0, 0.0), None);
 }
 
 #[test]
@@ -140,7 +146,7 @@ fn start_angles_rotate_the_polygon() {
     }
     // The tip itself comes nearest there.
     let turned = -cutter.tool_start / 2.0;
-    let (x, y) = cutter.tip_on_work(0, turned).unwrap();
+    let (x, y) = tip(&cutter, 0, turned);
     near(math::atan2(y, x), 0.7, 1e-12);
     near(math::hypot(x, y), 10.0, 1e-12);
 }

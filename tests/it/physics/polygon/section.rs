@@ -148,7 +148,7 @@ fn tips_pass_outside_the_section_and_never_inside() {
         for _ in 0..2000 {
             let (insert, turned) =
                 (random.integer(0, inserts as i32 - 1) as usize, random.between(0.0, 2.0 * PI * turns));
-            let (x, y) = cutter.tip_on_work(insert, turned).unwrap();
+            let (x, y) = tip(&cutter, insert, turned);
             // A hair beside counts as well: where a path turns back, it runs straight out.
             let left =
                 [-1e-12, 1e-12].map(|by| section.radius(math::atan2(y, x) + by)).into_iter().fold(stock, f64::min);
@@ -164,7 +164,7 @@ fn tips_pass_outside_the_section_and_never_inside() {
             }
             let point = (radius * math::cos(angle), radius * math::sin(angle));
             let off = |insert: usize, turned: f64| {
-                let (x, y) = cutter.tip_on_work(insert, turned).unwrap();
+                let (x, y) = tip(&cutter, insert, turned);
                 math::hypot(x - point.0, y - point.1)
             };
             // A tip is at that distance twice in each turn of the tool.
