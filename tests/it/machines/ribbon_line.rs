@@ -367,9 +367,10 @@ fn values_without_origin_are_listed_as_assumed() {
         let infos = design.diagnostics.into_iter().filter(|d| d.severity == Severity::Info);
         infos.map(|d| sentence(&d.message)).collect::<String>()
     };
-    assert!(count(&Origins::new()).contains("inverter-ramp"));
+    let label = words("ribbon.inverter-ramp");
+    assert!(count(&Origins::new()).contains(label));
     let measured = Origins::from_iter([("inverter-ramp".to_owned(), Provenance::Measured)]);
-    assert!(!count(&measured).contains("inverter-ramp"));
+    assert!(!count(&measured).contains(label));
 }
 
 #[test]
