@@ -200,7 +200,7 @@ impl Timeline {
     }
 
     /// Times at which a block within a place begins after another block, as far as the run is planned.
-    pub fn begins(&self, place: Place) -> impl DoubleEndedIterator<Item = f64> {
+    pub fn begins(&self, place: Place) -> impl Iterator<Item = f64> {
         let marks = self.marks.until(f64::INFINITY);
         let span = place.span.start..place.span.end;
         let there =
@@ -208,11 +208,6 @@ impl Timeline {
         // A block may have several marks: it waits, then moves.
         let begins = move |at: &usize| there(&marks[*at]) && (*at == 0 || !there(&marks[at - 1]));
         (0..marks.len()).filter(begins).map(move |at| marks[at].t)
-    }
-
-    /// The first time after `t` at which a block within a place begins after another block; `None` where none is planned.
-    pub fn begins_after(&self, place: Place, t: f64) -> Option<f64> {
-        self.begins(place).find(|begin| *begin > t)
     }
 
     /// Visits of the commands of two axes to the region where both are below their limits, up to `t`; deviations of arcs are left out.

@@ -651,9 +651,9 @@ impl Player {
     }
 }
 
-/// The first of the times behind the head, and behind the last of them the first again; none of none.
+/// The first of some times in order behind the head, and behind the last of them the first again; none of none.
 pub(crate) fn next_begin(times: &[f64], head: f64) -> Option<f64> {
-    times.iter().find(|t| **t > head).or(times.first()).copied()
+    times.get(times.partition_point(|t| *t <= head)).or(times.first()).copied()
 }
 
 #[cfg(test)]
