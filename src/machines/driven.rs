@@ -86,6 +86,14 @@ pub struct FormGear {
     pub fields: GearFields,
 }
 
+impl FormGear {
+    /// The motion of its output while its input makes these turns.
+    pub fn behind(&self, input: &[Turn]) -> Motion {
+        let slower = |turn: &Turn| Turn { from: turn.from / self.ratio, to: turn.to / self.ratio, ..*turn };
+        Motion::new(input.iter().map(slower), self.output, self.hold)
+    }
+}
+
 /// Ids of the fields of a gear unit in a form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GearFields {
@@ -114,11 +122,6 @@ impl DrivenAxis {
     /// The motion of the motor's shaft in a part of a run.
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {
         Motion::new(turns(stretches, self.turn), self.load, self.hold).with_strikes(self.strikes)
-    }
-
-    /// The motion of the output of its gear unit in a part of a run.
-    pub fn behind(&self, gear: &FormGear, stretches: &[Stretch]) -> Motion {
-        Motion::new(turns(stretches, self.turn / gear.ratio), gear.output, gear.hold)
     }
 }
 
@@ -177,6 +180,20 @@ impl InverterDrive {
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {
         Motion::new(turns(stretches, self.turn), self.turned, 0.0)
     }
+
+    /// The turns of the motor's shaft in run-up, work and stop, and where the ramps do not count in the work alone.
+    pub fn turns(&self) -> Vec<Turn> {
+        let speed = self.speed.abs() * RPM;
+        let steady = |t: f64, seconds: f64| Turn { t, seconds, from: speed, to: speed };
+        match self.cycle {
+            None => vec![steady(0.0, 1.0)],
+            Some(InverterCycle { of, .. }) => {
+                let rise = Turn { t: 0.0, seconds: of.ramp, from: 0.0, to: speed };
+                let fall = Turn { t: of.ramp + of.run, seconds: of.ramp, from: speed, to: 0.0 };
+                vec![rise, steady(of.ramp, of.run), fall]
+            }
+        }
+    }
 }
 
 /// Run-up and stop of a drive behind an inverter, with its work between them.
@@ -190,23 +207,6 @@ pub struct InverterCycle {
     pub of: Move,
     /// Short-time torque as a share of the rated one, in the run-up and in the stop.
     pub peak: [f64; 2],
-}
-
-impl InverterDrive {
-    /// The motion of the output of its gear unit: run-up, work and stop, and where the ramps do not count the work alone.
-    pub fn behind(&self, gear: &FormGear) -> Motion {
-        let speed = self.speed.abs() * RPM / gear.ratio;
-        let steady = |t: f64, seconds: f64| Turn { t, seconds, from: speed, to: speed };
-        let turns = match self.cycle {
-            None => vec![steady(0.0, 1.0)],
-            Some(InverterCycle { of, .. }) => {
-                let rise = Turn { t: 0.0, seconds: of.ramp, from: 0.0, to: speed };
-                let fall = Turn { t: of.ramp + of.run, seconds: of.ramp, from: speed, to: 0.0 };
-                vec![rise, steady(of.ramp, of.run), fall]
-            }
-        };
-        Motion::new(turns, gear.output, gear.hold)
-    }
 }
 
 impl InverterCycle {

@@ -27,6 +27,7 @@ use macroline::drives::web;
 use macroline::machines::form;
 use macroline::math::{self, PI};
 use macroline::project::Project;
+use macroline::view::Readout;
 use serde_json::Value;
 
 /// Relative difference that two calculations in double precision may have.
@@ -39,6 +40,21 @@ fn oracle() -> Value {
 fn same(name: &str, own: f64, other: f64, within: f64) {
     let difference = (own - other).abs();
     assert!(difference <= within * other.abs().max(1e-12), "{name}: {own} here, {other} there");
+}
+
+/// The ribbon line with these entries of its form.
+fn line(entries: &[(&str, f64)]) -> Project {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    for (id, number) in entries {
+        assert!(project.machine.fields().iter().any(|field| field.id == *id), "{id}");
+        project.values.insert((*id).to_owned(), form::Value::Number(*number));
+    }
+    project
+}
+
+/// A result by its id.
+fn result(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
 }
 
 // The inputs of the paper, and the mechanics that the facts assume for it. SI units.

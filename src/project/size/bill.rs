@@ -73,13 +73,19 @@ fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
         _ => None,
     });
     let least = goes.min_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.model.cmp(&b.0.model)));
-    least.map_or_else(
-        || {
-            let told = sentence(&msg!("size.bill.encoder", speed = (asked.speed, 0)));
-            described(item, Some(asked.name), told, PartGrade::Open)
-        },
-        |(part, _)| of_part(item, asked.name, part, true),
-    )
+    let told = msg!("size.bill.encoder", speed = (asked.speed, 0));
+    part_or_open((item, asked.name), least.map(|(part, _)| part), true, &told)
+}
+
+/// The row of an item for an axis: its part, else an open one with what is asked.
+fn part_or_open(
+    (item, axis): (&'static str, &'static str),
+    part: Option<&Part>,
+    proposed: bool,
+    asked: &Message,
+) -> BillRow {
+    let open = || described(item, Some(axis), sentence(asked), PartGrade::Open);
+    part.map_or_else(open, |part| of_part(item, axis, part, proposed))
 }
 
 /// A row that is no part of the catalogue: words of form and project.
@@ -120,12 +126,9 @@ fn brake(axis: &SizedAxis) -> Option<BillRow> {
 /// The gear unit of an axis: the smallest of the catalogue that passes as a proposal, else what is asked of it.
 fn gear(axis: &SizedAxis) -> Option<BillRow> {
     let gear = axis.gear.as_ref()?;
-    let item = "size.item.gear";
-    let asked = || {
-        let (ratio, torque, speed) = ((gear.ratio, 6), (gear.duty.peak, 2), (gear.duty.speed, 0));
-        described(item, Some(axis.name), sentence(&msg!("size.bill.gear", ratio, torque, speed)), PartGrade::Open)
-    };
-    Some(gear.least().map_or_else(asked, |part| of_part(item, axis.name, part, true)))
+    let (ratio, torque, speed) = ((gear.ratio, 6), (gear.duty.peak, 2), (gear.duty.speed, 0));
+    let asked = msg!("size.bill.gear", ratio, torque, speed);
+    Some(part_or_open(("size.item.gear", axis.name), gear.least(), true, &asked))
 }
 
 /// A row of a part of the catalogue.
@@ -163,9 +166,8 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
         let of_axis = chosen.resistor.as_ref()?;
         let amplifier = chosen.amplifier.as_ref().map(|part| part.model.as_str()).unwrap_or_default();
         let (power, energy) = ((of_axis.asked.mean, 1), (of_axis.asked.stop, 1));
-        let told = || sentence(&msg!("size.bill.resistor", power, energy, amplifier));
-        let open = || described("size.item.resistor", Some(axis.name), told(), PartGrade::Open);
-        Some(of_axis.part.as_ref().map_or_else(open, |part| of("size.item.resistor", part, proposed)))
+        let asked = msg!("size.bill.resistor", power, energy, amplifier);
+        Some(part_or_open(("size.item.resistor", axis.name), of_axis.part.as_ref(), proposed, &asked))
     };
     let all =
         |chosen: &Candidate, proposed| pair(chosen, proposed).into_iter().chain(resistor(chosen, proposed)).collect();

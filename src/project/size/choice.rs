@@ -235,7 +235,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
         let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
-        let (turning, loaded) = (share_turning(of, axis.mover, pause), share_loaded(of, &axis, pause));
+        let (turning, loaded) = (share_turning(of, axis.mover, pause), share_loaded(of, &asked, pause));
         SizedAxis {
             id: axis.id,
             name: axis.name,
@@ -243,7 +243,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             turning,
             loaded: loaded.unwrap_or(turning),
             brake: 0.0,
-            gear: gears::of_axis(&axis, &runs, &catalogue),
+            gear: gears::of_axis(&axis, &asked.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
             work: Some(asked.work(axis.fitted.motor.rotor)),
             knob: asked.knob,
@@ -287,11 +287,11 @@ fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     if timeline.end() > 0.0 { turning / (timeline.end() + pause) } else { 0.0 }
 }
 
-/// Share of the time of a part, with the pause behind it, for which an axis is loaded, where the machine tells when it works.
-fn share_loaded(of: &SizingRuns, axis: &DrivenAxis, pause: f64) -> Option<f64> {
-    let timeline = of.present.run.timeline();
-    let motion = axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end()));
-    Some(motion.with_work(of.present.works.clone()?).loaded() / (timeline.end() + pause))
+/// Share of the time of a part, with the pause behind it, for which an axis is loaded, where the machine tells when it works. The first of its
+/// motions is that of the present run.
+fn share_loaded(of: &SizingRuns, asked: &Asked, pause: f64) -> Option<f64> {
+    let (works, motion) = (of.present.works.clone()?, asked.motions.first()?.clone());
+    Some(motion.with_work(works).loaded() / (of.present.run.timeline().end() + pause))
 }
 
 /// The part of the catalogue that the form names for an axis.

@@ -1,6 +1,6 @@
 //! The choice of gear units: those of the catalogue that have the ratio of the form, against what the runs ask at their output and input.
 
-use super::runs::WholeRun;
+use crate::drives::duty::Motion;
 use crate::drives::gear::{GearDuty, GearReason};
 use crate::drives::inertia::CM2;
 use crate::drives::parts::{GearRatings, Part, Ratings};
@@ -59,21 +59,17 @@ impl GearCandidate {
     }
 }
 
-/// The gear unit of a servo axis over several runs; none where it has none.
-pub(super) fn of_axis(axis: &DrivenAxis, runs: &[&WholeRun], catalogue: &[&Part]) -> Option<SizedGear> {
+/// The gear unit of a servo axis over the motions of its motor in several runs; none where it has none.
+pub(super) fn of_axis(axis: &DrivenAxis, motions: &[Motion], catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = axis.gear.as_ref()?;
-    let duty = |whole: &&WholeRun| {
-        let timeline = whole.run.timeline();
-        GearDuty::new(&axis.behind(gear, &timeline.stretches(axis.mover, 0.0, timeline.end())), gear.ratio)
-    };
-    let duty = runs.iter().map(duty).reduce(GearDuty::or).unwrap_or_default();
-    Some(sized(gear, duty, catalogue))
+    let duties = motions.iter().map(|motion| GearDuty::new(&gear.behind(motion.turns()), gear.ratio));
+    Some(sized(gear, duties.reduce(GearDuty::or).unwrap_or_default(), catalogue))
 }
 
 /// The gear unit of the drive behind the inverter; none where it has none.
 pub(super) fn of_inverter(drive: &InverterDrive, catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = drive.gear.as_ref()?;
-    Some(sized(gear, GearDuty::new(&drive.behind(gear), gear.ratio), catalogue))
+    Some(sized(gear, GearDuty::new(&gear.behind(&drive.turns()), gear.ratio), catalogue))
 }
 
 fn sized(gear: &FormGear, duty: GearDuty, catalogue: &[&Part]) -> SizedGear {

@@ -376,16 +376,20 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
     })
 }
 
+/// A share in whole percent; empty where it is not known.
+fn percent(share: Option<f64>) -> String {
+    share.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share))
+}
+
 /// The motors of an axis; a click takes one into the form.
 fn motors(axis: &SizedAxis) -> Sheet {
-    let share = |share: Option<f64>| share.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share));
     let cells = |of: &Candidate| {
         let part = &of.part;
         let inertia = of.shares.filter(|shares| shares.inertia_ratio > 0.0);
         let cells = [
             part.name(),
-            share(of.shares.map(|shares| shares.effective)),
-            share(of.shares.map(|shares| shares.peak)),
+            percent(of.shares.map(|shares| shares.effective)),
+            percent(of.shares.map(|shares| shares.peak)),
             inertia.map_or(String::new(), |shares| format!("{:.1} : 1", shares.inertia_ratio)),
             status(part.status),
             answer(of),
@@ -427,8 +431,7 @@ fn gears(axis: &SizedAxis) -> Option<Sheet> {
         no_gear(gear),
     ];
     let cells = |of: &GearCandidate| {
-        let share =
-            |asked: f64, has: Option<f64>| has.map_or(String::new(), |has| format!("{:.0} %", 100.0 * asked / has));
+        let share = |asked: f64, has: Option<f64>| percent(has.map(|has| asked / has));
         let has = &of.ratings;
         let answer = of.refusal().map_or_else(|| say("size.gear-goes"), |refusal| sentence(&refusal));
         let cells = [

@@ -1,24 +1,10 @@
 //! The error budget of a dot: its parts against the formulas, and what each adds to the whole.
 
 use macroline::machines::form::Value;
-use macroline::project::Project;
-use macroline::view::{Readout, Verdict};
+use macroline::view::Verdict;
 use proptest::prelude::*;
 
-use super::same;
-
-fn line(entries: &[(&str, f64)]) -> Project {
-    let mut project = Project::named("ribbon-line", None, None).unwrap();
-    for (id, number) in entries {
-        assert!(project.machine.fields().iter().any(|field| field.id == *id), "{id}");
-        project.values.insert((*id).to_owned(), Value::Number(*number));
-    }
-    project
-}
-
-fn result(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
-}
+use super::{line, result, same};
 
 #[test]
 fn parts_of_the_dot_error_follow_the_formulas() {

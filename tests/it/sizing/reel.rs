@@ -2,13 +2,12 @@
 
 use macroline::drives::inertia::Cylinder;
 use macroline::drives::reel::{Reel, acceleration, radius_after, speed, torque, turns};
-use macroline::machines::form::Value;
 use macroline::math::PI;
 use macroline::project::Project;
-use macroline::view::{Readout, Verdict};
+use macroline::view::Verdict;
 use proptest::prelude::*;
 
-use super::same;
+use super::{line, result, same};
 
 fn reels() -> impl Strategy<Value = Reel> {
     let sizes = (0.02..2.0_f64, 0.01..0.99_f64, 0.005..1.0_f64, 1e-5..2e-3_f64);
@@ -78,19 +77,6 @@ proptest! {
         let own = reel.inertia(diameter) * acceleration(v, seconds) / (diameter / 2.0);
         same("torque", torque(diameter, reel.pull(diameter, acceleration(v, seconds))), own, 1e-9);
     }
-}
-
-fn line(entries: &[(&str, f64)]) -> Project {
-    let mut project = Project::named("ribbon-line", None, None).unwrap();
-    for (id, number) in entries {
-        assert!(project.machine.fields().iter().any(|field| field.id == *id), "{id}");
-        project.values.insert((*id).to_owned(), Value::Number(*number));
-    }
-    project
-}
-
-fn result(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
 }
 
 /// A reel of 600 mm on a core of 100 mm, 0.2 mm · 50 mm of 1000 kg/m³.
