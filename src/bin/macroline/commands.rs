@@ -64,7 +64,7 @@ pub(crate) fn main() -> ExitCode {
 }
 
 impl Command {
-    /// Whether it prints data for programs.
+    /// Whether the command prints JSON or CSV.
     fn is_for_programs(&self) -> bool {
         match self {
             Command::List { json }

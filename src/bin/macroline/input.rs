@@ -74,7 +74,7 @@ pub(crate) fn panel(path: &Path) -> Result<FileRead<Panel>, Failure> {
     })
 }
 
-/// What is checked or run: programs for a control, or else one project.
+/// Reads the programs of a control, or one project, to check or run.
 pub(crate) fn subject(
     paths: &[PathBuf],
     control: Option<&str>,

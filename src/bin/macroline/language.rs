@@ -150,7 +150,7 @@ fn refused(error: Error) -> ExitCode {
         error.kind(),
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
     );
-    // Where the outputs are closed the status is all that is left to say.
+    // A closed output leaves only the exit status to report the error.
     let _ = if catalog::spoken() == Language::English || is_help {
         error.print().map_err(Into::into)
     } else {
@@ -187,7 +187,7 @@ fn told(error: &Error, kind: ContextKind) -> String {
     }
 }
 
-/// What is wrong with the arguments.
+/// Message for an error in the arguments.
 fn error_message(error: &Error) -> Message {
     let told = |kind| told(error, kind);
     let (argument, value) = (told(ContextKind::InvalidArg), told(ContextKind::InvalidValue));
@@ -207,7 +207,7 @@ fn error_message(error: &Error) -> Message {
     }
 }
 
-/// What failed at a path, and why.
+/// Names the path before an error of reading or writing it.
 pub(crate) fn failed(path: &Path, error: &io::Error) -> String {
     headed(path.display().to_string(), error.to_string())
 }

@@ -56,7 +56,7 @@ pub(crate) fn status(done: Result<(), Failure>) -> ExitCode {
         Err(Failure::Outside(message)) => (message, 1),
         Err(Failure::Usage(message)) => (message, 2),
     };
-    // Where standard error is closed the status is all that is left to say.
+    // A closed standard error leaves only the exit status to report the error.
     let _ = say(&format!("macroline: {message}\n"));
     ExitCode::from(status)
 }

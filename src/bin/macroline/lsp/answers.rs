@@ -30,7 +30,7 @@ impl Programs {
         Some(Hover { contents: HoverContents::Markup(plain(meaning_text(&meaning))), range: Some(range) })
     }
 
-    /// What can be typed at a position. The proposals depend on what is typed, so the client asks again.
+    /// Completion proposals at a position. They depend on the typed prefix, so the client asks again.
     pub(super) fn completion(&self, file: FileId, position: Position) -> Option<CompletionList> {
         let (_, text) = self.get(file)?;
         let lines = Lines::new(text);
@@ -71,7 +71,7 @@ impl Programs {
         Some((symbols, symbol))
     }
 
-    /// Where what is named at a position is defined.
+    /// Place where the symbol at a position is defined.
     pub(super) fn definition(&self, file: FileId, position: Position) -> Option<Location> {
         let (symbols, symbol) = self.symbol(file, position)?;
         self.location(symbols.definition(symbol)?)
@@ -84,7 +84,7 @@ impl Programs {
         Some(wanted.filter_map(|row| self.location(row.place)).collect())
     }
 
-    /// The same in one file, with what is done to it.
+    /// Occurrences of the symbol in one file, each as a read or a write.
     pub(super) fn highlights(&self, file: FileId, position: Position) -> Option<Vec<DocumentHighlight>> {
         let (symbols, symbol) = self.symbol(file, position)?;
         let lines = Lines::new(self.get(file)?.1);

@@ -50,7 +50,7 @@ struct Folder {
     texts: BTreeMap<Url, String>,
     /// Programs on the disk, read when a file is opened, saved or closed; an open text counts in place of its file.
     beside: BTreeMap<Url, String>,
-    /// What its project file tells, read when a file is opened or saved.
+    /// Settings of the folder's project file, read when a file is opened or saved.
     own: Option<Setup>,
     /// The programs, read when they are first asked for after a change; `None` inside where no control is known.
     read: Option<Option<Programs>>,

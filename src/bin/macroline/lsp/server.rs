@@ -34,7 +34,7 @@ use crate::output::Failure;
 /// Name of the settings in an editor, and of the server.
 const NAME: &str = "macroline";
 
-/// Where a session is.
+/// Phase of a session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum State {
     /// The client has not introduced itself.
@@ -45,7 +45,7 @@ pub(super) enum State {
     ShutDown,
     /// Nothing more is read.
     Ended {
-        /// As the protocol has it.
+        /// Whether the client sent `shutdown` before `exit`, as the protocol requires.
         after_shutdown: bool,
     },
 }
@@ -86,7 +86,7 @@ impl Server {
         }
     }
 
-    /// Where the session is.
+    /// Phase of the session.
     pub(super) fn state(&self) -> State {
         self.state
     }

@@ -29,7 +29,7 @@ pub(super) struct Setup {
 }
 
 impl Setup {
-    /// What is asked for by ids and a project file; `None` where neither is named.
+    /// Setup from the ids and the project file of the command line; `None` if neither is named.
     pub(super) fn asked(id: Option<&str>, project: Option<&Path>, choices: &Choices) -> Result<Option<Setup>, Failure> {
         let usage = |message: Message| Failure::usage(&message);
         let mut setup = match (id, project) {
@@ -53,7 +53,7 @@ impl Setup {
         Ok(Some(setup))
     }
 
-    /// The same by the settings of an editor: `control`, `project`, `switches`, `silence`.
+    /// Setup from the settings of an editor: `control`, `project`, `switches`, `silence`.
     pub(super) fn of_settings(settings: &Json) -> Result<Option<Setup>, Failure> {
         let text = |name: &str| settings.get(name).and_then(Json::as_str).filter(|text| !text.is_empty());
         let switches = settings.get("switches").and_then(Json::as_object).into_iter().flatten();
@@ -70,7 +70,7 @@ impl Setup {
         Some(Setup::of(file?.0?))
     }
 
-    /// What a program tells that macroline wrote.
+    /// Setup from the project in the header comment of a program that macroline wrote.
     pub(super) fn of_program(text: &str) -> Option<Setup> {
         restored(text).map(Setup::of)
     }

@@ -15,7 +15,7 @@ const HEADER: u64 = 4096;
 /// Name of the header that tells the bytes of a message.
 const LENGTH: &str = "content-length:";
 
-/// What the input holds next.
+/// Next message of the input, or why there is none.
 pub(super) enum Frame {
     /// A message.
     Message(Message),
