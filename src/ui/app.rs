@@ -31,12 +31,11 @@ use super::worker::client::Client;
 use super::worker::diagnostics;
 use crate::msg;
 
-/// What the page begins with, made before it is built: the project of the last visit or a fresh one with all that follows from it, and notices
-/// about it.
+/// State with which the page is built: the project of the last visit, or a fresh one, with its program, its run and notices.
 pub struct Beginning {
     begun: Begun,
     found: Vec<Notice>,
-    /// What the store has.
+    /// State of the browser's store.
     stored: store::Stored,
 }
 
@@ -54,7 +53,7 @@ impl Beginning {
 /// The page. What is seen first is built at once, everything else in its turn.
 #[component]
 pub fn App(
-    /// What it begins with.
+    /// State with which the page is built.
     beginning: Beginning,
 ) -> impl IntoView {
     let Beginning { begun, found, stored } = beginning;

@@ -1,4 +1,4 @@
-//! What the page says, in the language of the user.
+//! Sentences of the page in the language of the user.
 
 use crate::controls::Control;
 use crate::motion::{Mode, RunEnd};
@@ -18,7 +18,7 @@ pub(crate) fn say(message: &Message) -> String {
     catalog::sentence(message)
 }
 
-/// What is wrong and what is allowed, in one line.
+/// Message and hints of a diagnostic in one line.
 pub(crate) fn tell(diagnostic: &Diagnostic) -> String {
     sentences([&diagnostic.message].into_iter().chain(&diagnostic.hints).map(say))
 }
@@ -43,7 +43,7 @@ pub(crate) fn sign(tone: &str) -> &'static str {
     }
 }
 
-/// The same behind the alarm that the control shows.
+/// Number and wording of the control's alarm, then message and hints.
 pub(crate) fn tell_alarm(diagnostic: &Diagnostic) -> String {
     let alarm = diagnostic.alarm.iter().map(|number| number.as_ref()).chain(diagnostic.wording.map(Phrase::words));
     alarm.map(|part| format!("{part} ")).collect::<String>() + &tell(diagnostic)

@@ -17,7 +17,7 @@ use crate::ui::words::{t, tell, tone};
 /// Fields that are shown.
 const FIELDS: usize = 3;
 
-/// What an embedded page begins with: its project, and notices about the address that asks for it.
+/// State with which an embedded page is built: its project, and notices about the address of the frame.
 pub struct Embedded {
     begun: Begun,
     found: Vec<Notice>,
@@ -44,7 +44,7 @@ impl Embedded {
 /// The embedded page.
 #[component]
 pub fn EmbeddedApp(
-    /// What it begins with.
+    /// State with which the page is built.
     embedded: Embedded,
 ) -> impl IntoView {
     let page = Page::provide(embedded.begun, embedded.found);

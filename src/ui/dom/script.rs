@@ -39,7 +39,7 @@ extern "C" {
     fn import_module(address: &str) -> js_sys::Promise;
 }
 
-/// Where the parts of the page are that are no part of its first load: `boot.js`.
+/// Addresses of the files that the page loads after its first load, from `boot.js`.
 #[wasm_bindgen(js_namespace = macroline)]
 extern "C" {
     /// The address of a part.

@@ -76,7 +76,7 @@ fn MachinePicker() -> impl IntoView {
             }
         };
         let name = t(machine.name());
-        // Where there is little room, its first word.
+        // A narrow header shows the first word alone.
         let (first, rest) = name.split_once(' ').unwrap_or((name, ""));
         view! {
             <button type="button" aria-label=name aria-pressed=move || chosen().to_string() on:click=choose>
@@ -132,7 +132,7 @@ fn ProjectName() -> impl IntoView {
                 prop:value=move || page.project.with(|project| project.name.clone())
                 on:input=take
             />
-            // What has no room in the header shows under the pointer.
+            // A tooltip shows the text that the header has no room for.
             <span
                 class="kept" title=move || if page.view.kept.get() == Kept::Yes { t("page.kept-about") } else { kept() }
                 class:warn=move || matches!(page.view.kept.get(), Kept::No | Kept::Elsewhere)

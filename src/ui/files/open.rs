@@ -155,7 +155,7 @@ pub(super) fn OpenButton() -> impl IntoView {
     let chosen = move |_| {
         let Some(input) = input.get() else { return };
         take(page, (large, worker), files_of(input.files()));
-        // The same file may be opened twice in a row.
+        // An emptied input reports the same file again when it is opened twice in a row.
         input.set_value("");
     };
     let press = move |_| {

@@ -26,7 +26,7 @@ const ARCHIVE: &str = "macroline-projects.zip";
 /// Id of the field with the note of the next version.
 pub(crate) const NOTE: &str = "version-note";
 
-/// What was deleted last.
+/// The last deletion, which the undo button brings back.
 #[derive(Clone)]
 enum Deleted {
     /// Rows of the database.
@@ -50,11 +50,11 @@ struct List {
     html: RwSignal<String>,
     /// Everything on the shelf and what was set aside, as it is listed.
     states: StoredValue<Vec<ShelfState>>,
-    /// What was said last.
+    /// The last message of the dialog.
     said: RwSignal<String>,
-    /// What was deleted last, to be brought back.
+    /// The last deletion, which the undo button brings back.
     deleted: RwSignal<Option<Deleted>, LocalStorage>,
-    /// What is searched.
+    /// Text of the search field.
     search: RwSignal<String>,
     host: NodeRef<html::Ul>,
 }
@@ -126,7 +126,7 @@ fn FileButton(
         if let Some(file) = input.files().and_then(|files| files.get(0)) {
             take(file);
         }
-        // The same file may be chosen twice in a row.
+        // An emptied input reports the same file again when it is chosen twice in a row.
         input.set_value("");
     };
     view! {
@@ -135,7 +135,7 @@ fn FileButton(
     }
 }
 
-/// What the element of an event is for, and the id of its project or version.
+/// Action (`data-act`) of the element of an event, and the id of its project or version.
 fn asked(event: &Event) -> Option<(String, String)> {
     let element: Element = event.target()?.dyn_into().ok()?;
     let act = element.get_attribute("data-act")?;

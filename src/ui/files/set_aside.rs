@@ -6,7 +6,7 @@ use crate::ui::dom;
 /// Begin of the keys; behind it the time in ms, the reason, and the id of the project where it has one.
 const KEYS: &str = "macroline.aside.";
 
-/// Where earlier versions kept one state that did not read.
+/// Key in the browser's store under which earlier versions kept one unreadable state.
 const OLD: &str = "macroline.set-aside";
 
 /// States that are kept.
@@ -18,11 +18,11 @@ pub(super) const FILE: &str = "macroline-set-aside.txt";
 /// Why a state was set aside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reason {
-    /// It did not read.
+    /// The state is unreadable.
     Unread,
-    /// Another project took its place.
+    /// Another project replaced it.
     Replaced,
-    /// This tab took the place of another one.
+    /// A project of another tab that this tab replaced.
     OtherTab,
 }
 

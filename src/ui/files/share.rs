@@ -28,7 +28,7 @@ pub(super) fn forget_link() {
     }
 }
 
-/// What is said of a link.
+/// Notices about the project of a link.
 pub(super) fn notices(linked: &Loaded) -> Vec<Notice> {
     let copy = Notice::new("info", t("page.link-opened").to_owned());
     let found = linked.diagnostics.iter();
@@ -83,7 +83,7 @@ pub(crate) fn ShareDialog() -> impl IntoView {
             Err(reason) => view! { <p class="fail">{say(&reason)}</p> }.into_any(),
         })
     };
-    // The same in a page of another host.
+    // An `<iframe>` with the project, for a page of another host.
     let element = move || {
         let text = frame(&dom::address().0, &link.get()?.ok()?);
         Some(view! {
@@ -135,7 +135,7 @@ struct Copy {
     name: &'static str,
     /// Words of the button.
     words: &'static str,
-    /// What is said when the text is on the clipboard.
+    /// Message after the text was copied to the clipboard.
     copied: &'static str,
 }
 
@@ -160,7 +160,7 @@ const ELEMENT: Copy = Copy {
 fn Copied(
     /// The text.
     text: String,
-    /// What it is.
+    /// Catalog ids of its name, button and message.
     about: Copy,
 ) -> impl IntoView {
     let page = Page::here();

@@ -121,7 +121,7 @@ pub(super) async fn take_in(page: Page) -> Result<(), String> {
             continue;
         }
         let now = present(page);
-        // What was undone at once is the present project again, and is kept as that.
+        // A state that undo has made the present project again needs no entry of its own.
         if state.text != now.text {
             let own = state.id.as_deref().filter(|id| *id != now.id);
             let kept = ShelfState {

@@ -20,16 +20,16 @@ use crate::ui::state::{Page, put, stepping};
 use crate::ui::words::t;
 use crate::ui::worker::messages::ShelfState;
 
-/// Where the project is kept.
+/// Key of the project.
 const KEY: &str = "macroline.project";
 
-/// Where its id is kept.
+/// Key of the project's id.
 const ID: &str = "macroline.id";
 
-/// Where its steps of undo and redo are kept.
+/// Key of the project's steps of undo and redo.
 const STEPS: &str = "macroline.steps";
 
-/// Where tabs of this browser talk to each other: a word and a number that differs each time.
+/// Key of the messages between tabs of this browser: a word, and a number that makes each message a change of the store.
 const TABS: &str = "macroline.tab";
 
 /// A tab that has just opened asks who holds the project.
@@ -54,16 +54,16 @@ pub(crate) struct Visit {
     pub project: Option<Project>,
     /// Notices about it.
     pub notices: Vec<Notice>,
-    /// What the store has.
+    /// State of the browser's store.
     pub stored: Stored,
 }
 
-/// What the browser's store has when the page begins.
+/// State of the browser's store when the page is built.
 #[derive(Default)]
 pub(crate) struct Stored {
-    /// It has a text that found no room elsewhere.
+    /// The store still has a state that could not be set aside for lack of room.
     pub occupied: bool,
-    /// The project of the last visit, where that of a link took its place.
+    /// The project of the last visit, if the project of a link replaced it.
     pub replaced: Option<Project>,
 }
 
@@ -137,7 +137,7 @@ fn store_now(page: Page) {
             dom::store(ID, &id);
         }
     }
-    // What has no room here may have it there.
+    // A state that has no room in this store may have room in the database.
     shelf::soon(page);
     page.view.kept.set(if kept { Kept::Yes } else { Kept::No });
 }
@@ -254,7 +254,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     Effect::new(move |last: Option<Option<Project>>| {
         // The page may be gone.
         let present = page.project.try_get()?;
-        // Where this tab follows another one, that one has its projects.
+        // The projects of another tab that this tab follows are kept by that tab.
         let follows = shown.with_value(|shown| shown.as_ref() == Some(&present));
         let gone = last.flatten().filter(|last| last.id.is_some() && last.id != present.id && !follows);
         gone.iter().for_each(|last| shelf::leave(page, last));
@@ -459,7 +459,7 @@ mod tests {
             let bench = kept().await;
             other_tab(TABS, "holds 0.5").await;
             other_tab(TABS, "leaves 0.5").await;
-            // What the store has last: a page that was loaded again has asked.
+            // Last message in the store: a page that was loaded again has already asked.
             dom::store(TABS, last);
             pause((PATIENCE.0 + PATIENCE.1) as i32 + 200).await;
             assert_eq!(

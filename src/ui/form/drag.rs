@@ -31,7 +31,7 @@ fn step(value: f64, decimals: u8, fine: bool) -> f64 {
 /// A press that may become a pull.
 #[derive(Clone, Copy)]
 struct Pull {
-    /// Where it began, in pixels, and the value there.
+    /// Start of the pull in pixels, and the value there.
     x: f64,
     from: f64,
     moved: bool,

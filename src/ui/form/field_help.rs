@@ -8,7 +8,7 @@ use crate::project::Project;
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
-/// Where values may come from, as they are listed.
+/// Sources of a value, in the order of the list.
 const SOURCES: [(Provenance, &str); 3] = [
     (Provenance::Assumed, "page.assumed"),
     (Provenance::DataSheet, "page.data-sheet"),
@@ -92,7 +92,7 @@ fn Content(
     }
 }
 
-/// Where the value of a fact comes from.
+/// The source of a fact's value.
 #[component]
 fn Origin(
     /// The field.

@@ -7,7 +7,7 @@ use web_sys::{Element, KeyboardEvent};
 use crate::ui::dom;
 use crate::ui::state::{Page, operator, stepping};
 
-/// Where it is kept that single keys are off (whoever speaks to the computer may need that).
+/// Key in the browser's store that turns single-key shortcuts off, as speech input may require.
 const OFF: &str = "macroline.keys-off";
 
 /// Whether single keys do something.

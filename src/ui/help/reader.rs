@@ -51,7 +51,7 @@ const EDITOR_KEYS: [(&str, &str); 10] = [
 /// Id of the page that has the keys.
 const PROGRAMS: &str = "programs";
 
-/// What is read, and how it came there.
+/// The help page on show, and the pages before it.
 #[derive(Clone, Copy)]
 struct Reading {
     page: Page,
@@ -215,7 +215,7 @@ fn pages(shown: &HelpPage) -> impl IntoView + use<> {
 /// The page that is read.
 #[component]
 fn Content(
-    /// What is read.
+    /// State of the reader.
     reading: Reading,
 ) -> impl IntoView {
     move || match (reading.shown.get(), reading.silent.get()) {
@@ -236,10 +236,10 @@ fn Content(
     }
 }
 
-/// What a search has found.
+/// List of search results.
 #[component]
 fn Hits(
-    /// What is read.
+    /// State of the reader.
     reading: Reading,
 ) -> impl IntoView {
     let row = |hit: Hit| {

@@ -8,7 +8,7 @@ use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
-/// Where it is kept that help was opened, which offers the tour.
+/// Key in the browser's store that says that help was opened once, so that the tour is no longer offered.
 const SEEN: &str = "macroline.tour";
 
 /// Attribute of the page of somebody who has not seen it.

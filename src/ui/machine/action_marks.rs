@@ -29,7 +29,7 @@ const MOST: usize = 1000;
 #[derive(Clone, Copy)]
 struct Pull {
     at: usize,
-    /// Where it began, in pixels, and the time (s) there.
+    /// Start of the pull in pixels, and the time (s) there.
     x: f64,
     from: f64,
     moved: bool,

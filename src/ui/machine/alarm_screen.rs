@@ -12,7 +12,7 @@ use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{say, t, tell, value_of};
 use crate::view::Advice;
 
-/// What the screen shows.
+/// Content of the screen.
 #[derive(Clone, PartialEq)]
 struct Told {
     /// Class: `info`, `warn`, `fail`.
@@ -31,7 +31,7 @@ struct Told {
     way_out: &'static str,
 }
 
-/// What the screen shows at the head; `None` while there is nothing to say.
+/// Content of the screen at the playhead; `None` if there is nothing to report.
 fn told(page: Page) -> Option<Told> {
     let player = page.player;
     let at_once = page.outlook.stopped.with(Option::is_some);
@@ -153,7 +153,7 @@ pub(super) fn AlarmScreen() -> impl IntoView {
 /// The entries of the form with which the run moves.
 #[component]
 fn Remedy(
-    /// What to set.
+    /// Entries of the form that make the run move.
     advice: Advice,
 ) -> impl IntoView {
     let page = Page::here();

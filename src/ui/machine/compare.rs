@@ -101,7 +101,7 @@ struct Pair {
 }
 
 impl Pair {
-    /// What is read of the left and the right one; follows the choice.
+    /// Reads a value of the left and of the right project; follows the choice.
     fn each<T>(self, read: impl Fn(&str, &Project) -> T) -> Option<[T; 2]> {
         let places = self.places.map(|place| place.get());
         self.all.with_value(|all| {
@@ -159,7 +159,7 @@ fn Sides(
 /// The name over a side; a list to choose from where there are more than two to compare.
 #[component]
 fn Caption(
-    /// What is compared.
+    /// The two projects.
     pair: Pair,
     /// The side: 0 left, 1 right.
     side: usize,
@@ -183,7 +183,7 @@ fn Caption(
 /// Both machines with one transport: they are at the same time of their runs.
 #[component]
 fn Motion(
-    /// What is compared.
+    /// The two projects.
     pair: Pair,
 ) -> impl IntoView {
     let page = Page::here();
@@ -292,7 +292,7 @@ fn plan(
 /// The programs, line by line: those of the right one, and what the left one's have instead.
 #[component]
 fn Programs(
-    /// What is compared.
+    /// The two projects.
     pair: Pair,
 ) -> impl IntoView {
     let host: NodeRef<html::Div> = NodeRef::new();
@@ -423,7 +423,7 @@ mod tests {
             (vec!["B".to_owned(), "A".to_owned()], vec!["9".to_owned(), "8".to_owned()])
         );
         assert_eq!((bench.all(".sides .scene").len(), bench.text(".both output")), (2, clock(3.0)));
-        // The same one at both sides: they change sides.
+        // A choice of the other side's project swaps the sides.
         bench.choose(".sides figure:last-child select", "2").await;
         assert_eq!(
             (heads(&bench), pitches(&bench)),

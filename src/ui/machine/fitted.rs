@@ -17,11 +17,11 @@ pub(super) struct Fitted {
     pub host: NodeRef<html::Div>,
     /// Its parts.
     pub drawn: StoredValue<Option<Drawn>, LocalStorage>,
-    /// Whether it is wider than its room.
+    /// Whether the drawing is wider than its room, so that it pans.
     pub pans: RwSignal<bool>,
     /// Size of the room in pixels.
     room: StoredValue<(f64, f64)>,
-    /// Whether it is to be fitted before it is seen.
+    /// Whether the next frame has to fit the labels.
     due: StoredValue<bool>,
 }
 
@@ -67,7 +67,7 @@ impl Fitted {
         });
         let is_due = self.due.try_update_value(|due| core::mem::replace(due, false)) == Some(true);
         match (is_due, longer) {
-            // It must not move when it is seen, and is measured when everything else is written.
+            // The first fit runs before the page is painted, and measures after everything else is written.
             (true, _) => dom::soon(move || self.fit()),
             // Not in the same task, for the browser lays out the page once more for it.
             (false, Some(true)) => in_turn(move || self.fit()),

@@ -31,7 +31,7 @@ struct Label {
     lens: Option<Area>,
 }
 
-/// What becomes of a label: how far it moves aside, and how many of its lines stay.
+/// Placement of a label: shift to the right in pixels, and the number of its lines that are shown.
 type Fate = (f64, usize);
 
 fn area(element: &Element) -> Area {
@@ -46,7 +46,7 @@ fn letters(text: &Element) -> Area {
     [left, top + free, right, bottom - free]
 }
 
-/// What a circle keeps free of other labels: two rectangles whose corners are on its edge or near it.
+/// Area of a lens that other labels keep clear of: two rectangles that approximate the circle.
 fn rectangles([left, top, right, bottom]: Area) -> [Area; 2] {
     let part = 0.15 * (right - left);
     [[left, top + part, right, bottom - part], [left + part, top, right - part, bottom]]
@@ -122,7 +122,7 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
         leads: elements.iter().any(|element| !is_text(&element)),
         lens: elements.iter().find(|element| element.tag_name() == "circle").map(area),
     };
-    // What lies over the drawing stays where it is.
+    // Elements over the drawing keep their place.
     let over = picture.closest(".drawing").ok().flatten();
     let over = over.map_or(Vec::new(), |drawing| dom::all(&drawing, ".state, .band .icon"));
     let fixed = over.iter().map(|element| Label { lines: vec![area(element)], leads: true, lens: None });

@@ -57,7 +57,7 @@ struct Wrong {
     column: &'static str,
     /// The action of its row; the entry is gone as soon as another one is there.
     event: Event,
-    /// What is allowed.
+    /// The values that the column accepts.
     told: String,
 }
 
@@ -285,7 +285,7 @@ fn Value(
     list: List,
     /// The action.
     event: Memo<Option<Event>>,
-    /// What it is called.
+    /// Name of the action.
     kind: Memo<String>,
 ) -> impl IntoView {
     let action = move || event.with(|event| event.as_ref().map(|event| event.action.clone()));

@@ -76,7 +76,7 @@ impl Drawn {
             groups,
             parts,
             picture: dom::all(host, ".scene").into_iter().next().map(JsCast::unchecked_into),
-            // As the picture has it, for boot.js lays out the still by that.
+            // Rounded as in the SVG, because boot.js lays out the still by that.
             view: scene.view.map(|length| (100.0 * length).round() / 100.0),
             unit: scene.unit,
             pans: scene.unit > 0.0 && !scene.stations.is_empty(),
@@ -92,7 +92,7 @@ impl Drawn {
         let [_, _, wide, high] = self.view;
         let (across, down) = (wide / width, high / height);
         let strip = if parent.class_list().contains("pans") { 0.0 } else { STRIP };
-        // Where the height is what it lacks, it would become narrower than its room.
+        // A drawing limited by the height of its room would become narrower than the room.
         let fills = across > high / (height - strip).max(1.0);
         let pans = self.pans && fills && across > CROWDED * self.unit;
         let unit = if pans { down.max(self.unit) } else { across.max(down) };

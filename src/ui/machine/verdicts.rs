@@ -32,7 +32,7 @@ pub(crate) fn Verdicts() -> impl IntoView {
     }
 }
 
-/// The same in one line of text, where there is no place that lists all results.
+/// All verdicts in one line of text, for a layout without a list of all results.
 #[component]
 pub(super) fn VerdictList() -> impl IntoView {
     let page = Page::here();

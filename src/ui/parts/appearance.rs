@@ -7,14 +7,14 @@ use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
-/// Where the choice of light and dark is kept.
+/// Key in the browser's store of the theme.
 const THEME: &str = "macroline.theme";
 
 /// Themes in the order in which the button goes through them, with their words.
 const THEMES: [(&str, &str); 3] =
     [("", "page.theme-system"), ("light", "page.theme-light"), ("dark", "page.theme-dark")];
 
-/// Where the choice of contrast is kept.
+/// Key in the browser's store of the contrast.
 const CONTRAST: &str = "macroline.contrast";
 
 /// Contrasts in the order in which the button goes through them, as media for which their sheet counts, with their words.
@@ -55,11 +55,11 @@ fn TurnButton(
     glyph: Glyph,
     /// The present choice, counted from 0.
     at: RwSignal<usize>,
-    /// Where the choice is kept.
+    /// Key in the browser's store.
     key: &'static str,
-    /// Choices with their words; the first one where none is kept.
+    /// Choices with their words; the first one is the default.
     choices: &'static [(&'static str, &'static str); 3],
-    /// What the present choice does.
+    /// Applies a choice.
     apply: fn(&'static str),
 ) -> impl IntoView {
     let stored = dom::stored(key).unwrap_or_default();

@@ -14,7 +14,7 @@ pub(crate) fn Dialog(
     /// The title.
     #[prop(into)]
     title: Signal<String>,
-    /// Whether it is open.
+    /// Whether the dialog is open.
     #[prop(into)]
     open: Signal<bool>,
     /// Makes `open` false: asked for by the button, by Esc and by whatever else closes it.

@@ -86,7 +86,7 @@ impl Glyph {
 /// A sign. It says nothing to screen readers.
 #[component]
 pub(crate) fn Icon(
-    /// Which one.
+    /// The icon.
     #[prop(into)]
     glyph: Signal<Glyph>,
 ) -> impl IntoView {
@@ -103,7 +103,7 @@ pub(crate) fn IconButton(
     /// The sign.
     #[prop(into)]
     glyph: Signal<Glyph>,
-    /// What the button does.
+    /// Accessible name: the action of the button.
     #[prop(into)]
     label: Signal<String>,
     /// Words shown when the pointer rests on it; the label where there are none.
@@ -112,10 +112,10 @@ pub(crate) fn IconButton(
     /// Further classes.
     #[prop(optional)]
     class: &'static str,
-    /// Whether it can be pressed.
+    /// Whether the button is disabled.
     #[prop(optional, into)]
     disabled: Signal<bool>,
-    /// What it does.
+    /// Action of the button.
     #[prop(into)]
     press: Callback<()>,
 ) -> impl IntoView {

@@ -21,10 +21,10 @@ pub(crate) fn filled_part(value: f64, (low, high): (f64, f64)) -> String {
 /// A field that hands out its text at Enter, and is then empty again if the text was taken.
 #[component]
 pub(crate) fn EntryField(
-    /// What to type.
+    /// Placeholder and accessible name.
     #[prop(into)]
     words: Signal<String>,
-    /// Takes the text; whether it did.
+    /// Handles the text; returns whether it was accepted.
     #[prop(into)]
     take: Callback<String, bool>,
 ) -> impl IntoView {
@@ -43,7 +43,7 @@ pub(crate) fn CheckMark(
     /// The words.
     #[prop(into)]
     label: Signal<String>,
-    /// Whether it is set.
+    /// Whether the box is checked.
     #[prop(into)]
     on: Signal<bool>,
     /// Takes the new state.

@@ -8,7 +8,7 @@ use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
 use crate::ui::words::t;
 
-/// Where the choice of a language is kept; `boot.js` reads it.
+/// Key in the browser's store of the language; `boot.js` reads it.
 const LANGUAGE: &str = "macroline.language";
 
 /// The other languages, each by its own name. Another language is another file of sentences, which the page takes as it is opened.

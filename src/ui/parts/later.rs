@@ -8,7 +8,7 @@ use crate::ui::dom::turns::in_turn;
 /// Its place must not depend on its content, or `meanwhile` keeps it.
 #[component]
 pub(crate) fn Later(
-    /// What is there until then.
+    /// Placeholder until the content is built.
     #[prop(optional, into)]
     meanwhile: ViewFn,
     /// The content.

@@ -7,7 +7,7 @@ use crate::text::units::{self, Lengths};
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
-/// Where the choice of units is kept.
+/// Key in the browser's store of the unit of length.
 const LENGTHS: &str = "macroline.lengths";
 
 /// Shows lengths as `boot.js` has noted the choice of this browser, or of the page around: millimetres where there is none.

@@ -115,7 +115,7 @@ pub(crate) fn class(kind: TokenKind) -> &'static str {
     }
 }
 
-/// What is wrong, how to mend it, and buttons that do.
+/// HTML of a finding: message, hints, and a button for each fix.
 fn finding(at: usize, diagnostic: &Diagnostic) -> String {
     let class = tone(diagnostic.severity);
     let mut out = format!("<li class=\"says {class}\"><p><i aria-hidden=\"true\">{}</i> ", sign(class));

@@ -118,7 +118,7 @@ fn of_list(project: &Project, list: &Element) -> Vec<Word> {
     }
 }
 
-/// What is shown, and when it changes.
+/// State of the tooltip with the meaning of a word.
 #[derive(Clone, Copy)]
 struct Shown {
     page: Page,

@@ -13,15 +13,15 @@ use crate::ui::worker::messages::{Request, Response, Sheets};
 /// Sheets of one kind.
 #[component]
 pub(crate) fn SheetView(
-    /// Picks those to show.
+    /// Selects the sheets to show.
     which: fn(Sheets) -> String,
-    /// What the worker is asked.
+    /// Request to the worker.
     #[prop(default = || Request::Sheets)]
     request: fn() -> Request,
-    /// How long the project rests before it is asked: for answers that take time.
+    /// Delay after the last change of the project before a slow request is sent.
     #[prop(default = Duration::ZERO)]
     rest: Duration,
-    /// Whether the answer takes so long that it shows how far it is and can be cancelled.
+    /// Whether the answer is slow enough for a progress bar and a cancel button.
     #[prop(optional)]
     long: bool,
     /// Shown below the sheets once they are there.

@@ -72,7 +72,7 @@ pub(crate) fn VerdictLines(
     let own = move |id: &str| readouts.with(|readouts| readouts.iter().find(|readout| readout.id == id).cloned());
     let line = move |first: Readout| {
         let id = first.id;
-        // Where the result has gone, its line is about to go.
+        // A result that has gone keeps its last value until its line is removed.
         let readout =
             Memo::new(move |last: Option<&Readout>| own(id).or_else(|| last.cloned()).unwrap_or_else(|| first.clone()));
         view! { <VerdictLine readout=readout /> }

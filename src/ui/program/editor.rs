@@ -30,7 +30,7 @@ const PAUSE: Duration = Duration::from_millis(150);
 
 type Handle = StoredValue<Option<JsValue>, LocalStorage>;
 
-/// Where a byte of a text is in JavaScript's count of UTF-16 units.
+/// Converts a byte offset of a text to UTF-16 units, as JavaScript counts.
 fn units(text: &str, byte: u32) -> f64 {
     f64::from(utf16::units(text, byte))
 }
@@ -76,9 +76,9 @@ fn findings(page: Page, at: usize) -> JsValue {
 /// The element of the bundle: opens it with `begin`, closes it when the element goes.
 #[component]
 fn Bundle(
-    /// What the bundle has opened.
+    /// The editor, once the bundle has opened it.
     handle: Handle,
-    /// Opens it: the bundle and the element.
+    /// Opens the editor: the module of the bundle, and the element.
     begin: impl Fn(&JsValue, &JsValue) -> Result<JsValue, JsValue> + 'static,
 ) -> impl IntoView {
     let host: NodeRef<html::Div> = NodeRef::new();

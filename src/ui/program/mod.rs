@@ -136,7 +136,7 @@ fn Found() -> impl IntoView {
         };
         rows.map(row).collect_view()
     };
-    // What leaves no choice comes first, then the first proposal of what is left.
+    // Fixes without an alternative come first, then the first proposal of every other error.
     let choice = Memo::new(move |_| {
         let count = |choice| found.with(|found| fixes(found, choice).count());
         let choices = [FixChoice::Certain, FixChoice::First].map(|choice| (choice, count(choice)));

@@ -1,4 +1,4 @@
-//! What the editor asks: proposals for what is typed, lists of places and findings, definitions. The worker reads the program for it.
+//! Requests of the editor: completion proposals, lists of places and findings, definitions. The worker reads the program for them.
 
 use std::rc::Rc;
 
@@ -18,7 +18,7 @@ use crate::ui::worker::messages::{Caret, NamedPlace, Places, Proposals, Request,
 /// Findings in a list at most.
 const FINDINGS: usize = 500;
 
-/// What a row of a list leads to.
+/// Target of a row of a list.
 #[derive(Clone, Copy)]
 enum Choice {
     /// The place is shown.
@@ -35,7 +35,7 @@ type Row = (String, String, bool);
 struct Navigation {
     page: Page,
     worker: Client,
-    /// What the rows of the last list lead to.
+    /// Targets of the last list's rows.
     choices: StoredValue<Vec<Choice>>,
 }
 

@@ -19,7 +19,7 @@ pub(super) fn all(page: Page) -> Memo<Vec<(Place, String)>> {
     })
 }
 
-/// Those of a file, by their lines.
+/// Line and condition of each breakpoint in a file.
 pub(super) fn lines(page: Page, file: usize, all: &[(Place, String)]) -> JsValue {
     let here = || all.iter().filter(|(place, _)| usize::from(place.file.0) == file);
     let text = here().next().map(|_| page.program.text(file)).unwrap_or_default();

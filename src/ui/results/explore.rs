@@ -36,7 +36,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     let draft = RwSignal::new_local(None::<Values>);
     let seen = RwSignal::new_local(Explorer::default());
     let readouts = RwSignal::new_local(Vec::<Readout>::new());
-    // Which of several shapes is explored.
+    // Place of the chosen shape in the list of those that can be explored.
     let chosen = RwSignal::new(0_usize);
     let names = Memo::new(move |_| page.project.with(|project| project.prepared().explored()));
     let at = Memo::new(move |_| chosen.get().min(names.with(Vec::len).saturating_sub(1)));

@@ -107,7 +107,7 @@ fn asking(page: Page, head: RwSignal<String>, rows: RwSignal<String>, outdated: 
     }
 }
 
-/// What is said above the table of so many variants.
+/// Sentence above the table, by the number of variants.
 fn lead_of(variants: usize) -> String {
     match variants {
         0 => t("page.variants-lead").to_owned(),

@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use crate::text::Diagnostic;
 
-/// What is typed and wrong. The project keeps the last good value. A handle: copies mean the same.
+/// Invalid entries of the form; the project keeps the last valid values. A handle: copies mean the same.
 #[derive(Clone, Copy)]
 pub(crate) struct Entries {
     /// Fields whose text is wrong, with the reason.

@@ -1,4 +1,4 @@
-//! What the page knows, as signals: the project and what follows from it, the program, the run, what is shown.
+//! State of the page as signals: the project, its results, the program, the run, and the view.
 
 pub(crate) mod begun;
 

@@ -14,7 +14,7 @@ pub(crate) struct Notice {
     pub text: String,
     /// A file that goes with it: name and content.
     pub file: Option<(&'static str, String)>,
-    /// What can be done about it.
+    /// Action that the notice offers.
     pub offer: Option<Offer>,
 }
 

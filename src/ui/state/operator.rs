@@ -97,7 +97,7 @@ pub(crate) fn say_of(page: Page, event: &Event, sentence: impl FnOnce(String, St
     page.notices.say(say(&sentence(typed_time(event.t), name)));
 }
 
-/// Where an element of the list is after one of them has gone from a place to another.
+/// Place of a list's element after the element at `from` was moved to `to`.
 pub(crate) fn place_after(at: usize, (from, to): (usize, usize)) -> usize {
     match at {
         _ if at == from => to,

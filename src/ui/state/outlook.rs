@@ -1,4 +1,4 @@
-//! What becomes of the run: whether it moves anything, whether cycle start acts, and the remedy where it does not.
+//! Outlook on the run: whether anything moves, whether cycle start acts, and the remedy if it does not.
 
 use leptos::prelude::*;
 
@@ -16,20 +16,20 @@ pub(crate) struct Stopped {
     pub remedy: Option<Advice>,
 }
 
-/// What cycle start does.
+/// Effect of cycle start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CycleStart {
-    /// It starts or goes on, or has nothing to do.
+    /// The run starts or goes on, or nothing is left to do.
     Acts,
-    /// The control wants a reset first.
+    /// The control requires a reset first.
     AfterReset,
     /// The run stops before anything moves.
     StopsAtOnce,
-    /// The run comes back to the same stop, with nothing moved.
+    /// The run returns to the same stop without any motion.
     ComesBack,
 }
 
-/// What becomes of the run. A handle: copies mean the same.
+/// Outlook on the run. A handle: copies mean the same.
 #[derive(Clone, Copy)]
 pub(crate) struct Outlook {
     /// Set where the run stops before anything moves.
@@ -56,7 +56,7 @@ impl Outlook {
         Outlook { stopped, comes_back, player }
     }
 
-    /// What cycle start does at the head.
+    /// Effect of cycle start at the playhead.
     pub(crate) fn cycle_start(self) -> CycleStart {
         let (mode, at) = self.player.now.with(|now| (now.mode, now.t));
         match mode {

@@ -30,7 +30,7 @@ use crate::view::Scene;
 /// Fields by the result that depends on them.
 type Fields = BTreeMap<&'static str, Vec<&'static str>>;
 
-/// What the machine's formulas come to.
+/// Results of the machine's formulas.
 #[derive(Clone, Copy)]
 pub(crate) struct Results {
     /// Results with verdicts, and remarks.
@@ -54,7 +54,7 @@ pub(crate) struct Page {
     pub control: RwSignal<&'static str>,
     /// Whether undo and redo have something to do.
     pub can: RwSignal<(bool, bool)>,
-    /// What the machine's formulas come to.
+    /// Results of the machine's formulas.
     pub results: Results,
     /// The program.
     pub program: Program,
@@ -62,9 +62,9 @@ pub(crate) struct Page {
     pub entries: Entries,
     /// The run.
     pub player: Player,
-    /// What becomes of the run.
+    /// Outlook on the run.
     pub outlook: Outlook,
-    /// What is shown.
+    /// Tab, dialogs and folds.
     pub view: View,
     /// Messages.
     pub notices: Notices,

@@ -148,12 +148,12 @@ struct Pace {
     in_a_row: u32,
     /// When the run was last planned as a whole.
     planned: f64,
-    /// Whether it is to be planned as a whole.
+    /// Whether the whole run has to be planned.
     is_due: bool,
 }
 
 impl Pace {
-    /// Takes an edit at a time in ms; whether it is to be shown without a plan of the whole run.
+    /// Records an edit at a time (ms); returns whether to show it without planning the whole run.
     fn hurries(&mut self, now: f64) -> bool {
         let (enough, apart) = DRAGGING;
         self.in_a_row = if now - self.edited < apart { self.in_a_row + 1 } else { 0 };
@@ -491,7 +491,7 @@ impl Player {
         more
     }
 
-    /// The same without telling it to the page: seconds that are planned, why the run is over there, and whether there is more to plan.
+    /// Plans without informing the page: planned time (s), why the run ended there, and whether there is more to plan.
     fn advance_plan(self, until: f64, budget: f64) -> Option<(f64, Option<RunEnd>, bool)> {
         let begun = dom::now();
         let progress = self.state.try_update_value(|state| {

@@ -130,7 +130,7 @@ impl Player {
     }
 }
 
-/// Where breakpoints and watches are kept.
+/// Key in the browser's store of breakpoints and watches.
 const KEPT: &str = "macroline.walk";
 
 /// Key, sign and words of each command.

@@ -1,4 +1,4 @@
-//! What is shown: tab, dialogs, folds.
+//! State of the view: tab, dialogs, folds.
 
 use leptos::prelude::*;
 
@@ -39,15 +39,15 @@ pub(crate) enum ProgramView {
 pub(crate) enum Kept {
     /// The store has it.
     Yes,
-    /// It is about to be stored.
+    /// A store is due shortly.
     Soon,
     /// The browser has no room or no store.
     No,
-    /// The store has another state, of another tab or one that did not read: nothing is stored from here until the user asks for it.
+    /// The store has another state, of another tab or an unreadable one: nothing is stored until the user asks for it.
     Elsewhere,
 }
 
-/// What the present project is compared with.
+/// The project or variant that the present project is compared with.
 #[derive(Clone)]
 pub(crate) enum Compared {
     /// Another project: its name, and the text of its file.
@@ -65,7 +65,7 @@ pub(crate) struct Appearance {
     pub contrast: RwSignal<usize>,
 }
 
-/// What is shown. A handle: copies mean the same.
+/// State of the view. A handle: copies mean the same.
 #[derive(Clone, Copy)]
 pub(crate) struct View {
     /// The tab at the right.
@@ -102,7 +102,7 @@ pub(crate) struct View {
     pub help_at: RwSignal<String>,
     /// Step of the tour, from 0.
     pub tour: RwSignal<Option<usize>>,
-    /// What the present project is compared with.
+    /// The project or variant that the present project is compared with.
     pub compared: RwSignal<Option<Compared>>,
     /// Whether the store of this browser has the project.
     pub kept: RwSignal<Kept>,

@@ -13,11 +13,11 @@ const STEPS: usize = 64;
 pub(crate) struct Walk {
     /// The second run, beside the one that is shown.
     pub debugger: Option<Debugger>,
-    /// Whether it has stopped at the head.
+    /// Whether the debugger has stopped at the playhead.
     pub at_stop: bool,
-    /// Why it has stopped, and before which block.
+    /// Reason for the stop, and the block before which it stopped.
     pub why: String,
-    /// Whether it is under way.
+    /// Whether the debugger is running.
     pub going: bool,
     /// Whether the next slice is scheduled.
     pub slicing: bool,

@@ -102,7 +102,7 @@ impl Client {
         self.ask_long(project, request, |_| (), then);
     }
 
-    /// The same for an answer that takes time: `progress` is told how far it is. Returns the number by which it can be [cancelled](Client::cancel).
+    /// Asks for a slow answer and reports its progress. Returns the number by which it can be [cancelled](Client::cancel).
     pub(crate) fn ask_long(
         self,
         project: &Project,

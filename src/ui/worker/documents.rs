@@ -59,7 +59,7 @@ pub(in crate::ui) fn variants(project: &Project) -> String {
     project.compared_variants(t("variants.now")).map(|comparison| differences(&comparison)).unwrap_or_default()
 }
 
-/// The same of a project and another one under these names, with the head of the table.
+/// Table of the differences between a project and another one, under these names, with the table's head.
 pub(in crate::ui) fn compared_with(project: &Project, names: [String; 2], text: &str) -> String {
     let Some(other) = Project::from_json(text).project else { return String::new() };
     let [name, other_name] = names;
@@ -147,10 +147,10 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
         tagged(out, "summary", t("page.as-table"));
     }
     titled(out, "<div class=\"scroll\" tabindex=\"0\" role=\"group\"");
-    // What no row has is no column.
+    // Columns without a value are left out.
     let some = |at: &usize| sheet.rows.iter().any(|row| row.cells.get(*at).is_some_and(|cell| !cell.is_empty()));
     let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
-    // Where there is little room, prose behind many columns goes below them: see `.stacked`.
+    // In a narrow layout, prose behind many columns goes below them: see `.stacked`.
     let prose = matches!(sheet.columns.last(), Some(Column::Prose(_))) && shown.len() > 3;
     // Sentences in several columns stand below one another there, each with its head: see `.told`.
     let is_bill = sheet.kind == SheetKind::Bill;

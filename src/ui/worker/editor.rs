@@ -1,4 +1,4 @@
-//! What the editor asks: proposals for what is typed, and the places that a name leads to.
+//! Answers for the editor: completion proposals, and the places of a symbol.
 
 use super::messages::{Caret, NamedPlace, Places, Proposals};
 use crate::nc::symbols::{Occurrence, OutlineItem, Role, Symbol, Symbols};
@@ -19,7 +19,7 @@ fn at(written: &Written, caret: Caret) -> (FileId, u32) {
     (file, utf16::byte(text, caret.units))
 }
 
-/// What can be typed at a place.
+/// Completion proposals at a place.
 pub(crate) fn complete(project: &Project, caret: Caret) -> Proposals {
     let written = project.written();
     let (file, byte) = at(&written, caret);
@@ -66,7 +66,7 @@ impl Lines<'_> {
     }
 }
 
-/// Where the name at a place is defined: one place, or none.
+/// Definition of the symbol at a place: one place, or none.
 pub(crate) fn definition(project: &Project, caret: Caret) -> Places {
     let written = project.written();
     let (file, byte) = at(&written, caret);

@@ -60,7 +60,7 @@ pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, dark: bool
     })
 }
 
-/// What is found for a query, the best first.
+/// Search results of a query, the best first.
 pub(in crate::ui) fn found(project: &Project, texts: &Texts, query: &str) -> Vec<Hit> {
     with(project, texts, |help| {
         let hit = |place: &HelpPlace| {

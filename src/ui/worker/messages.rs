@@ -43,15 +43,15 @@ pub(crate) enum Request {
     Export,
     /// The page of help with an id, its drawing dark or not.
     Help(String, bool),
-    /// What help has for a query.
+    /// Search results of help for a query.
     FindHelp(String),
     /// The project with the parts of a table, by the name of its file and its text.
     Parts(String, String),
-    /// What can be typed at a place.
+    /// Completion proposals at a place.
     Complete(Caret),
-    /// Where the name at a place is defined.
+    /// Definition of the symbol at a place.
     Definition(Caret),
-    /// All places of the name at a place.
+    /// All places of the symbol at a place.
     Uses(Caret),
     /// Programs of all files; below each of them its labels, calls, targets of jumps and variables.
     Outline,
@@ -131,9 +131,9 @@ pub(crate) struct Places {
 pub(crate) struct NamedPlace {
     /// Name of a program, block or variable; or file and line.
     pub name: String,
-    /// What it says, or the line.
+    /// Text of the block or of the line.
     pub text: String,
-    /// Whether it belongs to the place before it, as a block to its program.
+    /// Whether the row is nested below the place before it, as a block below its program.
     pub below: bool,
     /// The place.
     pub place: Range,
@@ -160,13 +160,13 @@ pub(crate) struct ShelfState {
     pub at: f64,
     /// Version of the page's states.
     pub version: f64,
-    /// What the person noted about it, or the page.
+    /// Note of the person or of the page.
     pub note: String,
     /// The project as the text of its file.
     pub text: String,
 }
 
-/// What the list of projects is made of.
+/// Content of the list of projects.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Shelf {
     /// Id of the present project.
@@ -229,7 +229,7 @@ pub(crate) struct ReadParts {
     pub project: String,
     /// How many were added.
     pub added: u32,
-    /// What was found: whether it refuses a row, and the sentence with its line.
+    /// Findings: whether each refuses a row, and the sentence with its line.
     pub remarks: Vec<(bool, String)>,
 }
 
@@ -247,7 +247,7 @@ pub(crate) struct Documents {
 /// A finding as the export dialog shows it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Remark {
-    /// Whether it refuses the export.
+    /// Whether the finding refuses the export.
     pub refuses: bool,
     /// Class: `info`, `warn`, `fail`.
     pub tone: String,
