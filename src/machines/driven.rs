@@ -1,4 +1,4 @@
-//! What a machine is sized by: the motors behind its axes, the drive behind its inverter, and what is watched while it is operated.
+//! Drives that a machine is sized by: motors behind its axes, the drive behind its inverter, and quantities checked during operation.
 
 use crate::drives::duty::{Motion, Strikes, Turn};
 use crate::drives::load::{Load, Move, Phase};
@@ -14,11 +14,11 @@ pub struct DrivenAxis {
     pub id: &'static str,
     /// Catalog id of its name.
     pub name: &'static str,
-    /// Where its motion stands in a run.
+    /// Source of its motion in a run.
     pub mover: Mover,
     /// Radians of the motor per unit of the run: per millimetre or degree.
     pub turn: f64,
-    /// What it drives.
+    /// Load at the motor's shaft, without the rotor.
     pub load: Load,
     /// Torque at standstill, Nm.
     pub hold: f64,
@@ -76,7 +76,7 @@ pub struct MotorFields {
 pub struct FormGear {
     /// Speed of its input over that of its output.
     pub ratio: f64,
-    /// What it drives, at its output.
+    /// Load at its output.
     pub output: Load,
     /// Torque at its output at standstill, Nm.
     pub hold: f64,
@@ -144,7 +144,7 @@ pub struct ProductSize {
     pub size: f64,
 }
 
-/// What a machine asks of the motor behind its inverter.
+/// Demand on the motor behind the inverter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InverterDrive {
     /// Id, for instance `unwinder`.
@@ -163,7 +163,7 @@ pub struct InverterDrive {
     pub cycle: Option<InverterCycle>,
     /// Radians per second of the motor per r/min of the spindle in a run.
     pub turn: f64,
-    /// What it turns, at the motor's shaft and without its rotor, with the torque that it has beside its work.
+    /// Load at the motor's shaft, without the rotor: inertia, and torque besides that of the work.
     pub turned: Load,
     /// Inertia of its rotor, kg m²; 0 where the load has it.
     pub rotor: f64,
@@ -199,7 +199,7 @@ impl InverterDrive {
 /// Run-up and stop of a drive behind an inverter, with its work between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InverterCycle {
-    /// What the ramps drive, at the motor's shaft and without its rotor.
+    /// Load of the ramps, at the motor's shaft and without the rotor.
     pub load: Load,
     /// Inertia (kg m²) of the rotor of a motor whose own is not known; none where `load` has the rotor already.
     pub rotor: Option<f64>,
@@ -217,7 +217,7 @@ impl InverterCycle {
     }
 }
 
-/// What a machine asks of the encoder of its spindle.
+/// Demand on the encoder of a spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpindleEncoder {
     /// Catalog id of the name of its drive.

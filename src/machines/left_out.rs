@@ -11,7 +11,7 @@ pub struct LeftOut {
     pub number: u32,
     /// The variable that it would set, and that no other block sets.
     pub variable: u32,
-    /// What is missing behind the number.
+    /// Text of the block after its number, as the fix inserts it.
     pub text: &'static str,
     /// The finding.
     pub finding: fn() -> Message,

@@ -34,7 +34,7 @@ pub struct AxisDrive<'a> {
     pub encoder: f64,
     /// The control takes it for a rotary axis: a turn has 360 units, whatever they are.
     pub rotary: bool,
-    /// What words count per millimetre: 2 where they are diameters.
+    /// Units of a programmed word per millimetre: 2 for diameters.
     pub words: f64,
 }
 
@@ -76,8 +76,8 @@ impl AxisDrive<'_> {
         roles.into_iter().any(|role| control.param(role).is_some())
     }
 
-    /// What the axis moves too far, as a part of its travel: `T / T' - 1` with the travel T per turn of the motor and T' that the parameters have; 0
-    /// where whole numbers meet it.
+    /// Relative error of the travel by rounded parameters: `T / T' - 1`, with the travel T per turn of the motor and T' that of the
+    /// parameters; 0 if whole numbers give it exactly.
     pub fn error(&self, control: &Control) -> Option<f64> {
         let error = self.travel() / self.scaling(control)?.travel - 1.0;
         // Below what a double can tell.
@@ -143,7 +143,7 @@ impl AxisDrive<'_> {
 /// Greatest drift, in millionths of the travel: 1 µm in a metre (engineering choice).
 const MOST: f64 = 1.0;
 
-/// What is left of the ratio when the parameters have taken it as whole numbers, in millionths; 0 where they have it exactly.
+/// Error of the travel in millionths that the whole numbers of the parameters leave; 0 if they give it exactly.
 pub fn parts_per_million(control: &Control, drive: &AxisDrive) -> f64 {
     drive.error(control).map_or(0.0, |error| 1e6 * error)
 }

@@ -21,7 +21,7 @@ pub fn read(text: &str) -> Option<Found> {
     read_among(ALL, text)
 }
 
-/// The same for a program of one of these machines.
+/// Settings found in the comments of a program of one of these machines.
 pub fn read_among(machines: &[&dyn AnyMachine], text: &str) -> Option<Found> {
     // In round brackets, or behind a semicolon up to the end of the line.
     let mut comments = text.split(['(', ';']).skip(1).filter_map(|tail| tail.split([')', '\n']).next());

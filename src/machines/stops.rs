@@ -1,4 +1,4 @@
-//! What a machine does when its run is interrupted, as one table: its PLC acts by it, and its sheets show it.
+//! Reactions of a machine to interruptions of its run, as one table: its PLC acts by it, and its sheets show it.
 
 use super::sheets::{row, say};
 use crate::motion::ProgramState;
@@ -51,10 +51,10 @@ impl Interruption {
     }
 }
 
-/// What the spindle does at an interruption.
+/// Reaction of the spindle to an interruption.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpindleReaction {
-    /// It turns on.
+    /// The spindle keeps turning.
     Turns,
     /// The PLC holds it at speed 0; at cycle start it runs up again.
     Waits,
@@ -90,13 +90,13 @@ impl SpindleReaction {
 pub struct Reaction {
     /// The interruption.
     pub at: Interruption,
-    /// What the spindle does.
+    /// Reaction of the spindle.
     pub spindle: SpindleReaction,
-    /// What the axes do.
+    /// Reaction of the axes.
     pub axes: Message,
-    /// What becomes of the material: the web, the work.
+    /// Consequence for the material: the web, the work.
     pub material: Message,
-    /// What the operator does next.
+    /// Next step of the operator.
     pub operator: Message,
     /// Source and grade.
     pub cite: Citation,

@@ -43,7 +43,7 @@ impl FieldInfo {
         }
     }
 
-    /// The same with its unit.
+    /// Formats a value with its unit.
     pub fn text_with_unit(&self, value: &Value) -> String {
         format!("{} {}", self.text(value), self.unit())
     }

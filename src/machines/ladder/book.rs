@@ -44,12 +44,12 @@ impl<'a> Book<'a> {
         vec![vec![on(ALWAYS)]]
     }
 
-    /// What a signal means on this machine (catalog id), with its source.
+    /// Sets the meaning (catalog id) of a signal on this machine, with its source.
     pub fn means(&mut self, bit: Bit, meaning: &'static str, cite: Citation) {
         self.bit_meanings.insert(bit, (meaning, cite));
     }
 
-    /// What a number means on this machine (catalog id), with its source.
+    /// Sets the meaning (catalog id) of a PLC number on this machine, with its source.
     pub fn means_number(&mut self, word: PlcNumber, meaning: &'static str, cite: Citation) {
         self.word_meanings.insert(word, (meaning, cite));
     }

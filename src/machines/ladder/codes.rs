@@ -18,7 +18,7 @@ const ENDED: Bit = Bit::Relay("ended");
 /// A machine's wishes for its spindle.
 #[derive(Clone, Copy)]
 pub struct SpindleWishes<'a> {
-    /// What the spindle does at each interruption.
+    /// Reaction of the spindle to each interruption.
     pub reaction: &'a dyn Fn(Interruption) -> SpindleReaction,
     /// The inverter reports that the speed is reached.
     pub reports_speed: bool,

@@ -105,7 +105,7 @@ pub enum PlcNumber {
 pub struct RungContact {
     /// The signal.
     pub bit: Bit,
-    /// It opens with the signal.
+    /// Whether the signal opens the contact (normally closed).
     pub opens: bool,
 }
 
@@ -133,7 +133,7 @@ pub enum Operator {
     Divide,
 }
 
-/// What a rung does.
+/// Output of a rung.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RungAction {
     /// The signal follows the condition.
@@ -177,7 +177,7 @@ pub const DECODED: u32 = 8;
 pub struct Rung {
     /// Branches.
     pub when: Branches,
-    /// What it does.
+    /// Output of the rung.
     pub action: RungAction,
     /// Catalog id of its purpose.
     pub note: &'static str,

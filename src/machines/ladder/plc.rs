@@ -58,8 +58,7 @@ pub struct LadderPlc {
     image: Image,
     /// Whether one more scan of the same signals would change nothing.
     settled: bool,
-    /// Where a ladder without a named block has settled: the signals as the last scan has left them, and when the next one is due if they
-    /// stay as they are (s).
+    /// Settled state of a ladder without a named block: signals after its last scan, and time (s) of the next scan if none of them changes.
     left: Option<(Box<Io>, Option<f64>)>,
     /// When the next timer of the image closes its contact (s).
     due: Option<f64>,
@@ -109,7 +108,7 @@ impl LadderPlc {
         }
     }
 
-    /// The same with a named block.
+    /// Adds a named block.
     pub fn with_block(self, block: Box<dyn NamedBlock>) -> LadderPlc {
         LadderPlc { block: Some(block), ..self }
     }
@@ -123,7 +122,7 @@ impl LadderPlc {
         }
         let image = &mut self.image;
         image.put(PlcNumber::Signal(SignalRole::MCode), io.m_strobe.map_or(0.0, f64::from));
-        // It changes all the time under constant surface speed: only for ladders that read it.
+        // Read only by ladders that use it: constant surface speed changes it in every scan.
         if self.reads_speed {
             image.put(FINAL, final_speed(io));
         }
@@ -245,7 +244,7 @@ impl LadderPlc {
                 io.alarm = Some(kind);
             }
         }
-        // It stays as long as the fault does: reset and cycle start lead to it again.
+        // The alarm lasts as long as the fault: reset and cycle start raise it again.
         if image.is_on(Bit::Output(MachineOutput::InverterAlarm)) && io.stops.program != ProgramState::Alarm {
             io.alarm = Some(Alarm::InverterFault);
         }

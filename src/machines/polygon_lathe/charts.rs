@@ -35,7 +35,7 @@ pub(super) fn deviation(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
     (!series.is_empty()).then(|| over_angle(series))
 }
 
-/// The same of one polygon alone.
+/// Chart of one polygon's deviation alone.
 pub(super) fn deviation_alone(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
     deviation_of(lathe, points, ("polygon.chart.off", 1)).map(|line| over_angle(vec![line]))
 }

@@ -1,10 +1,10 @@
-//! What the whole part asks of the drives of work and tool, and their limits: of all polygons and feeds the worst.
+//! Demand of the whole part on the drives of work and tool, and their limits: the worst of all polygons and feeds.
 
 use super::load::{FEEDS, Spindle};
 use super::resolved::PolygonLathe;
 use crate::drives::spindle_motor::{power, run_up};
 
-/// What is asked of a spindle.
+/// Quantity of a spindle's demand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Asked {
     /// Greatest torque of the cut, Nm.
@@ -18,7 +18,7 @@ pub(super) enum Asked {
 }
 
 impl PolygonLathe {
-    /// What the cuts of a feed ask of a spindle with this polygon, and its limit.
+    /// Demand on a spindle at a feed with this polygon, and its limit.
     fn asked(&self, spindle: Spindle, asked: Asked, feed: usize) -> (f64, f64) {
         let torque = self.d.load.cuts[feed].torque[spindle as usize];
         let drive = self.p.drive(spindle);
@@ -31,7 +31,7 @@ impl PolygonLathe {
         }
     }
 
-    /// What is asked of a spindle, and its limit, where it is the greatest share of it: of all polygons and feeds.
+    /// Demand on a spindle and its limit, where their ratio is greatest: over all polygons and feeds.
     pub(super) fn demand(&self, spindle: Spindle, asked: Asked) -> (f64, f64) {
         let all = self.polygons().flat_map(|lathe| (0..FEEDS.len()).map(move |feed| lathe.asked(spindle, asked, feed)));
         all.fold((0.0, f64::INFINITY), |worst, next| {

@@ -20,7 +20,7 @@ pub(super) struct Derived {
     pub cuts: bool,
     pub sides: f64,
     pub ratio: f64,
-    /// As a micrometer measures it.
+    /// Greatest distance across flats, as a micrometer measures it.
     pub across_flats: f64,
     /// Least and greatest deviation of any side from its plane.
     pub deviation: (f64, f64),
@@ -259,7 +259,7 @@ pub(super) fn ways(p: &Params, sizes: &[f64]) -> Vec<Choice> {
     choices(&p.wanted(sizes), &p.means())
 }
 
-/// The same for the tip circle of the form alone: fast enough for every keystroke.
+/// Cutters and ratios for the tip circle of the form alone: fast enough for every keystroke.
 pub(super) fn ways_as_set(p: &Params, sizes: &[f64]) -> Vec<Choice> {
     let mut means = p.means();
     for cutter in &mut means.cutters {

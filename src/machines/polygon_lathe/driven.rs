@@ -1,4 +1,4 @@
-//! What the polygon lathe is sized by: the motors of work and tool, and their phase.
+//! Drives that the polygon lathe is sized by: the motors of work and tool, and the phase between them.
 
 use super::demand::Asked;
 use super::load::Spindle;
@@ -54,7 +54,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
     ]
 }
 
-/// What is watched: how far the tool is ahead of its ratio to the work.
+/// Quantities checked during operation: lead of the tool over its ratio to the work.
 pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
     id: "phase",
     label: "polygon.gauge.phase",

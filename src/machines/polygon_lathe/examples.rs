@@ -33,7 +33,7 @@ pub(super) const EXAMPLES: &[Example] = &[
         entries: &[("shape", "hexagon"), ("across-flats", "10"), ("stock-diameter", "12"), ("length", "30")],
         faults: &[],
     },
-    // What the paper is about: a polygon in the middle of a long shaft, in the same clamping.
+    // The paper's own case: a polygon in the middle of a long shaft, in the same clamping.
     Example {
         id: "shaft",
         name: "polygon.example.shaft",
@@ -56,7 +56,7 @@ pub(super) const EXAMPLES: &[Example] = &[
         ],
         faults: &[],
     },
-    // As the paper says of its lathe: turned, threaded and squared in one clamping.
+    // Turned, threaded and squared in one clamping, as the paper describes its lathe.
     Example {
         id: "threaded-shaft",
         name: "polygon.example.thread",

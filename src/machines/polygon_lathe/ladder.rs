@@ -46,7 +46,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     book.finish()
 }
 
-/// Which axis belongs to which channel, and what the channels get all the time.
+/// Rungs that assign the axes to their channels, and the signals that are always on for the channels.
 fn channels(book: &mut Book) {
     for (device, note) in [
         ("G159.2", "polygon.ladder.overlap-tool"),
@@ -133,7 +133,7 @@ fn answers(book: &mut Book) {
     book.coil(Bit::Macro(IDLE), vec![vec![off(TAKEN), off(index), off(turn)]], "polygon.ladder.idle");
 }
 
-/// What variables and blocks carry.
+/// Meanings of variables and blocks.
 fn meanings(book: &mut Book) {
     for (variable, meaning) in [
         (INDEX, "polygon.signal.index"),

@@ -1,4 +1,4 @@
-//! The same polygon by milling in polar interpolation, for comparison.
+//! Milling the polygon in polar interpolation instead, for comparison.
 
 use super::params::Params;
 use crate::math::{self, PI};

@@ -1,4 +1,4 @@
-//! The same part for controls with polygon turning as a native code: G51.2 and G50.2 as a program file, and as a list of blocks.
+//! The part for controls with polygon turning as a native code: G51.2 and G50.2 as a program file, and as a list of blocks.
 
 use super::program::{self, PART};
 use super::resolved::PolygonLathe;

@@ -19,7 +19,7 @@ options! {
         Triangle = "triangle" "polygon.shape.triangle",
         /// Three inserts at ratio 2.
         Hexagon = "hexagon" "polygon.shape.hexagon",
-        /// As the form says.
+        /// Inserts and ratio as typed in the form.
         Own = "own" "polygon.shape.own",
     }
 }

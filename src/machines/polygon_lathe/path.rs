@@ -6,7 +6,7 @@
 use super::params::Params;
 use crate::math;
 
-/// Where a motion of the slide goes, mm.
+/// Target of a motion of the slide, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum To {
     /// To a distance across flats, or a diameter.
@@ -49,7 +49,8 @@ impl Params {
         self.stock_diameter + 2.0 * self.clearance
     }
 
-    /// Where along the work a pass goes to its depth: in front of the face, or with the insert's far edge its width behind the near end.
+    /// Z position (mm) at which a pass goes to its depth: in front of the face, or with the insert's far edge its width behind the near
+    /// end.
     pub(super) fn approach(&self) -> f64 {
         if self.is_behind_face() { -self.from_face - self.insert_width } else { self.clearance }
     }

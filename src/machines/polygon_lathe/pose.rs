@@ -16,7 +16,7 @@ use crate::view::scene::Placement;
 
 /// Degrees per frame beyond which a single insert blurs.
 const SEEN: f64 = 60.0;
-/// The same of the jaws of the chuck.
+/// Degrees per frame beyond which the jaws of the chuck blur.
 const SEEN_JAWS: f64 = 40.0;
 
 /// Placements, paths and figures at a moment.

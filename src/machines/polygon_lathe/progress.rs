@@ -81,7 +81,7 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
             }
             continue;
         }
-        // As commanded: how far a pass goes is not read at a moment at which the slide may be on its way out again.
+        // The commanded end of the pass: the position at this moment may already belong to the retract.
         let stretch = ((-visit.along.1 - p.insert_width).max(0.0), -visit.along.0);
         progress.passes.push(Pass { before: progress.passes.len(), size: 2.0 * visit.across, stretch, since });
     }
@@ -165,7 +165,7 @@ fn pass(grid: &mut [f64], curve: &Curve, normal: f64, stock: f64) {
     }
 }
 
-/// Where the tips of a polygon's cutter are on the work, and how far the axes are apart, at a setting of the slide.
+/// Positions of the cutter's tips on the work, and the setup with the present distance of the axes.
 pub(super) fn tips(lathe: &PolygonLathe, now: &Snapshot) -> Option<(CutterSetup, Vec<(f64, f64)>)> {
     let (across_flats, _) = lathe.slide(now);
     let mut setup = lathe.p.setup(across_flats)?;

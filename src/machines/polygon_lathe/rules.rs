@@ -16,7 +16,7 @@ use crate::text::{Citation, Diagnostic, Grade, Message};
 use crate::view::Advice;
 use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
 
-/// What a drive gives: as its data sheet has it.
+/// Source of a drive's ratings: its data sheet.
 const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
 
 /// All rules that judge a result.

@@ -7,7 +7,7 @@ use crate::text::{Citation, Grade, Message};
 
 const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
-/// What work and tool do.
+/// Reaction of work and tool to an interruption.
 pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
     match at {
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::TurnsInRatio,

@@ -63,7 +63,7 @@ pub(super) fn loop_needed(line: &RibbonLine) -> f64 {
     laid_before(line) + laid_behind_the_last_move(line).abs().max(laid(line, &line.fast).abs())
 }
 
-/// What the loop holds against what a product without current lays into it; a brake at the motor or a greater loop mends it.
+/// Judges the loop's capacity against the ribbon laid when a product ends without current; a brake at the motor or a greater loop mends it.
 pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     let (capacity, needed) = (line.p.loop_capacity, loop_needed(line));
     let limit = AtMost(capacity);

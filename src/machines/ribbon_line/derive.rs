@@ -40,7 +40,7 @@ pub(super) struct Derived {
     pub pitch_time: f64,
     pub block_time: f64,
     pub block_needed: f64,
-    /// What the control needs while the knob is turned; infinite where it never gets round.
+    /// Time the control needs for a pass while the knob is turned, s; infinite if it never completes one.
     pub block_needed_turned: f64,
     pub override_delay: f64,
     /// Share (0 to 1) of its speed that X keeps on the average; exact stops and starved blocks take the rest.
@@ -377,7 +377,7 @@ fn y_drift(stroke: f64, pitch_time: f64) -> f64 {
 struct Timing {
     /// A block at the programmed speed.
     block: f64,
-    /// What the control needs for a pass.
+    /// Time the control needs for a pass.
     needed: f64,
     /// A block with exact stop, whether the line has one or not.
     exact_stop: f64,
@@ -518,7 +518,7 @@ impl Slack {
         let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
         let rate = |error: f64, kept: f64| unwound(error) - pulled(error) * kept;
         let (rate, rate_rated) = (rate(error, kept.0), rate(error_rated, kept.1));
-        // What slips, slips all the time; what exact stops and starved blocks lose, they lose from the first pass to the last.
+        // Slip acts all the time; losses by exact stops and starved blocks only from the first pass to the last.
         let slip = unwound(error) - pulled(error);
         let run = (slip * timing.product + pulled(error) * timing.lost) / 60.0;
         let second = line_speed / 60.0;

@@ -1,4 +1,5 @@
-//! What the ribbon line is sized by: the motors of pull and print roller, the unwinder behind its inverter, and loop and tension of the web.
+//! Drives that the ribbon line is sized by: the motors of pull and print roller, the unwinder behind its inverter, and loop and tension of
+//! the web.
 
 use super::mechanics::{ServoAxis, unwinder_load};
 use super::pose::State;
@@ -108,7 +109,7 @@ fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
     let ramp = p.inverter_ramp * speed / p.speed_at_10v;
     InverterCycle {
         load: unwinder_load(p, line.mechanics.unwinder),
-        // It is in the inertia of the form.
+        // The inertia of the form includes the rotor.
         rotor: None,
         of: Move { speed: speed * RPM, ramp, run: line.fast.product_time, pause: p.pause, hold: 0.0 },
         peak: [SHORT_TIME, SHORT_TIME],
@@ -144,7 +145,7 @@ pub(super) fn pitch(line: &RibbonLine) -> ProductSize {
     ProductSize { variable: 107, size: line.p.pitch }
 }
 
-/// What is watched: ribbon in the loop, and the tension where the loop is empty.
+/// Quantities checked during operation: ribbon in the loop, and tension while the loop is empty.
 pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
     GaugeRow {
         id: "loop",

@@ -13,11 +13,11 @@ use crate::math::RPM;
 /// A servo axis with its motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ServoAxis {
-    /// What it drives at the motor's shaft.
+    /// Load at the motor's shaft, without the rotor.
     pub load: Load,
     pub motor: Servo,
     pub limits: Acceptance,
-    /// What it drives at the output of its gear.
+    /// Load at the output of the gear.
     pub output: Load,
     /// Seconds of a ramp.
     pub ramp: f64,
@@ -72,7 +72,7 @@ impl ServoAxis {
         let phases = motion(p, d, (speed, ramp), hold).map(|of| load.phases(motor.rotor, of));
         let effective = phases.as_ref().map_or(load.torque, |phases| effective(phases));
         let effective = with_pause(effective, d.product_time, p.pause, hold);
-        // Where the load drives the motor, stopping or holding asks more than starting.
+        // An overhauling load asks more torque in the stop or at standstill than in the start.
         let others = phases.iter().flatten().map(|phase| phase.torque.abs());
         let peak = others.fold((load.torque + rise).abs(), f64::max);
         let duty = Duty { peak, effective, speed: side.rpm };
@@ -153,13 +153,13 @@ fn unwound(p: &Params, brake: f64) -> f64 {
     brake * p.press_roller_diameter / 2e3 + p.unwinding.friction
 }
 
-/// The same at the unwinder's motor.
+/// Steady torque (Nm) at the unwinder's motor with a brake of the reel in N.
 pub(super) fn unwinder_torque(p: &Params, brake: f64) -> f64 {
     load::through_gear(unwound(p, brake), p.reduction_ratio, p.unwinding.efficiency / 100.0)
 }
 
-/// What the unwinder's motor drives, its own rotor with it, and the reel where it weighs most at the web: at its full diameter or at the core.
-/// The gear's losses count as if it drove the reel: a stop that the reel drives is sooner.
+/// Load of the unwinder's motor: its own rotor, and the reel at the diameter with the greatest mass at the web, full or at the core. The
+/// gear's losses count as if the motor drove the reel: a stop driven by the reel is shorter.
 pub(super) fn unwinder_load(p: &Params, torque: f64) -> Load {
     let reel = reel::wound(p);
     let at_roller = inertia::at_radius(reel.mass_at_web(reel.worst()), p.press_roller_diameter / 2e3);

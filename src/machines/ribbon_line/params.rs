@@ -17,7 +17,7 @@ options! {
     pub(crate) enum OverrideForm {
         /// In percent: speed = S · override / 100, clamped by the program.
         Percent = "percent" "ribbon.override-form.percent",
-        /// As the spindle's speed after override and clamp, in r/min.
+        /// Speed of the spindle after override and clamp, in r/min.
         FinalSpeed = "final-speed" "ribbon.override-form.final-speed",
     }
 }
@@ -35,11 +35,11 @@ options! {
 }
 
 options! {
-    /// What the spindle override knob does in automatic where the override is typed: no program reads the knob there.
+    /// Effect of the spindle override knob in automatic if the override is typed: no program reads the knob then.
     pub(crate) enum KnobUse {
         /// The PLC holds the override at 100 %; the typed percentage scales S and the axes alike.
         Locked = "locked" "ribbon.knob-use.locked",
-        /// It turns the unwinder alone.
+        /// The knob changes the speed of the unwinder alone.
         Free = "free" "ribbon.knob-use.free",
     }
 }
@@ -77,7 +77,7 @@ options! {
 }
 
 options! {
-    /// What keeps the axes, which run one way for ever, within the range of the control.
+    /// Method that keeps the coordinates of the axes, which run one way for ever, within the range of the control.
     pub(crate) enum Endless {
         /// The program takes the coordinates back at each start.
         Shift = "shift" "ribbon.endless.shift",
@@ -99,7 +99,7 @@ options! {
 }
 
 options! {
-    /// What becomes of a length that is no whole number of pitches.
+    /// Treatment of a length that is no whole number of pitches.
     pub(crate) enum Rest {
         /// The nearest whole number of pitches is printed.
         Round = "round" "ribbon.rest.round",
@@ -141,7 +141,7 @@ options! {
 }
 
 options! {
-    /// Which program is written.
+    /// Source of the program.
     pub(crate) enum Variant {
         /// The ready-made one.
         ReadyMade = "ready-made" "ribbon.variant.ready-made",

@@ -1,7 +1,7 @@
 //! Phase of the print heads at the start of a product: a head is at the ribbon, wherever the product before was broken off.
 //!
-//! Where the control tells positions, the program turns the print roller on to its next head, with the ribbon at rest: no head meets the ribbon
-//! on the way. Where it does not, a variable tells a product that did not come to its end, and an alarm sends the operator to the roller.
+//! If the control reads positions, the program turns the print roller on to its next head, with the ribbon at rest: no head meets the
+//! ribbon on the way. If it does not, a variable marks a product that was broken off, and an alarm sends the operator to the roller.
 
 use super::resolved::RibbonLine;
 use crate::controls::Code;

@@ -1,6 +1,6 @@
 //! The program of the ribbon line: O9100 computes, O9101 runs, O9102 sets the project's values once.
 //!
-//! It uses the words and codes of the control: G91 or incremental addresses, exact stop or none, #3004 or none.
+//! Written with the words and codes of the control: G91 or incremental addresses, exact stop or none, #3004 or none.
 //! O9100 and O9101 never write the operator's variables (those of O9102), so that products are changed by variables alone.
 
 use super::derive::{SHORTEST, WHOLE};

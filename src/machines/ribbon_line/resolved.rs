@@ -29,7 +29,7 @@ pub(crate) struct RibbonLine {
     pub(super) p: Params,
     /// The results of the formulas.
     pub(super) d: Derived,
-    /// The same with the knob at its end; at standstill those at standstill.
+    /// Results of the formulas with the knob at its end; those at standstill if the line stands still.
     pub(super) fast: Derived,
     /// Mechanics of the drives, and the same with the knob at its end.
     pub(super) mechanics: Mechanics,

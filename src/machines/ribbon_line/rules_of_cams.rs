@@ -26,7 +26,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
 /// Share of the line speed below which a cam is no remedy. Our choice.
 const CRAWL: f64 = 1e-3;
 
-/// What a cam would ask of the print motor, where the rollers do not match; none where no ribbon speed is slow enough for it, or one that crawls.
+/// Advice to use a cam for rollers that do not match, with its demand on the print motor; none if no ribbon speed is slow enough, or only
+/// one below `CRAWL`.
 pub(super) fn advice(line: &RibbonLine) -> Option<Message> {
     let Some((_, end)) = cams::by(line, Law::ModifiedSine) else { return Some(msg!("ribbon.match-cam-no-time")) };
     let peak = (end.start_torque(), 2);

@@ -98,7 +98,7 @@ fn ramp_pull(p: &Params) -> f64 {
     reel.pull(reel.worst(), ramp_acceleration(p))
 }
 
-/// The same while the unwinder comes to rest without current: it slows down alike from every speed.
+/// Pull (N) of the reel while the unwinder coasts without current: the deceleration is the same from every speed.
 fn coasting_pull(line: &RibbonLine) -> f64 {
     let reel = wound(&line.p);
     reel.pull(reel.worst(), coasting_acceleration(&line.p, line.p.unwinding.brake))

@@ -139,7 +139,7 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
         msg!("ribbon.loop-empties", rate = (-rate, 0), capacity = (line.p.loop_capacity, 0), time = (lasts, 0))
     };
     let mut advice = vec![Advice::from(fills)];
-    // What exact stops and starved blocks take from X; no dancer brings it back.
+    // Loss of X by exact stops and starved blocks, mm/min; a dancer does not compensate it.
     let lost = d.line_speed * (1.0 - d.speed_kept);
     if lost > DRIFT {
         let kept = (d.speed_kept * 100.0, 1);

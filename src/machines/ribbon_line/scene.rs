@@ -32,7 +32,7 @@ use crate::text::number::filled;
 use crate::view::look::{Gradient, Ramp};
 use crate::view::{Drawing, Look, Paint, Scene};
 
-/// Where the ribbon lies on the depth of the rollers: near edge, middle, far edge.
+/// Edges and middle of the ribbon in the depth of the rollers: near edge, middle, far edge.
 pub(super) fn lanes(layout: &Layout) -> [(f64, f64); 3] {
     [0.15, 0.47, 0.8].map(|share| (share * layout.depth.0, share * layout.depth.1))
 }

@@ -9,7 +9,7 @@ use crate::text::{Citation, Grade, Message};
 
 const MODEL: Citation = Citation::new("ribbon line facts, 7", Grade::Inferred);
 
-/// What the unwinder does.
+/// Reaction of the unwinder to an interruption.
 pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
     match at {
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Waits,

@@ -73,7 +73,7 @@ pub(super) struct Derived {
     pub torque: f64,
     /// Continuous torque of the motor at the spindle at the largest diameter, Nm.
     pub torque_available: f64,
-    /// The same below base speed: the most that there is.
+    /// Continuous torque of the motor at the spindle below base speed, Nm: its maximum.
     pub torque_most: f64,
     pub acceleration_needed: f64,
     pub acceleration: f64,

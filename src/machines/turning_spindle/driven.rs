@@ -1,4 +1,4 @@
-//! What the turning spindle is sized by: its motor behind inverter and gear, and its speed against the chuck's.
+//! Drives that the turning spindle is sized by: its motor behind inverter and gear, and its speed against the limit of the chuck.
 
 use super::resolved::TurningSpindle;
 use super::run_up;
@@ -66,7 +66,7 @@ pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
     SpindleEncoder { name: "turning.drive.spindle", speed: run_up::highest(lathe) }
 }
 
-/// What is watched: the speed of the spindle.
+/// Quantity checked during operation: the speed of the spindle.
 pub(super) const GAUGES: &[GaugeRow<TurningSpindle>] = &[GaugeRow {
     id: "speed",
     label: "turning.gauge.speed",

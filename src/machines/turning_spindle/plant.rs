@@ -48,7 +48,7 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
     let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle_ramp, rules);
     SpindlePlant {
         surface_low: if lathe.rules().low_always { 0.0 } else { p.lower_limit },
-        // Where the program cuts the keyway, it starts the tool.
+        // If the program cuts the keyway, it starts the driven tool itself.
         driven_tool: p.driven_tool && lathe.keyway().is_none(),
         centre: Some(0.0),
         coasting: Some(coasting(lathe)),

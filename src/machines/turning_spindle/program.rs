@@ -1,6 +1,6 @@
 //! The program of the turning spindle: O9201 cuts pass by pass, O9202 sets the project's values once.
 //!
-//! It uses the words and codes of the control: diameters or radii, surface speed or a fixed one, gear stages or none. O9201 never
+//! Written with the words and codes of the control: diameters or radii, surface speed or a fixed one, gear stages or none. O9201 never
 //! writes the operator's variables, so that parts are changed by variables alone.
 
 use super::params::{Direction, Path};
@@ -274,7 +274,8 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, v(107))));
     words.push(turn);
     b.n(27).words(words);
-    // Where cuts do not wait for the speed, the program does: the ramp to the highest speed is long enough for every speed and override.
+    // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
+    // override.
     let ramp = lathe.p.spindle_ramp * lathe.d.stage_top.min(lathe.p.chuck_limit) / lathe.d.stage_speed;
     if lathe.rules().reached.is_none() && ramp > 0.0 {
         let seconds = (100.0 * ramp).ceil() / 100.0;

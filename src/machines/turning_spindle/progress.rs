@@ -12,7 +12,7 @@ use crate::motion::Snapshot;
 pub(super) struct Progress {
     /// Passes that are done.
     pub(super) done: u32,
-    /// Where the tool cuts in the next one: Z along the part, the diameter on a face.
+    /// Position of the tool in the present pass: Z along the part, the diameter on a face; none between passes.
     pub(super) at: Option<f64>,
 }
 

@@ -179,7 +179,7 @@ const BETWEEN: f64 = 5.0;
 /// Blocks that are read while the cut lasts.
 fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
-    // Where the speed stays in rapids, a cut may begin with the highest of the cut before.
+    // A speed that is kept in rapids lets a cut begin with the highest speed of the cut before.
     let keeps = lathe.surface() && lathe.rules().rapid == RapidSpeed::Kept;
     let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.high)).sum() } else { f64::INFINITY };
     let lasts = 1000.0 * (d.cutting_time / d.passes.max(1.0)).min(least);
@@ -202,7 +202,7 @@ fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     ok(Some(AtMost(d.acceleration)).filter(|_| d.acceleration.is_finite()))
 }
 
-/// What a motor may give for a part of its time, where that suffices: a warning, and how long.
+/// Warning that the motor's short-time rating suffices, with its share in percent.
 fn overloaded(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
     warn(AtMost(limit), [msg!("turning.overload", percent = (lathe.p.motor_overload, 0)).into()])
 }

@@ -1,4 +1,4 @@
-//! What turns with the spindle in a gear stage: its inertia, what run-up and braking ask of the motor, and how long it coasts without current.
+//! Rotating parts of the spindle in a gear stage: inertia, demand of run-up and braking on the motor, and coasting time without current.
 
 use super::params::{FIELDS, Params, Path};
 use super::resolved::TurningSpindle;
@@ -20,7 +20,7 @@ impl Params {
         MotorCurve::new(self.motor_power, self.efficiency / 100.0, (self.motor_base, self.motor_top), rated)
     }
 
-    /// What it gives continuously at its site.
+    /// Continuous curve of the motor at the spindle, derated for its site.
     pub(super) fn continuous(&self, rated: f64) -> MotorCurve {
         self.motor(rated).share(self.site_share / 100.0)
     }
@@ -65,7 +65,7 @@ fn turned(lathe: &TurningSpindle) -> Load {
     lathe.p.turned(lathe.d.stage_speed)
 }
 
-/// The same where friction helps the motor to brake.
+/// Load of braking: friction helps the motor.
 fn braked(lathe: &TurningSpindle) -> Load {
     let turned = turned(lathe);
     Load { torque: -turned.torque, ..turned }

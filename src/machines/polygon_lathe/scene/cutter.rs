@@ -228,7 +228,7 @@ pub(in super::super) fn distance(lathe: &PolygonLathe, view: &View, away: f64) -
     d
 }
 
-/// Where the figure of the distance is from its last place: in the middle between the axes, and always within the drawing.
+/// Offset of the distance's figure from its place in the drawing, in units: in the middle between the axes, and always within the drawing.
 pub(in super::super) fn figure_at(view: &View, away: f64) -> f64 {
     let middle = 0.5 * (view.work.0 + view.cutter.0);
     math::clamp(middle + 0.5 * away, FIGURE, RIGHT - FIGURE) - middle

@@ -1,4 +1,4 @@
-//! Where the parts are in the drawing, and its scales.
+//! Layout of the parts in the drawing, and its scales.
 
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::math;
@@ -79,7 +79,7 @@ impl View {
         view.of(lathe)
     }
 
-    /// The same with the cutter of a polygon.
+    /// The layout with the cutter at the depth of a polygon.
     pub(in super::super) fn of(self, lathe: &PolygonLathe) -> View {
         let p = &lathe.p;
         View { cutter: (self.work.0 + (0.5 * p.across_flats + p.tip_radius) * self.scale, AXIS), ..self }

@@ -196,7 +196,7 @@ pub(in super::super) fn edges(
         return d;
     }
     let pitch = 2.0 * PI / derived.sides;
-    // Where the planes would meet, or the stock that is left between them.
+    // Corner of two planes, or the stock that is left between them.
     let corner = (0.5 * size / math::cos(0.5 * pitch).max(1e-6)).min(0.5 * p.stock_diameter);
     let wide =
         if corner < 0.5 * p.stock_diameter { 0.0 } else { 0.5 * pitch - math::acos((0.5 * size / corner).min(1.0)) };

@@ -13,7 +13,7 @@ use super::super::params::Params;
 
 /// Radius of a driven roller for which plates and cabinets have their plain size, mm.
 pub(crate) const ROLLER: f64 = 50.0;
-/// The same of the print roller over its heads, mm.
+/// Radius of the print roller over its heads, mm.
 pub(crate) const PRINT_ROLLER: f64 = 60.0;
 /// Radius of a full supply reel beside which everything has its plain size at least, mm.
 const REEL: f64 = 224.0;

@@ -39,7 +39,7 @@ impl Chuck {
         self.face + STEP
     }
 
-    /// Where the part leaves the face of the body.
+    /// Face of the chuck's body, in units of the drawing.
     pub(in super::super) fn face(&self) -> f64 {
         self.face
     }

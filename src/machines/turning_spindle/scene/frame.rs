@@ -71,7 +71,7 @@ pub(super) fn draw_headstock(d: &mut Drawing, p: &Params) {
     gate(d, p);
 }
 
-/// Where the knob is in a gear stage (from 1), from the centre of the gate; in the middle while gears are shifted.
+/// Position of the shift lever's knob in a gear stage (from 1), from the centre of the gate; in the middle during a shift.
 pub(in super::super) fn knob(stage: u8, is_shifting: bool, stages: usize) -> (f64, f64) {
     if stages < 2 {
         return (0.0, 0.0);

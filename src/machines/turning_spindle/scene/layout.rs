@@ -1,4 +1,4 @@
-//! Where the parts are in the drawing, and its scale.
+//! Layout of the parts in the drawing, and its scale.
 
 use super::chuck::Chuck;
 use super::solid::AXIS;
