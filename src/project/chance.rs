@@ -22,18 +22,18 @@ pub const DRAWS: u32 = 10_000;
 /// Seed where none is given.
 pub const SEED: u64 = 1;
 
-/// What many machines give whose assumed facts were drawn.
+/// Result of drawing many machines with random values of the assumed facts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chance {
-    /// Machines that were drawn.
+    /// Number of machines drawn.
     pub draws: u32,
     /// Seed of the draws.
     pub seed: u64,
-    /// Assumed facts that were drawn for each.
+    /// Number of assumed facts drawn for each machine.
     pub facts: u32,
-    /// Those in which no verdict fails.
+    /// Number of machines in which no verdict fails.
     pub hold: u32,
-    /// Results that fail in some: id, catalog id of the label, and in how many; the most first.
+    /// Results that fail in some machines: id, catalog id of the label, and number of machines; the most frequent first.
     pub failing: Vec<(&'static str, &'static str, u32)>,
 }
 

@@ -10,7 +10,7 @@ use crate::view::ComparedRow;
 /// Differences that are told one by one; the rest is counted.
 const TOLD: usize = 3;
 
-/// What became of a project: the first differences as phrases with semicolons between them, and the count of the others.
+/// Lists the differences between two projects: the first ones as phrases with semicolons between them, and the count of the others.
 pub fn changes_in_words(before: &Project, after: &Project) -> String {
     let all = changes(before, after);
     let rest = all.len().saturating_sub(TOLD);
@@ -21,8 +21,8 @@ pub fn changes_in_words(before: &Project, after: &Project) -> String {
     }
 }
 
-/// What became of a project, each difference as a phrase. Another machine is the only one, as its entries are others. An entry that only one
-/// of the two has follows from another difference and is left out.
+/// Lists the differences between two projects, a phrase for each. A change of the machine is the only difference listed, because the
+/// entries are others. An entry that only one of the two has follows from another difference and is left out.
 pub fn changes(before: &Project, after: &Project) -> Vec<String> {
     if before.machine.id() != after.machine.id() {
         return vec![sentence(&msg!("changes.machine", machine = words(after.machine.name())))];

@@ -82,9 +82,9 @@ pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diag
 /// Fixes that are made together. Those of warnings change what a program does, so each of them is a decision of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FixChoice {
-    /// Those of errors with one fix: they leave no choice.
+    /// Fixes of errors that have one fix, so that there is no choice.
     Certain,
-    /// The first one of each error: where there are several, the most likely stands first.
+    /// The first fix of each error: the most likely one.
     First,
 }
 

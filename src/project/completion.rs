@@ -1,4 +1,4 @@
-//! What can be typed at a place of a program: codes, variables, words of the macro language, targets of jumps, programs to call.
+//! Completion proposals at a place of a program: codes, variables, words of the macro language, targets of jumps, programs to call.
 
 use super::meaning::{Meaning, Table, Words};
 use crate::controls::{Address, Code, CodeId, Control};
@@ -57,7 +57,7 @@ pub struct Completion {
 /// Variables of a range that are proposed one by one; of a larger range only those that the machine or the programs name.
 const FEW: u32 = 8;
 
-/// What is being typed at the end of a line.
+/// Kind of the unfinished text at the end of a line.
 enum Typed {
     /// A comment, or a number that nothing proposes.
     Nothing,
@@ -88,7 +88,7 @@ pub fn at(words: &Words, parsed: &Parsed, file: FileId, byte: u32) -> Completion
     Completion { replaces: Span::new(start.min(byte) + from as u32, byte), proposals }
 }
 
-/// What is typed at the end of a line, and where it begins.
+/// Kind of the unfinished text at the end of a line, and its first byte.
 fn typed(line: &str, control: &Control) -> (Typed, usize) {
     let pieces = tokens(line, control);
     let open = pieces.last().filter(|(span, _)| span.end as usize == line.len());
@@ -172,7 +172,7 @@ impl Proposals<'_> {
         let deck = self.parsed.deck();
         let Some(text) = self.parsed.files().get(self.file).map(|file| file.text.as_str()) else { return Vec::new() };
         let blocks = self.here().map_or(&[][..], |program| deck.blocks_of(program));
-        // Where blocks have names, a switch tells whether a jump can go to a number.
+        // On a control whose blocks have names, a switch says whether a jump can go to a block number.
         let named = self.control().syntax.names().is_some();
         let by_number = !named || self.parsed.dialect().reading.number_jumps;
         let letter = if named { "N" } else { "" };
@@ -241,7 +241,7 @@ impl Proposals<'_> {
         numbers.extend(self.words.variables().into_iter().map(|row| row.0));
         let small = self.control().vars.iter().filter(|row| row.last - row.first < FEW);
         numbers.extend(small.flat_map(|row| row.first..=row.last));
-        // What is typed may be the whole number of one that is known: it is no proposal.
+        // The prefix may itself be the whole number of a known variable, which is no proposal.
         let known = |number: &u32| self.control().var(*number).is_some();
         let names = numbers.into_iter().filter(known).map(|number| self.control().variable(number));
         names.filter(|name| name != self.prefix).filter_map(|name| self.word(name, ProposalKind::Variable)).collect()

@@ -85,7 +85,7 @@ impl Decoded {
         Decoded { text, encoding, other: None, bytes: Vec::new(), pieces: Vec::new() }
     }
 
-    /// The same in GBK, where the encoding was unknown and all bytes are text in it.
+    /// Decodes the bytes as GBK; `None` unless the encoding is unknown and all bytes are text in GBK.
     pub fn in_gbk(&self) -> Option<Decoded> {
         let text = from_gbk(&self.bytes).filter(|_| self.encoding == Encoding::Unknown)?;
         let mut pieces = vec![(0, 0)];

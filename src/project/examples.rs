@@ -9,7 +9,7 @@ use crate::msg;
 use crate::text::{Message, listed};
 use crate::view::{Readout, Verdict};
 
-/// What a name is of.
+/// Kind of a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameKind {
     /// Id of a machine.
@@ -23,14 +23,14 @@ pub enum NameKind {
 /// An unknown name, and the known ones.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unknown {
-    /// What it should be the name of.
+    /// Kind of the unknown name.
     pub kind: NameKind,
     /// The names that there are.
     pub known: Vec<&'static str>,
 }
 
 impl Unknown {
-    /// What was asked for in vain, and what there is.
+    /// Message with the unknown name and the known ones.
     pub fn message(&self, machine: &str, control: Option<&str>, example: Option<&str>) -> Message {
         let known = listed(&self.known);
         match self.kind {

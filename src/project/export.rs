@@ -14,7 +14,7 @@ use crate::text::units::in_millimetres;
 use crate::text::{Diagnostic, Severity};
 use crate::view::{self, report};
 
-/// What goes with the files beside the project itself.
+/// Options of an export.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ExportOptions<'a> {
     /// Findings about the programs, as [`Project::advice`] gives them: for diagnostics and report.
@@ -74,7 +74,7 @@ impl Project {
         self.export_with(&self.written(), &ExportOptions::default())
     }
 
-    /// The same for a program that is written already: its very files leave.
+    /// The files for the machine, with the programs as they are already written.
     pub fn export_with(&self, written: &Written, options: &ExportOptions) -> Export {
         let (prepared, design) = (self.prepared(), self.design());
         let mut found = written.diagnostics.clone();
@@ -108,7 +108,7 @@ impl Project {
             file("drawing.svg", told.run.drawing.clone()),
         ];
         let of_sizing = options.sizing.map(|sizing| [sizing.bill_sheet(), sizing.terminal_sheet()]);
-        // What other programs read has millimetres.
+        // Files that other programs read are in millimetres.
         for sheet in of_sizing.iter().flatten().chain(&in_millimetres(|| prepared.sheets())) {
             files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet) });
             if !sheet.drawing.is_empty() {

@@ -38,7 +38,7 @@ impl Sources {
         }
     }
 
-    /// What writes diagnostics about them.
+    /// Renderer of diagnostics about these sources.
     pub fn renderer(&self) -> Renderer<'_> {
         Renderer::about(&self.files, &self.names, &self.read)
     }
@@ -53,7 +53,7 @@ pub struct FileFindings {
     pub list: Vec<Diagnostic>,
 }
 
-/// What was read of a file, nothing where its findings say why.
+/// Value read from a file, or none if its findings are errors, and the findings.
 pub type FileRead<T> = (Option<T>, FileFindings);
 
 /// Whether there is an error.

@@ -107,7 +107,7 @@ pub fn restored(text: &str) -> Option<Project> {
     Some(project)
 }
 
-/// The same with name and settings of the present project.
+/// Project of a program that macroline wrote, with name and settings of the present project.
 fn restored_beside(present: &Project, text: &str) -> Option<Project> {
     let mut project = restored(text)?;
     project.name.clone_from(&present.name);

@@ -5,7 +5,7 @@ use crate::text::catalog::{sentence, words};
 use crate::text::escape::clip;
 use crate::text::{either, listed};
 
-/// What serde_json says of a text that is no JSON, and our words for it.
+/// Messages of serde_json about a text that is not JSON, and the catalog ids of our sentences for them.
 const SYNTAX: [(&str, &str); 16] = [
     ("EOF while parsing a list", "project.json.ends-in-list"),
     ("EOF while parsing an object", "project.json.ends-in-object"),

@@ -49,7 +49,7 @@ fn rotary(control: &controls::Control, letter: controls::Address) -> bool {
     control.axis(letter).is_some_and(|at| control.axes[at].rotary)
 }
 
-/// The same for people.
+/// Machines and controls as text for people.
 pub fn text() -> String {
     let mut out = format!("{}\n", words("project.list.machines"));
     for machine in machines::ALL {

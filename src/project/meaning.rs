@@ -99,7 +99,7 @@ pub fn of(project: &Project, word: &str, table: Table) -> Option<Meaning> {
     Words::of(project).meaning(word, table)
 }
 
-/// What words are looked up in: the rows of a control as it is set, and the variables that a machine names.
+/// Tables for looking up words: the rows of a control with its settings, and the variables that a machine names.
 #[derive(Clone, Copy)]
 pub struct Words<'a> {
     on: ControlContext<'a>,
@@ -196,7 +196,7 @@ fn of_program(all: &Words, word: &str) -> Option<Meaning> {
     }
 }
 
-/// What the row of a code says.
+/// Sentences about the row of a code.
 pub(super) fn code_says(row: &CodeDef) -> Vec<Message> {
     let mut says = vec![told(row.text)];
     says.extend(match (row.code, row.group) {
@@ -219,7 +219,7 @@ fn of_code(control: &Control, text: &str) -> Option<Meaning> {
     Some(meaning(control.code_name(row.id), Subject::Code(row.id), says, "", row.cite))
 }
 
-/// What the row of a range of variables says.
+/// Sentences about the row of a range of variables.
 pub(super) fn variable_says(row: &VarRange) -> Vec<Message> {
     let mut says = vec![told(row.text)];
     if !row.device.is_empty() {
@@ -334,7 +334,7 @@ fn function_id(function: Function) -> &'static str {
     }
 }
 
-/// What an address tells, axes aside.
+/// Meaning of an address, axes aside.
 fn address_words(address: Address) -> Option<Message> {
     Some(match address {
         Address::F => msg!("meaning.feed"),
@@ -361,7 +361,7 @@ fn address_words(address: Address) -> Option<Message> {
     })
 }
 
-/// What the row of a register says.
+/// Sentences about the row of a register.
 pub(super) fn signal_says(control: &Control, row: &Signal) -> Vec<Message> {
     let mut says = vec![told(row.text)];
     says.push(if row.plc_writes { msg!("meaning.plc-writes") } else { msg!("meaning.control-writes") });

@@ -244,7 +244,7 @@ impl Project {
                 self.switches.0.push((id, setting));
             }
         }
-        // What the operator pressed and set belongs to the run of the other program; how the knobs and switches stand stays.
+        // The operator's actions belong to the run of the other program; the positions of knobs and switches stay.
         let stays = |event: &&Event| {
             matches!(
                 event.action,

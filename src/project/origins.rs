@@ -124,7 +124,7 @@ pub fn json(project: &Project) -> Json {
     })
 }
 
-/// The same for people.
+/// Sources of the values as text for people.
 pub fn text(project: &Project) -> String {
     let all = values(project);
     let label = |input: &Input| [words(input.label), input.symbol].join(" ").trim_end().to_owned();

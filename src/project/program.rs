@@ -14,7 +14,7 @@ use crate::text::catalog::Language;
 pub struct Written {
     /// The text, as it is exported.
     pub files: Files,
-    /// The same text read again; everything that runs comes from here.
+    /// The emitted text, parsed again; every run uses it.
     pub parsed: Rc<Parsed>,
     /// Findings of writing and reading it.
     pub diagnostics: Vec<Diagnostic>,

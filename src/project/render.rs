@@ -92,7 +92,7 @@ impl<'f> Renderer<'f> {
         self.aligned(place, 0)
     }
 
-    /// The same with line numbers of a width.
+    /// File:line:column and the marked line, with line numbers padded to a width.
     fn aligned(&self, place: Place, width: usize) -> Option<String> {
         let (file, line, column) = self.position(place)?;
         let text = self.files.get(place.file).map_or("", |file| place.span.of(&file.text));

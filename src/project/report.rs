@@ -21,7 +21,7 @@ use crate::view::balloons::balloons;
 use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
 use crate::view::{Chart, Theme, svg};
 
-/// What a report's run may take: blocks, and seconds of the machine. A longer run is drawn as far as it came.
+/// Budget of a report's run: blocks, and seconds of machine time. A longer run is drawn as far as it came.
 const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
 
 /// Events that are planned at a time.

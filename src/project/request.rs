@@ -1,4 +1,4 @@
-//! What a shell asks to check: a project or bare programs, with choices that are checked against the control.
+//! Checks that a shell requests: of a project or of bare programs, with choices that are checked against the control.
 
 use std::rc::Rc;
 
@@ -28,11 +28,11 @@ impl From<Message> for Refused {
     }
 }
 
-/// What is checked or run.
+/// Source of the programs to check or to run.
 pub enum ProgramSource {
-    /// A project; none where its findings say why.
+    /// A project; none if its findings are errors.
     Project(Box<FileRead<Project>>),
-    /// Bare programs on a control, with what their bytes have shown.
+    /// Bare programs on a control, with the findings of decoding them.
     Programs(&'static Control, FileFindings),
 }
 
@@ -109,7 +109,7 @@ pub fn check(subject: ProgramSource, choices: &Choices) -> Result<Checked, Refus
             let (project, mut file) = *read;
             let Some(mut project) = project else { return Err(Refused::Files(vec![file])) };
             project.switches = choices.switched(project.switches, project.control)?;
-            // Those about the form stand in the file of the project.
+            // Findings about the form are at places in the file of the project.
             file.list.extend(origins::findings(&project));
             let written = project.written();
             let mut list = project.advice(&written);

@@ -223,7 +223,7 @@ pub struct TurnedAxis {
     pub angle: f64,
 }
 
-/// What follows where the program waits for the operator (M00, M01, a message).
+/// Reaction of a run to a stop of the program (M00, M01, a message).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AtStop {
     /// The run is over.

@@ -1,4 +1,4 @@
-//! What a shell asks to run or to step through: a project, or bare programs on the control's bench.
+//! Runs that a shell requests, at once or by steps: of a project, or of bare programs on the control's bench.
 
 use std::rc::Rc;
 
@@ -25,7 +25,7 @@ pub const BUDGET: Budget = Budget { blocks: 10_000_000, seconds: 3600.0 };
 
 /// A run as it is asked for.
 pub struct RunRequest {
-    /// What runs.
+    /// Project or programs to run.
     pub subject: ProgramSource,
     /// Project whose plant runs bare programs, instead of the control's bench.
     pub plant: Option<FileRead<Project>>,
@@ -100,7 +100,7 @@ impl RunRequest {
     }
 }
 
-/// What the operator sets, chooses and does.
+/// Actions, settings and choices of the operator.
 struct Operated {
     panel: Panel,
     start: Option<String>,

@@ -83,7 +83,7 @@ pub fn compare(variants: &[(String, Project)]) -> Comparison {
     let mut entries = side_by_side(&each(entries));
     let mut switches = side_by_side(&each(switches));
     entries.retain(|row| row.differs);
-    // What one control alone has, or has by default, is its own: only what was chosen is told.
+    // A switch that one control alone has, or that has its default, is that control's own: only chosen settings are listed.
     switches.retain(|row| row.differs && variants.iter().any(|(_, project)| is_chosen(project, row.id)));
     let cells: Vec<_> =
         variants.iter().map(|(_, project)| Some((project.control.name.to_owned(), Verdict::None))).collect();

@@ -1,4 +1,4 @@
-//! What help consists of: pages with sections and entries, and places in them.
+//! Contents of help: pages with sections and entries, and places in them.
 
 use super::texts::{Text, plain};
 use crate::controls::Control;
@@ -38,7 +38,7 @@ pub struct Fact {
     pub value: Text,
 }
 
-/// What is told about one thing.
+/// Entry of a section: one subject, such as an alarm or a field, with its facts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HelpEntry {
     /// Id within its page: kind and name, for instance `alarm.P62`.

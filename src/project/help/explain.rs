@@ -11,7 +11,7 @@ use crate::text::{Citation, headed};
 /// Further places that are listed at most.
 const FURTHER: usize = 9;
 
-/// What is found for a word, the best first; an id of a place counts as well.
+/// Search results for a word, the best first; the id of a place comes before them.
 pub fn found<'h>(help: &'h Help, word: &str) -> Vec<HelpPlace<'h>> {
     let named = if word.contains('.') { help.find(word) } else { None };
     named.into_iter().chain(help.search(word)).collect()

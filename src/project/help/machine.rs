@@ -135,7 +135,7 @@ fn readouts(project: &Project) -> Vec<Readout> {
     all
 }
 
-/// What a field can be where it is no number and no text.
+/// Values of a choice, or the other value of a flag; empty for numbers and texts.
 fn choices(field: &FieldInfo) -> Vec<Value> {
     match &field.kind {
         KindInfo::Choice(options) => options.iter().map(|(id, _)| Value::Text((*id).to_owned())).collect(),

@@ -1,4 +1,5 @@
-//! What no row says: manuals of machines and controls, causes of alarms, terms. They are files of their own, which the page loads with its first help.
+//! Texts of help that come from no row: manuals of machines and controls, causes of alarms, terms. They are files of their own, which the
+//! page loads with its first help.
 
 use crate::text::catalog::{self, Language};
 

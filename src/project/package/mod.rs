@@ -37,7 +37,7 @@ fn answered(ask: &str, request: &str) -> Result<Json, Refused> {
             let (control, example) = (control.as_deref(), example.as_deref());
             let project = Project::named(&machine, control, example);
             let project = project.map_err(|unknown| unknown.message(&machine, control, example))?;
-            // What the project writes is JSON.
+            // The text of a project is always JSON.
             Ok(serde_json::from_str(&project.to_json()).unwrap_or_default())
         }
         "design" => {

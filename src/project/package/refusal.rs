@@ -16,9 +16,9 @@ pub const MAX_REQUEST: u32 = 64 << 20;
 pub enum Unasked {
     /// There is no such language; its code.
     Language,
-    /// It cannot be written as JSON.
+    /// The request cannot be written as JSON.
     Unreadable,
-    /// It has more than [`MAX_REQUEST`] characters.
+    /// The request has more than [`MAX_REQUEST`] characters.
     TooLarge,
     /// The session was freed before.
     Freed,

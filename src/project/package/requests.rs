@@ -89,7 +89,7 @@ struct ProgramFile {
     text: String,
 }
 
-/// What tells programs from a project.
+/// Marker of programs: an object with `files` is no project.
 #[derive(Deserialize)]
 struct HasFiles {
     files: Option<IgnoredAny>,
@@ -199,7 +199,7 @@ pub(super) struct CheckRequest<'t> {
     pub(super) choices: GivenChoices,
 }
 
-/// What runs, and how.
+/// Arguments of a run: project or programs, panel, start, and budget.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RunArguments<'t> {

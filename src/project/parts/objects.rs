@@ -60,7 +60,7 @@ pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) 
             let text = match &entry.value.value {
                 Json::Null => None,
                 Json::String(text) => Some(text.clone()),
-                // As it is written: a number keeps its digits.
+                // The source text of a number keeps its digits.
                 Json::Number(_) if columns::is_number(column) => Some(source.to_owned()),
                 Json::Array(models) if column == "fits" && models.iter().all(Json::is_string) => {
                     let models: Vec<&str> = models.iter().filter_map(Json::as_str).collect();

@@ -58,7 +58,7 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     rows.finish()
 }
 
-/// What separates the cells, by the first line, and the text from that line on. Some spreadsheets say it in a line of its own, `sep=;`.
+/// Separator of the cells, by the first line, and the text from that line on. Some spreadsheets name it in a line of its own, `sep=;`.
 fn delimiter(text: &str) -> (u8, &str) {
     let first = text.trim_start().lines().next().unwrap_or_default();
     if let Some(&[said @ (b',' | b';' | b'\t')]) = first.trim_end().strip_prefix("sep=").map(str::as_bytes)

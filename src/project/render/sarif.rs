@@ -26,7 +26,8 @@ pub fn log(results: Vec<Json>) -> Json {
     })
 }
 
-/// What code hosts show beside all results of an id: its sentence with an ellipsis at each place of a value, and how the warning is left out.
+/// Rule of an id, shown by code hosts beside all of its results: the sentence with an ellipsis at each value, and how to silence the
+/// warning.
 fn rule(id: &str, level: &Json) -> Json {
     let said = catalog::id(id).map(|id| open(words(id))).unwrap_or_else(|| id.to_owned());
     let silence = (level != "error").then(|| sentence(&msg!("project.sarif-silence", id)));

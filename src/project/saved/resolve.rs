@@ -137,7 +137,7 @@ fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, values: &mu
     }
 }
 
-/// Where the values come from.
+/// Reads the sources of the values.
 fn origins<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &mut Project, found: &mut Findings<'t>) {
     found.repeated(saved);
     for entry in &saved.0 {
