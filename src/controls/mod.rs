@@ -1,6 +1,6 @@
-//! What a control understands, as data: one [`Control`] value per control, rows with source and grade.
+//! Controls as data: one [`Control`] value per control, made of rows with source and grade.
 //!
-//! A control is a value and not a trait: controls differ in facts. Code asks for abilities and rows, never for a name.
+//! A control is a value and not a trait: controls differ in facts. Code asks for abilities and rows, never for a control's name.
 
 pub mod schema;
 
@@ -33,7 +33,7 @@ pub use schema::{
 /// The list of the controls, one per folder.
 macro_rules! controls {
     ($($control:ident),*) => {
-        /// All controls, in the order of the choice on the page.
+        /// All controls, in the order of the list on the page.
         pub static ALL: &[&Control] = &[$(&$control::CONTROL),*];
     };
 }

@@ -1,4 +1,4 @@
-//! Rows of the 0i-MF: those of FANUC mills, where memory is the only source under its own citation.
+//! Rows of the 0i-MF: rows of FANUC mills; those known only from memory are under its own citation.
 
 use crate::controls::base::fanuc;
 use crate::controls::options::*;
@@ -7,10 +7,10 @@ use crate::controls::switch::switch;
 use crate::controls::{AlarmDef, CodeDef, ParamDef, Signal, Switch, VarRange};
 use crate::text::{Citation, Grade};
 
-/// Memory of FANUC mills without any document.
+/// FANUC mills from memory, without a document.
 pub(super) const MEMORY: Citation = Citation::new("FANUC 0i-M usage, unverified", Grade::Open);
 
-/// G and M codes. Codes of the user are parameters: see the switches.
+/// G and M codes. Codes bound to programs are parameters: see the switches.
 pub(super) const CODES: &[CodeDef] = cited![CodeDef: fanuc::MILL_CODES, Open MEMORY];
 
 /// Variables.
@@ -25,7 +25,7 @@ pub(super) const ALARMS: &[AlarmDef] = cited![AlarmDef: fanuc::ALARMS, Open MEMO
 /// Registers between PMC and control.
 pub(super) const SIGNALS: &[Signal] = cited![Signal: fanuc::SIGNALS, Open MEMORY];
 
-/// Points that no manual at hand settles, and parameters that change what a program means.
+/// Switches: points that no manual at hand settles, and parameters that change the meaning of a program.
 pub(super) const SWITCHES: &[Switch] = extended![
     Switch: cited![Switch: fanuc::series_0i_f::MILL_SWITCHES, Open MEMORY],
     &[

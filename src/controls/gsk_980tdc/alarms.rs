@@ -8,7 +8,7 @@ use crate::text::{Citation, Grade};
 /// The list of the milling sister; the numbers of the 980T family agree where both are known.
 const LIST: Citation = Citation::new("GSK980MDi manual 2022, appendix 5, p.437", Grade::Sister);
 const USER: Citation = Citation::new("GSK980TDi manual, 3.28; older lists have 500 + n", Grade::Sister);
-/// The number says what is wrong, but not in these words.
+/// The closest alarm in the list, with another wording.
 const NEAREST: Citation = Citation::new("GSK980MDi manual 2022, p.437: the nearest in the list", Grade::Open);
 
 /// Alarms of the standard ladder.

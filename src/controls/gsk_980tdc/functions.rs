@@ -2,7 +2,7 @@
 
 use crate::controls::syntax::Operation::{self, *};
 
-/// Number and what it does.
+/// Number and operation of each function.
 pub(super) const FUNCTIONS: &[(u8, Operation)] = &[
     (1, Assign),
     (2, Add),

@@ -8,15 +8,15 @@ use crate::controls::interface::{from_plc, to_plc};
 use crate::controls::schema::table::{cited, joined};
 use crate::text::{Citation, Grade};
 
-/// Codes differ from model to model.
+/// Override codes, which differ between models.
 const OVERRIDE: Citation = Citation::new("GSK980MDi manual, p.460, and 988TA", Grade::Sister);
 
 const PLC: Citation = Citation::new("GSK988TA lathe PLC manual, p.112-147", Grade::Sister);
 
-/// Registers, then single signals.
+/// Registers, followed by single signals.
 pub(super) const SIGNALS: &[Signal] = joined![Signal: REGISTERS, cited![Signal: fanuc::BITS, PLC]];
 
-/// By device number.
+/// Registers, by device number.
 const REGISTERS: &[Signal] = &[
     from_plc(SpindleOverrideCode, "G30", "code", "spindle override, 50 to 120 % in steps of 10", OVERRIDE),
     from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", MACRO),

@@ -1,4 +1,4 @@
-//! GSK 980TDc: rows only. Most of them are those of its successor 980TDi, whose text is nearly the same where both are known.
+//! GSK 980TDc: rows only. Most rows are from the manual of its successor 980TDi; the two texts are nearly the same where both are known.
 
 mod alarms;
 mod codes;
@@ -117,7 +117,7 @@ pub static CONTROL: Control = Control {
             fanuc::bench_axis(Address::Z, 15_000.0, 15_000.0),
             fanuc::bench_axis(Address::C, 15_000.0, 15_000.0),
         ],
-        // Delays of 5 s are those of the standard ladder before anyone sets them.
+        // Gear change delays of 5 s are the defaults of the standard ladder.
         shift: BenchShift { volts: 0.1, before: 5.0, meshing: 0.5, after: 5.0 },
         ..fanuc::BENCH
     },

@@ -2,7 +2,7 @@
 
 use crate::text::{Citation, Grade};
 
-/// Nothing but memory of the 980T family.
+/// The 980T family from memory, without a document.
 pub(super) const MEMORY: Citation = Citation::new("GSK 980T usage, unverified", Grade::Open);
 /// Macro variables, G65, calls.
 pub(super) const MACRO: Citation = Citation::new("GSK980TDi manual, 3.28", Grade::Sister);
@@ -10,10 +10,10 @@ pub(super) const MACRO: Citation = Citation::new("GSK980TDi manual, 3.28", Grade
 pub(super) const STATEMENT: Citation = Citation::new("GSK980TDi manual, 3.29", Grade::Sister);
 /// Additional axes.
 pub(super) const AXES: Citation = Citation::new("GSK980TDi manual, 3.27 and 3.28", Grade::Sister);
-/// The pages about S, G96, G97 and G50 S of this very control.
+/// Pages about S, G96, G97 and G50 S in the 980TDc's own manual.
 pub(super) const SPINDLE: Citation = Citation::new("GSK980TDc manual, 2.2.2 and 2.2.3", Grade::Manual);
 /// Parameter file.
 pub(super) const PARAMETERS: Citation = Citation::new("GSK980TDi parameter list", Grade::Sister);
-/// The mode "program zero return"; how it moves is not in print here.
+/// The mode "program zero return"; its motion is not documented here.
 pub(super) const RETURN: Citation =
     Citation::new("GSK928TD manual, notes: return to the program reference point; how it moves: memory", Grade::Open);

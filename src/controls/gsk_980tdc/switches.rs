@@ -1,4 +1,4 @@
-//! Points of the 980TDc that no manual at hand settles, and parameters that change what a program means.
+//! Switches of the 980TDc: points that no manual at hand settles, and parameters that change the meaning of a program.
 
 use super::sources::{MACRO, MEMORY, PARAMETERS, STATEMENT};
 use crate::controls::Switch;
@@ -21,11 +21,11 @@ const REST: Citation = Citation::new(
 const CALLS: Citation = Citation::new("GSK980TDi manual, 3.32; M codes: notes on new functions", Grade::Sister);
 const ALARMS: Citation =
     Citation::new("GSK980TDi manual, 3.28: 5900 + n; an older list has 500 + n for H99", Grade::Sister);
-/// All samples of the manuals leave the point out.
+/// All samples in the manuals omit the decimal point.
 const SAMPLES: Citation =
     Citation::new("samples of the 980TDi manual: G00 X100 Z50 is 100 mm and 50 mm", Grade::Inferred);
 
-/// One row per point; the first option is the default.
+/// One row per switch; the first option is the default.
 pub(super) const SWITCHES: &[Switch] = &[
     switch(DecimalPoint::of(&[DecimalPoint::Millimetres, DecimalPoint::Increments]), SAMPLES),
     switch(ArgumentPoint::of(&[ArgumentPoint::AsWritten, ArgumentPoint::Increments]), MACRO),

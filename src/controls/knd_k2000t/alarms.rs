@@ -6,7 +6,7 @@ use crate::controls::alarm::alarm;
 use crate::controls::base::fanuc::MEMORY;
 use crate::text::{Citation, Grade};
 
-/// The numbers that a second source has too.
+/// Numbers confirmed by a second source.
 const KNOWN: Citation = Citation::new("FANUC 16i/0i-F alarm names, sheet section 4", Grade::Inferred);
 
 /// One row per kind.

@@ -1,4 +1,4 @@
-//! KND K2000T: rows only. Its manuals are not public: rows without a better source follow FANUC 0i-T, with whose codes it is compatible.
+//! KND K2000T: rows only. Its manuals are not public: rows without a better source follow FANUC 0i-T, whose codes the control shares.
 
 mod alarms;
 mod rows;

@@ -1,4 +1,4 @@
-//! Rows of the K2000T: those of FANUC lathes, which nobody has confirmed on it, and what the polygon turning paper says.
+//! Rows of the K2000T: rows of FANUC lathes, unconfirmed on this control, and facts from the polygon turning paper.
 
 use super::sources::PAPER;
 use crate::controls::Code::*;
@@ -17,13 +17,13 @@ use crate::controls::vars::{Width, range};
 use crate::controls::{CodeDef, ParamDef, Signal, Switch, VarRange};
 use crate::text::{Citation, Grade};
 
-/// The samples of the paper show the setting; the number of the parameter is FANUC's.
+/// Setting seen in the paper's samples; the parameter number is FANUC's.
 const SAMPLE: Citation = Citation::new("sample of the polygon turning paper; parameter by FANUC 0i-T", Grade::Inferred);
 /// The paper names items of 4 bytes and of 1 byte, and uses #1480, #1484, #1488.
 const BYTES: Citation =
     Citation::new("polygon turning paper, K2000T; which are single bytes is inferred", Grade::Inferred);
 
-/// G and M codes. Codes of the user are parameters: see the switches.
+/// G and M codes. Codes bound to programs are parameters: see the switches.
 pub(super) const CODES: &[CodeDef] = extended![
     CodeDef: cited![CodeDef: fanuc::LATHE_CODES, MEMORY],
     &[
@@ -73,7 +73,7 @@ pub(super) const SIGNALS: &[Signal] = extended![
     ],
 ];
 
-/// Points that no manual at hand settles, and parameters that change what a program means.
+/// Switches: points that no manual at hand settles, and parameters that change the meaning of a program.
 pub(super) const SWITCHES: &[Switch] = extended![
     Switch: fanuc::LATHE_SWITCHES,
     &[

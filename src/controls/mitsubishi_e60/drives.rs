@@ -1,4 +1,4 @@
-//! Drive systems of the E60: motors of its maker, inverters for its analog spindle.
+//! Drive systems of the E60: the maker's motors for axes, inverters for the analog spindle.
 
 use crate::controls::DriveSystem;
 use crate::controls::base::drives::INDUCTION;
@@ -10,7 +10,7 @@ const OF_CONTROLS: Citation =
 const OF_MAKER: Citation =
     Citation::new("parts facts, section 9: drives of the control's maker; list of pairs not at hand", Grade::Open);
 
-/// The rows.
+/// All rows.
 pub(super) const DRIVES: &[DriveSystem] = joined![
     DriveSystem: &DriveSystem::axes(["MELDAS HC"], OF_CONTROLS),
     &DriveSystem::axes(["HG-KN", "HG-KR", "HG-MR", "HG-SR", "HG-JR", "HG-RR", "HG-UR"], OF_MAKER),

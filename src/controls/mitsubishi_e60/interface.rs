@@ -11,10 +11,10 @@ const PAPER: Citation = Citation::new("ribbon dot-printing paper, E60: R148, per
 const M64: Citation = Citation::new("MELDAS 64 system variable list; the paper names R74", Grade::Sister);
 const OUTPUT: Citation = Citation::new("MELDAS 64 system variable list", Grade::Sister);
 
-/// Registers, then single signals by device number: those of the M60S, as remembered.
+/// Registers, followed by single signals by device number: signals of the M60S, from memory.
 pub(super) const SIGNALS: &[Signal] = joined![Signal: REGISTERS, BITS];
 
-/// A `*` in front of the name: 0 acts.
+/// Single signals. A `*` in front of the name marks a signal that is active at 0.
 const BITS: &[Signal] = &[
     to_plc(MCode, "R20", "code", "M code (R20, R21)", MEMORY),
     to_plc(Running, "X1F3", "", "STL: the program runs", MEMORY),
@@ -32,7 +32,7 @@ const BITS: &[Signal] = &[
     from_plc(SpindleHold, "Y2D4", "", "SSTP: 1 puts out 0 V; S stays", MEMORY),
 ];
 
-/// By device number.
+/// Registers, by device number.
 const REGISTERS: &[Signal] = &[
     to_plc(SpindleCommand, "R8", "r/min", "spindle speed as commanded (R8, R9)", MEMORY),
     to_plc(SpindleFinal, "R10", "r/min", "spindle speed after override and clamp (R10, R11)", MEMORY),

@@ -2,7 +2,7 @@
 
 use crate::text::{Citation, Grade};
 
-/// Nothing but memory of the MELDAS manuals.
+/// MELDAS manuals from memory, without a document.
 pub(super) const MEMORY: Citation = Citation::new("MELDAS M-type usage, unverified", Grade::Open);
-/// The published paper about the ribbon line, on this very control.
+/// The published paper about the ribbon line, which has an E60.
 pub(super) const PAPER: Citation = Citation::new("ribbon dot-printing paper, E60", Grade::Manual);

@@ -1,4 +1,4 @@
-//! Points of the E60 that no manual at hand settles.
+//! Switches of the E60: points that no manual at hand settles.
 
 use super::sources::MEMORY;
 use crate::controls::Switch;
@@ -8,13 +8,13 @@ use crate::text::{Citation, Grade};
 
 const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40: parameter #1078", Grade::Sister);
 
-/// The listing of the paper has such points, and does not read for other reasons.
+/// Decimal points behind variables in the paper's listing, which the control cannot read for other reasons too.
 const LISTING: Citation = Citation::new("ribbon dot-printing paper, E60, against MELDAS usage", Grade::Open);
 
-/// What the M700 has, and the E60 is told to lack.
+/// Functions introduced with the M700; the E60 is assumed to lack them.
 const LATER: Citation = Citation::new("MELDAS usage, unverified: only from the M700 on", Grade::Open);
 
-/// One row per point; the first option is the default.
+/// One row per switch; the first option is the default.
 pub(super) const SWITCHES: &[Switch] = &[
     switch(
         MacroInputBase::of(&[

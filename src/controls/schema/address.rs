@@ -1,4 +1,4 @@
-//! Addresses: the letters and names that NC words begin with.
+//! Word addresses: letters such as `X`, the block skip `/`, and multi-letter addresses such as `SPOS`.
 
 use core::fmt;
 
@@ -60,7 +60,7 @@ pub enum Address {
     Z,
     /// `/`: optional block skip from here to the end of the block.
     Skip,
-    /// A G code or a statement that is a name; the word's value is its place in [`Names::codes`](super::syntax::Names::codes).
+    /// A G code or statement written as a name; the word's value is its index in [`Names::codes`](super::syntax::Names::codes).
     Name,
     /// Radius of an arc.
     Cr,
@@ -68,7 +68,7 @@ pub enum Address {
     Lims,
     /// Spindle position.
     Spos,
-    /// Opening angle of an arc.
+    /// Opening angle of an arc in degrees.
     Ar,
     /// Polar angle.
     Ap,
@@ -130,7 +130,7 @@ impl Address {
         }
     }
 
-    /// Distance from another address in the alphabet: 1 for Y from X; `None` in front of it or where one has several letters.
+    /// Distance from another address in the alphabet, 1 for Y from X; `None` if it comes earlier or either has several letters.
     #[inline]
     pub const fn after(self, first: Address) -> Option<usize> {
         match (self as u8).checked_sub(first as u8) {
@@ -141,7 +141,7 @@ impl Address {
 }
 
 impl fmt::Display for Address {
-    /// As a program writes it: `X`, `/`, `CR`.
+    /// Writes the address as in a program: `X`, `/`, `CR`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.letter() {
             Some(letter) => write!(f, "{letter}"),
@@ -183,7 +183,7 @@ impl AddressSet {
         AddressSet(self.0 & !(1 << address as u8))
     }
 
-    /// Adds an address; whether it was not in the set.
+    /// Adds an address and returns whether it is new.
     #[inline]
     pub const fn insert(&mut self, address: Address) -> bool {
         let before = self.0;
@@ -209,7 +209,7 @@ impl AddressSet {
         AddressSet(self.0 | other.0)
     }
 
-    /// Whether another set has every address of this one.
+    /// Whether every address of this set is in the other.
     #[inline]
     pub const fn within(self, other: AddressSet) -> bool {
         self.0 & !other.0 == 0

@@ -3,12 +3,12 @@
 use super::table::{Key, single};
 use crate::text::{Citation, Phrase};
 
-/// Why a control stops, independent of its numbers.
+/// Cause of a stop, independent of the alarm number that a control gives it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Alarm {
     /// A character or address that the control does not have.
     IllegalAddress,
-    /// A block that does not read as one.
+    /// A block that cannot be read.
     Format,
     /// A G code that the control does not have.
     UnknownCode,
@@ -28,7 +28,7 @@ pub enum Alarm {
     FeedZero,
     /// F outside its range.
     FeedRange,
-    /// An arc that cannot be.
+    /// An arc without a solution, for instance with the wrong centre or end point.
     Arc,
     /// Subprograms nested too deep.
     SubNesting,
@@ -36,15 +36,15 @@ pub enum Alarm {
     NoSequence,
     /// A GOTO to a sequence number that is not in the program.
     GotoTarget,
-    /// A jump to a number that no block can have.
+    /// A jump to a number outside the range of sequence numbers.
     JumpNumber,
-    /// A program that is not there.
+    /// A missing program.
     NoProgram,
     /// A variable number that the control does not have.
     VariableRange,
     /// `=` is missing.
     NoEquals,
-    /// A variable that cannot stand on this side.
+    /// A variable not allowed on this side of `=`.
     VariableSide,
     /// A variable that cannot be written.
     ReadOnly,
@@ -54,17 +54,17 @@ pub enum Alarm {
     MacroNesting,
     /// Too many I, J, K sets of arguments.
     ArgumentSets,
-    /// End of a modal call without a modal call, where that is an alarm ([`Control::raises`](super::Control::raises)).
+    /// End of a modal call without a modal call. Only some controls have this alarm ([`Control::raises`](super::Control::raises)).
     NoModalCall,
-    /// A call of the program that is running, where that is an alarm.
+    /// A program that calls itself. Only some controls have this alarm.
     OwnCall,
-    /// `#3000`.
+    /// User alarm by `#3000`.
     User,
     /// Brackets nested too deep.
     BracketDepth,
     /// Brackets not paired.
     BracketPair,
-    /// A calculation without a result: root of a negative number …
+    /// A calculation without a result, for instance the root of a negative number.
     Calculation,
     /// Division by zero.
     DivisionByZero,
@@ -80,7 +80,7 @@ pub enum Alarm {
     MissingEnd,
     /// An END without its DO.
     MissingDo,
-    /// The program runs and never ends (budget of the simulation, no alarm of a control).
+    /// A program that never ends: the budget of the simulation, no alarm of a control.
     Budget,
     /// An axis beyond its soft limit.
     SoftLimit,
@@ -92,9 +92,9 @@ pub enum Alarm {
     EmergencyStop,
     /// An address without a number.
     NoNumber,
-    /// More digits than the address takes.
+    /// More digits than the address allows.
     Digits,
-    /// A decimal point behind an address that takes none.
+    /// A decimal point behind an address that allows none.
     PointNotAllowed,
     /// The same address twice in a block.
     AddressTwice,
@@ -106,23 +106,23 @@ pub enum Alarm {
     CommentBracket,
     /// A macro call without a program.
     NoCallProgram,
-    /// A macro call that does not open its block.
+    /// A macro call with words in front of it.
     CallNotFirst,
-    /// A call together with words that cannot stand beside it.
+    /// A call in one block with words that exclude it.
     CallMixed,
     /// A subprogram call or return jump while a modal macro call is on.
     ReturnInModal,
-    /// An address that is no argument of a macro.
+    /// An address that cannot pass a macro argument.
     ArgumentAddress,
     /// A `G65 H` function that the control does not have.
     CallFunction,
     /// A `G65 H` function with too few operands, or operands of the wrong kind.
     CallOperands,
-    /// The number of a user alarm is out of its range.
+    /// A user alarm number outside its range.
     UserAlarmRange,
-    /// `#0` on the left side.
+    /// An assignment to `#0`.
     VacantWritten,
-    /// A variable of the system is given a vacant value, where that is an alarm.
+    /// A vacant value assigned to a system variable. Only some controls have this alarm.
     VacantValue,
     /// Root of a negative number.
     SquareRoot,
@@ -136,70 +136,70 @@ pub enum Alarm {
     AtanForm,
     /// A result beyond the range of numbers.
     Overflow,
-    /// A number that has to be whole for a calculation bit by bit.
+    /// A number with decimals as the operand of a bitwise operator.
     NotWhole,
-    /// The number of a DO or END.
+    /// A DO or END number outside its range.
     DoNumber,
     /// A jump into a loop.
     IntoLoop,
     /// An arc whose radius is shorter than half its chord.
     ArcRadius,
-    /// A spindle that cannot be brought to an angle.
+    /// A spindle that cannot be positioned.
     NoPositioning,
-    /// Constant surface speed before any cutting speed was given, where that is an alarm.
+    /// Constant surface speed before the first cutting speed. Only some controls have this alarm.
     NoSurfaceSpeed,
     /// A cutting speed outside its range.
     SurfaceRange,
     /// An angle of the spindle outside a turn.
     SpindleAngle,
-    /// A code whose block can hold nothing else.
+    /// Other words beside a code that has to be alone in its block.
     NotAlone,
     /// Two codes of one modal group in a block.
     GroupTwice,
-    /// Two codes in a block that both say what its words mean.
+    /// Two codes in a block that both define the meaning of its words.
     SyntaxTwice,
     /// Two auxiliary functions of one group in a block.
     AuxiliaryTwice,
-    /// More auxiliary functions in a block than it can hold.
+    /// More auxiliary functions in a block than the control allows.
     Auxiliaries,
-    /// A label that stands twice, where that is an alarm.
+    /// The same label twice in a program. Only some controls have this alarm.
     LabelTwice,
-    /// A name that nothing has.
+    /// An undefined name.
     UnknownName,
-    /// A return in the main program, where that is an alarm.
+    /// RET in the main program. Only some controls have this alarm.
     MainReturn,
-    /// Two messages without a block between them that does anything, where that is an alarm.
+    /// Two messages without an executable block between them. Only some controls have this alarm.
     MessageBlocks,
-    /// An address that says nothing to the motion in force, where that is an alarm.
+    /// An address without effect on the motion in force. Only some controls have this alarm.
     IdleAddress,
-    /// A repeat count that cannot be.
+    /// A repeat count outside its range.
     RepeatRange,
-    /// A spindle speed that cannot be.
+    /// A spindle speed outside its range.
     SpeedRange,
-    /// A speed limit that cannot be.
+    /// A speed limit outside its range.
     SpeedLimitRange,
     /// A thread without a lead.
     NoLead,
-    /// The lead of a thread stands behind the address of another axis.
+    /// The lead of a thread behind the address of another axis.
     LeadAxis,
-    /// The shortest way to an angle, of an axis that does not turn, where that is an alarm.
+    /// The shortest way to an angle (DC) for a linear axis. Only some controls have this alarm.
     ShortestWay,
-    /// The positive way to an angle, likewise.
+    /// The positive way to an angle (ACP) for a linear axis. Only some controls have this alarm.
     PositiveWay,
-    /// The negative way to an angle, likewise.
+    /// The negative way to an angle (ACN) for a linear axis. Only some controls have this alarm.
     NegativeWay,
-    /// M04 while M03 is put out, or the other way round, where the PLC makes an alarm of it.
+    /// M04 while the PLC puts out M03, or M03 while it puts out M04. Only some PLCs raise this alarm.
     SpindleReversal,
-    /// A gear that is not in position in time.
+    /// A gear that does not engage within its time.
     GearTimeout,
-    /// A fault of the spindle's inverter; its number is the builder's.
+    /// A fault of the spindle inverter, with a number of the machine builder.
     InverterFault,
 }
 
-/// An alarm as one control shows it.
+/// Number and wording of an alarm on one control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AlarmDef {
-    /// Which.
+    /// Cause of the alarm.
     pub kind: Alarm,
     /// Number, for instance `P283`.
     pub number: &'static str,
@@ -220,7 +220,7 @@ pub(in crate::controls) const fn alarm(
 }
 
 impl Alarm {
-    /// Every kind.
+    /// All kinds.
     pub const ALL: &[Alarm] = &[
         Alarm::IllegalAddress,
         Alarm::Format,
@@ -318,7 +318,7 @@ impl Alarm {
         Alarm::InverterFault,
     ];
 
-    /// The wider kind that a control shows where it has no number for this one; `None` for the widest.
+    /// The wider kind to show on a control without a number for this one; `None` for the widest.
     pub fn wider(self) -> Option<Alarm> {
         use Alarm::*;
         Some(match self {
@@ -349,10 +349,10 @@ impl Alarm {
 }
 
 impl AlarmDef {
-    /// Whether its table is sorted, for searches by halves.
+    /// Whether the table is sorted, for binary search.
     pub const SORTED: bool = false;
 
-    /// What the row is about, for tables that are made of a family's rows and a control's own.
+    /// Key for replacing a family's row by the control's own row of the same kind.
     pub const fn key(&self) -> Key {
         single(self.kind as u64)
     }

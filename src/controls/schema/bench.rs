@@ -1,4 +1,4 @@
-//! The plant that a bare program runs on: axes, clamps and spindle of a test bench, with no builder's logic but an echo.
+//! Test bench for programs without a machine: axes, clamps and spindle, and no PLC logic but an echo of the spindle override.
 
 use super::Address;
 use crate::drives::Positioning;
@@ -21,13 +21,13 @@ pub struct BenchAxis {
 /// A gear change, in volts and seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BenchShift {
-    /// Volts while it shifts.
+    /// Analog output (V) while the gear shifts.
     pub volts: f64,
-    /// Until the old gear goes out.
+    /// Time (s) until the old gear disengages.
     pub before: f64,
-    /// Until the new one is in position.
+    /// Time (s) until the new gear engages.
     pub meshing: f64,
-    /// Until the voltage of the speed stands.
+    /// Time (s) from the new gear to the voltage of the commanded speed.
     pub after: f64,
 }
 
@@ -38,7 +38,7 @@ pub struct Bench {
     pub axes: &'static [BenchAxis],
     /// Spindle speed at full output in r/min, gear by gear.
     pub gears: &'static [f64],
-    /// How gears are shifted.
+    /// Voltage and times of a gear change.
     pub shift: BenchShift,
     /// Spindle clamp in r/min.
     pub speed_clamp: f64,
@@ -50,7 +50,7 @@ pub struct Bench {
     pub in_position: f64,
     /// Seconds from 0 to full speed.
     pub ramp: f64,
-    /// How the spindle is brought to an angle, where the control does that.
+    /// Data of spindle positioning; `None` if the control cannot position its spindle.
     pub positioning: Option<Positioning>,
     /// Variable number of the input word into which the bench's PLC copies the spindle override in percent.
     pub override_echo: Option<u32>,

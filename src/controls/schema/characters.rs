@@ -1,4 +1,4 @@
-//! Characters that the comments of a control can have, and the bytes that they take.
+//! Characters allowed in comments of a control, and their size in bytes.
 
 use core::ops::RangeInclusive;
 
@@ -6,7 +6,7 @@ use super::control::Control;
 use super::options::{CommentCharacters, SwitchChoice};
 use super::switch::Switches;
 
-/// Characters of GBK that texts need: ideographs, punctuation, wide letters, signs of the trade. GBK has more.
+/// Characters of GBK for comments: ideographs, punctuation, wide letters, technical signs. The rest of GBK is left out.
 const GBK: [RangeInclusive<char>; 18] = [
     '\u{b0}'..='\u{b1}',
     '\u{b7}'..='\u{b7}',
@@ -29,14 +29,14 @@ const GBK: [RangeInclusive<char>; 18] = [
 ];
 
 impl CommentCharacters {
-    /// What is set for a control; ASCII where it has no such switch.
+    /// The setting of a control's switch `comment-characters`; ASCII without that switch.
     pub fn set(control: &Control, switches: &Switches) -> CommentCharacters {
         let id = control.switch(CommentCharacters::SWITCH).map(|row| switches.setting(row));
         let chinese = [CommentCharacters::Gbk, CommentCharacters::Utf8];
         chinese.into_iter().find(|one| id == Some(one.option().id)).unwrap_or(CommentCharacters::Ascii)
     }
 
-    /// Whether a comment can have this character.
+    /// Whether comments may contain this character.
     pub fn has(self, c: char) -> bool {
         c.is_ascii()
             || match self {

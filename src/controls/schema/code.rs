@@ -1,11 +1,11 @@
-//! G and M codes: what they mean to the interpreter, in which modal group they stand.
+//! G and M codes: their meaning for the interpreter, and their modal groups.
 
 use super::table::{Key, digits, divided, range_ends, single};
 use core::fmt;
 
 use crate::text::{Citation, Phrase};
 
-/// What a code does, in the words of the trade; the interpreter knows these and no numbers.
+/// Meaning of a code. The interpreter acts on the meaning and never on the code's number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Code {
     /// Positioning.
@@ -18,14 +18,14 @@ pub enum Code {
     ArcCcw,
     /// Arc through an intermediate point (CIP).
     ArcThrough,
-    /// Arc that goes on in the direction of the motion before it (CT).
+    /// Arc tangential to the preceding motion (CT).
     ArcTangent,
-    /// Thread cutting: a straight line whose feed per revolution is the lead, without overrides.
+    /// Thread cutting: a straight line with the lead as feed per revolution, without overrides.
     Thread,
-    /// Tapping: a straight line, in position control (G331) at S times the lead, with a compensating chuck (G63) at F. What the spindle does
-    /// in it is not simulated.
+    /// Tapping: a straight line, in position control (G331) at S times the lead, with a compensating chuck (G63) at F. The motion of the
+    /// spindle during tapping is not simulated.
     Tapping,
-    /// Straight cutting feed in this block, which a signal breaks off; in the simulation none comes.
+    /// Straight cutting feed in this block, ended early by the skip signal. The simulation has no skip signal.
     Skip,
     /// Dwell.
     Dwell,
@@ -49,11 +49,11 @@ pub enum Code {
     ReferenceReturn,
     /// Machine coordinate system in this block.
     MachineCoordinates,
-    /// Machine coordinate system in this block, at rapid traverse whatever motion is in force.
+    /// Machine coordinate system in this block, always at rapid traverse.
     MachineRapid,
     /// Work coordinate system 1 to 6.
     WorkCoordinates(u8),
-    /// Setting of the coordinate system; with S, of the highest spindle speed.
+    /// Setting of the coordinate system; with S, maximum spindle speed.
     SetCoordinates,
     /// Zero of the local coordinate system, within the work coordinate system.
     LocalCoordinates,
@@ -95,23 +95,23 @@ pub enum Code {
     SpindleCcw,
     /// Spindle stop (M05).
     SpindleStop,
-    /// Gear stage of the spindle (M41 …), 0 for automatic selection by S (M40).
+    /// Gear stage of the spindle (M41 and up); 0: automatic selection by S (M40).
     GearStage(u8),
-    /// Lower limit of the spindle speed behind S, of the working area behind axes (G25).
+    /// Lower limits (G25): of the spindle speed by S, of the working area by axis words.
     LowerLimits,
-    /// The upper ones (G26).
+    /// Upper limits (G26), as for [`Code::LowerLimits`].
     UpperLimits,
     /// Working area limits on or off.
     WorkingArea(bool),
     /// Spindle orientation (M19).
     SpindleOrient,
-    /// The spindle that S and M words without a number are for (SETMS).
+    /// Selection of the spindle addressed by S and M words without a number (SETMS).
     MasterSpindle,
-    /// The named axes go to their reference points (G74), or to a fixed point (G75), wherever those are.
+    /// Motion of the named axes to their reference points (G74) or to a fixed point (G75).
     GoTo(Point),
-    /// Programmable offset in place of the one before.
+    /// Programmable offset that replaces the preceding one.
     Offset,
-    /// Programmable offset on top of the one before.
+    /// Programmable offset added to the preceding one.
     OffsetMore,
     /// Words of the transverse axis count diameters.
     Diameters,
@@ -119,39 +119,39 @@ pub enum Code {
     Radii,
     /// Absolute words of the transverse axis count diameters, incremental ones radii.
     DiametersAbsolute,
-    /// End of subprogram that a main program cannot have (RET).
+    /// End of subprogram, not allowed in a main program (RET).
     Return,
-    /// The next block is read when all before it are done (STOPRE).
+    /// Read-ahead stop: the next block is read after all preceding blocks are executed (STOPRE).
     StopReading,
-    /// Cancel or default state that the simulation is in anyway (G40, G80 …).
+    /// Cancel or default state, without effect here because the simulation never leaves it (G40, G80 …).
     Cancel,
-    /// The control has it, the simulation does not act on it; said once per kind.
+    /// A code that the simulation ignores, reported once per kind.
     NotSimulated,
-    /// Not simulated; the axis words of its block are its own (a centre, factors, limits) and move nothing.
+    /// Not simulated. The axis words of its block are parameters of the code (a centre, factors, limits) and move nothing.
     TakesAxisWords,
-    /// Not simulated; until it is cancelled, axis words are no positions of the axes (polar coordinates) and move nothing.
+    /// Not simulated. Until it is cancelled, axis words are not axis positions (polar coordinates) and move nothing.
     ReplacesPositions,
-    /// Cancel of a code for the axes that its block names, whose words move nothing.
+    /// Cancel of a code for the axes named in the block; their words move nothing.
     CancelForAxes,
-    /// A cycle that is not simulated, whose blocks from P to Q are a contour and no motions.
+    /// A cycle that is not simulated; the blocks from P to Q are its contour and move nothing.
     Roughing,
     /// Any other M code: handed to the PLC, which answers with FIN.
     Auxiliary,
 }
 
 impl Code {
-    /// Whether the control acts on it and the simulation does not.
+    /// Whether the simulation ignores the code although the control acts on it.
     pub fn is_left_out(self) -> bool {
         matches!(self, Code::NotSimulated | Code::TakesAxisWords | Code::ReplacesPositions | Code::Roughing)
     }
 }
 
-/// A place on the machine that a code goes to.
+/// Target position of a code, fixed on the machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Point {
-    /// Where the axes are referenced.
+    /// Reference points of the axes.
     Reference,
-    /// A fixed point of the machine builder, for instance of tool change.
+    /// A fixed point of the machine builder, for instance the tool change position.
     Fixed,
 }
 
@@ -182,7 +182,7 @@ pub enum Group {
     Cycle,
     /// Tool radius compensation.
     Compensation,
-    /// What axis words are: positions of the axes, or polar coordinates.
+    /// Meaning of axis words: axis positions or polar coordinates.
     Positions,
     /// Words of the transverse axis.
     Diameter,
@@ -204,7 +204,7 @@ pub struct CodeNumber {
 }
 
 impl CodeNumber {
-    /// A number that no code has.
+    /// A number outside the range of codes.
     pub const NONE: CodeNumber = CodeNumber { whole: u32::MAX, tenth: 0 };
 
     /// A whole number: 5 in `G05`.
@@ -218,7 +218,7 @@ impl CodeNumber {
         CodeNumber { whole, tenth }
     }
 
-    /// `mantissa / 10^scale`; `None` where no code has such a number.
+    /// `mantissa / 10^scale`; `None` unless it is a whole number or has one decimal.
     #[inline]
     pub fn from_decimal(mantissa: i64, scale: u8) -> Option<CodeNumber> {
         match scale {
@@ -231,7 +231,7 @@ impl CodeNumber {
         }
     }
 
-    /// The number of a calculated value that is within `tolerance` of a tenth; `None` where no code has such a number.
+    /// The number nearest to a calculated value, if within `tolerance` tenths of it; else `None`.
     pub fn from_value(value: f64, tolerance: f64) -> Option<CodeNumber> {
         let tenths = value * 10.0;
         let fits = (0.0..1e9).contains(&tenths) && (tenths - tenths.round()).abs() < tolerance;
@@ -266,14 +266,14 @@ impl fmt::Display for CodeNumber {
     }
 }
 
-/// A code as a program names it. Rows of a control are sorted by it.
+/// Spelling of a code in a program. Rows of a control are sorted by it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CodeId {
     /// `G61.1`.
     G(CodeNumber),
     /// `M03`.
     M(u32),
-    /// A name such as `DIAMON`: its place in [`Names::codes`](super::syntax::Names::codes).
+    /// A name such as `DIAMON`: its index in [`Names::codes`](super::syntax::Names::codes).
     Named(u16),
 }
 
@@ -288,7 +288,7 @@ impl CodeId {
         CodeId::G(CodeNumber::dot(whole, tenth))
     }
 
-    /// The place among all codes, for tables that are sorted when the library is compiled.
+    /// Sort key among all codes, for tables sorted at compile time.
     pub(in crate::controls) const fn rank(self) -> u64 {
         match self {
             CodeId::G(number) => 10 * number.whole as u64 + number.tenth as u64,
@@ -306,7 +306,7 @@ impl CodeId {
         }
     }
 
-    /// The value that variables show for the code: its number, or the place of its name.
+    /// Value of the code in a modal system variable: its number, or the index of its name.
     pub fn to_f64(self) -> f64 {
         match self {
             CodeId::Named(place) => f64::from(place),
@@ -331,11 +331,11 @@ pub(in crate::controls) const fn g_codes<const N: usize>(numbers: [u32; N]) -> [
 pub struct CodeDef {
     /// Letter and number, or name.
     pub id: CodeId,
-    /// What it does.
+    /// Meaning for the interpreter.
     pub code: Code,
     /// Its modal group.
     pub group: Group,
-    /// What it is, as the control's manual calls it.
+    /// Description, in the words of the control's manual.
     pub text: Phrase,
     /// Source and grade.
     pub cite: Citation,
@@ -380,7 +380,7 @@ pub(in crate::controls) const fn mg(
     CodeDef { id: CodeId::M(number), code, group, text: Phrase::new(text), cite }
 }
 
-/// A row of a code that is a name: the `place`-th of its control's names.
+/// A row of a code that is a name, by its index in [`Names::codes`](super::syntax::Names::codes).
 pub(in crate::controls) const fn named(
     place: u16,
     code: Code,
@@ -392,36 +392,36 @@ pub(in crate::controls) const fn named(
 }
 
 impl CodeDef {
-    /// Whether it says what the words of its block mean: motions, and what takes axis words otherwise.
+    /// Whether the code defines the meaning of its block's words: motion codes, and one-shot G codes that use axis words otherwise.
     pub fn defines_syntax(&self) -> bool {
         let one_shot = self.group == Group::OneShot && !matches!(self.id, CodeId::M(_));
         self.group == Group::Motion
             || one_shot && !matches!(self.code, Code::ExactStopOnce | Code::MachineCoordinates | Code::Return)
     }
 
-    /// Whether its block holds nothing but its own values.
+    /// Whether the code has to be alone in its block, apart from its own values.
     pub fn stands_alone(&self) -> bool {
         matches!(self.code, Code::Dwell | Code::LowerLimits | Code::UpperLimits)
     }
 }
 
 impl CodeDef {
-    /// Whether its table is sorted, for searches by halves.
+    /// Whether the table is sorted, for binary search.
     pub const SORTED: bool = true;
 
-    /// What the row is about, for tables that are made of a family's rows and a control's own.
+    /// Key for replacing a family's row by the control's own row of the same code.
     pub const fn key(&self) -> Key {
         single(self.id.rank())
     }
 
-    /// The key of the rows that a list names: `G7.1`, `M30`, `G54-G59`.
+    /// The key range of an entry in a row list: `G7.1`, `M30`, `G54-G59`.
     pub const fn listed_key(word: &[u8]) -> Key {
         let (first, last) = range_ends(word);
         (listed_rank(first), listed_rank(last))
     }
 }
 
-/// The place of a code among all codes, as a list names it.
+/// Sort key of a code as an entry in a row list spells it.
 const fn listed_rank(word: &[u8]) -> u64 {
     let (letter, number) = word.split_at(1);
     let (whole, tenth) = divided(number, b'.');

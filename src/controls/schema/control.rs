@@ -9,16 +9,16 @@ use super::{
 use crate::msg;
 use crate::text::{Citation, Grade, Message, Phrase, either};
 
-/// Everything that is known of one control.
+/// All tables of one control.
 #[derive(Debug)]
 pub struct Control {
     /// Id for files and the command line, for instance `mitsubishi-e60`.
     pub id: &'static str,
-    /// Name as people write it.
+    /// Display name.
     pub name: &'static str,
-    /// How a program is written.
+    /// Spelling, characters and file form of programs.
     pub syntax: Syntax,
-    /// How macro programs count and call.
+    /// Values, calls and arguments of macro programs.
     pub macros: Macros,
     /// Axis letters in the order of the control's axis numbers.
     pub axes: &'static [AxisDef],
@@ -26,7 +26,7 @@ pub struct Control {
     pub startup: &'static [CodeId],
     /// Ranges and budgets of words, numbers, nesting.
     pub limits: Limits,
-    /// What a block costs.
+    /// Time per block and number of blocks read ahead.
     pub timing: Timing,
     /// Every G and M code that the control has.
     pub codes: &'static [CodeDef],
@@ -42,13 +42,13 @@ pub struct Control {
     pub plc: PlcLanguage,
     /// Points that the manuals leave open, each with a default.
     pub switches: &'static [Switch],
-    /// What S, M3, constant surface speed and limits do.
+    /// Effects of S, M3, constant surface speed and speed limits.
     pub spindle: SpindleRules,
     /// Program zero return: source of a mode in which the operator sends the axes back to the program's reference point; `None` without it.
     pub zero_return: Option<Citation>,
-    /// The plant that a bare program runs on.
+    /// Test bench for programs without a machine.
     pub bench: Bench,
-    /// Drive systems that its axes and its analog spindle can have.
+    /// Drive systems for the control's axes and analog spindle.
     pub drives: &'static [DriveSystem],
 }
 
@@ -57,29 +57,29 @@ pub struct Control {
 pub struct AxisDef {
     /// Address letter.
     pub letter: Address,
-    /// Whether it turns by default (degrees instead of millimetres).
+    /// Whether the axis is rotary by default (degrees instead of millimetres).
     pub rotary: bool,
     /// Address of incremental words for this axis, where there is one beside the absolute: U for X on lathes.
     pub incremental: Option<Address>,
-    /// Words count diameters, twice what the slide moves, unless the switch `diameter` is set to `radius`.
+    /// Words count diameters, twice the travel of the slide, unless the switch `diameter` is set to `radius`.
     pub diameter: bool,
     /// Source and grade.
     pub cite: Citation,
 }
 
-/// A row of an axis whose words count what it moves.
+/// A row of an axis whose words count its travel.
 pub(in crate::controls) const fn axis(letter: Address, rotary: bool, cite: Citation) -> AxisDef {
     AxisDef { letter, rotary, incremental: None, diameter: false, cite }
 }
 
 impl Control {
-    /// The row of a code; `None` where the control lacks it.
+    /// The row of a code; `None` if the control lacks it.
     pub fn code(&self, id: CodeId) -> Option<&'static CodeDef> {
         let at = self.codes.binary_search_by_key(&id, |row| row.id).ok()?;
         self.codes.get(at)
     }
 
-    /// The row of an alarm, or of the wider kind that this control has for it; every kind leads to one (held by a test).
+    /// The row of an alarm, or of its nearest wider kind with a row here; a test ensures that each kind has one.
     pub fn alarm(&self, kind: Alarm) -> Option<&'static AlarmDef> {
         let mut kind = kind;
         loop {
@@ -90,12 +90,12 @@ impl Control {
         }
     }
 
-    /// Whether the control has an alarm for this very kind. A few kinds are an alarm on those controls alone that have a row for them.
+    /// Whether the control has a row for exactly this kind. A few kinds are alarms only on controls with such a row.
     pub fn raises(&self, kind: Alarm) -> bool {
         self.alarms.iter().any(|row| row.kind == kind)
     }
 
-    /// The number and the wording that the control shows for an alarm; no wording where it is the simulation that stops.
+    /// Number and wording that the control shows for an alarm; the wording is empty where the simulation stops and not the control.
     pub fn alarm_shown(&self, kind: Alarm) -> Option<(&'static str, Phrase)> {
         let own =
             |row: &AlarmDef| row.cite.grade != Grade::Open || row.number.bytes().any(|byte| byte.is_ascii_digit());
@@ -108,17 +108,17 @@ impl Control {
         self.alarm(kind).map(|row| row.number)
     }
 
-    /// The range that holds a variable number; the rows stand in rising order.
+    /// The range of a variable number; the rows are in rising order.
     pub fn var(&self, number: u32) -> Option<&'static VarRange> {
         let at = self.vars.partition_point(|row| row.last < number);
         self.vars.get(at).filter(|row| row.first <= number)
     }
 
-    /// The word of the PLC that a bit stands in, and which bit of it that is, both as variables see them.
+    /// PLC word of a bit variable, as the number of its word variable, and the bit's index in that word.
     pub fn word_of_bit(&self, number: u32) -> Option<(u32, u32)> {
         let at = self.vars.partition_point(|row| row.last < number);
         let row = self.vars.get(at).filter(|row| row.first <= number)?;
-        // Rows of bits that follow one another go on through the same word.
+        // Adjacent rows of bits share one word.
         let before = self.vars.get(..at)?.iter().rev();
         let run = before.scan(row.first, |first, row| {
             let joined = row.last + 1 == *first;
@@ -137,40 +137,40 @@ impl Control {
         Some((word.first, number - first.first))
     }
 
-    /// Id of the switch that names the common variables that are fitted; empty where all are.
+    /// Id of the switch for the number of fitted common variables; empty if all are fitted.
     pub fn fitted_by(&self) -> &'static str {
         let names = |row: &&Switch| matches!(row.kind, SwitchKind::CommonVariables(_) | SwitchKind::RParameters(_));
         self.switches.iter().find(names).map_or("", Switch::id)
     }
 
-    /// The switch of an id.
+    /// The switch with this id.
     pub fn switch(&self, id: &str) -> Option<&'static Switch> {
         self.switches.iter().find(|row| row.id() == id)
     }
 
-    /// Whether a variable that nothing has set is vacant; else it is 0.
+    /// Whether unset variables are vacant; otherwise they are 0.
     pub fn has_vacant(&self) -> bool {
         self.vars.first().is_some_and(|row| row.kind == VarKind::Vacant)
     }
 
-    /// A text about variables, `#101`, as the control writes them.
+    /// Replaces `#` in a text by the control's sign for variables: `#101` becomes `R101`.
     pub fn written(&self, text: &str) -> String {
         text.chars().map(|c| if c == '#' { self.syntax.variable } else { c }).collect()
     }
 
-    /// A variable as it is written.
+    /// A variable in the control's spelling: `#101`, `R101`.
     pub fn variable(&self, number: u32) -> String {
         format!("{}{number}", self.syntax.variable)
     }
 
-    /// The way out where a variable is none: those that are free to use.
+    /// Hint for an unknown variable: the range of variables that are free for programs.
     pub fn free_to_use(&self) -> Option<Message> {
         let of = |kind| self.vars.iter().find(|row| row.kind == kind);
         let range = of(VarKind::Common).or_else(|| of(VarKind::Retained))?;
         Some(msg!("control.free-to-use", first = self.variable(range.first), last = self.variable(range.last)))
     }
 
-    /// A jump on the condition that something is not above 0, as an example.
+    /// Example of a jump on the condition that `variable` is not above 0.
     pub fn guard(&self, variable: &str) -> String {
         match self.syntax.names() {
             Some(_) => format!("IF {variable}<=0 GOTOF"),
@@ -178,14 +178,14 @@ impl Control {
         }
     }
 
-    /// An address as it is written.
+    /// An address in the control's spelling.
     pub fn address(&self, letter: Address) -> String {
         let names = self.syntax.names().into_iter().flat_map(|names| names.addresses);
         let long = names.copied().find(|row| row.1 == letter).map(|row| row.0);
         long.map_or_else(|| letter.to_string(), str::to_owned)
     }
 
-    /// A code as it is written: `G61.1`, `M3`, `DIAMON`.
+    /// A code in the control's spelling: `G61.1`, `M3`, `DIAMON`.
     pub fn code_name(&self, id: CodeId) -> String {
         match id {
             CodeId::G(number) => format!("G{number}"),
@@ -197,7 +197,7 @@ impl Control {
         }
     }
 
-    /// The code that a word of a program names: `G01`, `M3`, `G61.1`, `DIAMON`.
+    /// The code of a word in a program: `G01`, `M3`, `G61.1`, `DIAMON`.
     pub fn code_written(&self, word: &str) -> Option<CodeId> {
         let name = word.to_ascii_uppercase();
         let number = || name.get(1..)?.parse::<f64>().ok();
@@ -209,7 +209,7 @@ impl Control {
         }
     }
 
-    /// The codes that end a program, as a choice for a sentence.
+    /// The codes that end a program, joined by “or” for a sentence.
     pub fn program_ends(&self) -> String {
         let ends = |row: &&CodeDef| matches!(row.code, Code::End | Code::EndRewind | Code::SubEnd | Code::Return);
         let digits = if self.syntax.names().is_some() { 1 } else { 2 };
@@ -230,12 +230,12 @@ impl Control {
         self.axes.iter().flat_map(|axis| [Some(axis.letter), axis.incremental]).flatten()
     }
 
-    /// Whether any code of the control does this.
+    /// Whether any code of the control has this meaning.
     pub fn can(&self, code: Code) -> bool {
         self.codes.iter().any(|row| row.code == code)
     }
 
-    /// The parameter of a role.
+    /// The parameter for a role.
     pub fn param(&self, role: ParamRole) -> Option<&'static ParamDef> {
         self.params.iter().find(|row| row.role == role)
     }

@@ -1,4 +1,4 @@
-//! `Dialect`: what a control's rows and the project's settings come to, resolved once and handed to parser, lint, interpreter, planner and machines.
+//! `Dialect`: a control's rules under the project's switch settings, resolved once for parser, lint, interpreter, planner and machines.
 
 use super::address::Address;
 use super::code::{CodeId, Group};
@@ -13,10 +13,10 @@ use crate::text::{Citation, number};
 /// G22 and G23.
 const DIAMETER_CODES: &[CodeId] = &[CodeId::g(22), CodeId::g(23)];
 
-/// Digits of a number that fit everywhere, where no switch has fewer.
+/// Digits of a number on controls without a narrower limit.
 const DIGITS: usize = 18;
 
-/// The control as it is set: nothing else looks a setting up.
+/// A control's rules with all switch settings applied. Code outside reads the dialect and never a setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dialect {
     pub(crate) reading: ReadingRules,
@@ -26,31 +26,31 @@ pub struct Dialect {
     pub(crate) startup: Vec<CodeId>,
     /// Bits of axis indexes: words count diameters.
     diameters: u32,
-    /// Bits of axis indexes: the axis turns and counts a turn.
+    /// Bits of axis indexes: the axis is rotary (degrees).
     rotary: u32,
-    /// Axis index and coordinate (mm or °, machine frame) of the reference points and of the fixed point; others are at 0.
+    /// Axis index and coordinate (mm or °, machine frame) of the reference points and of the fixed point; axes not listed are at 0.
     pub(crate) points: [Vec<(usize, f64)>; 2],
     spindle: SpindleRules,
     calls: Vec<CodeCall>,
     call_parts: Vec<CallPart>,
-    /// Registers by which the macro inputs are moved from where their rows have them.
+    /// Offset in registers of the macro inputs from the device numbers in their rows.
     inputs_moved: i64,
-    /// The feed override acts on axes that the PMC turns.
+    /// The feed override acts on axes moved by the PMC.
     pub(crate) pmc_override: bool,
-    /// Parts of texts that no setting can be: switch id and part.
+    /// Parts of text settings that could not be read: switch id and part.
     unread: Vec<(&'static str, String)>,
 }
 
-/// How the text of a program is read.
+/// Rules for reading the text of a program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ReadingRules {
     /// Characters of comments.
     pub(crate) characters: CommentCharacters,
-    /// Characters of a block at most.
+    /// Maximum characters of a block.
     pub(crate) block_chars: u32,
-    /// Characters of a label at most; 0 where the control has none.
+    /// Maximum characters of a label; 0 where the control has no labels.
     pub(crate) label_chars: usize,
-    /// Digits of a number at most.
+    /// Maximum digits of a number.
     pub(crate) digits: usize,
     /// GOTOF and GOTOB take block numbers.
     pub(crate) number_jumps: bool,
@@ -64,13 +64,13 @@ pub(crate) struct ReadingRules {
     pub(crate) modulo: bool,
     /// A formula behind an address needs brackets.
     pub(crate) enclosed: bool,
-    /// Ranges of common variables that are fitted; none is named where all are.
+    /// Ranges of fitted common variables; empty if all are fitted.
     pub(crate) fitted: &'static [(u32, u32)],
-    /// Codes that a switch keeps off.
+    /// Codes disabled by a switch.
     pub(crate) codes_off: &'static [CodeId],
 }
 
-/// How numbers are counted, rounded and limited.
+/// Rules for counting, rounding and limiting numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct NumberRules {
     /// A coordinate without a point counts millimetres, not increments.
@@ -81,7 +81,7 @@ pub(crate) struct NumberRules {
     pub(crate) offset_increments: bool,
     /// ROUND in a word rounds to the step of its address, not to a whole number.
     pub(crate) round_to_step: bool,
-    /// S is rounded, not cut.
+    /// S is rounded, not truncated.
     pub(crate) round_speed: bool,
     /// `E` of a thread is a lead, not threads per inch.
     pub(crate) fine_lead: bool,
@@ -102,7 +102,7 @@ pub(crate) enum AsinRange {
     WithinTurn,
 }
 
-/// The zero from which coordinates count.
+/// Origin of coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CoordinateFrame {
     /// The work zero of the program.
@@ -111,35 +111,35 @@ pub(crate) enum CoordinateFrame {
     Machine,
 }
 
-/// How codes and calls run.
+/// Rules for the execution of codes and calls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RunningRules {
     /// F0 is rapid traverse, not an alarm.
     pub(crate) feed_zero_rapid: bool,
     /// `#3004` switches the cutting override off.
     pub(crate) suppress_override: bool,
-    /// A local variable without argument keeps its last value.
+    /// A local variable without an argument keeps its last value.
     pub(crate) keep_locals: bool,
     /// Common variables become vacant at reset.
     pub(crate) clear_common: bool,
-    /// M codes of a block that act.
+    /// Maximum effective M codes of a block.
     pub(crate) m_codes: u8,
-    /// One M code more is an alarm; else the last ones act.
+    /// More M codes than `m_codes` are an alarm; otherwise the last ones act.
     pub(crate) m_alarm: bool,
-    /// Limits of the working area hold the axes.
+    /// Working area limits stop the axes.
     pub(crate) area: bool,
-    /// Coordinates whose range holds the axes; `None` where none does.
+    /// Coordinates that are checked against the range of words; `None`: no check.
     pub(crate) range: Option<CoordinateFrame>,
     /// M02 and M30 in a subprogram return.
     pub(crate) ends_return: bool,
-    /// Subprograms inside one another at most.
+    /// Maximum depth of nested subprograms.
     pub(crate) sub_depth: u8,
-    /// Added to the number of a user alarm to give the number that is shown; `None` where one number is shown for all.
+    /// Offset from the programmed number of a user alarm to the displayed number; `None` where all user alarms show one number.
     pub(crate) user_alarm_base: Option<u32>,
 }
 
 impl Dialect {
-    /// What the rows of a control and the settings come to.
+    /// Resolves the rows of a control and the switch settings.
     pub fn resolve(control: &Control, switches: &Switches) -> Dialect {
         let set = Settings::new(control.switches.iter().map(|row| (row.kind, switches.setting(row))));
         let mut unread = Vec::new();
@@ -171,17 +171,17 @@ impl Dialect {
         }
     }
 
-    /// Whether words of an axis, by its index, count diameters.
+    /// Whether the words of an axis (by index) count diameters.
     pub fn counts_diameters(&self, axis: usize) -> bool {
         axis < 32 && self.diameters & 1 << axis != 0
     }
 
-    /// Whether an axis, by its index, turns and counts a turn.
+    /// Whether an axis (by index) is rotary (degrees).
     pub fn is_rotary(&self, axis: usize) -> bool {
         axis < 32 && self.rotary & 1 << axis != 0
     }
 
-    /// Characters that comments can have.
+    /// Characters allowed in comments.
     pub fn comment_characters(&self) -> CommentCharacters {
         self.reading.characters
     }
@@ -191,12 +191,12 @@ impl Dialect {
         self.spindle
     }
 
-    /// Codes that call programs.
+    /// Codes bound to programs by parameters.
     pub fn calls(&self) -> &[CodeCall] {
         &self.calls
     }
 
-    /// The register of a role, with its source; `None` where the control has none.
+    /// Device of a signal role, with its source; `None` if the control has none.
     pub fn device(&self, control: &Control, role: SignalRole) -> Option<(String, Citation)> {
         let row = control.interface.iter().find(|row| row.role == role)?;
         Some((self.moved(row.role, row.device), row.cite))
@@ -208,7 +208,7 @@ impl Dialect {
         Some(row.role)
     }
 
-    /// A register of the rows, where the switch of the macro inputs has it.
+    /// A device of the rows, shifted by the setting for the macro inputs.
     fn moved(&self, role: SignalRole, device: &str) -> String {
         match (role, device.split_at_checked(1).map(|(letter, number)| (letter, number.parse::<i64>()))) {
             (SignalRole::MacroInputLow(_) | SignalRole::MacroInputHigh(_), Some((letter, Ok(number)))) => {
@@ -363,7 +363,7 @@ impl RunningRules {
                 Some(EndInSubprogram::EndProgram) => false,
                 None => control.macros.ends_return,
             },
-            // The main program is a level of the switch.
+            // The switch counts the main program as one level.
             sub_depth: match set.subprogram_levels {
                 Some(SubprogramLevels::Eight) => 7,
                 Some(SubprogramLevels::Sixteen) => 15,
@@ -381,7 +381,7 @@ impl RunningRules {
 }
 
 impl MacroInputBase {
-    /// Number of the register.
+    /// Register number.
     fn register(self) -> i64 {
         match self {
             MacroInputBase::R72 => 72,
@@ -393,7 +393,7 @@ impl MacroInputBase {
     }
 }
 
-/// Number of the register at which the rows of a control have the macro inputs begin: that of the switch's default.
+/// First register of the macro inputs in the rows of a control: the switch's default.
 fn input_rows(control: &Control) -> i64 {
     let default = control.switches.iter().find_map(|row| match row.kind {
         SwitchKind::MacroInputBase(options) => options.first().copied(),
@@ -402,12 +402,12 @@ fn input_rows(control: &Control) -> i64 {
     default.map_or(0, MacroInputBase::register)
 }
 
-/// Bits of the places where a statement holds; the first 32 of them.
+/// Packs the first 32 booleans into bits, from bit 0 up.
 fn bits(holds: impl Iterator<Item = bool>) -> u32 {
     holds.take(32).enumerate().fold(0, |bits, (at, holds)| bits | u32::from(holds) << at)
 }
 
-/// The codes after power-on: those of the rows, and those of the switches that the control has.
+/// Codes in force after power-on: the control's rows, then the codes set by switches.
 fn startup(control: &Control, set: &Settings) -> Vec<CodeId> {
     let distance = set.startup_distance.map(|code| match code {
         StartupDistance::G90 => (90, Group::Distance),
@@ -434,7 +434,7 @@ fn startup(control: &Control, set: &Settings) -> Vec<CodeId> {
     startup
 }
 
-/// The rules of the spindle: those of the row, but for what a switch settles.
+/// Spindle rules of the control's row, overridden by switch settings.
 fn spindle(row: SpindleRules, set: &Settings, unread: &mut Vec<(&'static str, String)>) -> SpindleRules {
     SpindleRules {
         limit_place: match set.speed_limit_sets_zero {
@@ -546,7 +546,7 @@ fn rapid_speed(row: RapidSpeed, set: &Settings) -> RapidSpeed {
     }
 }
 
-/// The number of an M code as people write it: `M81`, `81`.
+/// Number of an M code in a text setting: `M81` or `81`.
 fn m_code(id: &'static str, text: Option<&str>, unread: &mut Vec<(&'static str, String)>) -> Option<u32> {
     let text = text?;
     let number = text.trim_start_matches(['M', 'm']).parse().ok();
@@ -556,7 +556,7 @@ fn m_code(id: &'static str, text: Option<&str>, unread: &mut Vec<(&'static str, 
     number
 }
 
-/// Bits of the axis indexes of letters, `Y` or `Y A`.
+/// Bits of the axis indexes for axis letters in a text setting, `Y` or `Y A`.
 fn rotary_axes(control: &Control, text: &str, unread: &mut Vec<(&'static str, String)>) -> u32 {
     let mut turning = 0;
     for letter in text.chars().filter(|c| !c.is_whitespace() && !SEPARATORS.contains(c)) {
@@ -569,7 +569,7 @@ fn rotary_axes(control: &Control, text: &str, unread: &mut Vec<(&'static str, St
     turning
 }
 
-/// A place as words, `X300 Z-50.5`: axis index and coordinate. Of two words of an axis the later one holds.
+/// Axis index and coordinate of each word in a text setting, `X300 Z-50.5`. Of two words for one axis the later one counts.
 fn point(
     control: &Control,
     id: &'static str,
@@ -587,26 +587,26 @@ fn point(
     place
 }
 
-/// What stands between the words of a text.
+/// Separators between the words of a text setting.
 const SEPARATORS: [char; 3] = [' ', ',', ';'];
 
-/// A word of the switch of calls by code, and the number and value of the parameter that it sets.
+/// A word of the switch `call-parameters`, and the parameter number and value it sets.
 type CallPart = (String, Option<(u32, u32)>);
 
-/// The words of the switch of calls by code.
+/// Splits the text of the switch `call-parameters` into words.
 fn call_parts(text: &str) -> Vec<CallPart> {
     let words = text.split(SEPARATORS).filter(|word| !word.is_empty());
     words.map(|word| (word.to_owned(), call_parameter(word))).collect()
 }
 
-/// `4120=512`, with or without `#` or `No.` in front.
+/// Parameter number and value of a word such as `4120=512`, with or without `#` or `No.` in front.
 fn call_parameter(word: &str) -> Option<(u32, u32)> {
     let (number, value) = word.split_once('=')?;
     let digits = |text: &str| text.trim_start_matches(|c: char| !c.is_ascii_digit()).parse().ok();
     Some((digits(number)?, digits(value)?))
 }
 
-/// The codes that call programs, by parameters.
+/// Codes bound to programs by these parameters.
 fn calls(control: &Control, parameters: &[(u32, u32)]) -> Vec<CodeCall> {
     let mut calls = control.macros.calls(parameters);
     calls.retain(|call| control.macros.calls_override || control.code(call.code).is_none());
@@ -614,13 +614,13 @@ fn calls(control: &Control, parameters: &[(u32, u32)]) -> Vec<CodeCall> {
 }
 
 impl Dialect {
-    /// Parts of texts that have no effect: switch id and part.
+    /// Parts of text settings without effect: switch id and part.
     pub fn idle_texts<'a>(&'a self, control: &'a Control) -> impl Iterator<Item = (&'static str, &'a str)> {
         let unread = self.unread.iter().map(|(id, part)| (*id, part.as_str()));
         unread.chain(self.idle_call_parts(control).map(|part| (CallParameters::ID, part)))
     }
 
-    /// Words of the switch of calls by code that change no call; a parameter that is 0 is not set, and may be written so.
+    /// Words of the switch `call-parameters` that change no call. A value of 0 is allowed: it leaves the parameter unset.
     fn idle_call_parts<'a>(&'a self, control: &'a Control) -> impl Iterator<Item = &'a str> {
         let parts = self.call_parts.iter().enumerate();
         parts

@@ -1,29 +1,29 @@
-//! Which series of motors, amplifiers and inverters go with a control.
+//! Series of motors, amplifiers and inverters that suit a control.
 
 use crate::text::Citation;
 
-/// A series of parts that goes with a control.
+/// A series of drives that suits a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DriveSystem {
-    /// Series, as the catalogue of parts has it.
+    /// Series name, as in the parts catalogue.
     pub series: &'static str,
-    /// What it does beside the control.
+    /// Role on a machine with this control.
     pub role: DriveRole,
     /// Source and grade.
     pub cite: Citation,
 }
 
-/// What a drive system does beside a control.
+/// Role of a drive on a machine: driven by the control, or positioning on its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DriveRole {
-    /// It follows the control: an axis that is interpolated, or the analog spindle.
+    /// An interpolated axis or the analog spindle, commanded by the control.
     Axis,
-    /// It positions by itself: the control's inputs and outputs or a field bus start it.
+    /// A positioning drive, started by the control's inputs and outputs or a field bus.
     Auxiliary,
 }
 
 impl DriveSystem {
-    /// Series that follow the control, one row each.
+    /// Rows of series for axes and spindle, one per series.
     pub(in crate::controls) const fn axes<const N: usize>(
         series: [&'static str; N],
         cite: Citation,
@@ -31,7 +31,7 @@ impl DriveSystem {
         DriveSystem::all(series, DriveRole::Axis, cite)
     }
 
-    /// Series of auxiliary axes, one row each.
+    /// Rows of series for auxiliary axes, one per series.
     pub(in crate::controls) const fn auxiliary<const N: usize>(
         series: [&'static str; N],
         cite: Citation,

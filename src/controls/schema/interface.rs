@@ -16,20 +16,20 @@ pub enum PlcLanguage {
     Step7,
 }
 
-/// What a register or signal is for, independent of its number.
+/// Purpose of a register or signal, independent of its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SignalRole {
     /// Spindle override in percent, PLC to control.
     SpindleOverride,
-    /// Spindle override as a code for one of a few steps, PLC to control.
+    /// Spindle override as the code of an override step, PLC to control.
     SpindleOverrideCode,
     /// Cutting feed override in percent, PLC to control.
     FeedOverride,
-    /// Low word of a macro input word, PLC to control; with the variable it appears as.
+    /// Low word of a macro input, PLC to control, with the number of its variable.
     MacroInputLow(u32),
-    /// High word of a macro input word.
+    /// High word of a macro input, PLC to control, with the number of its variable.
     MacroInputHigh(u32),
-    /// Word of macro output, control to PLC.
+    /// Word of macro output, control to PLC, with the number of its variable.
     MacroOutput(u32),
     /// Spindle speed after override and clamp, control to PLC.
     SpindleFinal,
@@ -41,17 +41,17 @@ pub enum SignalRole {
     SpindleActual,
     /// M code as a number, control to PLC.
     MCode,
-    /// Dynamic signal of an M function, on for one cycle of the PLC.
+    /// Dynamic signal of an M function, on for one PLC cycle.
     MFunction(u32),
     /// Strobe of M, control to PLC.
     MStrobe,
-    /// Strobe of S.
+    /// Strobe of S, control to PLC.
     SStrobe,
-    /// Strobe of T.
+    /// Strobe of T, control to PLC.
     TStrobe,
     /// The program runs: off at hold, between two blocks that wait for cycle start, and at an alarm.
     Running,
-    /// No program is begun: on until cycle start, after the end and after reset.
+    /// No program is started: on until cycle start, after the program end and after reset.
     Idle,
     /// M30 is executed.
     ProgramEnd,
@@ -59,9 +59,9 @@ pub enum SignalRole {
     Reset,
     /// Answer to M, S and T, PLC to control.
     Finished,
-    /// Holds the reading of the next block, PLC to control.
+    /// Read-in disable: holds back the next block, PLC to control.
     ReadInDisable,
-    /// 1 lets the spindle turn, 0 holds it at speed 0; S and M3 stay.
+    /// 1 lets the spindle turn, 0 holds it at speed 0; S and M3 stay in force.
     SpindleEnable,
     /// 1 holds the spindle at speed 0.
     SpindleHold,
@@ -69,7 +69,7 @@ pub enum SignalRole {
     AxesEnable,
     /// 1 holds the axes of the program.
     AxesStop,
-    /// The spindle has its speed, PLC to control.
+    /// The spindle has reached its speed, PLC to control.
     SpeedArrived,
     /// 0 holds the program.
     HoldReleased,
@@ -81,13 +81,13 @@ pub enum SignalRole {
     EmergencyRequest,
     /// 1 resets the control, PLC to control.
     ResetRequest,
-    /// The control asks for the gear stage of [`SignalRole::GearAsked`].
+    /// The control requests the gear stage of [`SignalRole::GearAsked`].
     GearChange,
-    /// A bit (from 0) of the number of the gear stage that the control asks for.
+    /// A bit (from 0) of the number of the requested gear stage.
     GearAsked(u8),
-    /// A bit (from 0) of the number of the gear stage that is engaged, PLC to control.
+    /// A bit (from 0) of the number of the engaged gear stage, PLC to control.
     GearNumber(u8),
-    /// A bit (from 0) of that number less one.
+    /// A bit (from 0) of the number of the engaged gear stage minus 1.
     GearIndex(u8),
     /// The gear stage is engaged: answer to [`SignalRole::GearChange`].
     GearChanged,
@@ -96,7 +96,7 @@ pub enum SignalRole {
 /// A register.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Signal {
-    /// What it is for.
+    /// Purpose of the signal.
     pub role: SignalRole,
     /// Device, for instance `R148`.
     pub device: &'static str,
@@ -104,7 +104,7 @@ pub struct Signal {
     pub plc_writes: bool,
     /// Unit or range.
     pub unit: &'static str,
-    /// What it carries.
+    /// Description.
     pub text: Phrase,
     /// Source and grade.
     pub cite: Citation,
@@ -133,10 +133,10 @@ pub(in crate::controls) const fn to_plc(
 }
 
 impl Signal {
-    /// Whether its table is sorted, for searches by halves.
+    /// Whether the table is sorted, for binary search.
     pub const SORTED: bool = false;
 
-    /// The device, for tables that are made of a family's rows and a control's own.
+    /// Key for replacing a family's row by the control's own row of the same device.
     pub const fn key(&self) -> Key {
         text_key(self.device.as_bytes())
     }

@@ -1,9 +1,9 @@
-//! Ranges of words, nesting depths and what a block costs.
+//! Ranges of words, nesting depths and block times.
 
 use super::code::CodeId;
 use crate::text::Citation;
 
-/// Ranges and depths; a program beyond them gets the control's alarm.
+/// Ranges and depths of a control. A program that exceeds them raises the control's alarm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Command unit in millimetres or degrees, for instance 0.001.
@@ -14,32 +14,32 @@ pub struct Limits {
     pub feed_max: f64,
     /// Largest feed per revolution in mm/rev.
     pub revolution_feed_max: f64,
-    /// The inch code that applies to feeds too, where the other inch codes do not; `None`: all inch codes do.
+    /// The only inch code that converts feeds too; `None`: all inch codes do.
     pub inch_feeds: Option<CodeId>,
     /// Largest lead of a thread in mm/rev.
     pub lead_max: f64,
     /// Smallest feed step in mm/min.
     pub feed_increment: f64,
-    /// Start and end of an arc may differ by this in their distance from the centre, in millimetres.
+    /// Maximum difference (mm) between the distances of an arc's start and end from its centre.
     pub arc_tolerance: f64,
-    /// The centre of an arc by I, J, K is moved so that the arc ends where it should, however far it lies off; else the tolerance
-    /// holds.
+    /// The control moves an arc's centre given by I, J, K to fit the programmed end point, at any distance; otherwise `arc_tolerance`
+    /// applies.
     pub arc_centre_moves: bool,
-    /// The number of F stays in force when its unit changes; else F has to be given anew.
+    /// The number of F stays in force when its unit changes; otherwise F has to be programmed anew.
     pub feed_kept: bool,
     /// Largest S word in r/min.
     pub speed_max: f64,
-    /// Least and largest limit of the spindle speed in r/min; `None` where it has the range of S.
+    /// Range of a spindle speed limit in r/min; `None`: the range of S.
     pub speed_limit: Option<(f64, f64)>,
     /// Largest T word.
     pub tool_max: u32,
-    /// Largest D word; `None` where no row says.
+    /// Largest D word; `None` if unknown.
     pub offset_max: Option<u32>,
-    /// M codes of one block that act, 8 at most; of more, the last ones do.
+    /// Maximum effective M codes of a block (at most 8). In a block with more, the last ones act.
     pub m_codes: u8,
-    /// Subprograms nested at most.
+    /// Maximum depth of nested subprograms.
     pub sub_depth: u8,
-    /// Macro calls nested at most.
+    /// Maximum depth of nested macro calls.
     pub macro_depth: u8,
     /// Largest repeat count of a call.
     pub repeat_max: u32,
@@ -47,7 +47,7 @@ pub struct Limits {
     pub cite: Citation,
 }
 
-/// What a block costs and how far the control reads ahead.
+/// Time per block and number of blocks read ahead.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Timing {
     /// Seconds per block with NC words.

@@ -1,83 +1,83 @@
-//! How a control's macro language counts and calls: what differs between dialects of one family, as rows.
+//! Values, calls and arguments of a control's macro language: the differences between dialects of one family, as rows.
 
 use super::address::Address;
 use super::code::CodeId;
 use super::syntax::Operation;
 use crate::text::Citation;
 
-/// What a word does whose value is nothing but a vacant variable.
+/// Effect of a word whose value is only a vacant variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum VacantWord {
-    /// The word counts as not written.
+    /// The word is ignored.
     Dropped,
     /// Its value is 0.
     Zero,
 }
 
-/// How I, J, K of argument specification II find their variables.
+/// Assignment of I, J, K to variables in argument specification II.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArgumentSets {
-    /// A letter that does not follow its predecessor in the alphabet begins the next set: `K1 I2` are #6 and #7.
+    /// A letter that does not come later in the alphabet than its predecessor begins the next set: `K1 I2` sets #6 and #7.
     InOrder,
-    /// Each letter counts its own sets: `K1 I2` are #6 and #4.
+    /// Each letter counts its own sets: `K1 I2` sets #6 and #4.
     PerLetter,
 }
 
-/// How a code calls its program.
+/// Kind of program call by a code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CallKind {
-    /// As a subprogram, without arguments.
+    /// Subprogram call, without arguments.
     Sub,
-    /// As a macro, with arguments.
+    /// Macro call, with arguments.
     Macro,
-    /// As a macro after each block with axis motion from now on.
+    /// Modal macro call, after each block with axis motion.
     Modal,
-    /// As a macro at each block from now on.
+    /// Modal macro call at each block.
     ModalBlock,
 }
 
-/// What a parameter of the control binds a code to.
+/// Parameter layout that binds codes to programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CodeCalls {
     /// `count` parameters from `first` on hold one code each; the k-th calls program `program + k`.
     Each {
-        /// How the codes call.
+        /// Kind of call.
         kind: CallKind,
         /// `G` or `M`.
         letter: Address,
         /// Number of the first parameter.
         first: u32,
-        /// How many there are.
+        /// Number of parameters.
         count: u32,
-        /// Program of the first.
+        /// Program called by the code of the first parameter.
         program: u32,
     },
-    /// Codes that follow one another call programs that follow one another: how many, the first code, the first program.
+    /// Consecutive codes call consecutive programs. Three parameters hold the number of codes, the first code and the first program.
     Range {
-        /// How the codes call.
+        /// Kind of call.
         kind: CallKind,
         /// `G` or `M`.
         letter: Address,
-        /// Number of the parameter that holds how many.
+        /// Number of the parameter that holds the number of codes.
         count: u32,
         /// Number of the parameter that holds the first code.
         code: u32,
         /// Number of the parameter that holds the first program.
         program: u32,
     },
-    /// Pairs of parameters hold a code and its program; the k-th pair `step` numbers behind the first.
+    /// Pairs of parameters hold a code and its program. Parameter numbers rise by `step` from pair to pair.
     Pairs {
         /// `G` or `M`.
         letter: Address,
         /// Number of the first parameter that holds a code.
         code: u32,
-        /// Number of the first parameter that holds how the code calls: 0 subprogram, 1 macro, 2 modal, 3 modal at each block.
+        /// Number of the first parameter that holds the kind of call: 0 subprogram, 1 macro, 2 modal, 3 modal at each block.
         kind: u32,
         /// Number of the first parameter that holds a program.
         program: u32,
-        /// From pair to pair.
+        /// Increment of the parameter numbers from pair to pair.
         step: u32,
-        /// How many pairs there are.
+        /// Number of pairs.
         count: u32,
     },
 }
@@ -85,49 +85,49 @@ pub enum CodeCalls {
 /// The dialect of macro programs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Macros {
-    /// A word of a vacant variable alone.
+    /// Effect of a word whose value is only a vacant variable.
     pub vacant_word: VacantWord,
-    /// EQ and NE take vacant for 0, as the other comparisons do.
+    /// EQ and NE treat vacant as 0, like the other comparisons.
     pub vacant_equals_zero: bool,
-    /// Numbers that differ by no more than this part of the larger one count as equal in comparisons.
+    /// Relative tolerance of comparisons: numbers count as equal if they differ by at most this fraction of the larger one.
     pub equal_within: f64,
-    /// AND, OR, XOR tell whether conditions hold; else they work bit by bit.
+    /// AND, OR, XOR are logical and combine conditions; otherwise they are bitwise.
     pub truths: bool,
-    /// AND, OR, XOR of numbers that are not whole are an alarm; else they are rounded.
+    /// AND, OR, XOR of numbers with decimals are an alarm; otherwise the numbers are rounded.
     pub whole_bits: bool,
-    /// Least and largest magnitude of a result other than 0; `None` where only infinity is too large.
+    /// Least and largest magnitude of a result other than 0; `None`: only infinity is out of range.
     pub value_range: Option<(f64, f64)>,
-    /// The calculated value of an address of whole numbers is rounded; else what stands behind its point is dropped.
+    /// The calculated value of an integer address is rounded; otherwise it is truncated.
     pub round_words: bool,
-    /// I, J, K of argument specification II.
+    /// Assignment of I, J, K in argument specification II.
     pub argument_sets: ArgumentSets,
-    /// `M98 P` with more than four digits holds the repeats in front of the program number.
+    /// In `M98 P` with more than four digits, the digits in front of the program number are the repeat count.
     pub repeats_in_p: bool,
-    /// The end of a subprogram ends a main program; else that starts again.
+    /// M99 in a main program ends it; otherwise the program restarts.
     pub main_ends: bool,
-    /// The end of a program returns from a subprogram.
+    /// M02 and M30 in a subprogram return to the caller.
     pub ends_return: bool,
     /// `M98 H` starts at a sequence number of the subprogram.
     pub sub_sequence: bool,
-    /// Nothing but a sequence number may stand in front of a macro call.
+    /// Only a sequence number is allowed in front of a macro call.
     pub call_first: bool,
-    /// P or H stands directly behind the code of a macro call.
+    /// P or H has to follow the code of a macro call directly.
     pub program_next: bool,
-    /// A one-shot macro call ends a modal one.
+    /// A one-shot macro call ends a modal macro call.
     pub call_ends_modal: bool,
-    /// A return to the reference point is a motion that a modal macro call follows.
+    /// A return to the reference point triggers a modal macro call.
     pub call_after_return: bool,
-    /// The control keeps common variables at power-off, where its parameters are set so.
+    /// The control can keep common variables at power-off, by parameter.
     pub common_kept: bool,
-    /// `G65 Hnn P Q R` as functions: number and what it does. Empty where the control lacks them.
+    /// Functions `G65 Hnn P Q R`: number and operation. Empty if the control lacks them.
     pub functions: &'static [(u8, Operation)],
-    /// Codes that call macros, by parameter. The settings are the text of the switch `call-parameters`.
+    /// Codes bound to programs by parameters. The switch `call-parameters` holds the parameter values.
     pub code_calls: &'static [CodeCalls],
-    /// A code that calls a macro comes before the control's own of the same number; else it is not bound.
+    /// A code bound to a macro replaces the control's own code of the same number; otherwise the binding is ignored.
     pub calls_override: bool,
-    /// Number of a user alarm, first and last.
+    /// First and last number of user alarms.
     pub user_alarms: (u32, u32),
-    /// What is added to the number of a user alarm to give the number that is shown; `None` where one number is shown for all.
+    /// Offset from the programmed number of a user alarm to the displayed number; `None` where all user alarms show one number.
     pub user_alarm_base: Option<u32>,
     /// Letters in front of the number of a user alarm: `MC` makes 3005 `MC3005`.
     pub user_alarm_prefix: &'static str,
@@ -135,27 +135,26 @@ pub struct Macros {
     pub cite: Citation,
 }
 
-/// Local variable of an address in argument specification I, by letter from A; 0 where an address is no argument. G, L, N, O and P
-/// are arguments of G66.1 only.
+/// Local variable of each letter from A in argument specification I. G, L, N, O and P pass arguments in G66.1 only.
 pub const ARGUMENT: [u8; 26] =
     [1, 2, 3, 7, 8, 9, 10, 11, 4, 5, 6, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
 
-/// A code that calls a macro.
+/// A code bound to a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CodeCall {
     /// The code.
     pub code: CodeId,
-    /// How it calls.
+    /// Kind of call.
     pub kind: CallKind,
-    /// The program that it calls.
+    /// Number of the called program.
     pub program: u32,
 }
 
-/// Largest number of codes that one row can bind, whatever its parameters say.
+/// Maximum number of codes bound by one row, to limit absurd parameter values.
 const CALLS: u32 = 100;
 
 impl Macros {
-    /// Whether a parameter is one of calls by code.
+    /// Whether a parameter belongs to calls by code.
     pub fn has_parameter(&self, number: u32) -> bool {
         let within = |first: u32, step: u32, count: u32| {
             let behind = number.wrapping_sub(first);
@@ -170,12 +169,12 @@ impl Macros {
         })
     }
 
-    /// The codes that call macros under these parameters (number and value); of two settings of a parameter the later one holds.
+    /// Codes bound to programs by these parameters (number and value). Of two values for one parameter the later one counts.
     pub fn calls(&self, set: &[(u32, u32)]) -> Vec<CodeCall> {
         let value = |parameter: u32| set.iter().rev().find(|(number, _)| *number == parameter).map(|(_, value)| *value);
         let mut calls = Vec::new();
         let mut bind = |letter: Address, code: Option<u32>, kind: CallKind, program: Option<u32>| {
-            // A code 0 is a parameter that is not set.
+            // Parameter value 0: no code is bound.
             if let (Some(code @ 1..), Some(program @ 1..)) = (code, program) {
                 let code = if letter == Address::M { CodeId::M(code) } else { CodeId::g(code) };
                 calls.push(CodeCall { code, kind, program });

@@ -1,4 +1,4 @@
-//! The table of all switches: id, type, options by id. Rows name them by type, so a misspelled switch or option does not compile.
+//! The table of all switches: id, type, options by id. Rows use the types, so a misspelled switch or option does not compile.
 
 /// A possible setting of a switch, for lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,7 +68,7 @@ macro_rules! switches {
             }
         )+
 
-        /// Which point a switch settles, with the options that a control offers, the default first; of a text its default.
+        /// A switch of a control with the offered options, the default first, or with the default text of a text switch.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub enum SwitchKind {
             $(
@@ -106,7 +106,7 @@ macro_rules! switches {
                 }
             }
 
-            /// Ids and labels of the options; none of a text.
+            /// Ids and labels of the options; empty for a text switch.
             pub(super) fn options(&self) -> Vec<SwitchOption> {
                 match self {
                     $( SwitchKind::$kind(options) => options.iter().map(|option| option.option()).collect(), )+
@@ -128,7 +128,7 @@ macro_rules! switches {
         }
 
         impl<'a> Settings<'a> {
-            /// The settings: each switch of a control with what is set.
+            /// Collects the settings from a control's switches and their setting texts.
             pub(super) fn new(set: impl Iterator<Item = (SwitchKind, &'a str)>) -> Settings<'a> {
                 let mut settings = Settings::default();
                 for (kind, setting) in set {
@@ -143,36 +143,36 @@ macro_rules! switches {
     };
 }
 
-/// The option of an id.
+/// The option with an id.
 fn chosen<C: SwitchChoice>(options: &[C], id: &str) -> Option<C> {
     options.iter().copied().find(|option| option.option().id == id)
 }
 
 switches! {
     choices {
-        /// A coordinate without a point.
+        /// Unit of a coordinate without a decimal point.
         decimal_point: DecimalPoint = "decimal-point" { Millimetres = "millimetres", Increments = "increments" }
-        /// A macro argument without a point.
+        /// Unit of a macro argument without a decimal point.
         argument_point: ArgumentPoint = "argument-point" { AsWritten = "as-written", Increments = "increments" }
-        /// A value that a program writes to a tool or work offset.
+        /// Unit of a value that a program writes to a tool or work offset.
         offset_values: OffsetValues = "offset-values" { AsWritten = "as-written", Increments = "increments" }
-        /// A point behind a variable, `X#107.`.
+        /// Reading of a decimal point behind a variable, `X#107.`.
         point_behind_variable: PointBehindVariable = "point-behind-variable" { Alarm = "alarm", Ignored = "ignored" }
-        /// Assignments in a block.
+        /// Maximum assignments in a block.
         assignments: Assignments = "assignments" { One = "one", Several = "several" }
-        /// A formula behind an address, `X#100+10`.
+        /// Brackets around a formula behind an address, `X#100+10`.
         word_formula: WordFormula = "word-formula" { AsIs = "as-is", InBrackets = "in-brackets" }
-        /// `IF [ ] THEN`.
+        /// Whether `IF [ ] THEN` is read.
         if_then: IfThen = "if-then" { Alarm = "alarm", Read = "read" }
-        /// `MOD`.
+        /// Whether `MOD` is read.
         modulo: Modulo = "modulo" { Alarm = "alarm", Read = "read" }
-        /// `ROUND` behind an address, `X[ROUND[#1]]`.
+        /// Rounding step of `ROUND` behind an address, `X[ROUND[#1]]`.
         round_in_word: RoundInWord = "round-in-word" { WholeNumber = "whole-number", AddressStep = "address-step" }
-        /// Digits of a number at most.
+        /// Maximum digits of a number.
         number_digits: NumberDigits = "number-digits" { Twelve = "12", Eight = "8" }
         /// Words of X count diameters or radii.
         diameter: Diameter = "diameter" { Diameter = "diameter", Radius = "radius" }
-        /// M codes of a block beyond the first.
+        /// Effect of M codes beyond the first in a block.
         m_codes: MCodes = "m-codes" { Alarm = "alarm", LastActs = "last-acts", LastThreeAct = "last-three-act" }
         /// Dimensions after power-on.
         startup_distance: StartupDistance = "startup-distance" { G90 = "G90", G91 = "G91" }
@@ -182,9 +182,9 @@ switches! {
         startup_feed: StartupFeed = "startup-feed" { G94 = "G94", G95 = "G95", G98 = "G98", G99 = "G99" }
         /// Exact stop or continuous path after power-on.
         startup_path: StartupPath = "startup-path" { G60 = "G60", G64 = "G64" }
-        /// `E` of a thread.
+        /// Meaning of `E` in thread cutting.
         thread_e: ThreadE = "thread-e" { ThreadsPerInch = "threads-per-inch", Lead = "lead" }
-        /// `F0`.
+        /// Effect of `F0`.
         feed_zero: FeedZero = "feed-zero" { Alarm = "alarm", Rapid = "rapid" }
         /// Ranges of the results of ATAN and ASIN, in degrees.
         angle_range: AngleRange = "angle-range" {
@@ -193,37 +193,37 @@ switches! {
             AtanHalfTurnAsinAroundZero = "atan-minus-180-to-180-asin-minus-90-to-90",
             AtanHalfTurnAsinAroundHalfTurn = "atan-minus-180-to-180-asin-90-to-270",
         }
-        /// `G50 S` and the present position.
+        /// Effect of `G50 S` on the coordinate system.
         speed_limit_sets_zero: SpeedLimitSetsZero = "speed-limit-sets-zero" {
             ReferencePoint = "reference-point", WorkZero = "work-zero", Nothing = "nothing",
         }
-        /// The start of a cut and the spindle's speed.
+        /// Wait of a cut for the spindle speed.
         speed_reached: SpeedReached = "speed-reached" { NoWait = "no-wait", Wait = "wait" }
-        /// Spindle override and limits of the speed.
+        /// Order of spindle override and speed limits.
         override_order: OverrideOrder = "override-order" { BeforeLimits = "before-limits", BehindLimits = "behind-limits" }
-        /// `M05` beside a motion.
+        /// Time of `M05` in a block with motion.
         m5_timing: M5Timing = "m5-timing" { End = "end", Before = "before" }
         /// The analog output at `M05`.
         volts_at_stop: VoltsAtStop = "volts-at-stop" { Kept = "kept", Off = "off" }
         /// The analog output at emergency stop.
         volts_at_emergency_stop: VoltsAtEmergencyStop = "volts-at-emergency-stop" { Kept = "kept", Off = "off" }
-        /// `M04` while a machine's PLC puts out `M03`, or `M03` while `M04`.
+        /// Effect of `M04` while the machine's PLC puts out `M03`, and of `M03` while it puts out `M04`.
         reversal: Reversal = "m03-m04" { Alarm = "alarm", TurnsBack = "turns-back" }
         /// The spindle at reset.
         spindle_at_reset: SpindleAtReset = "spindle-at-reset" { Stops = "stops", Turns = "turns" }
         /// The spindle at `M02` and `M30`.
         spindle_at_end: SpindleAtEnd = "spindle-at-end" { Turns = "turns", Stops = "stops" }
-        /// `S` with decimals.
+        /// Rounding of `S` with decimals.
         spindle_word: SpindleWord = "spindle-word" { Round = "round", Truncate = "truncate" }
-        /// Number shown for a user alarm n: this and n.
+        /// Offset from the programmed number of a user alarm to the displayed number.
         user_alarm_base: UserAlarmBase = "user-alarm-base" {
             From5900 = "5900", From500 = "500", From3000 = "3000", From0 = "0",
         }
         /// Common variables (`#100` to `#199`) at reset.
         common_at_reset: CommonAtReset = "common-at-reset" { Kept = "kept", Vacant = "vacant" }
-        /// Locals of a macro call without an argument.
+        /// Local variables of a macro call that passes no argument for them.
         locals_of_calls: LocalsOfCalls = "locals-of-calls" { Vacant = "vacant", Kept = "kept" }
-        /// Feed override and axes that the PMC turns.
+        /// Effect of the feed override on axes moved by the PMC.
         pmc_override: PmcOverride = "pmc-override" { ActsNot = "acts-not", Acts = "acts" }
         /// `#3004` bit 1 switches the cutting override off.
         override_suppression: OverrideSuppression = "override-suppression" { Yes = "yes", No = "no" }
@@ -231,67 +231,68 @@ switches! {
         macro_input_base: MacroInputBase = "macro-input-base" {
             R72 = "R72", R172 = "R172", R24 = "R24", R124 = "R124", R6436 = "R6436",
         }
-        /// Common variables that are fitted, by number of sets.
+        /// Number of common variable sets fitted.
         common_variables: CommonVariables = "common-variables" {
             Sets100 = "100-sets", Sets200 = "200-sets", Sets300 = "300-sets", Sets600 = "600-sets",
         }
-        /// R parameters that are fitted, by number.
+        /// Number of R parameters fitted.
         r_parameters: RParameters = "r-parameters" { All300 = "300", All250 = "250" }
-        /// LIMS under G97.
+        /// Effect of LIMS under G97.
         limit_in_g97: LimitInG97 = "lims-in-g97" { No = "no", Yes = "yes" }
-        /// G25 above G26: the limit that holds.
+        /// Limit that wins when G25 is above G26.
         crossed_limits: CrossedLimits = "crossed-limits" { UpperHolds = "upper-holds", LowerHolds = "lower-holds" }
         /// G96 sets the speed at once.
         g96_at_once: G96AtOnce = "g96-apply-at-activation" { Yes = "yes", No = "no" }
-        /// Rapids under G96 that set the speed of the cut behind them: those before a cutting block, or before the next motion that cuts.
+        /// Rapids under G96 that already set the speed of the following cut: the rapid directly before a cutting block, or before the next
+        /// motion if that is a cut.
         rapid_look_ahead: RapidLookAhead = "rapid-look-ahead" { NextBlock = "next-block", NextMotion = "next-motion" }
         /// The spindle speed in a rapid under G96.
         speed_in_rapid: SpeedInRapid = "speed-in-rapid" { Kept = "kept", OfEnd = "of-end" }
         /// The offset of the analog output at speed 0, after power-on and at S0.
         offset_at_rest: OffsetAtRest = "offset-at-rest" { Off = "off", PutOut = "put-out" }
-        /// TRANS on X under G96 that counts as small.
+        /// Largest TRANS on X that counts as small under G96.
         small_offset: SmallOffset = "small-offset" { Tenth = "tenth", Half = "half", Nothing = "nothing" }
-        /// S behind G94 and G95 that end G96.
+        /// Spindle speed after G94 or G95 without S ends G96.
         feed_code_without_s: FeedCodeWithoutS = "g9x-without-s" { LastProgrammed = "last-programmed", Hold = "hold" }
-        /// S given by hand while the program runs.
+        /// Effect of a manual S while the program runs.
         manual_s: ManualS = "manual-s" { Refused = "refused", Taken = "taken" }
         /// Positions of the spindle override.
         spindle_knob: SpindleKnob = "spindle-knob" { From0To200 = "0-to-200", From50To120 = "50-to-120" }
-        /// SPOS outside 0 to 359.999.
+        /// Effect of SPOS outside 0 to 359.999.
         spos_out_of_range: SposOutOfRange = "spos-out-of-range" { Alarm = "alarm", Modulo = "modulo" }
-        /// M2 and M30 in a subprogram.
+        /// Effect of M2 and M30 in a subprogram.
         end_in_subprogram: EndInSubprogram = "end-in-subprogram" { Return = "return", EndProgram = "end-program" }
-        /// Levels of programs, the main one included.
+        /// Maximum program levels, main program included.
         subprogram_levels: SubprogramLevels = "subprogram-levels" { Eight = "8", Sixteen = "16" }
-        /// Coordinates that may not leave the range of words.
+        /// Coordinates that are checked against the range of words.
         coordinate_range: CoordinateRange = "coordinate-range" {
             Program = "program", Machine = "machine", NoAlarm = "no-alarm",
         }
-        /// G25 and G26 with axes.
+        /// Effect of G25 and G26 with axes.
         working_area: WorkingArea = "working-area" { Limit = "limit", NoLimit = "no-limit" }
-        /// Characters of a label at most.
+        /// Maximum characters of a label.
         label_length: LabelLength = "label-length" { Eight = "8", ThirtyTwo = "32" }
-        /// Characters of a block at most.
+        /// Maximum characters of a block.
         block_length: BlockLength = "block-length" { Chars200 = "200", Chars512 = "512" }
-        /// GOTOF and GOTOB to block numbers.
+        /// Whether GOTOF and GOTOB accept block numbers.
         block_number_jumps: BlockNumberJumps = "block-number-jumps" { No = "no", Yes = "yes" }
-        /// Characters of comments, in the bytes that the control reads.
+        /// Character encoding of comments on the control.
         comment_characters: CommentCharacters = "comment-characters" { Ascii = "ascii", Gbk = "gbk", Utf8 = "utf-8" }
-        /// G22 and G23.
+        /// Meaning of G22 and G23.
         codes_g22_g23: CodesG22G23 = "codes-g22-g23" { Alarm = "alarm", RadiusAndDiameter = "radius-and-diameter" }
     }
     texts {
-        /// Parameters of calls by code, for instance `4120=512 4121=502`.
+        /// Parameters that bind codes to programs, for instance `4120=512 4121=502`.
         call_parameters: CallParameters = "call-parameters";
         /// Letters of rotary axes, for instance `Y`.
         rotary_axes: RotaryAxes = "rotary-axes";
-        /// M code that locks the spindle at its angle, for instance `M81`; empty: any M code of the builder.
+        /// M code that locks the spindle at its angle, for instance `M81`; empty: any M code of the machine builder.
         spindle_lock: SpindleLock = "spindle-lock";
         /// M code that starts a driven tool, for instance `M24`; empty: none.
         driven_tool: DrivenTool = "driven-tool";
-        /// Reference points, where G74 goes, for instance `X300 Z500`; else 0.
+        /// Reference points, the target of G74, for instance `X300 Z500`; axes not named are at 0.
         reference_point: ReferencePoint = "reference-point";
-        /// Fixed point, where G75 goes, for instance `X300 Z500`; else 0.
+        /// Fixed point, the target of G75, for instance `X300 Z500`; axes not named are at 0.
         fixed_point: FixedPoint = "fixed-point";
     }
 }

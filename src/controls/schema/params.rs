@@ -3,26 +3,26 @@
 use super::table::{Key, text_key};
 use crate::text::{Citation, Phrase};
 
-/// What a parameter is for, independent of its number.
+/// Purpose of a parameter, independent of its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ParamRole {
-    /// How many spindles there are; whether there is a single one.
+    /// Number of spindles; as yes or no: a single spindle.
     SpindleCount,
-    /// How the spindle is connected; whether by analog output.
+    /// Connection of the spindle; as yes or no: by analog output.
     SpindleConnection,
     /// Spindle speed at full analog output, first gear.
     SpindleLimit,
     /// Spindle speed at full analog output, gear 2 and up.
     SpindleGear(u8),
-    /// What is added to the analog output at standstill.
+    /// Offset of the analog output at standstill.
     SpindleOffsetZero,
-    /// What is added to the analog output at its rated speed, or its gain there.
+    /// Offset of the analog output at rated speed, or its gain there.
     SpindleOffsetRated,
-    /// Analog output while gears are shifted.
+    /// Analog output during a gear change.
     SpindleShiftVolts,
     /// Whether cuts wait until the spindle has reached its speed.
     SpindleReached,
-    /// How long after a new speed that is looked at.
+    /// Delay between a new speed command and the speed-reached check.
     SpindleReachedDelay,
     /// Spindle speed clamp, first gear.
     SpindleMaximum,
@@ -30,39 +30,39 @@ pub enum ParamRole {
     SpindleMinimum,
     /// Whether the output is never negative.
     SpindleUnipolar,
-    /// Part of the full output at the speed of [`SpindleLimit`](ParamRole::SpindleLimit).
+    /// Analog output as a fraction of full output at the speed of [`SpindleLimit`](ParamRole::SpindleLimit).
     SpindleRatedVolts,
-    /// Turns of the motor in the ratio of a gear stage.
+    /// Motor turns in the gear ratio of a gear stage.
     SpindleRatioMotor,
-    /// Turns of the spindle in the ratio of a gear stage.
+    /// Spindle turns in the gear ratio of a gear stage.
     SpindleRatioSpindle,
-    /// Highest spindle speed of a gear stage, behind the gear.
+    /// Maximum spindle speed of a gear stage.
     SpindleStageMaximum,
-    /// Part of a speed within which it counts as reached.
+    /// Fraction of the commanded speed within which the speed counts as reached.
     SpindleTolerance,
-    /// Lowest speed that the operator and the program may set.
+    /// Lowest spindle speed limit by operator or program.
     SpindleLowerSet,
-    /// Highest speed that the operator and the program may set.
+    /// Highest spindle speed limit by operator or program.
     SpindleUpperSet,
     /// Highest speed under constant surface speed.
     SpindleSurfaceLimit,
-    /// Speed at which the spindle goes to an angle.
+    /// Spindle speed for positioning.
     PositioningSpeed,
-    /// Acceleration with which it does.
+    /// Spindle acceleration for positioning.
     PositioningAcceleration,
-    /// Which way it looks for its zero mark; whether clockwise.
+    /// Direction of the search for the spindle's zero mark; as yes or no: clockwise.
     PositioningClockwise,
     /// Whether gears are shifted by M codes.
     GearShift,
-    /// Time until the old gear goes out.
+    /// Time until the old gear disengages.
     GearShiftBefore,
-    /// Time until the voltage of the speed stands behind the new gear.
+    /// Time between the new gear and the voltage of the commanded speed.
     GearShiftAfter,
-    /// Whether M05 beside a motion stops the spindle at its end.
+    /// Whether M05 in a block with motion stops the spindle at the end of the motion.
     StopLast,
     /// Whether the output goes to 0 V at M05.
     VoltsOffAtStop,
-    /// Whether the spindle turns through a reset.
+    /// Whether the spindle keeps turning at reset.
     TurnsThroughReset,
     /// Whether a spindle encoder is fitted.
     SpindleEncoder,
@@ -72,39 +72,39 @@ pub enum ParamRole {
     AxisRapid,
     /// Cutting feed clamp of an axis.
     AxisClamp,
-    /// Kind of acceleration of an axis; whether linear.
+    /// Kind of acceleration of an axis; as yes or no: linear.
     AxisAcceleration,
     /// Time constant of linear acceleration for cutting feed.
     AxisTimeConstant,
     /// Position gain of an axis.
     AxisPositionGain,
-    /// Soft limits of an axis; whether there are any.
+    /// Soft limits of an axis; as yes or no: there are any.
     AxisSoftLimits,
     /// In-position width.
     AxisInPosition,
     /// Rotary axis.
     AxisRotary,
-    /// Whether the coordinates of a rotary axis begin anew with each turn: the axis is endless.
+    /// Whether the coordinates of a rotary axis restart with each turn, for an endless axis.
     AxisRollOver,
-    /// Whether its displays do so, too.
+    /// Whether the displayed coordinates restart, too.
     AxisRollDisplay,
-    /// Whether absolute words of such an axis take the shorter way.
+    /// Whether absolute words of an endless rotary axis take the shorter way.
     AxisShortWay,
-    /// Units of a turn behind which they begin anew.
+    /// Units per turn, after which the coordinates restart.
     AxisTurn,
     /// Travel per turn of screw or roller.
     Lead,
-    /// The same in whole millimetres.
+    /// Travel per turn of screw or roller in whole millimetres.
     WholeLead,
     /// Turns of screw or roller in the ratio of the gear.
     LoadTurns,
-    /// Turns of the motor in it.
+    /// Motor turns in the ratio of the gear.
     MotorTurns,
-    /// Counts of the encoder per turn of the motor.
+    /// Encoder counts per motor turn.
     EncoderCounts,
     /// Numerator of the ratio of encoder counts to output units.
     CountsOver,
-    /// Its denominator.
+    /// Denominator of the ratio of encoder counts to output units.
     CountsUnder,
     /// Command units to detection units.
     CommandMultiplier,
@@ -112,13 +112,13 @@ pub enum ParamRole {
     ReferenceCounts,
     /// Numerator of the ratio of detection units to counts.
     FeedGearOver,
-    /// Its denominator.
+    /// Denominator of the ratio of detection units to counts.
     FeedGearUnder,
-    /// Command unit; whether 0.001 mm.
+    /// Command unit; as yes or no: 0.001 mm.
     CommandUnit,
     /// Meaning of a word without a decimal point.
     DecimalPoint,
-    /// Whether F with one digit is a stored feed.
+    /// Whether a one-digit F selects a stored feed.
     FeedOneDigit,
     /// Check method of exact stop.
     ExactStopCheck,
@@ -126,7 +126,7 @@ pub enum ParamRole {
     VariablesAtReset,
     /// Common variables emptied at power-on.
     VariablesAtPowerOn,
-    /// Protection of the program numbers of the builder.
+    /// Edit protection for the machine builder's program numbers.
     EditLock,
     /// Macro blocks stop in single block.
     MacroSingle,
@@ -135,36 +135,36 @@ pub enum ParamRole {
 /// A parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParamDef {
-    /// What it is for.
+    /// Purpose of the parameter.
     pub role: ParamRole,
-    /// Number as it is written, for instance `#3001`.
+    /// Number in the control's spelling, for instance `#3001`.
     pub number: &'static str,
     /// Short name on the screen, for instance `slimt1`.
     pub name: &'static str,
     /// Unit, or empty.
     pub unit: &'static str,
-    /// What it does.
+    /// Description.
     pub text: Phrase,
-    /// Where it answers a question: what is written for yes and for no.
+    /// Values for yes and no, for roles that are a question.
     pub answers: (&'static str, &'static str),
-    /// For an axis whose words count diameters its value does so, too.
+    /// The value counts diameters for an axis whose words do.
     pub diameter: bool,
     /// Source and grade.
     pub cite: Citation,
 }
 
 impl ParamDef {
-    /// The row of a parameter that counts diameters where words do.
+    /// The row, with a value that counts diameters for an axis whose words do.
     pub(in crate::controls) const fn in_diameters(self) -> ParamDef {
         ParamDef { diameter: true, ..self }
     }
 
-    /// The row with other answers than 1 for yes and 0 for no.
+    /// The row, with values for yes and no other than 1 and 0.
     pub(in crate::controls) const fn answered(self, yes: &'static str, no: &'static str) -> ParamDef {
         ParamDef { answers: (yes, no), ..self }
     }
 
-    /// What is written for yes or no.
+    /// Parameter value for yes or no.
     pub fn answer(&self, yes: bool) -> &'static str {
         if yes { self.answers.0 } else { self.answers.1 }
     }
@@ -183,15 +183,15 @@ pub(in crate::controls) const fn param(
 }
 
 impl ParamDef {
-    /// Whether its table is sorted, for searches by halves.
+    /// Whether the table is sorted, for binary search.
     pub const SORTED: bool = false;
 
-    /// What the row is about, for tables that are made of a family's rows and a control's own.
+    /// Key for replacing a family's row by the control's own row of the same number.
     pub const fn key(&self) -> Key {
         text_key(self.number.as_bytes())
     }
 
-    /// The key of the row that a list names by its number.
+    /// The key of an entry in a row list, by parameter number.
     pub const fn listed_key(word: &[u8]) -> Key {
         text_key(word)
     }

@@ -1,102 +1,103 @@
-//! How a control commands its spindle: what S, M3, constant surface speed and limits do on it.
+//! Spindle rules of a control: effects of S, M3, constant surface speed and limits.
 
 use crate::drives::speed::Steps;
 use crate::text::Citation;
 
-/// The speed in a rapid under constant surface speed.
+/// Spindle speed in a rapid under constant surface speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RapidSpeed {
-    /// That of its end, from its beginning on.
+    /// From the start of the rapid, the speed for its end point.
     OfEnd,
-    /// Unchanged, unless the next block is a cut: then that of its end, as soon as that block is read.
+    /// Unchanged, unless the next block is a cut: then the speed for the rapid's end point, as soon as that block is read.
     BeforeCutBlock,
-    /// Unchanged, unless the next motion is a cut, blocks without motion between them: then that of its end, as soon as the cut is read.
+    /// Unchanged, unless the next motion is a cut (blocks without motion may come between): then the speed for the rapid's end point, as
+    /// soon as the cut is read.
     BeforeCut,
-    /// Unchanged: the speed follows the axis in cuts alone.
+    /// Unchanged: the speed follows the position in cuts only.
     Kept,
 }
 
-/// What an upper limit by G50 S does besides with the position.
+/// Effect of an upper limit by G50 S on the coordinate system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LimitPlace {
     /// Nothing.
     Nothing,
-    /// The present position is the reference point of the program from now on; coordinates stay.
+    /// The present position becomes the program's reference point; coordinates stay.
     ReferencePoint,
-    /// The present position is work zero from now on.
+    /// The present position becomes work zero.
     WorkZero,
 }
 
-/// Rules of the spindle. Flags name what happens where they are set.
+/// Spindle rules of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpindleRules {
-    /// The voltage of S stands without M03 and M04, and through reset and emergency stop; contacts switch the drive.
+    /// The analog output follows S even without M03 and M04, and through reset and emergency stop; contacts switch the drive.
     pub volts_stay: bool,
-    /// The offset of the output at speed 0 is put out at S0 and after power-on too; else these are 0 V.
+    /// The analog output carries its speed-0 offset at S0 and after power-on too; otherwise it is 0 V then.
     pub offset_at_rest: bool,
-    /// Rapids under constant surface speed.
+    /// Spindle speed in rapids under constant surface speed.
     pub rapid: RapidSpeed,
-    /// G96 sets the speed for where the tool is at once, not with the next cut.
+    /// G96 sets the speed for the present tool position at once, not with the next cut.
     pub surface_at_once: bool,
-    /// The upper limit of constant surface speed holds constant speeds too.
+    /// The upper limit of constant surface speed limits constant speeds too.
     pub surface_limit_stays: bool,
-    /// G96 counts feed per revolution.
+    /// G96 switches to feed per revolution.
     pub surface_per_revolution: bool,
     /// G94 and G95 end constant surface speed.
     pub feed_ends_surface: bool,
-    /// Where they do, the last S in r/min is in force again; else the spindle keeps its speed.
+    /// When a feed code ends constant surface speed, the last S in r/min is in force again; otherwise the spindle keeps its speed.
     pub last_speed_back: bool,
-    /// Least and largest cutting speed behind S in m/min; `None` where S has the same range as always.
+    /// Range of the cutting speed S in m/min; `None`: the usual range of S.
     pub surface_range: Option<(f64, f64)>,
-    /// Distance (mm) of work zero from the turning centre up to which constant surface speed counts as exact enough.
+    /// Largest distance (mm) of work zero from the turning centre that counts as small under constant surface speed.
     pub small_offset: f64,
-    /// What G50 S does with the position.
+    /// Effect of G50 S on the coordinate system.
     pub limit_place: LimitPlace,
-    /// The override acts behind the limits, not before them.
+    /// The override applies after the limits, not before them.
     pub override_last: bool,
-    /// The spindle override acts on threads.
+    /// The spindle override applies to threads.
     pub thread_override: bool,
-    /// Emergency stop takes S away, and with it the voltage.
+    /// Emergency stop clears S, and with it the analog output.
     pub emergency_clears: bool,
-    /// A cut begins when the speed is within this part of what is commanded, for instance 0.1; `None`: at once.
+    /// Speed tolerance for the start of a cut, as a fraction of the commanded speed, for instance 0.1; `None`: cuts do not wait.
     pub reached: Option<f64>,
-    /// M05 beside a motion acts at its end.
+    /// M05 in a block with motion acts at the end of the motion.
     pub stop_last: bool,
-    /// The spindle goes on through reset.
+    /// The spindle keeps turning at reset.
     pub turns_through_reset: bool,
-    /// M19 is the control's own positioning at 0°, not the PLC's.
+    /// M19 is the control's own positioning at 0°; otherwise the PLC positions.
     pub orients: bool,
-    /// Angles beyond a turn are taken back into it; else they are an alarm.
+    /// Spindle angles beyond a turn are taken modulo 360°; otherwise they are an alarm.
     pub angle_wraps: bool,
-    /// M02 and M30 stop the spindle and leave S0.
+    /// M02 and M30 stop the spindle and set S0.
     pub end_stops: bool,
-    /// S given by hand acts while the program runs; else it is refused.
+    /// A manual S acts while the program runs; otherwise it is refused.
     pub manual_in_automatic: bool,
     /// Positions of the override knob.
     pub knob: Steps,
-    /// Millivolts that the parameters of the output's offsets may be, at speed 0 and at full output; `None` where no row has them.
+    /// Ranges in millivolts of the output offset parameters, at speed 0 and at full output; `None` if unknown.
     pub offsets: Option<[(f64, f64); 2]>,
-    /// Speeds at full output that a gear stage may have, in r/min; `None` where no row says.
+    /// Range of the speed at full output of a gear stage, in r/min; `None` if unknown.
     pub stage_speeds: Option<(f64, f64)>,
-    /// The lowest speed of the machine's data holds constant speeds too, not only those of a surface speed.
+    /// The minimum speed of the machine data applies to constant speeds too, not only under constant surface speed.
     pub low_always: bool,
-    /// A lower limit above the upper one (G25 above G26) holds the speed; else the upper one does.
+    /// If the lower limit (G25) is above the upper one (G26), the lower one wins; otherwise the upper one.
     pub lower_wins: bool,
-    /// The analog output may carry the direction as its sign (±10 V).
+    /// The sign of the analog output (±10 V) may give the direction.
     pub signed_output: bool,
-    /// M04 while the PLC puts out M03, or the other way round, is an alarm of the PLC: M05 has to come between.
+    /// M04 while the PLC puts out M03, and M03 while it puts out M04, are a PLC alarm: M05 has to come between.
     pub stop_between: bool,
-    /// M code of the machine builder that locks the spindle at an angle; `None`: any code of his is taken for it.
+    /// M code of the machine builder that locks the spindle at an angle; `None`: any of the builder's M codes may do so.
     pub lock: Option<u32>,
-    /// M code of the machine builder that starts a driven tool; `None`: only another spindle is one.
+    /// M code of the machine builder that starts a driven tool; `None`: only a second spindle is a driven tool.
     pub driven_tool: Option<u32>,
     /// Source and grade.
     pub cite: Citation,
 }
 
-/// The override switch of machine control panels.
+/// Override switch of SINUMERIK machine control panels.
 pub(super) const PANEL: Steps = Steps { low: 50.0, high: 120.0, step: 5.0 };
 
-/// Part of the speed within which it counts as reached, where the drive's own signal tells the control.
+/// Fraction of the speed within which it counts as reached, if the drive's own signal reports it to the control.
 /// Source: `reference/sinumerik-802d.md` section 3.2 (MD35150).
 pub(crate) const REACHED: f64 = 0.1;

@@ -1,18 +1,18 @@
-//! `Switch`: a point that the manuals leave open, its possible settings, its default, and the evidence for that.
+//! `Switch`: a point that the manuals leave open, its possible settings, its default, and the evidence for the default.
 
 use super::options::{SwitchKind, SwitchOption};
 use super::table::{Key, text_key};
 use crate::text::Citation;
 use crate::text::catalog::words;
 
-/// A point of a control that is not known for certain; the user may set it.
+/// A point of a control that is not certain; the user may set it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Switch {
-    /// Which point it is, with the options that this control offers, the default first; or the default of a text.
+    /// The point, with the options on this control, the default first, or with the default of a text.
     pub kind: SwitchKind,
     /// Catalog id of its label.
     pub label: &'static str,
-    /// Number of the control's own parameter that decides the point, for instance `1006#3`; empty where none is known.
+    /// Number of the control's own parameter for the point, for instance `1006#3`; empty if unknown.
     pub parameter: &'static str,
     /// Source and grade of the default.
     pub cite: Citation,
@@ -27,13 +27,13 @@ pub const fn switch(kind: SwitchKind, cite: Citation) -> Switch {
 }
 
 impl Switch {
-    /// The same with the number of the control's own parameter.
+    /// The switch, with the number of the control's own parameter.
     pub const fn parameter(mut self, number: &'static str) -> Switch {
         self.parameter = number;
         self
     }
 
-    /// The same with a label of its own, by catalog id.
+    /// The switch, with another label (catalog id).
     pub const fn label(mut self, label: &'static str) -> Switch {
         self.label = label;
         self
@@ -44,13 +44,13 @@ impl Switch {
         self.kind.id()
     }
 
-    /// Its label, with the control's own parameter.
+    /// The label, with the control's own parameter.
     pub fn text(&self) -> String {
         let label = words(self.label);
         if self.parameter.is_empty() { label.to_owned() } else { format!("{label} ({})", words(self.parameter)) }
     }
 
-    /// Options by id and catalog id of their label, the default first; none where the setting is free text.
+    /// Options by id and catalog id of their label, the default first; empty for free text.
     pub fn options(&self) -> Vec<SwitchOption> {
         self.kind.options()
     }
@@ -65,7 +65,7 @@ impl Switch {
         self.kind.is_text()
     }
 
-    /// Whether this can be its setting: the id of an option, or a text of printable ASCII.
+    /// Whether the switch accepts a setting: the id of an option, or a text of printable ASCII.
     pub fn takes(&self, setting: &str) -> bool {
         if self.is_text() {
             return setting.len() <= TEXT && setting.bytes().all(|b| b.is_ascii_graphic() || b == b' ');
@@ -79,13 +79,13 @@ impl Switch {
 pub struct Switches(pub Vec<(String, String)>);
 
 impl Switches {
-    /// The setting of a switch: what was chosen, or its default.
+    /// Present setting of a switch, or its default.
     pub fn setting<'a>(&'a self, row: &Switch) -> &'a str {
         let set = self.0.iter().find(|(id, _)| id == row.id()).map(|(_, setting)| setting.as_str());
         set.filter(|setting| row.takes(setting)).unwrap_or(row.default())
     }
 
-    /// Sets a switch; its default is not kept as a setting.
+    /// Sets a switch. Setting the default removes the entry.
     pub fn set(&mut self, row: &Switch, setting: &str) {
         self.0.retain(|(id, _)| id != row.id());
         if setting != row.default() {
@@ -95,15 +95,15 @@ impl Switches {
 }
 
 impl Switch {
-    /// Whether its table is sorted, for searches by halves.
+    /// Whether the table is sorted, for binary search.
     pub const SORTED: bool = false;
 
-    /// The id, for tables that are made of a family's rows and a control's own.
+    /// Key for replacing a family's row by the control's own row of the same id.
     pub const fn key(&self) -> Key {
         text_key(self.kind.id().as_bytes())
     }
 
-    /// The key of the row that a list names by its id.
+    /// The key of an entry in a row list, by switch id.
     pub const fn listed_key(word: &[u8]) -> Key {
         text_key(word)
     }

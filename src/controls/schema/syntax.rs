@@ -1,9 +1,9 @@
-//! How a program is written for a control.
+//! Spelling, characters and file form of programs.
 
 use super::address::{Address, AddressSet};
 use crate::text::Citation;
 
-/// What round brackets mean.
+/// Meaning of round brackets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RoundBrackets {
     /// `( … )` is a comment, ended by the first `)`; `;` ends a block.
@@ -12,7 +12,7 @@ pub enum RoundBrackets {
     Group,
 }
 
-/// How many numbers the arc tangent takes.
+/// Operands of the arc tangent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArcTangent {
     /// One: `ATAN[y/x]`.
@@ -35,46 +35,46 @@ impl ArcTangent {
     }
 }
 
-/// Where a file has its `%`.
+/// Position of the `%` in a program file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Percent {
     /// In its first and its last line.
     Both,
     /// In its last line only.
     End,
-    /// In front of the name of a program, in its first line.
+    /// In the first line, in front of the program name.
     Head,
 }
 
-/// What a language has in which programs, labels, codes and addresses carry names.
+/// Spelling rules of a language with named programs, labels, codes and addresses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Names {
     /// Addresses of several letters with their codes.
     pub addresses: &'static [(&'static str, Address)],
-    /// Codes that are names, in the order of the numbers that stand for them.
+    /// Codes that are names; a code's index is its number in [`Address::Name`] words.
     pub codes: &'static [&'static str],
-    /// The one of them behind which stands a number: cycles.
+    /// Name of the cycles, followed by a number: `CYCLE` of `CYCLE95`.
     pub cycle: &'static str,
-    /// Addresses that can be extended by a number: `S1=500`.
+    /// Addresses that allow an extension number: `S1=500`.
     pub extended: AddressSet,
-    /// Statements of the maker's other controls.
+    /// Statements known only to other controls of the maker.
     pub foreign: &'static [&'static str],
-    /// What makes a name a subprogram's in its head, and a main program's: endings and directories.
+    /// Endings and directories of program names, main program first, then subprogram: `MPF`, `SPF`.
     pub endings: [&'static str; 2],
-    /// Letters of a program name that is a number.
+    /// Letters in front of a numeric program name.
     pub numbered: &'static [&'static str],
-    /// Characters of a program name.
+    /// Maximum characters of a program name.
     pub program_chars: usize,
-    /// Characters of a label at least.
+    /// Minimum characters of a label.
     pub label_least: usize,
-    /// Largest whole number without a point.
+    /// Largest whole number written without a decimal point.
     pub whole_max: i64,
-    /// Auxiliary words of a block: M, H, D, and all together.
+    /// Maximum auxiliary words of a block: M, H, D, and all together.
     pub auxiliary: [u8; 4],
 }
 
 impl Names {
-    /// The place of a code that is a name in capitals; a cycle has a number behind it.
+    /// Index in [`Names::codes`] of a name in capitals; the number behind a cycle name is ignored.
     pub fn code(&self, name: &str) -> Option<usize> {
         let family = name.trim_end_matches(|c: char| c.is_ascii_digit());
         let name = if family == self.cycle && family.len() < name.len() { family } else { name };
@@ -85,84 +85,84 @@ impl Names {
 /// Spelling, characters and file form of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Syntax {
-    /// Round brackets.
+    /// Meaning of round brackets.
     pub round: RoundBrackets,
-    /// What stands in front of the number of a variable.
+    /// Sign in front of a variable number.
     pub variable: char,
-    /// Names, where the language has them.
+    /// Rules for names; `None` for a language without names.
     pub names: Option<Names>,
-    /// Letter of a program number (`O`); further letters are accepted when reading.
+    /// Letter of a program number (`O`), followed by further letters accepted when reading.
     pub program_letters: &'static [u8],
-    /// Where a file has its `%`.
+    /// Position of the `%` in a program file.
     pub percent: Percent,
-    /// Digits of a sequence number at most.
+    /// Maximum digits of a sequence number.
     pub sequence_digits: u8,
-    /// Digits of a program number at most.
+    /// Maximum digits of a program number.
     pub program_digits: u8,
-    /// Characters of a block that the emitter keeps below.
+    /// Maximum characters of a block written by the emitter.
     pub block_chars: usize,
-    /// Characters of a message or comment.
+    /// Maximum characters of a message or comment.
     pub message_chars: usize,
-    /// Square brackets may be nested this deep, functions included.
+    /// Maximum nesting of square brackets, functions included.
     pub bracket_depth: u8,
     /// `IF [ ] THEN` exists.
     pub if_then: bool,
     /// `MOD` exists.
     pub modulo: bool,
-    /// Comparisons may be written as signs too: `==`, `<>`, `>`, `>=`, `<`, `<=`.
+    /// Comparisons may also be written as symbols: `==`, `<>`, `>`, `>=`, `<`, `<=`.
     pub comparison_signs: bool,
-    /// A function may do without brackets: `SIN30`, `SQRT#1`.
+    /// A function may be written without brackets: `SIN30`, `SQRT#1`.
     pub bare_functions: bool,
-    /// Numbers that the arc tangent takes.
+    /// Operands of the arc tangent.
     pub atan: ArcTangent,
-    /// `##5` is `#[#5]`.
+    /// `##5` means `#[#5]`.
     pub double_hash: bool,
-    /// `#9nnn` is `#[#nnn]`.
+    /// `#9nnn` means `#[#nnn]`.
     pub nine_hash: bool,
-    /// Where a block has the absolute and the incremental address of an axis, the absolute holds; else the later one.
+    /// Of the absolute and the incremental address of one axis in a block, the absolute counts; otherwise the later one.
     pub absolute_holds: bool,
-    /// Address of the threads per inch of a thread, beside F for its lead.
+    /// Address of the threads per inch of a thread, besides F for its lead.
     pub threads_per_inch: Option<Address>,
-    /// The lead of a thread stands behind the I, J, K of its axis; else behind F.
+    /// The lead of a thread is the I, J or K of its axis; otherwise it is F.
     pub lead_by_axis: bool,
     /// Addresses of a dwell: P in milliseconds, S in spindle revolutions, others in seconds.
     pub dwell_addresses: AddressSet,
-    /// The same address twice in a block is an alarm (G and M codes and macro arguments apart); else the last one holds.
+    /// The same address twice in a block is an alarm (except G and M codes and macro arguments); otherwise the last one counts.
     pub address_twice: bool,
-    /// Characters of a block that the control reads, without comments.
+    /// Maximum characters of a block that the control reads, without comments.
     pub block_read_chars: u32,
-    /// Words of a block that the control reads.
+    /// Maximum words of a block that the control reads.
     pub block_words: u32,
-    /// Characters of a word with a number, its letter among them.
+    /// Maximum characters of a word with a number, its letter included.
     pub word_chars: u32,
-    /// Highest number of a `DO`.
+    /// Largest number of a `DO`.
     pub do_max: u32,
-    /// `DO` … `END` may be nested this deep.
+    /// Maximum nesting of `DO` … `END`.
     pub do_depth: u8,
-    /// Functions that give random numbers, which no run here has.
+    /// Functions that give random numbers; the simulation rejects them.
     pub random: &'static [&'static str],
-    /// Function names: `(spelling, function)`; the first spelling of a function is the one that is written.
+    /// Function names: `(spelling, function)`; programs are written with a function's first spelling.
     pub functions: &'static [(&'static str, Function)],
-    /// Address letters of words besides the axes; macro calls take every letter.
+    /// Address letters besides the axes; macro calls accept every letter.
     pub addresses: AddressSet,
-    /// Addresses of whole numbers.
+    /// Addresses of integer words.
     pub integer_addresses: AddressSet,
-    /// A decimal point behind the address of a whole number is an alarm; else what stands behind it is dropped.
+    /// A decimal point behind an integer address is an alarm; otherwise the decimals are dropped.
     pub point_alarm: bool,
-    /// Addresses whose words are read in the command unit where the point is missing.
+    /// Addresses whose words without a decimal point count increments.
     pub increment_addresses: AddressSet,
-    /// Addresses that put a corner behind a straight line or an arc, with what they put there. They are not simulated.
+    /// Addresses that insert a corner after a straight line or an arc, with the kind of corner. The simulation ignores them.
     pub corners: &'static [(Address, &'static str)],
-    /// Addresses that may stand behind a comma; none of them is simulated.
+    /// Addresses allowed behind a comma; the simulation ignores them.
     pub comma_addresses: AddressSet,
-    /// Ending of a program file without the point.
+    /// Extension of a program file, without the dot.
     pub extension: &'static str,
     /// Source and grade.
     pub cite: Citation,
 }
 
 impl Syntax {
-    /// Names of programs, labels and variables, in a language that has them.
+    /// Rules for names of programs, labels and codes; `None` for a language without names.
     #[inline]
     pub const fn names(&self) -> Option<&Names> {
         self.names.as_ref()
@@ -173,7 +173,7 @@ impl Syntax {
         self.functions.iter().any(|row| row.1 == function)
     }
 
-    /// The sequence numbers that a block can have.
+    /// Range of sequence numbers: from 1, below the end.
     pub fn sequence_numbers(&self) -> core::ops::Range<f64> {
         1.0..f64::from(10_u32.pow(self.sequence_digits.min(9).into()))
     }
@@ -206,21 +206,21 @@ pub enum Function {
     Round,
     /// Square.
     Square,
-    /// Toward zero.
+    /// Round toward zero.
     Fix,
-    /// Away from zero.
+    /// Round away from zero.
     Fup,
     /// Natural logarithm.
     Ln,
     /// Exponential.
     Exp,
-    /// `POW[base,exponent]`; the tree has it as an operator of two numbers.
+    /// `POW[base,exponent]`; parsed as a binary operator.
     Power,
-    /// `ADP[#n]`: the argument in `#n` as its number was written, where it came without a decimal point.
+    /// `ADP[#n]`: argument in `#n` with the point added: `X10` passed without a decimal point counts 10 units, not 10 increments.
     AddPoint,
 }
 
-/// What a `G65 Hnn` does with its operands: P is the result, Q and R are what it is made of.
+/// Operation of `G65 Hnn`: result P, operands Q and R.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// `P = Q`.
@@ -261,26 +261,26 @@ pub enum Operation {
     Tan,
     /// `P = ATAN[Q]/[R]`.
     Atan,
-    /// Goes on at sequence number P.
+    /// Jumps to sequence number P.
     Goto,
-    /// Goes on at P if `Q = R`.
+    /// Jumps to P if `Q = R`.
     IfEqual,
-    /// Goes on at P if `Q ≠ R`.
+    /// Jumps to P if `Q ≠ R`.
     IfNotEqual,
-    /// Goes on at P if `Q > R`.
+    /// Jumps to P if `Q > R`.
     IfGreater,
-    /// Goes on at P if `Q < R`.
+    /// Jumps to P if `Q < R`.
     IfLess,
-    /// Goes on at P if `Q ≥ R`.
+    /// Jumps to P if `Q ≥ R`.
     IfGreaterEqual,
-    /// Goes on at P if `Q ≤ R`.
+    /// Jumps to P if `Q ≤ R`.
     IfLessEqual,
     /// User alarm P.
     Alarm,
 }
 
 impl Operation {
-    /// The operands that it needs: P, Q, R.
+    /// Required operands among P, Q, R.
     pub fn operands(self) -> &'static [Address] {
         use Operation::*;
         match self {
@@ -290,7 +290,7 @@ impl Operation {
         }
     }
 
-    /// Whether it goes on at the sequence number P.
+    /// Whether the operation can jump to sequence number P.
     pub fn jumps(self) -> bool {
         use Operation::*;
         matches!(self, Goto | IfEqual | IfNotEqual | IfGreater | IfLess | IfGreaterEqual | IfLessEqual)

@@ -1,8 +1,8 @@
-//! Tables made of parts when the library is compiled: the rows of a family, then those of a control.
+//! Compile-time tables: the rows of a family, extended and overridden by the rows of a control.
 
 use crate::text::Citation;
 
-/// Number of rows of all parts together.
+/// Total number of rows of all parts.
 pub const fn rows<T>(parts: &[&[T]]) -> usize {
     let mut rows = 0;
     let mut part = 0;
@@ -13,7 +13,7 @@ pub const fn rows<T>(parts: &[&[T]]) -> usize {
     rows
 }
 
-/// All rows of all parts, in their order. `N` is [`rows`]; the first part is not empty.
+/// Joins the rows of all parts in order. `N` is [`rows`]; the first part is not empty.
 pub const fn join<T: Copy, const N: usize>(parts: &[&[T]]) -> [T; N] {
     let mut table = [parts[0][0]; N];
     let (mut part, mut row, mut at) = (0, 0, 0);
@@ -30,7 +30,7 @@ pub const fn join<T: Copy, const N: usize>(parts: &[&[T]]) -> [T; N] {
     table
 }
 
-/// A constant slice of the rows of several tables: `joined![Row: PART, PART]`.
+/// Joins several tables into a constant slice: `joined![Row: PART, PART]`.
 macro_rules! joined {
     ($row:ty: $($part:expr),+ $(,)?) => {{
         const PARTS: &[&[$row]] = &[$($part),+];
@@ -41,16 +41,16 @@ macro_rules! joined {
 
 pub(in crate::controls) use joined;
 
-/// What a row states something about, as a range of numbers: a code, numbers of variables, a text. Of two rows whose ranges meet the later
-/// one holds.
+/// Subject of a row as a range of numbers: a code, variable numbers, or the hash of a text. A later row overrides an earlier one with an
+/// overlapping range.
 pub type Key = (u64, u64);
 
-/// The key of a single thing.
+/// The key of a single number.
 pub const fn single(number: u64) -> Key {
     (number, number)
 }
 
-/// The key of a text, by its FNV-1a hash.
+/// The key of a text: its FNV-1a hash.
 pub const fn text_key(bytes: &[u8]) -> Key {
     let (mut hash, mut at) = (0xcbf2_9ce4_8422_2325_u64, 0);
     while at < bytes.len() {
@@ -60,7 +60,7 @@ pub const fn text_key(bytes: &[u8]) -> Key {
     single(hash)
 }
 
-/// The first of the keys that meets one.
+/// Index of the first key that overlaps `key`.
 const fn meets(keys: &[Key], key: Key) -> Option<usize> {
     let mut at = 0;
     while at < keys.len() {
@@ -72,7 +72,7 @@ const fn meets(keys: &[Key], key: Key) -> Option<usize> {
     None
 }
 
-/// Number of rows of an extended table, by the keys of the family's rows and of the control's own.
+/// Number of rows of an extended table, from the keys of the family's rows and of the control's own.
 pub const fn extended_rows(family: &[Key], own: &[Key]) -> usize {
     let (mut rows, mut at) = (own.len(), 0);
     while at < family.len() {
@@ -82,8 +82,8 @@ pub const fn extended_rows(family: &[Key], own: &[Key]) -> usize {
     rows
 }
 
-/// Order of an extended table: places in the family's rows followed by the control's own. Each own row has the place of the first row
-/// of the family that it replaces, further ones come last; `sorted` tables are in the order of their keys.
+/// Order of an extended table, as indexes into the family's rows followed by the control's own. An own row takes the place of the first
+/// family row that it replaces; new rows come last; `sorted` tables are in the order of their keys.
 pub const fn extended_order<const N: usize>(family: &[Key], own: &[Key], sorted: bool) -> [usize; N] {
     let (mut order, mut len, mut at) = ([0; N], 0, 0);
     while at < family.len() + own.len() {
@@ -157,7 +157,7 @@ macro_rules! extended {
     }};
 }
 
-/// Number of words in a list of rows, `"G0 G2-G4 M98"`; one blank between words.
+/// Number of words in a row list such as `"G0 G2-G4 M98"`, with one blank between words.
 pub const fn words(list: &[u8]) -> usize {
     let (mut words, mut at) = (1, 0);
     while at < list.len() {
@@ -167,7 +167,7 @@ pub const fn words(list: &[u8]) -> usize {
     words
 }
 
-/// The part of a text in front of a separator, and the part behind it; without a separator all of it, and nothing.
+/// The parts of a text before and after the first separator; without a separator the whole text and an empty one.
 pub const fn divided(text: &[u8], separator: u8) -> (&[u8], &[u8]) {
     let mut at = 0;
     while at < text.len() {
@@ -180,7 +180,7 @@ pub const fn divided(text: &[u8], separator: u8) -> (&[u8], &[u8]) {
     (text, &[])
 }
 
-/// The ends of a range, `G2-G4`; those of a single word are the word itself.
+/// The ends of a range such as `G2-G4`; a single word is both ends.
 pub const fn range_ends(word: &[u8]) -> (&[u8], &[u8]) {
     let (first, last) = divided(word, b'-');
     if last.is_empty() { (first, first) } else { (first, last) }
@@ -198,10 +198,10 @@ pub const fn digits(text: &[u8]) -> u64 {
     value
 }
 
-/// A citation, and the keys of the rows that it covers.
+/// A citation and the keys of the rows it covers.
 pub type Cover = (Citation, &'static [Key]);
 
-/// The citation that covers a row; `None` where none does.
+/// The citation that covers a row; `None` if no citation does.
 pub const fn covering(row: Key, covers: &[Cover]) -> Option<Citation> {
     let (mut found, mut cover) = (None, 0);
     while cover < covers.len() {
@@ -218,7 +218,7 @@ pub const fn covering(row: Key, covers: &[Cover]) -> Option<Citation> {
     found
 }
 
-/// Number of covered rows. Each key covers at least one.
+/// Number of covered rows. Every key has to cover at least one.
 pub const fn covered_rows(family: &[Key], covers: &[Cover]) -> usize {
     let mut cover = 0;
     while cover < covers.len() {
@@ -241,7 +241,7 @@ pub const fn covered_rows(family: &[Key], covers: &[Cover]) -> usize {
     rows
 }
 
-/// The keys of the rows that a list names.
+/// The keys of the entries in a row list.
 macro_rules! listed {
     ($row:ty, $list:literal) => {{
         const LIST: &[u8] = $list.as_bytes();
@@ -260,7 +260,7 @@ macro_rules! listed {
     }};
 }
 
-/// The rows of a family that a control has as they are, each under the control's own citation:
+/// Rows of a family taken over unchanged, each under the control's own citation:
 /// `taken![CodeDef: FAMILY, CITATION => "G0 G2-G4 M98", …]`.
 macro_rules! taken {
     ($row:ty: $family:expr, $($cite:ident => $list:literal),+ $(,)?) => {{
@@ -285,10 +285,10 @@ macro_rules! taken {
     }};
 }
 
-/// All rows of a family under citations of the control that takes them, its own evidence:
+/// All rows of a family, under the control's own citations:
 ///
 /// * `cited![CodeDef: FAMILY, CITATION]`: each row.
-/// * `cited![CodeDef: FAMILY, Open CITATION]`: only rows of that grade, here those that the family has from memory; others keep their source.
+/// * `cited![CodeDef: FAMILY, Open CITATION]`: only rows of grade `Open`; the others keep their source.
 /// * `cited![CodeDef: FAMILY, CITATION => "G0 G2-G4 M98", …]`: only the rows of the lists; the others keep the family's.
 macro_rules! cited {
     ($row:ty: $family:expr, $($cite:ident => $list:literal),+ $(,)?) => {{

@@ -4,7 +4,7 @@ use super::table::{Key, digits, range_ends};
 use super::{Address, Group};
 use crate::text::{Citation, Phrase};
 
-/// What a range of variables is.
+/// Meaning of a range of variables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum VarKind {
     /// `#0`: always vacant, never written.
@@ -15,7 +15,7 @@ pub enum VarKind {
     Common,
     /// Common to all part systems, kept at power-off.
     Retained,
-    /// One bit from the PLC, read-only; bit `number - first` of the word at the range's device.
+    /// One bit from the PLC, read-only; bit `number - first` of the word with the range's device.
     InputBit,
     /// A word from the PLC, read-only.
     InputWord(Width),
@@ -23,14 +23,14 @@ pub enum VarKind {
     OutputBit,
     /// A word to the PLC.
     OutputWord(Width),
-    /// A word in both directions: read, it is what the PLC has written; written, it goes to the PLC and is not read back. From the
-    /// first of the range each fourth has 32 bits, the others and the last are single bytes.
+    /// A word in both directions: a read gives the PLC's value; a write goes to the PLC and does not change the value read. From the first
+    /// number on every fourth variable has 32 bits; the others and the last have 8.
     ExchangeWord,
-    /// Tool offsets and other numbers that are kept, and have no effect on the simulated machine.
+    /// Tool offsets and other numbers that are stored without effect on the simulated machine.
     Kept,
-    /// Zero of a work coordinate system, axis by axis: 1 to 6, or 0 for the shift of all of them.
+    /// Zero of a work coordinate system, axis by axis: 1 to 6, or 0 for the common shift.
     WorkOffset(u8),
-    /// The same where programs may only read it.
+    /// Zero of a work coordinate system as [`VarKind::WorkOffset`], read-only.
     WorkOffsetShown(u8),
     /// `#3000`: alarm with message.
     AlarmMessage,
@@ -46,27 +46,27 @@ pub enum VarKind {
     SuppressOverride,
     /// `#3006`: stop with message.
     StopMessage,
-    /// Code in force of a modal group, as read ahead.
+    /// Code in force of a modal group, at the block read ahead.
     ModalCode(Group),
-    /// Last word of an address letter, as read ahead.
+    /// Last word of an address letter, at the block read ahead.
     ModalWord(Address),
     /// Code in force of a modal group in the executing block.
     ExecutingCode(Group),
     /// Last word of an address letter in the executing block.
     ExecutingWord(Address),
-    /// End point of the block before, work coordinates, axis by axis.
+    /// End point of the preceding block, work coordinates, axis by axis.
     BlockEnd,
     /// Machine position, axis by axis.
     MachinePosition,
     /// Work position, axis by axis.
     WorkPosition,
-    /// Where the last motion with a skip signal ended, work coordinates, axis by axis.
+    /// End point of the last motion with a skip signal, work coordinates, axis by axis.
     SkipPosition,
     /// Exists on the control; the simulation neither reads nor writes it.
     NotSimulated,
 }
 
-/// Bits of a word of the PLC; all are signed but single bytes.
+/// Size of a PLC word; signed except for single bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Width {
     /// 0 to 255.
@@ -78,7 +78,7 @@ pub enum Width {
 }
 
 impl Width {
-    /// Least and largest value.
+    /// Least and greatest value.
     pub fn range(self) -> (f64, f64) {
         match self {
             Width::Byte => (0.0, 255.0),
@@ -100,7 +100,7 @@ pub enum Clock {
 }
 
 impl Clock {
-    /// Milliseconds of one.
+    /// Milliseconds per unit.
     pub fn milliseconds(self) -> f64 {
         match self {
             Clock::Milliseconds => 1.0,
@@ -110,7 +110,7 @@ impl Clock {
     }
 }
 
-/// Whether a common variable is among the fitted ranges; no range stands for all.
+/// Whether a common variable is in a fitted range; an empty list means that all are fitted.
 pub fn is_fitted(fitted: &[(u32, u32)], number: u32) -> bool {
     fitted.is_empty() || fitted.iter().any(|&(first, last)| (first..=last).contains(&number))
 }
@@ -122,11 +122,11 @@ pub struct VarRange {
     pub first: u32,
     /// Last number.
     pub last: u32,
-    /// What it is.
+    /// Meaning of the range.
     pub kind: VarKind,
-    /// Device behind it, for instance `R74`, or empty.
+    /// PLC device behind the first variable, for instance `R74`, or empty.
     pub device: &'static str,
-    /// What it is, in a few words.
+    /// Short description.
     pub text: Phrase,
     /// Source and grade.
     pub cite: Citation,
@@ -145,7 +145,7 @@ pub(in crate::controls) const fn range(
 }
 
 impl VarRange {
-    /// Bits of a word of the PLC; `None` where the range holds none.
+    /// Size of a variable's PLC word; `None` if the range has no words.
     pub fn width(&self, number: u32) -> Option<Width> {
         match self.kind {
             VarKind::InputWord(width) | VarKind::OutputWord(width) => Some(width),
@@ -157,7 +157,7 @@ impl VarRange {
         }
     }
 
-    /// Least and greatest value that the PLC can give a variable; `None` where the PLC does not write it.
+    /// Least and greatest value of a variable written by the PLC; `None` for others.
     pub fn input_range(&self, number: u32) -> Option<(f64, f64)> {
         match self.kind {
             VarKind::InputBit => Some((0.0, 1.0)),
@@ -171,7 +171,7 @@ impl VarRange {
 pub const HALF_RANGE: (f64, f64) = (-32_768.0, 65_535.0);
 
 impl VarKind {
-    /// Whether how many there are is an option of the control.
+    /// Whether the number of such variables is an option of the control.
     pub fn common(self) -> bool {
         matches!(self, VarKind::Common | VarKind::Retained)
     }
@@ -198,15 +198,15 @@ impl VarKind {
 }
 
 impl VarRange {
-    /// Whether its table is sorted, for searches by halves.
+    /// Whether the table is sorted, for binary search.
     pub const SORTED: bool = true;
 
-    /// What the row is about, for tables that are made of a family's rows and a control's own.
+    /// Key for replacing a family's rows by the control's own rows of the same variable numbers.
     pub const fn key(&self) -> Key {
         (self.first as u64, self.last as u64)
     }
 
-    /// The key of the rows that a list names: `100`, `1-33`.
+    /// The key range of an entry in a row list: `100`, `1-33`.
     pub const fn listed_key(word: &[u8]) -> Key {
         let (first, last) = range_ends(word);
         (digits(first), digits(last))

@@ -1,4 +1,4 @@
-//! SINUMERIK 802D, turning: rows only. Where no page of the 802D itself is known, the 808D, its successor, and the 840D stand in, and say so.
+//! SINUMERIK 802D, turning: rows only. Rows without a page of the 802D are from its successor 808D or from the 840D, and cite them.
 
 mod rows;
 mod sources;

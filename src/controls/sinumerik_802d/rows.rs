@@ -1,4 +1,4 @@
-//! Rows of the 802D: those of the SINUMERIK family, under its own citations where a page of the 802D has them.
+//! Rows of the 802D: rows of the SINUMERIK family, under the 802D's own citations where a page documents them.
 
 use super::sources::{BLOCKS, SPINDLE, WORDS};
 use crate::controls::Code::*;
@@ -54,7 +54,7 @@ pub(super) const CODES: &[CodeDef] = extended![
 /// Machine and setting data that a machine has to set.
 pub(super) const PARAMS: &[ParamDef] = cited![ParamDef: sinumerik::PARAMS, SETTING => "SD43210 SD43220 SD43230"];
 
-/// Points that no manual at hand settles, and data that change what a program means.
+/// Switches: points that no manual at hand settles, and data that change the meaning of a program.
 pub(super) const SWITCHES: &[Switch] = extended![
     Switch: cited![
         Switch: sinumerik::SWITCHES,

@@ -1,4 +1,4 @@
-//! SINUMERIK 808D, turning: rows only. Its diagnostics, function and parameter manuals are known by single pages; the language by its sisters.
+//! SINUMERIK 808D, turning: rows only. Single pages of its own manuals are known; the rows of the language are from its sisters.
 
 mod rows;
 mod sources;

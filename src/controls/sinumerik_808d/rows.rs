@@ -1,4 +1,4 @@
-//! Rows of the 808D: those of the SINUMERIK family, under its own citations where a page of the 808D has them.
+//! Rows of the 808D: rows of the SINUMERIK family, under the 808D's own citations where a page documents them.
 
 use super::sources::{DIAGNOSTICS, RANGES};
 use crate::controls::Alarm::{LabelTwice, NoFeed};
@@ -25,7 +25,7 @@ const JUMPS: Citation = Citation::new("alarm 14080 of the 808D, p.184: asks for 
 pub(super) const CODES: &[CodeDef] =
     cited![CodeDef: sinumerik::CODES, THREAD => "G33", ALONE => "G4 G25 G26 G110-G112", FEEDS => "G94-G97"];
 
-/// Alarms. Two are in the list of the 828D alone.
+/// Alarms. Two are only in the list of the 828D.
 pub(super) const ALARMS: &[AlarmDef] = extended![
     AlarmDef: cited![AlarmDef: sinumerik::ALARMS, Sister DIAGNOSTICS],
     &[
@@ -43,7 +43,7 @@ pub(super) const PARAMS: &[ParamDef] = cited![
     REACHED => "MD35150 MD35500",
 ];
 
-/// Points that no manual at hand settles, and data that change what a program means.
+/// Switches: points that no manual at hand settles, and data that change the meaning of a program.
 pub(super) const SWITCHES: &[Switch] = extended![
     Switch: cited![
         Switch: sinumerik::SWITCHES,

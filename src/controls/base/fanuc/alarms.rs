@@ -6,7 +6,7 @@ use crate::controls::AlarmDef;
 use crate::controls::alarm::alarm;
 use crate::text::{Citation, Grade};
 
-/// One row per kind. A kind that the list does not settle between two numbers is open.
+/// One row per kind. The grade is open where the list leaves the choice between two numbers.
 pub const ALARMS: &[AlarmDef] = &[
     alarm(Digits, "PS0003", "Too many digit", ALARM_LIST),
     alarm(OutOfRange, "PS0003", "Too many digit", MEMORY),

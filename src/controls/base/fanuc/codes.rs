@@ -1,4 +1,4 @@
-//! G and M codes of the FANUC family: those of lathes (G code system A) and of mills. Codes of the user are parameters: see the switches.
+//! G and M codes of the FANUC family, of lathes (G code system A) and of mills. Codes bound to programs are parameters: see the switches.
 
 use super::sources::{LATHE_LIST, MEMORY, MODAL_LIST};
 use crate::controls::Code::*;
@@ -6,7 +6,7 @@ use crate::controls::CodeDef;
 use crate::controls::code::{Group, g, g_dot, m};
 use crate::controls::schema::table::extended;
 
-/// Codes that lathes and mills have in common.
+/// Codes common to lathes and mills.
 const COMMON: &[CodeDef] = &[
     g(0, Rapid, Group::Motion, "positioning", LATHE_LIST),
     g(1, Linear, Group::Motion, "linear interpolation", LATHE_LIST),

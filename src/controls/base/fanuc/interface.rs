@@ -6,10 +6,10 @@ use crate::controls::interface::SignalRole::*;
 use crate::controls::interface::{from_plc, to_plc};
 use crate::controls::schema::table::joined;
 
-/// Registers, then single signals.
+/// Registers, followed by single signals.
 pub const SIGNALS: &[Signal] = joined![Signal: REGISTERS, BITS];
 
-/// Single signals and the M code, by device number. A `*` in front of FANUC's name: 0 acts.
+/// Single signals and the M code, by device number. A `*` in front of FANUC's name marks a signal that is active at 0.
 pub const BITS: &[Signal] = &[
     from_plc(Finished, "G4.3", "", "FIN: M, S and T are done; held until their strobes fall", PLC_SIGNALS),
     from_plc(AxesEnable, "G8.0", "", "*IT: 0 holds all axes", PLC_SIGNALS),
@@ -28,7 +28,7 @@ pub const BITS: &[Signal] = &[
     to_plc(MCode, "F10", "code", "M code (F10 to F13)", PLC_SIGNALS),
 ];
 
-/// By device number.
+/// Registers, by device number.
 const REGISTERS: &[Signal] = &[
     from_plc(SpindleOverride, "G30", "%", "spindle override, 0 to 254", MEMORY),
     from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", INPUTS),

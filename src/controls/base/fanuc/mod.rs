@@ -25,7 +25,7 @@ use crate::controls::{Address, AddressSet, Limits, Macros, SpindleRules, Syntax,
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
-/// Functions that every control of the family has, by their first spelling.
+/// Functions of every control of the family, by their first spelling.
 pub const FUNCTIONS: [(&str, Function); 15] = [
     ("SIN", Function::Sin),
     ("COS", Function::Cos),
@@ -44,10 +44,10 @@ pub const FUNCTIONS: [(&str, Function); 15] = [
     ("EXP", Function::Exp),
 ];
 
-/// Short spellings that some controls of the family read too.
+/// Short spellings read by some controls of the family.
 pub const SHORT_FUNCTIONS: [(&str, Function); 2] = [("SQR", Function::Sqrt), ("RND", Function::Round)];
 
-/// Functions that came with the 30i and the 0i-F.
+/// Functions introduced with the 30i and the 0i-F.
 pub const LATER_FUNCTIONS: [(&str, Function); 2] = [("POW", Function::Power), ("ADP", Function::AddPoint)];
 
 /// Spelling, characters and file form.
@@ -91,7 +91,7 @@ pub const SYNTAX: Syntax = Syntax {
     cite: Citation::new("FANUC Custom Macro B, sheet section 4; block length unknown", Grade::Open),
 };
 
-/// Calls, arguments and values of macro programs. No code calls a macro before a parameter binds one.
+/// Calls, arguments and values of macro programs. A code calls a macro only if a parameter binds it.
 pub const MACROS: Macros = Macros {
     vacant_word: VacantWord::Dropped,
     vacant_equals_zero: false,
@@ -185,12 +185,12 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     cite: MEMORY,
 };
 
-/// An axis of the bench with 0.1 s of acceleration and a position gain of 33/s.
+/// An axis of the test bench with 0.1 s of acceleration and a position gain of 33/s.
 pub const fn bench_axis(letter: Address, rapid: f64, clamp: f64) -> BenchAxis {
     BenchAxis { letter, rapid, clamp, time_constant: 0.1, position_gain: 33.0 }
 }
 
-/// A bench of a lathe: two slides, a third linear and a rotary axis, four gears.
+/// Test bench of a lathe: two slides, a third linear and a rotary axis, four gears.
 pub const BENCH: Bench = Bench {
     axes: &[
         bench_axis(Address::X, 12_000.0, 12_000.0),

@@ -6,10 +6,10 @@ use crate::controls::ParamRole::*;
 use crate::controls::params::param;
 use crate::controls::schema::table::joined;
 
-/// The kind of an axis.
+/// Linear or rotary axis.
 const ROTARY: &[ParamDef] = &[param(AxisRotary, "1006#0", "ROT", "", "1: rotary axis, in degrees", MEMORY)];
 
-/// Words of a lathe's X.
+/// Diameter or radius words of a lathe's X.
 const DIAMETER: &[ParamDef] =
     &[param(AxisDiameter, "1006#3", "DIA", "", "1: words of the axis count diameters", MEMORY)];
 

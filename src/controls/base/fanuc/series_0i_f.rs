@@ -1,4 +1,4 @@
-//! The series FANUC 0i-F: changes of the family's rows that its lathes and mills have in common.
+//! The series FANUC 0i-F: changes to the family's rows common to its lathes and mills.
 
 use super::sources::MEMORY;
 use super::switches;
@@ -34,14 +34,14 @@ pub const MACROS: Macros = Macros {
 /// Ranges of words and depths of calls.
 pub const LIMITS: Limits = Limits { coordinate_max: 999_999.999, sub_depth: 10, macro_depth: 5, ..super::LIMITS };
 
-/// Drive systems: the feed axes are the maker's alone; others stand beside the control.
+/// Drive systems: only the maker's own for feed axes; others for auxiliary axes and spindle.
 pub const DRIVES: &[DriveSystem] = joined![
     DriveSystem: &DriveSystem::axes(["alpha iS", "alpha iF", "beta iS"], super::OWN_DRIVES),
     &AUXILIARY,
     ANALOG_SPINDLE,
 ];
 
-/// Points of the series.
+/// Switches of the series.
 const SWITCHES: &[Switch] = &[
     switch(CommonVariables::of(&[CommonVariables::Sets600, CommonVariables::Sets100]), MEMORY)
         .label("switch.common-variables-fitted"),
@@ -50,8 +50,8 @@ const SWITCHES: &[Switch] = &[
         .parameter("6008#1"),
 ];
 
-/// Points of a lathe.
+/// Switches of a lathe.
 pub const LATHE_SWITCHES: &[Switch] = extended![Switch: switches::LATHE, SWITCHES];
 
-/// Points of a mill.
+/// Switches of a mill.
 pub const MILL_SWITCHES: &[Switch] = extended![Switch: switches::MILL, SWITCHES];

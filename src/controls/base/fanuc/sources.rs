@@ -2,7 +2,7 @@
 
 use crate::text::{Citation, Grade};
 
-/// Memory of FANUC usage without any document.
+/// FANUC usage from memory, without a document.
 pub const MEMORY: Citation = Citation::new("FANUC 0i-T usage, unverified", Grade::Open);
 /// Custom macro B: calls and arguments.
 pub const CALLS: Citation = Citation::new("FANUC 16i/18i-PB manual B-63684EN, p.278", Grade::Inferred);
@@ -19,7 +19,7 @@ pub const MODAL_LIST: Citation = Citation::new("zappettiniconsulting.com, modal 
 pub const INPUTS: Citation = Citation::new("industrialmonitordirect.com, UI and UO of custom macro", Grade::Inferred);
 /// Signals between PLC and control: names and addresses of FANUC.
 pub const PLC_SIGNALS: Citation = Citation::new("GSK988TA lathe PLC manual, p.112-147", Grade::Sister);
-/// The signal of reached speed.
+/// The speed-reached signal.
 pub const SPEED_REACHED: Citation =
     Citation::new("FANUC Power Mate connection manual B-63443EN/02, p.197", Grade::Sister);
 /// Speeds of gear stages.

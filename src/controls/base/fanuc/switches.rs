@@ -1,4 +1,4 @@
-//! Points of the FANUC family that no manual at hand settles, and parameters that change what a program means.
+//! Switches of the FANUC family: points that no manual at hand settles, and parameters that change the meaning of a program.
 
 use super::sources::{ARGUMENTS, MEMORY};
 use crate::controls::Switch;
@@ -7,7 +7,7 @@ use crate::controls::schema::table::joined;
 use crate::controls::switch::switch;
 use crate::text::{Citation, Grade};
 
-/// Numbers and their points; the first option is the default.
+/// Reading of numbers; the first option is the default.
 const NUMBERS: &[Switch] = &[
     switch(DecimalPoint::of(&[DecimalPoint::Increments, DecimalPoint::Millimetres]), MEMORY).parameter("3401#0"),
     switch(ArgumentPoint::of(&[ArgumentPoint::Increments, ArgumentPoint::AsWritten]), ARGUMENTS),
@@ -25,7 +25,7 @@ const NUMBERS: &[Switch] = &[
     ),
 ];
 
-/// Words of a lathe's X.
+/// Diameter or radius words of a lathe's X.
 const DIAMETER: &[Switch] =
     &[switch(Diameter::of(&[Diameter::Diameter, Diameter::Radius]), MEMORY).parameter("1006#3")];
 
@@ -54,8 +54,8 @@ const RUNNING: &[Switch] = &[
     switch(OverrideSuppression::of(&[OverrideSuppression::Yes, OverrideSuppression::No]), MEMORY),
 ];
 
-/// Points of a lathe.
+/// Switches of a lathe.
 pub const LATHE: &[Switch] = joined![Switch: NUMBERS, DIAMETER, RUNNING];
 
-/// Points of a mill.
+/// Switches of a mill.
 pub const MILL: &[Switch] = joined![Switch: NUMBERS, RUNNING];

@@ -1,4 +1,4 @@
-//! Variables of the FANUC family, in rising order: those of lathes (G code system A) and of mills.
+//! Variables of the FANUC family, in rising order, of lathes (G code system A) and of mills.
 
 use super::sources::{INPUTS, MEMORY, MODAL_LIST, WIKI};
 use crate::controls::VarKind::*;
@@ -6,7 +6,7 @@ use crate::controls::schema::table::extended;
 use crate::controls::vars::{Clock, Width, range};
 use crate::controls::{Address, Group, VarRange};
 
-/// Ranges that lathes and mills have in common; a number in no range does not exist.
+/// Ranges common to lathes and mills; a number in no range does not exist.
 const COMMON: &[VarRange] = &[
     range(0, 0, Vacant, "", "always vacant", MEMORY),
     range(1, 33, Local, "", "local, one set per macro level", MEMORY),

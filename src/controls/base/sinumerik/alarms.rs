@@ -1,4 +1,4 @@
-//! Alarms of the SINUMERIK family that macroline can raise, in the numbers that its controls share.
+//! Alarms of the SINUMERIK family that macroline can raise, in the numbers common to its controls.
 
 use super::sources::MEMORY;
 use crate::controls::Alarm::*;
@@ -8,7 +8,7 @@ use crate::text::{Citation, Grade};
 
 /// The diagnostics manuals of 808D and 828D, whose numbers agree.
 const LIST: Citation = Citation::new("808D diagnostics 07/2018 and 828D diagnostics 03/2013", Grade::Sister);
-/// The number says what is wrong, but not in these words.
+/// The closest alarm in the list, with another wording.
 const NEAREST: Citation = Citation::new("808D diagnostics 07/2018: the nearest in the list", Grade::Open);
 const LIMIT: Citation =
     Citation::new("840D sl function manual 08/2005, p.2-9; range 808D diagnostics, p.217", Grade::Sister);

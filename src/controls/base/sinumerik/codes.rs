@@ -1,4 +1,4 @@
-//! G and M codes of the SINUMERIK family, sorted by letter and number, and those of its codes that are names.
+//! G and M codes of the SINUMERIK family, sorted by letter and number, followed by its named codes.
 
 use super::sources::MEMORY;
 use crate::controls::Code::*;
@@ -15,7 +15,7 @@ const AREA: Citation = Citation::new(
     Grade::Open,
 );
 
-/// Codes that are names; their place is their number.
+/// Named codes; a code's index is its number.
 pub const NAMES: &[&str] = &[
     "RET", "CIP", "CT", "TRANS", "ATRANS", "DIAMON", "DIAMOF", "DIAM90", "BRISK", "SOFT", "FFWON", "FFWOF", "NORM",
     "KONT", "WALIMON", "WALIMOF", "CFC", "CFTCP", "CFIN", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR",

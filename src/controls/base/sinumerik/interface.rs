@@ -5,7 +5,7 @@ use crate::controls::Signal;
 use crate::controls::interface::SignalRole::*;
 use crate::controls::interface::{from_plc, to_plc};
 
-/// By address; the spindle is axis 3.
+/// Signals by address; the spindle is axis 3.
 pub const SIGNALS: &[Signal] = &[
     to_plc(MFunction(3), "V25001000.3", "", "M3, for one cycle of the PLC", PLC_SIGNALS),
     to_plc(MFunction(4), "V25001000.4", "", "M4, for one cycle of the PLC", PLC_SIGNALS),

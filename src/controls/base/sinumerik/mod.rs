@@ -36,7 +36,7 @@ pub const DRIVES: &[DriveSystem] = joined![
     ANALOG_SPINDLE,
 ];
 
-/// Words of several letters, codes that are names, names of programs and labels.
+/// Addresses of several letters, named codes, names of programs and labels.
 pub const NAMES: Names = Names {
     addresses: &[
         ("ANG", Address::Ang),
@@ -211,7 +211,7 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     angle_wraps: false,
     end_stops: true,
     manual_in_automatic: false,
-    // That of the interface; what a panel has of it is a switch.
+    // Range of the interface signal; the range of the panel's knob is a switch.
     knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
     offsets: None,
     stage_speeds: None,
@@ -232,7 +232,7 @@ pub const TIMING: Timing = Timing {
     cite: Citation::new("assumed; measure with a counting loop", Grade::Open),
 };
 
-/// A bench of a lathe: two slides, a third linear axis, a spindle without gears.
+/// Test bench of a lathe: two slides, a third linear axis, a spindle without gears.
 pub const BENCH: Bench = Bench {
     axes: &[
         BenchAxis { letter: Address::X, rapid: 10_000.0, clamp: 10_000.0, time_constant: 0.1, position_gain: 16.7 },

@@ -2,16 +2,16 @@
 
 use crate::text::{Citation, Grade};
 
-/// Arithmetic: operators, their order, equality.
+/// Arithmetic operators, their precedence, and comparison for equality.
 pub const ARITHMETIC: Citation = Citation::new("840D sl NC programming 12/2019, p.392 and 444", Grade::Sister);
-/// Memory of Siemens controls without any document.
+/// Usage of Siemens controls from memory, without a document.
 pub const MEMORY: Citation = Citation::new("usage of Siemens controls, unverified", Grade::Open);
 
 /// Signals of channel and mode group.
 pub const PLC_SIGNALS: Citation = Citation::new("SINUMERIK 802S/C start-up, 6.2", Grade::Sister);
 /// Signals of axes and spindle.
 pub const PLC_AXES: Citation = Citation::new("SINUMERIK 802S/C start-up, 6.2: axes and spindle", Grade::Sister);
-/// Signals whose bits follow from those of the 840D.
+/// Signals inferred from the bits of the 840D.
 pub const PLC_RULE: Citation =
     Citation::new("840D DB10 to DB31 by the address rule of the 802 family", Grade::Inferred);
 /// Motors of the maker's drives.

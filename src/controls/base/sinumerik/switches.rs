@@ -1,4 +1,4 @@
-//! Points of the SINUMERIK family that no manual at hand settles, and data that change what a program means.
+//! Switches of the SINUMERIK family: points that no manual at hand settles, and data that change the meaning of a program.
 
 use super::sources::MEMORY;
 use crate::controls::Switch;
@@ -22,7 +22,7 @@ const LEVELS: Citation =
 const JUMPS: Citation = Citation::new("alarm 14080 of the 808D, p.184: asks for a label, not a number", Grade::Sister);
 const RANGE: Citation = Citation::new("R0 to R249 on 802S and 802C", Grade::Sister);
 
-/// One row per point; the first option is the default.
+/// One row per switch; the first option is the default.
 pub const SWITCHES: &[Switch] = &[
     switch(Diameter::of(&[Diameter::Diameter, Diameter::Radius]), MEMORY).parameter("MD20100"),
     switch(CommentCharacters::of(&[CommentCharacters::Ascii, CommentCharacters::Gbk, CommentCharacters::Utf8]), MEMORY),
