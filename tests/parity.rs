@@ -253,7 +253,7 @@ fn machine_on_control(project: &Project) -> String {
     let end = planner.ended_at().unwrap_or(OPTIONS.limits.seconds);
     let mut sum = Sum::new();
     for k in 0..=100 {
-        // So that the last moment is the end itself.
+        // Exact quotient: the last moment is the end itself.
         let now = planner.timeline().at(end * (f64::from(k) / 100.0));
         sum.snapshot(&now);
         if k % 10 == 0 {

@@ -11,7 +11,7 @@ fn ribbon() -> Project {
     Project::of("ribbon-line", None).unwrap()
 }
 
-/// What is said of a change to a new project.
+/// Differences between a new ribbon line and the same after a change, as phrases.
 fn told(change: impl FnOnce(&mut Project)) -> Vec<String> {
     let mut after = ribbon();
     change(&mut after);

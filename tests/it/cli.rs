@@ -414,7 +414,7 @@ fn step_exits_with_the_status_of_its_run() {
     assert!(out.starts_with(" --> a.nc:3:1\n"), "{out}");
     assert!(out.contains("  #100 vacant -> 3\n") && out.contains("#100*2 = 6\n"), "{out}");
     assert!(out.contains("the program is over\n"), "{out}");
-    // What is behind quit is not read; an alarm is an error as it is for run; a wrong command is wrong usage.
+    // Lines after `quit` are not read; an alarm is exit status 1 as in `run`; a wrong command is wrong usage.
     assert_eq!(step(&args, "quit\nwrong\n").0, 0);
     let (status, out, _) = step(&args, "set #107=9\ncontinue\n");
     assert_eq!(status, 1);
@@ -436,7 +436,7 @@ fn step_uses_panel_and_budget_of_the_project() {
     assert!(out.contains("breakpoint 1\n"), "{out}");
 }
 
-/// What a command says of findings: `[id]` of each in text, and how many are silenced.
+/// Ids of the findings that a command prints, and its line with the number of silenced ones.
 fn ids_told(out: &Output) -> (Vec<String>, String) {
     let said = String::from_utf8(out.stderr.clone()).unwrap();
     let id = |line: &str| Some(line.split_once('[')?.1.split_once("]: ")?.0.to_owned());

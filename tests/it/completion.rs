@@ -1,4 +1,4 @@
-//! What can be typed at a place of a program, by the tables of its control.
+//! Completion proposals at a place of a program, by the tables of its control.
 
 use macroline::controls::{self, Switches};
 use macroline::machines::ControlContext;

@@ -1,4 +1,4 @@
-//! The same lines on each control: their differences as one table, from runs.
+//! One table of the differences between the controls, from runs of equal lines on each.
 
 use std::fmt::Write as _;
 use std::rc::Rc;
@@ -14,10 +14,11 @@ use macroline::text::{Place, Severity};
 const SUBPROGRAMS: &str =
     "O2\n#102=#102+1\nN5 #105=#105+1\nM99\nO3\n#104=#4\n#105=#5\n#106=#6\n#107=#7\n#108=#8\n#109=#9\nM99\n";
 
-/// The same where programs have names.
+/// The subprogram on controls whose programs have names.
 const NAMED_SUBPROGRAMS: &str = "%_N_L2_SPF\nR102=R102+1\nM17\n";
 
-/// What the lines do: the log, the common variables that they set, or the alarm. What a language cannot ask has no answer.
+/// Result of the lines on a control: the log, the common variables they set, or the alarm; empty for a control whose language has no such
+/// lines.
 fn told(control: &'static Control, (_, lines, named): &(&str, &str, &str)) -> String {
     let names = control.syntax.names.is_some();
     let lines = if names { named } else { lines };
@@ -50,7 +51,7 @@ fn told(control: &'static Control, (_, lines, named): &(&str, &str, &str)) -> St
     if said.is_empty() { "-".to_owned() } else { said.join(" ") }
 }
 
-/// What is asked, and the lines that answer it: on the controls that count everything, and on those with names.
+/// Name of each question, and the lines that answer it: on controls with numbered programs, and on those with named ones.
 const QUESTIONS: &[(&str, &str, &str)] = &[
     ("vacant in an address", "G00 X1. Y#1", "G0 X1 Y=R1"),
     ("vacant EQ 0", "IF[#1 EQ 0]GOTO9; #100=0; N9", "IF R1==0 GOTOF AB9; R100=1; AB9:"),

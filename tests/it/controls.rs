@@ -64,9 +64,9 @@ fn searched_rows_are_sorted() {
     }
 }
 
-/// What is no alarm on a control without a row for it.
+/// Alarm kinds that a control without a row for them cannot raise.
 const ON_SOME: [Alarm; 8] = [
-    // Where programs cannot raise any.
+    // Kinds of alarms that programs of some controls cannot raise.
     Alarm::User,
     Alarm::NoModalCall,
     Alarm::OwnCall,
@@ -259,7 +259,7 @@ fn knd_k2000t_variables_match_the_fact_sheet() {
         assert_eq!(width(byte), Some(Width::Byte), "#{byte}");
     }
     assert_eq!((width(1132), width(1000)), (Some(Width::Word), None));
-    // As on a lathe with driven tools: X, Z, then the axes that turn tool and work piece.
+    // Axes of a lathe with driven tools: X, Z, then the axes that turn tool and work piece.
     let axes: Vec<Address> = knd().axes.iter().map(|axis| axis.letter).collect();
     assert_eq!(axes, [Address::X, Address::Z, Address::Y, Address::C]);
 }

@@ -362,7 +362,7 @@ fn files_of_one_name_are_told_apart() {
     assert_eq!(files, ["a/x/O1.nc", "b/x/O1.nc", "O2.nc"]);
 }
 
-/// What a terminal or a document obeys: escape sequences, C1, the writing direction, markup, line ends.
+/// Text that a terminal or a document would interpret: escape sequences, C1, the writing direction, markup, line ends.
 const HOSTILE: &str = "\u{1b}[31m\u{9b}2J\u{202e}<script>alert(1)</script>\u{2066}[x](http://x)";
 
 fn obeyed(text: &str) -> bool {
@@ -459,7 +459,7 @@ fn assert_no_quadratic_time(path: &Path, name: &str, commands: &[&str], program:
 /// Makes the lines of a program that belong to a number.
 type Lines<'a> = &'a dyn Fn(usize) -> String;
 
-/// As for projects; each kind of block once needed a look at all others.
+/// Programs with many faults of each kind that once compared a block with all others.
 #[cfg(unix)]
 #[test]
 fn large_faulty_programs_take_no_quadratic_time() {

@@ -221,7 +221,7 @@ proptest! {
             ("clamp-x", 1e6), ("clamp-y", 1e6), ("rapid-x", 1e6), ("rapid-y", 1e6),
         ]);
         choose(&mut project, "y-unit", if degrees { "degrees" } else { "mm" });
-        // As fast as the control reads F.
+        // A reduction ratio that keeps F within the range of the control.
         let feed = project.design().readouts.iter().find(|row| row.id == "vector-feed").unwrap().value;
         let ratio = round(ratio * (feed / project.control.limits.feed_max * 1.01).max(1.0));
         project.values.insert("reduction-ratio".to_owned(), Value::Number(ratio));

@@ -14,7 +14,7 @@ fn asked(ask: &str, request: &Json) -> Json {
     serde_json::from_str(&answer(ask, &request.to_string())).unwrap()
 }
 
-/// What the command line prints as JSON.
+/// JSON output of the command line.
 fn printed(arguments: &[&str]) -> Json {
     let output = macroline().args(arguments).output().unwrap();
     serde_json::from_slice(&output.stdout).unwrap()

@@ -57,7 +57,7 @@ fn program(control: &str, text: &str) -> Run {
     program_with(control, &[], text, vec![])
 }
 
-/// The same with settings of the control, and an operator.
+/// A run of a program with settings of the control and actions of the operator.
 #[track_caller]
 fn program_with(control: &str, settings: &[(&str, &str)], text: &str, events: Vec<Event>) -> Run {
     let control = controls::find(control).unwrap();

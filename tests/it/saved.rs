@@ -15,7 +15,7 @@ fn ribbon() -> Project {
     Project::of("ribbon-line", None).unwrap()
 }
 
-/// What is said of a file, one line each.
+/// Findings about a file, one line each.
 #[track_caller]
 fn check(text: &str, expect: Expect) {
     let loaded = Project::from_json(text);

@@ -34,7 +34,7 @@ fn bench_with(files: &Files, switches: &Switches, panel: Panel) -> Run {
     run::of_programs(Rc::new(nc::parse_with(files, e60(), switches)), None, panel, &begin)
 }
 
-/// What a script of commands is answered, each command behind a `>`.
+/// Answers to a script of commands, each command behind a `>`.
 fn talk(console: &mut Console, script: &str) -> String {
     let mut out = String::new();
     for line in script.lines() {

@@ -52,7 +52,7 @@ fn references(control: &str, text: &str) -> Vec<(String, Role)> {
 #[test]
 fn goto_leads_to_the_block_that_the_control_finds() {
     let text = "O1\nN10 G04 P1\nIF[#1 EQ 2]GOTO 10|\nN10 G04 P2\nM30\n%\n";
-    // It is looked for toward the end first.
+    // The control searches toward the end of the program first.
     assert_eq!(definition("mitsubishi-e60", text).as_deref(), Some("4 N10"));
     let back = "O1\nN10 G04 P1\nN20 GOTO |10\nM30\n%\n";
     assert_eq!(definition("gsk-980tdc", back).as_deref(), Some("2 N10"));
@@ -64,7 +64,7 @@ fn goto_of_a_label_leads_in_its_direction() {
     let text = "%_N_A_MPF\nAGAIN: R1=1\nIF R1<3 GOTOB AG|AIN\nAGAIN: M2\n";
     assert_eq!(definition("sinumerik-802d", text).as_deref(), Some("2 AGAIN"));
     assert_eq!(definition("sinumerik-802d", &text.replace("GOTOB", "GOTOF")).as_deref(), Some("4 AGAIN"));
-    // Where numbers are no targets, the jump is an error and leads nowhere.
+    // A control without block numbers as targets refuses the jump, which then leads nowhere.
     assert_eq!(definition("sinumerik-802d", "%_N_A_MPF\nN20 R1=1\nGOTOB N2|0\nM2\n"), None);
 }
 

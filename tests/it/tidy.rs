@@ -179,7 +179,7 @@ fn control_files_hold_rows_and_no_logic() {
     hold("The files of the controls contain rows and no logic.", mend, broken);
 }
 
-/// Where a file brings in one of these modules of the standard library, however the `use` is written: `use std::{fs, io}`.
+/// Places at which a file imports one of these modules of the standard library, however the `use` is written: `use std::{fs, io}`.
 fn imported(source: &Source, modules: &[&str]) -> Vec<String> {
     let of = |import: &source::Import| match &import.path[..] {
         [std, module, ..] if std == "std" && modules.contains(&module.as_str()) => Some(module.clone()),

@@ -14,7 +14,7 @@ use macroline::view::{Pose, Theme, report};
 use macroline::{controls, nc};
 use proptest::prelude::*;
 
-/// What a closure makes with lengths in inches.
+/// Result of a closure with lengths shown in inches.
 fn in_inches<T>(make: impl FnOnce() -> T) -> T {
     units::show(Lengths::Inches);
     let made = make();

@@ -158,7 +158,7 @@ fn variants_are_saved_with_the_project() {
     assert!(other != project);
 }
 
-/// What is said of a project with these variants, and the names of those that were read.
+/// Findings about a project with these variants, and the names of those that were read.
 #[track_caller]
 fn check(variants: &str, expect: Expect) {
     let text = format!(

@@ -86,7 +86,7 @@ fn feed_of_the_other_unit_is_a_warning() {
             F200 is 200 mm a revolution: no program here says G98, and this control is set to start with feed per revolution (1× here). Write G98 before it, or set how this control starts.
             Write G98 in front of it: F200→G98 F200
     "#]]);
-    // It is said, or usual: nothing to say.
+    // The feed is set by a code, or is usual: no finding.
     GSK.quiet(&slow.replace("T0101", "G99 T0101"));
     GSK.quiet(&slow.replace("F.2", "F100"));
     fast.quiet("O1\nM03 S800\nG01 Z-20. F0.2\nM30");
@@ -204,7 +204,7 @@ fn missing_point_is_a_warning() {
             Write what it is now: C0.003: C3→C0.003
     "#]],
     );
-    // What is meant as increments shows by centimetres.
+    // A whole number that is a centimetre or more in increments is meant in increments.
     E60.quiet("O1\nG00 X8 Y-25000\nX500\nM30");
     // Whole numbers, codes, feeds, zeros.
     E60.quiet("O1\nG90 G01 X0 Y0 F300 S1200 T1 D1\nG04 P500\nM30");
@@ -451,7 +451,7 @@ fn unguarded_divisor_is_a_warning() {
 fn guarded_divisor_gives_no_warning() {
     E60.quiet("O1\n#109=6\nIF[#111 LE 0]GOTO9\n#110=[3.14*#109]/#111\nX#110\nN9 #111=1\nM30");
     E60.quiet("O1\n#1=#1033\n#2=100\nIF[#1 EQ #2]GOTO9\n#3=5/[#1-#2]\nX#3\nN9 M30");
-    // What is always 0 is an alarm.
+    // A divisor that is always 0 is an alarm.
     E60.check(
         "O1\n#1=#1033\n#2=#1/#0\n#3=#1/[3-3]\nM30",
         expect![[r#"
@@ -562,10 +562,10 @@ fn g65_h_functions_give_no_warning() {
 
 #[test]
 fn unreadable_block_hides_warnings_that_depend_on_it() {
-    // What the first block sets is not known, so nothing is said of who reads it.
+    // The value that the first block sets is unknown, so no finding is raised at its readers.
     let (_, found) = E60.review("O1\n#5=(1+2)\nX#5\nGOTO9\nX1.\nN9 M30");
     assert!(found.iter().all(|d| d.alarm.is_some()), "{found:#?}");
-    // It may call, test, and say what F is per.
+    // The unreadable block may call, test, or set the unit of F.
     let (_, found) =
         GSK.review("O1\nG99 G01 X#1.\nIF[#100 LT 1 GOTO9\n#101=5/#100\nG01 Z#101 F0.2\nM98 P[2\nN9 M30\nO2\nX#1\nM99");
     assert!(found.iter().all(|d| d.alarm.is_some()), "{found:#?}");
@@ -653,7 +653,7 @@ fn messages_longer_than_shown_are_a_warning() {
                 The message has 68 characters, and the control shows 65: this end is cut off.
         "#]],
     );
-    // As long as it may be; a comment.
+    // Messages of the greatest length; a comment.
     E60.quiet("O1\n#3006=1(ABCDEFGHIJKLMNOPQRSTUVWXYZABCDE)\n#3003=0(ABCDEFGHIJKLMNOPQRSTUVWXYZABCDEFGHIJKL)\nM30");
 }
 

@@ -13,12 +13,12 @@ use macroline::motion::RunningProgram;
 use super::parts;
 use super::program::g;
 
-/// What one block came to.
+/// Record of one block.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Ran {
     /// The block waited for the machine at rest.
     pub(crate) waited: bool,
-    /// It costs what a macro block costs.
+    /// The block costs the time of a macro block.
     pub(crate) is_macro: bool,
     /// Its commands.
     pub(crate) commands: Vec<Canon>,

@@ -1,4 +1,4 @@
-//! What holds for any text on any control. Shared with the fuzz targets: a law that is broken panics.
+//! Laws that hold for any text on any control. Shared with the fuzz targets: a law that is broken panics.
 
 use macroline::controls::Address;
 use std::rc::Rc;
@@ -83,7 +83,7 @@ fn edited(parsed: &Parsed, text: &str) {
     assert_eq!(again, text, "around edited blocks nothing changes");
 }
 
-/// What is written anew reads back as it was, lowered; lowering twice is lowering once.
+/// Emitting and parsing gives the lowered deck again; lowering twice is lowering once.
 fn written(parsed: &Parsed) {
     let control = parsed.control();
     let low = nc::lower(parsed.deck(), control);
@@ -146,7 +146,7 @@ pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
     let mut interp = Interp::new(Rc::clone(&parsed), StartProgram::First);
     let names = interp.names();
     let mut machine = AnyWorld(Dice(world));
-    // Where a block has no condition and is not skipped, no run gets past the alarm that is foretold of it.
+    // No run gets past an alarm of the precheck at a block without condition or skip.
     let mut doomed: Vec<Place> = Vec::new();
     for alarm in precheck(&parsed).into_iter().filter(|finding| finding.severity == Severity::Error) {
         let place = alarm.place.expect("an alarm of a block has a place");

@@ -241,7 +241,7 @@ impl<'a> Writer<'a> {
                 ]);
                 self.line(text);
                 if text == "M5" || text == "S0 M4" {
-                    // It turns again, or a feed per revolution would wait for ever.
+                    // Without the spindle turning again, a feed per revolution would wait for ever.
                     self.line("S500 M3");
                 }
             }

@@ -1,4 +1,4 @@
-//! What generated programs of every language are made of.
+//! Parts of generated programs in every language.
 
 use macroline::controls::{Address, Code};
 

@@ -260,7 +260,7 @@ impl<'a> Writer<'a> {
                 let text = self.dice.pick(&words);
                 self.line(text);
                 if text == "M05" || text == "S0 M04" {
-                    // It turns again, or a feed per revolution would wait for ever.
+                    // Without the spindle turning again, a feed per revolution would wait for ever.
                     self.line("S500 M03");
                 }
             }

@@ -1,4 +1,4 @@
-//! What differs between the controls in calls of macros: one text, read by each of them.
+//! Differences between the controls in calls of macros: one text, read by each of them.
 
 use expect_test::{Expect, expect};
 use macroline::controls::{Switches, find};

@@ -21,7 +21,7 @@ fn check_tree(text: &str, expected: Expect) {
     expected.assert_eq(&tree(&parsed));
 }
 
-/// What is said of a block, and what its fixes make of it; that reads without an error.
+/// Findings of a block, and the block after its fixes, which reads without an error.
 #[track_caller]
 fn check(block: &str, expected: Expect) {
     let mut files = Files::one("A.MPF", format!("{block}\nM30\n"));
@@ -542,7 +542,7 @@ fn duplicate_names_of_any_length_are_findings() {
     }
 }
 
-/// What a senior programmer would say.
+/// Warnings of a program.
 #[track_caller]
 fn check_warnings(text: &str, expected: Expect) {
     let parsed = read_on(control(), text);
@@ -629,7 +629,7 @@ fn main_block_colon_survives_emit() {
     assert_eq!(edited.files.0[0].text, text);
     deck.blocks[0].span = macroline::text::Span::default();
     assert_eq!(nc::emit_parsed(&parsed, &deck).files.0[0].text, text.replace(":  20", ":20"));
-    // Where there are none, it is a number as others.
+    // A control without main blocks writes the number as that of any block.
     let other = find("gsk-980tdc").unwrap();
     assert!(emit(parsed.deck(), other).files.0[0].text.contains("N20 G00 X1"));
 }

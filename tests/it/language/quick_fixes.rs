@@ -13,8 +13,8 @@ use macroline::text::Severity;
 
 use super::findings;
 
-/// What each control says of a block; alarm numbers side by side where they alone differ. Where fixes are offered, the first of each
-/// finding is made; what comes out reads without an error, and is shown.
+/// Findings of a block on each control, with the alarm numbers side by side if they alone differ. The first fix of each finding is made;
+/// the result is shown, and reads without an error.
 #[track_caller]
 fn check(block: &str, expected: Expect) {
     let mut said: Vec<(Vec<&str>, String)> = Vec::new();
@@ -537,7 +537,7 @@ slips! {
             1:1 error P33|0003|005|PS0005|PS0005 CALL is no word of the CONTROL.
                 = M98 P calls a subprogram by its number, G65 P a macro; both return by M99.
         "#]];
-        // What reads like a sentence is a remark.
+        // Text that reads like a sentence is a comment.
         "RETURN TO START" => expect![[r#"
             1:1 error P33|0003|005|PS0005|PS0005 “RETURN TO START” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 1:1 "RETURN TO START"→"(RETURN TO START)"

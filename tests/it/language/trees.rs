@@ -1,4 +1,4 @@
-//! What is read, as trees.
+//! Programs as the trees that the parser reads.
 
 use expect_test::{Expect, expect};
 use macroline::controls::Address;

@@ -69,7 +69,7 @@ fn cad_library_reads_layers_units_and_dimensions() {
     for entity in drawing.entities() {
         assert!(layers.iter().any(|(name, _)| *name == entity.common.layer), "{}", entity.common.layer);
     }
-    // What is shown of a dimension: extension lines, the dimension line as long as its text says, arrows.
+    // Parts of a dimension: extension lines, the dimension line as long as its text says, arrows.
     let mut measured = Vec::new();
     for block in drawing.blocks().filter(|block| block.name.starts_with("*D")) {
         let (mut lines, mut arrows, mut texts) = (Vec::new(), 0, Vec::new());
@@ -109,7 +109,7 @@ fn section_in_the_file_is_the_computed_one() {
             );
             round += usize::from((radius - 0.5 * stock).abs() < 1e-6);
         }
-        // What is left of the stock is drawn as arcs of the stock.
+        // Rest of the stock at the corners, drawn as arcs of the stock.
         assert_eq!(round > 0, !section.corners()[0].meets, "{shape}");
     }
 }

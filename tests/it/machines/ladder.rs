@@ -117,7 +117,7 @@ fn every_signal_of_the_interface_has_its_rung() {
             assert!(reader != "PLC" || used.contains(device), "{name}: nothing reads {device}");
             known.insert(device.clone());
         }
-        // What the list names and the interface has not, the PLC keeps to itself: it is written before it is worth reading.
+        // Devices of the list that are not in the interface are internal to the PLC: some rung has to write them.
         for device in used.iter().chain(&targets).filter(|device| !known.contains(*device)) {
             assert!(targets.contains(device), "{name}: nobody writes {device}");
         }

@@ -16,7 +16,7 @@ fn ribbon() -> Project {
     Project::of("ribbon-line", None).unwrap()
 }
 
-/// What is said of a link, a line each.
+/// Findings about a link, a line each.
 fn said(link: &str) -> String {
     let loaded = Project::from_link(link);
     let lines = loaded.diagnostics.iter().map(|found| sentence(&found.message) + "\n");

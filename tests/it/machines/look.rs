@@ -1,4 +1,4 @@
-//! What is drawn of the machines: scene, poses, charts, tables.
+//! Drawings of the machines: scene, poses, charts, tables.
 
 use super::ribbon_line::{control, machine, on, values};
 use expect_test::expect;

@@ -142,7 +142,7 @@ fn pmc_word_to_the_program_shows_bit_by_bit_on_the_screen() {
     assert_eq!(bits(0.0), [0.0, 0.0, 0.0, 1.0].map(Some));
     assert_eq!(bits(3.0), [1.0, 1.0, 1.0, 0.0].map(Some));
     assert_eq!(bits(1e9), [0.0, 0.0, 0.0, 1.0].map(Some));
-    // What no program has written of its own variables is vacant.
+    // Own variables are vacant until a program writes them.
     assert_eq!(run::shown(&planner, project.control, 100, 3.0), None);
 }
 
@@ -702,7 +702,7 @@ fn taken_way_gives_the_figures_of_its_row() {
             ];
             let row: Vec<&String> = [4].into_iter().chain(6..12).map(|at| &way.cells[at]).collect();
             assert_eq!(row, said.iter().collect::<Vec<_>>(), "{changes:?} {sets:?}");
-            // What is possible is within all of its limits. The torque of the cut is no limit of a way: it follows from the feed.
+            // A way that is shown as possible stays within all of its limits, except the torque of the cut, which follows from the feed.
             let failed = taken
                 .readouts
                 .iter()

@@ -1,4 +1,5 @@
-//! What the paper on polygon turning says beside its codes: half axes, letters, printed remarks, time against milling; and what a run tells.
+//! Statements of the paper on polygon turning besides its codes: half axes, letters, printed remarks, time against milling; and the results
+//! of a run.
 
 use super::super::command;
 use super::drawn::area;

@@ -139,7 +139,7 @@ fn each_cutter_has_its_tip_radius() {
     assert_eq!(result(&own, "second-distance"), 10.5 + 60.0);
     assert_eq!([result(&own, "offset"), result(&own, "second-offset")], [-90.0, -120.0]);
     assert!(own.written().files.0[0].text.contains("(X OFFSET OF T2 IS -120)"));
-    // Where the form has none, as in projects from before, that of the first.
+    // A form without an own tip radius, as in older projects, uses that of the first cutter.
     let old = project(&[&TWO[..6], &[("tip-radius", "30")]].concat());
     assert_eq!(result(&old, "second-distance"), 10.5 + 30.0);
     let found = |changes: &[(&str, &str)]| {

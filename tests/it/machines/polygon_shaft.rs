@@ -164,7 +164,7 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
         }
         let slots = u32::from(on("before")) + u32::from(on("after"));
         turnings += slots;
-        // As a polygon at the end: the stretch from the face to its shoulder.
+        // The stretch from the face to its shoulder is checked like a polygon at the end of the bar.
         polygons.extend((slots > 0).then_some((0.0, turned)));
         holds(&project, &Part { stock, free, polygons, width });
     }

@@ -70,7 +70,7 @@ fn said(found: &[Diagnostic]) -> Vec<String> {
 
 #[test]
 fn case_that_all_controls_accept_moves_alike() {
-    // The same times of blocks: those are the control's, not the machine's.
+    // Equal block times: they belong to the control, not to the machine.
     let same = [("block-time", "7.1"), ("macro-time", "3"), ("preread", "5"), ("spindle-speed", "100")];
     let changes: Vec<_> = same.into_iter().chain([("pitch-count", "20")]).collect();
     let degrees: Vec<_> = changes.iter().copied().chain([("print-axis", "c"), ("y-unit", "degrees")]).collect();
@@ -139,10 +139,10 @@ fn feed_above_control_range_names_the_possible_speed() {
     let RunEnd::Alarm(alarm) = ended(&mut stopped) else { panic!("it stops") };
     assert_eq!(sentence(&alarm.message), "The program raises its alarm 20: FEED #115 ABOVE LIMIT #119");
     assert_eq!(stopped.timeline().at(stopped.timeline().end()).spindle.command, 0.0);
-    // As fast as it says, it runs.
+    // The speed that the message names runs through.
     let mut slow = over_time(&project("gsk-980tdc", &[("spindle-speed", "150"), ("pitch-count", "5")]), vec![]);
     assert_eq!(ended(&mut slow), RunEnd::ProgramEnd);
-    // What the E60 takes at S1200, the K2000T takes as well.
+    // The K2000T runs at S1200 as the E60 does.
     for id in ["mitsubishi-e60", "knd-k2000t"] {
         let mut runs = over_time(&project(id, &[("pitch-count", "5")]), vec![]);
         assert_eq!(ended(&mut runs), RunEnd::ProgramEnd, "{id}");
@@ -300,7 +300,7 @@ fn change_of_control_keeps_the_values() {
     for id in lathes() {
         project.move_to(macroline::controls::find(id).unwrap());
         assert!(project.values == before.values);
-        // What the other control does not have stays behind; what the line needs there comes with it.
+        // Settings that the other control does not have stay with their control; settings that the line needs there are added.
         let setting = |id: &str| project.switches.setting(project.control.switch(id).unwrap());
         assert_eq!((setting("locals-of-calls"), setting("common-at-reset")), ("kept", "kept"));
         let back = Project::from_json(&project.to_json());

@@ -30,7 +30,7 @@ fn mended(project: &Project, id: &str) -> Project {
 /// Results that are judged over the range of the knob.
 const JUDGED: [&str; 5] = ["block-time", "x-feed", "y-feed", "vector-feed", "volts"];
 
-/// What the ladder hands to the program: on controls without a macro input the override is typed and no knob moves X.
+/// Whether the program reads the knob: on controls without a macro input the override is typed, and no knob moves X.
 fn has_knob(project: &Project) -> bool {
     project.prepared().variables().iter().any(|(number, ..)| [1032, 1033].contains(number))
 }
@@ -48,7 +48,7 @@ fn block_time_is_judged_at_the_end_of_the_knob() {
     let better = mended(&line, "block-time");
     assert_eq!(readout(&better, "block-time").verdict, Verdict::Ok);
     assert!((readout(&better, "knob-holds").value - 1480.0 / 12.0).abs() < 1e-9);
-    // So it runs: from 114 % on a pitch a block starves, two do not.
+    // In a run, a block starves from 114 % on with one pitch per block, and not with two.
     for (project, percent, starves) in [(&line, 113.0, false), (&line, 114.0, true), (&better, 130.0, false)] {
         // Five blocks are read ahead: a small deficit takes a while.
         let mut long = project.clone();
@@ -165,7 +165,7 @@ proptest! {
             ("clamp-x", "25000"), ("pitch-count", "10000000"),
         ]);
         prop_assume!(has_knob(&line));
-        // What fails is mended as it says, as often as there are results.
+        // Repairs of each failing result hold, tried as often as there are results.
         for _ in 0..3 {
             for id in JUDGED {
                 let row = readout(&line, id);

@@ -62,7 +62,7 @@ fn ready(values: &Values) -> Interp {
     ready_on(on(), values)
 }
 
-/// What a run printed: where words of the axes came to, and F.
+/// End positions of the axis words in a run, and F.
 #[derive(Debug, Default, PartialEq)]
 struct Printed {
     blocks: usize,
@@ -187,7 +187,7 @@ fn every_program_ends_at_the_designed_position() {
     }
 }
 
-/// What words of the two axes count per pitch.
+/// Travel per pitch in axis words: pull axis, and print roller.
 fn travels(on: ControlContext, values: &Values) -> [f64; 2] {
     let diameter = on.dialect().counts_diameters(0);
     let result = |id| result_on(on, values, id);
@@ -461,7 +461,7 @@ fn dropped_program_restores_the_form() {
         for (id, value) in wanted.iter() {
             assert_eq!(read.get(id), Some(value), "{id} of {}", file.name);
         }
-        // What is not written has its default: the essential ones are written always.
+        // Only values other than the default are written, besides three essential ones.
         assert_eq!(read.len(), wanted.len() + 3, "{read:?}");
     }
     assert_eq!(settings::read("O1(NOTHING)\nM30"), None);
@@ -626,7 +626,7 @@ fn any_settings() -> impl Strategy<Value = (ControlContext<'static>, Values)> {
         values.insert("spindle-encoder".to_owned(), Value::Flag(true));
         values.insert("job".to_owned(), Value::Text("pitch-count".to_owned()));
         values.insert("pitch-count".to_owned(), number(f64::from(count)));
-        // As fast as the control can read F.
+        // A reduction ratio that keeps F within the range of the control.
         let limits = &on.control.limits;
         let per_minute = 0.99 * limits.feed_max / result_on(on, &values, "vector-feed");
         let per_turn = 0.99 * limits.revolution_feed_max / result_on(on, &values, "feed-per-revolution");

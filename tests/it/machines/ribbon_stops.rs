@@ -302,7 +302,7 @@ fn operator_goes_on_as_the_table_says() {
         let (end, _) = run(&[(8.0, Action::EmergencyStop), (14.0, Action::Start)]);
         assert!(matches!(end, RunEnd::Alarm(_)), "{} {end:?}", control.id);
         let anew = [(8.0, Action::EmergencyStop), (13.0, Action::Reset), (14.0, Action::Start)];
-        // Where the program cannot read positions, the operator has turned the roller to a head.
+        // If the program cannot read positions, the operator has turned the roller to a head.
         let tells = control.vars.iter().any(|row| row.kind == VarKind::WorkPosition);
         let turned = (!tells).then_some((13.5, Action::Variable(138, Some(0.0))));
         for actions in [&anew[..], &[(8.0, Action::Reset), (14.0, Action::Start)]] {

@@ -73,7 +73,7 @@ fn knob_that_the_axes_do_not_follow_fails() {
         assert_eq!(readout(&line(control.id, &in_step), "slack-rate-knob").verdict, Verdict::Ok, "{}", control.id);
         assert_eq!(readout(&line(control.id, &[]), "slack-rate-knob").verdict, Verdict::Ok, "{}", control.id);
     }
-    // Where the program reads the knob, there is nothing to choose.
+    // A program that reads the knob leaves no choice of its use.
     for id in ["mitsubishi-e60", "gsk-980tdc", "knd-k2000t", "fanuc-0i-tf", "fanuc-0i-mf"] {
         let project = line(id, &[("knob-use", "free")]);
         assert_eq!(readout(&project, "slack-rate-knob").verdict, Verdict::Ok, "{id}");
@@ -210,7 +210,7 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
             let last = slack[slack.len() - 1].1;
             let sum = ["slack-start", "slack-run", "slack-stop"].iter().map(|id| value(id)).sum::<f64>();
             assert!((last - sum).abs() < 0.03 * last.abs() + 20.0, "{name}: {last} {sum}");
-            // It fails, and the advice helps.
+            // The result fails, and its advice helps.
             let row = readout(&line, "slack-rate");
             assert_eq!(row.verdict, Verdict::Fail, "{name}");
             let advice = row.advice.iter().find(|advice| !advice.sets.is_empty());

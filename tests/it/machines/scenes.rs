@@ -15,7 +15,7 @@ use super::sweep::ends;
 const OPTIONS: RunOptions =
     RunOptions { start: None, settings: &[], limits: Budget { blocks: 400, seconds: 12.0 }, keep: Retention::Timeline };
 
-/// What a pose changes. Every pose of a drawing has to change the same: the page keeps parts as the last pose has left them.
+/// Parts that a pose changes. Every pose of a drawing has to change the same parts: the page keeps a part as the last pose has left it.
 fn moved(pose: &Pose) -> BTreeSet<String> {
     let groups = pose.placements.iter().map(|place| format!("group {}", place.group));
     let paths = pose.paths.iter().map(|(id, _)| format!("path {id}"));

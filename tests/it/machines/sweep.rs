@@ -24,7 +24,7 @@ const TOLD: &[(&str, &[&str])] = &[
     ("coordinates of this control end", &["range-time"]),
     ("THE WORK WOULD TURN TOO FAST", &["work-speed"]),
     ("THE TOOL WOULD TURN TOO FAST", &["tool-speed"]),
-    // Where a control has no alarms for programs, they stop with a message.
+    // Controls without alarms for programs stop with a message.
     ("waits for the operator", &["vector-feed", "feed-per-revolution", "block-time", "length-error"]),
     // The machine deviates from its commands.
     ("commanded speed", &["volts", "stage-speed", "speed-smallest", "lower-limit", "override"]),
@@ -114,7 +114,7 @@ fn is_absurd(text: &str) -> bool {
             .any(|one| text.contains(one))
 }
 
-/// What is wrong with a result: only times may be endless.
+/// Describes a result that is not a sound number; only times may be endless.
 fn unsound(row: &Readout) -> Option<String> {
     let endless = row.value == f64::INFINITY && matches!(row.unit, "s" | "ms");
     let plain = row.value.is_finite() && row.value.abs() < 1e15;
@@ -122,7 +122,7 @@ fn unsound(row: &Readout) -> Option<String> {
     (!sound).then(|| format!("{} is {}, limit {:?}", row.id, row.value, row.limit))
 }
 
-/// What is wrong with the design of a form, with its program or with its run.
+/// Faults of a form: in its design, its program or its run.
 fn faults(project: &Project) -> Vec<String> {
     let design = project.design();
     let said = design.diagnostics.iter().flat_map(|found| [&found.message].into_iter().chain(&found.hints));
@@ -161,7 +161,7 @@ fn faults(project: &Project) -> Vec<String> {
     faults
 }
 
-/// What a form has other than a new one.
+/// Values of a form that differ from a new one.
 pub(super) fn changes(project: &Project) -> String {
     let plain = Project::of(project.machine.id(), Some(project.control.id)).unwrap();
     let differs = project.values.iter().filter(|(id, value)| plain.values.get(id.as_str()) != Some(value));

@@ -74,7 +74,7 @@ fn controls_with_equal_rules_move_alike() {
     }
 }
 
-/// What is asked of a lathe on a control.
+/// Name of a question about a lathe, and the answer on a control.
 type Question = (&'static str, fn(&Control) -> String);
 
 fn rounded(value: f64) -> String {

@@ -120,7 +120,7 @@ fn friction_above_the_torque_of_the_motor_has_no_ramp() {
     assert_eq!((judged.value, judged.verdict), (f64::INFINITY, Verdict::Fail));
     assert!(judged.advice.iter().all(|advice| advice.sets.is_empty()));
     assert_eq!(result(&lathe, "run-up-time"), f64::INFINITY);
-    // It stops all the sooner.
+    // Braking is all the sooner.
     assert!(result(&lathe, "braking-time") < result(&shaft("gsk-980tdc", &[]), "braking-time"));
 }
 
@@ -173,7 +173,7 @@ fn in_the_cut(project: &Project) -> (f64, f64) {
     (at, whole.timeline().at(at).spindle.actual)
 }
 
-/// That the spindle coasts from `at` on by friction alone: each second it loses as much speed, and to rest it makes its turns.
+/// Checks that the spindle coasts from `at` on by friction alone: the deceleration is constant, and the turns to rest follow from it.
 fn coasts<P: macroline::motion::RunningProgram>(name: &str, planner: &Planner<P>, (at, n): (f64, f64), inertia: f64) {
     let seconds = inertia * n * RPM / 2.0;
     let now = |t: f64| planner.timeline().at(t).spindle;

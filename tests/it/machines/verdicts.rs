@@ -276,7 +276,7 @@ fn every_advice_has_a_button_that_improves_its_verdict() {
     }
     none(&found);
     assert!(tried.len() >= 40, "{tried:?}");
-    // Where a remedy does not help with one form its button is left out, so only those that never have one are listed.
+    // A remedy that does not help with one form has no button there, so only those that never have one are listed.
     let unlisted = without.iter().filter(|(id, _)| !tried.contains_key(*id) && !PLAIN.iter().any(|row| row.0 == **id));
     none(&unlisted.map(|(id, text)| format!("{id} has no button: {text}")).collect::<Vec<_>>());
     let wrong = PLAIN.iter().filter(|(id, _)| tried.contains_key(id) || !without.contains_key(id));

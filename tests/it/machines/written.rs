@@ -1,4 +1,4 @@
-//! What the machines write raises no finding: every machine, every control it goes with, every choice of its form.
+//! Programs that the machines write raise no finding: every machine, every control of it, every choice of its form.
 
 use macroline::machines::form::{KindInfo, Value};
 use macroline::machines::{self, AnyMachine};

@@ -53,7 +53,7 @@ fn part(text: &str) -> Run {
     run
 }
 
-/// The same with a block in the place of `G512`.
+/// A run of the program with a block in place of `G512`.
 fn block(text: &str) -> Run {
     part(&format!("O3000\nT0101\nG0X60.Z5.\n{text}\nG4X2.\nG502\nM30\n"))
 }

@@ -56,7 +56,7 @@ const EXAMPLE: &[(&str, &str)] = &[
     ("pi", "3.14"),
 ];
 
-/// As the paper prints it.
+/// π as the paper prints it.
 const PI: f64 = 314.0 / 100.0;
 const K: f64 = PI * 100.0 / 25.0;
 

@@ -5,7 +5,7 @@ use macroline::nc::Files;
 use macroline::project::parts::read;
 use macroline::project::render::Renderer;
 
-/// What is said of a table, and how many parts were taken.
+/// Findings about a table, and the number of parts that were taken.
 #[track_caller]
 fn check(text: &str, name: &str, expect: Expect) {
     let (parts, found) = read(text, name);

@@ -179,7 +179,7 @@ fn cutting_time_equals_the_integral_over_the_path() {
             close(cut.surface_time(180.0, limits), sum, 1e-6);
         }
     }
-    // Where the tool is after half of the time: the time to there is half.
+    // A cut to the diameter after half of the time takes half of the time.
     let cut = Cut { diameters: (80.0, 30.0), length: 25.0, feed: 0.2 };
     let half = cut.surface_time(180.0, (0.0, 1e9)) / 2.0;
     let there = surface_diameter(&cut, 180.0, half);

@@ -1,4 +1,5 @@
-//! What lathe controls need: diameters, feed in step with the spindle, threads, constant surface speed, waits that a program switches off.
+//! Functions of lathe controls: diameters, feed in step with the spindle, threads, constant surface speed, waits that a program switches
+//! off.
 
 use macroline::drives::speed::SpeedLimit;
 
@@ -123,7 +124,7 @@ fn feed_per_revolution_without_spindle_waits_with_one_finding() {
     let said: Vec<_> = planner.diagnostics().iter().map(|found| (found.message.id, found.place)).collect();
     assert_eq!(said, [("motion.spindle-at-rest", Some(place(0)))]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);
-    // It goes on as soon as the spindle turns: 100 turns.
+    // The axes go on as soon as the spindle turns: 100 turns.
     planner.event(at(5.0, Action::ManualSpeed(600.0)));
     assert_eq!(finish(&mut planner).1, RunEnd::ProgramEnd);
     close(planner.timeline().at(ended_at(&planner)).spindle.turns, 100.0, 1e-9);
@@ -169,7 +170,7 @@ fn surface_speed_is_constant_within_one_step() {
         // The inverter is faster than the change, so the spindle is at most a step behind.
         close(now.spindle.actual, now.spindle.command, 0.006);
     }
-    // Where the block ends, it is exact.
+    // At the end of the block the command is exact.
     close(timeline.at(end).spindle.command, 120e3 / (math::PI * 80.0), 1e-9);
 }
 

@@ -61,7 +61,7 @@ fn positioning_while_turning_keeps_direction_and_turns() {
         lines.extend([turn(rpm, sign), dwell(3.21), orient(90.0, Approach::Direct), dwell(0.1)]);
         let planner = run_on(&orientable(), vec![], lines);
         let turns = turned(&planner, 4, 5) * f64::from(sign);
-        // What slowing down takes, by the inverter to 100 r/min (a ramp of 2 s over 1480 r/min) and in position control to 0.
+        // Turns of the deceleration: by the inverter to 100 r/min (a ramp of 2 s over 1480 r/min), in position control to 0.
         let inverter = 1480.0 / 2.0;
         let rate = if rpm > 100.0 { inverter } else { 200.0 };
         let least = (rpm + 100.0) / 2.0 / 60.0 * ((rpm - 100.0).abs() / rate) + 50.0 / 60.0 * 0.5;

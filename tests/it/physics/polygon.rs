@@ -19,7 +19,7 @@ fn setup(a: f64, r: f64, ratio: Ratio, inserts: u32) -> CutterSetup {
     CutterSetup::even(2.0 * (a - r), r, ratio, inserts)
 }
 
-/// Where a tip is on the work that has turned by `angle` since the start.
+/// Position of a tip on work that has turned by `angle` (rad) since the start.
 fn tip(cutter: &CutterSetup, insert: usize, angle: f64) -> (f64, f64) {
     let tool = cutter.tool_start + cutter.ratio.value() * angle;
     cutter.tip_on_work(insert, cutter.work_start + angle, tool).unwrap()
@@ -31,7 +31,7 @@ fn flat_radius(apothem: f64, ratio: f64) -> Option<f64> {
     (excess > 0.0).then(|| apothem / excess)
 }
 
-/// Where a side of an ellipse ends in stock of a radius, as the angle from its normal: `cos² φ = (d²/R² - ε²) / (1 - ε²)`.
+/// Angle (rad) from a side's normal at which an ellipse ends in stock of a radius: `cos² φ = (d²/R² - ε²) / (1 - ε²)`.
 fn edge_in_stock(apothem: f64, radius: f64, stock: f64) -> f64 {
     let e = apothem / (2.0 * radius + apothem);
     let square = apothem * apothem / (stock * stock) - e * e;

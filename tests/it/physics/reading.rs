@@ -1,4 +1,4 @@
-//! What waits for what, and how far the control reads ahead.
+//! Waits between blocks, and the read-ahead of the control.
 
 use super::*;
 

@@ -170,7 +170,7 @@ proptest! {
             events.into_iter().map(|(t, action)| at(if whole { t.round() } else { t }, action)).collect()
         };
         let (before, mut after) = (panel(before), panel(after));
-        // What comes before some time stays, as when a list is edited.
+        // Actions up to a time stay, as in an edited list.
         after.retain(|event| event.t > kept);
         after.splice(0..0, before.iter().filter(|event| event.t <= kept).cloned());
         let mut once = planner(&lathe(), after.clone(), busy());

@@ -184,7 +184,7 @@ fn worked_802d_program_faces_and_stops_at_keyways() {
         close(planner.timeline().at(begins(&planner, "N140") - 1e-6).spindle.command, 300.0, 1e-12);
         let held = planner.timeline().at(begins(&planner, "N160") + 1e-6).spindle;
         assert!(held.held && held.angle == 0.0, "{held:?}");
-        // What the second spindle does leaves the first where it is.
+        // A command of the second spindle leaves the first at its angle.
         let held = planner.timeline().at(begins(&planner, "N230") + 0.1).spindle;
         assert!(held.held && held.angle == 0.0, "{held:?}");
         let end = last(&planner);
@@ -360,7 +360,7 @@ fn m03_after_m04_raises_the_gsk_ladder_alarm() {
         let planner = run(&[], lines);
         let alarms: Vec<_> = planner.diagnostics().iter().map(|found| found.alarm.as_deref()).collect();
         assert_eq!((said(&planner), alarms), (vec!["motion.spindle-reversal"], vec![Some("A0.3")]));
-        // What was put out first stays out.
+        // The first speed command stays out.
         assert_eq!(last(&planner).command, rpm);
     }
     for lines in ["S500 M03\nM05\nM04\nG04 X1.\nM00", "S500 M03\nM03\nM05\nM04\nM00", "S500 M04\nS300\nM04\nM00"] {

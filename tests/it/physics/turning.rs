@@ -302,7 +302,7 @@ fn gear_shift_follows_the_ladder_sequence() {
     assert_eq!(look(begin + 3.301), (3, 2.0));
     close(begins(&planner, 3) - begin, 3.3, 1e-3);
     close(spindle(&planner, begins(&planner, 4) - 0.01).actual, 600.0, 1e-9);
-    // The same stage again: answered at once. One that is not there is said.
+    // A shift to the present stage is answered at once; a stage that the machine lacks is a finding.
     close(begins(&planner, 5) - begins(&planner, 4), 0.05, 1e-6);
     assert_eq!(spindle(&planner, ended_at(&planner)).stage, 2);
     let said: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();

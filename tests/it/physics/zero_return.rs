@@ -82,7 +82,7 @@ fn return_leaves_program_and_spindle_as_they_were() {
     let (mut plain, mut planner) = (gsk(&lines, &[]), gsk(&lines, &events));
     assert_eq!((ended(&mut planner), last_place(&planner)), (ended(&mut plain), (60.0, 40.0)));
     assert_eq!(said(&planner), said(&plain));
-    // The same where the key comes into a run that is planned to its end.
+    // The key, pressed later in a run that is planned to its end, gives an equal run.
     let [(t, key)] = events;
     plain.event(at(t, key));
     assert_eq!((ended(&mut plain), last_place(&plain)), (RunEnd::ProgramEnd, (60.0, 40.0)));

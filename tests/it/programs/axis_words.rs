@@ -6,7 +6,7 @@ use macroline::interp::canon::Canon;
 
 use super::{BUDGET, start_on, world};
 
-/// What the axis words of a block do.
+/// Effect of the axis words of a block.
 #[derive(Debug, PartialEq)]
 enum Does {
     /// They are the end point of a motion.
@@ -53,7 +53,7 @@ fn run(control: &'static Control, block: &str, behind: &str) -> Does {
     }
 }
 
-/// What the row of a code says of axis words beside it; `None` where the code gives them a meaning of its own that is simulated.
+/// Effect of axis words beside a code by its row; `None` if the code gives them a meaning of its own that is simulated.
 fn said(row: &CodeDef) -> Option<Does> {
     use Code::*;
     Some(match (row.code, row.group) {

@@ -24,7 +24,7 @@ fn nothing(missing: &[String], what: &str) {
     assert!(missing.is_empty(), "{what}:\n{}", missing.join("\n"));
 }
 
-/// What no text can bring about.
+/// Alarms that no program text can raise.
 const NOT_FROM_TEXT: [Alarm; 7] = [
     Alarm::Budget,
     Alarm::SoftLimit,

@@ -90,7 +90,7 @@ fn other_text(row: &Switch) -> &'static str {
     }
 }
 
-/// What a person does while the program runs.
+/// Actions of an operator while the program runs.
 fn panels() -> Vec<Panel> {
     let panel =
         |events: &[(f64, Action)]| Panel::new(events.iter().map(|(t, action)| Event { t: *t, action: action.clone() }));
@@ -113,7 +113,7 @@ const OPTIONS: RunOptions = RunOptions {
     keep: Retention::Timeline,
 };
 
-/// What machine and variables are at some moments of a run.
+/// State of machine and variables at some moments of a run.
 fn moments(mut run: Run) -> String {
     let progress = run.advance(60.0, 100_000);
     let mut text = format!("{progress:?} {} {:?}\n", run.timeline().end(), run.diagnostics());
@@ -149,7 +149,7 @@ fn runs(control: &'static Control, plant: Option<&Project>, source: &str, switch
     panels().into_iter().map(|panel| moments(run(panel))).collect()
 }
 
-/// Which pairs of options a program tells apart.
+/// Pairs of options that give different runs of a program.
 fn told_apart(control: &'static Control, row: &Switch, machine: &str, source: &str) -> Vec<bool> {
     let options = options(row, source);
     let others: Vec<(&str, &str)> = settings(source).into_iter().filter(|(id, _)| *id != row.id()).collect();

@@ -12,7 +12,7 @@ use macroline::text::{Diagnostic, Severity};
 
 use super::{BUDGET, alarm_and_place, fixtures, interp, start_fixture, start_on, world};
 
-/// What stops a run, of all that is foretold.
+/// Alarms among the findings of the precheck.
 fn alarms(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
     precheck(parsed).into_iter().filter(|finding| finding.severity == Severity::Error).collect()
 }
@@ -37,7 +37,7 @@ fn certain_run_findings_are_found_by_the_precheck() {
     ] {
         assert_eq!(remarks(block), [(id, word.to_owned())], "{block}");
     }
-    // What other codes or values make right, is not certain.
+    // Findings that depend on other codes or on values are not certain.
     for block in ["R5.\nG02 X0 R5. F100", "#1132=#1*5000000000", "M10 M11 M12 M13 M#1"] {
         assert_eq!(remarks(block), [], "{block}");
     }
@@ -51,7 +51,7 @@ fn skipped_cycle_contour_is_found_by_the_precheck() {
         precheck(start_on(gsk, &source, &[]).parsed()).iter().map(|told| told.message.id).collect::<Vec<_>>()
     };
     assert_eq!(ids("P10"), ["interp.contour"]);
-    // Where it begins is not known, or nowhere.
+    // The start of the contour is unknown, or missing.
     assert_eq!((ids("P#1"), ids("P30")), (vec![], vec![]));
 }
 
@@ -76,7 +76,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
             }
         }
     }
-    // What depends on what ran before.
+    // Alarms that depend on earlier blocks.
     expect![[r#"
         mitsubishi-e60 arc-center
         mitsubishi-e60 arc-deviation
@@ -235,7 +235,7 @@ fn precheck_is_silent_on_programs_that_run() {
     }
 }
 
-/// What reading says of one block, and that a run stops there with the same.
+/// Errors of the precheck for one block, after a check that the run stops there with the first of them.
 fn told(control: &'static Control, block: &str) -> String {
     let source = match control.syntax.names {
         Some(_) => format!("%_N_MAIN_MPF\n{}\nM2\n", block),

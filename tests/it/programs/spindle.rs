@@ -1,4 +1,4 @@
-//! What the words of a block command of the spindle, by rules that differ from control to control.
+//! Spindle commands of a block, by rules that differ from control to control.
 
 use expect_test::{Expect, expect};
 use macroline::controls::options::{FeedCodeWithoutS, G96AtOnce, LimitInG97, M5Timing, SposOutOfRange};
@@ -89,7 +89,7 @@ fn g94_restores_the_last_programmed_s() {
     let source = "O1\nS800\nG96 S180\nG98\nM30\n%\n";
     let held = log_of(source, &mut start_on(one_group(), source, &[("g9x-without-s", "hold")]));
     assert_eq!(held, "spindle-speed 800\nsurface-speed 180 X0\nconstant-speed\nend\n");
-    // Where there is none, the spindle keeps the speed that it has.
+    // Without a speed before, the spindle keeps its present speed.
     check(
         "G96 S180\nG98",
         expect![[r#"

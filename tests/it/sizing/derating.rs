@@ -168,7 +168,7 @@ fn site_share_lowers_limits_in_the_long_run_alone() {
         ),
         ("ribbon-line", "unwinder-site-share", &["unwinder-torque"], &["x-peak-torque", "y-peak-torque"]),
     ];
-    // What a motor gives is the value of one result, and the limit of the others.
+    // The rating of a motor is the value of one result, and the limit of the others.
     let gives = |project: &Project, id: &str| {
         let row = result(project, id);
         row.limit.map_or(row.value, |limit| limit.value())

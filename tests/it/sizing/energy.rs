@@ -41,7 +41,8 @@ fn motor_that_starts_takes_what_another_gives_back() {
         )
     };
     let (stops, starts) = (turns(100.0, 0.0), turns(0.0, 100.0));
-    // The same torque, J ω / t = 0.5 Nm: one gives 0.5 ω (1 - t / T), the other takes 0.5 ω t / T; over the half time the first has more.
+    // With equal torques J ω / t = 0.5 Nm one gives 0.5 ω (1 - t / T), the other takes 0.5 ω t / T; over the first half of the time the
+    // first has more.
     let (given, returned) = on_one_bus(&[(&stops, 0.0), (&starts, 0.0)]);
     super::same("returned", returned, 0.5 * 50.0 * 0.1, 1e-12);
     super::same("given", given, 0.5 * 50.0 * 0.1, 1e-12);
@@ -98,7 +99,7 @@ fn duty_type_is_the_least_factor_that_covers() {
         (0.4, 0.4, DutyType::Intermittent(40)),
         (0.41, 0.41, DutyType::Intermittent(60)),
         (0.601, 0.601, DutyType::Continuous),
-        // It stands too long for S6.
+        // The standstill is too long for S6.
         (0.97, 0.3, DutyType::Continuous),
         (0.98, 0.3, DutyType::Periodic(40)),
         (1.0, 0.6, DutyType::Periodic(60)),

@@ -109,7 +109,7 @@ fn results_of_the_reel_follow_the_formulas() {
     let faster = PI * 0.1005 / 50.0 * 1480.0 / 60.0 / 2.0;
     let extra = inertia / 0.09 * faster;
     same("pull", value("reel-pull"), 20.0 + extra, 1e-12);
-    // The same at the motor, behind 70 % of the gear.
+    // Torque of the ramp at the motor, behind 70 % of the gear.
     let ramp = value("unwinder-torque") + (40e-4 + inertia / 0.09 * 0.001005 * 0.001005 / 0.7) * PI / 30.0 * 740.0;
     same("ramp", value("unwinder-ramp-torque"), ramp, 1e-12);
 }

@@ -1,4 +1,4 @@
-//! What comes back to an amplifier, and the brake resistor that takes it; the energy of all motors of a part.
+//! Regeneration of an amplifier, and the brake resistor that takes it; the energy of all motors of a part.
 
 use macroline::drives::duty::{Motion, ToResistor, Turn};
 use macroline::drives::load::{Load, Regeneration};

@@ -10,7 +10,7 @@ use macroline::project::run::{self, Run, RunOptions};
 use macroline::project::size::size;
 use proptest::prelude::*;
 
-/// What may lie between a run and its closed form.
+/// Greatest relative difference between a run and its closed form.
 const WITHIN: f64 = 1e-3;
 
 fn with(mut project: Project, values: &[(&str, f64)]) -> Project {
@@ -176,7 +176,7 @@ proptest! {
         prop_assert!((work.peak.0 - peak).abs() <= 1e-9 * peak);
         let expected = effective(&phases);
         prop_assert!((work.effective - expected).abs() <= 1e-9 * expected);
-        // What the ramps take and give, with the losses of the gear both ways.
+        // Energy of the ramps, with the losses of the gear both ways.
         let way = speed * (ramp + run);
         let losses = 0.5 * inertia * speed * speed * (1.0 / efficiency - efficiency);
         let spent = torque * way + losses;

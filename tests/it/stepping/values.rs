@@ -1,4 +1,4 @@
-//! What is seen on the way: breakpoints with conditions, watches, settings, alarms, changes.
+//! Values shown while stepping: breakpoints with conditions, watches, settings, alarms, changes.
 
 use expect_test::expect;
 

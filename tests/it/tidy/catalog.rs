@@ -299,7 +299,7 @@ const BARRED: [(&str, &str); 9] = [
     ("程序块", "程序段"),
 ];
 
-/// What is wrong with a Chinese sentence: words that the glossary bars, marks, spaces.
+/// Faults of a Chinese sentence: words that the glossary bars, marks, spaces.
 pub(crate) fn chinese_faults(sentence: &str) -> Vec<String> {
     let chinese = |c: char| ('\u{4e00}'..='\u{9fff}').contains(&c);
     let full = |c: char| "，。：；？！（）“”、".contains(c);

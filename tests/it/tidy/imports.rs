@@ -1,4 +1,4 @@
-//! Which file imports which: paths are followed through re-exports to the file that defines the name.
+//! Imports between files: paths are followed through re-exports to the file that defines the name.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -66,7 +66,7 @@ impl<'a> Imports<'a> {
         }
     }
 
-    /// The same for a path below a module.
+    /// The file that defines a path below a module.
     fn below(&self, mut module: Module<'a>, path: &[&str], depth: usize) -> Option<usize> {
         let (first, rest) = path.split_first()?;
         if *first == "super" {

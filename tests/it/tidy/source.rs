@@ -190,14 +190,14 @@ impl Source {
         format!("{}:{line}", self.path)
     }
 
-    /// Where the shipped code has one of these words.
+    /// Places of these words in the shipped code.
     pub(super) fn find_words(&self, wanted: &[&str]) -> Vec<String> {
         let words = self.shipped().iter().filter(|token| token.kind == TokenKind::Word);
         let hits = words.filter(|token| wanted.contains(&token.text.as_str()));
         hits.map(|token| format!("{}: {}", self.place(token.line), token.text)).collect()
     }
 
-    /// Where the shipped code has one of these sequences of tokens, written with a space between two.
+    /// Places of these sequences of tokens in the shipped code, written with a space between two.
     pub(super) fn find_code(&self, wanted: &[&str]) -> Vec<String> {
         let mut found = Vec::new();
         for wanted in wanted {
@@ -210,7 +210,7 @@ impl Source {
         found
     }
 
-    /// What every attribute `allow(…)` and `expect(…)` has in its brackets, those within `cfg_attr` too.
+    /// Contents of the brackets of every attribute `allow(…)` and `expect(…)`, within `cfg_attr` too.
     pub(super) fn disabled_lints(&self) -> Vec<&[Token]> {
         let is = |at: usize, text: &str| self.tokens.get(at).is_some_and(|token| token.text == text);
         let mut found = Vec::new();

@@ -19,7 +19,7 @@ const FOR_PEOPLE: [&str; 10] = [
     "title",
 ];
 
-/// What is the same in every language: the name of the page and its two halves, units, kinds of files.
+/// Texts that are equal in every language: the name of the page and its two halves, units, kinds of files.
 const SAME: [&str; 8] = ["macroline", "macro", "line", "r/min", "Nm", "s", "SVG", "PNG"];
 
 #[test]

@@ -82,7 +82,7 @@ impl Listing {
         self.lines.iter().filter_map(unknown).collect()
     }
 
-    /// What is written, each with the contacts before it.
+    /// Written devices, each with the contacts before it.
     pub(super) fn targets(&self) -> impl Iterator<Item = (String, String)> {
         let (mut all, mut contacts, mut acted) = (Vec::new(), Vec::new(), false);
         let mut last_number = None;
