@@ -11,7 +11,7 @@ const box = (page, selector) => page.locator(selector).first().boundingBox();
 const open = (page) => page.locator('#meaning:popover-open');
 const THEMES = ['light', 'dark'];
 
-test('a word of the listing tells meaning, live value and source under pointer and keys, and moves nothing', () =>
+test('listing word shows meaning, value and source, moves nothing', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'O9101.nc' }).click();
     const before = await Promise.all(['#play', '.listing', '#export'].map((selector) => box(page, selector)));
@@ -48,7 +48,7 @@ test('a result shows the parts and fields that it depends on', () =>
     await page.locator('.scene .cause').first().waitFor({ state: 'detached' });
   }));
 
-test('a pull on a name changes its number, and one undo takes it back', () =>
+test('dragging a name changes its number, one undo restores it', () =>
   withPage(app, {}, async ({ page }) => {
     const { x, y } = await box(page, 'label[for=pitch]');
     await page.mouse.move(x + 10, y + 8);
@@ -61,7 +61,7 @@ test('a pull on a name changes its number, and one undo takes it back', () =>
     assert.equal(await page.inputValue('#pitch'), '10');
   }));
 
-test('the chart zooms about the pointer, and the run has its milestones', () =>
+test('chart zooms about the pointer and marks milestones', () =>
   withPage(app, {}, async ({ page }) => {
     await page.locator('.event', { hasText: 'first dot' }).waitFor();
     const span = () => page.locator('#head').evaluate((head) => head.max - head.min);
@@ -97,7 +97,7 @@ function apart(all, about) {
 }
 
 for (const [width, height] of [[1440, 900], [1366, 768], [1024, 768], [720, 450], [390, 844]]) {
-  test(`labels of drawings are 13 px and apart, with the names of the parts, and nothing is cut off (${width} × ${height})`, () =>
+  test(`labels are 13 px, apart and whole (${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height } }, async ({ page }) => {
       for (const machine of ['Ribbon line', 'Turning spindle', 'Polygon lathe']) {
         await page.getByRole('button', { name: machine, exact: true }).click();
@@ -136,7 +136,7 @@ test('play is reached within ten tabs on a fresh page', () =>
     assert.fail('play is further than ten tabs');
   }));
 
-test('the drawing is recorded as a clip, and a recording can be broken off', () =>
+test('drawing is recorded as a clip, recording can be cancelled', () =>
   withPage(app, {}, async ({ page }) => {
     const begin = async () => {
       await page.getByRole('button', { name: 'Save the drawing' }).click();
@@ -152,7 +152,7 @@ test('the drawing is recorded as a clip, and a recording can be broken off', () 
   }));
 
 for (const colorScheme of THEMES) {
-  test(`popovers, menus and the editor are accessible (${colorScheme})`, () =>
+  test(`popovers, menus and editor are accessible (${colorScheme})`, () =>
     withPage(app, { colorScheme }, async ({ page }) => {
       await page.locator('.about').first().click();
       await accessible(page);

@@ -28,7 +28,7 @@ async function chinese(page, about) {
   assert.deepEqual(await english(page), [], about);
 }
 
-test('the browser chooses the language, a person another one, and the project stays', () =>
+test('browser sets the language, user changes it, project stays', () =>
   withPage(app, zh, async ({ page }) => {
     assert.equal(await page.locator('html').getAttribute('lang'), 'zh');
     assert.ok(await page.getByRole('button', { name: say('ribbon.name') }).isVisible());

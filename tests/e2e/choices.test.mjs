@@ -53,7 +53,7 @@ test('another control keeps all input and writes its own words', () =>
     assert.equal(await chosen(page), CONTROL);
   }));
 
-test('the 802D runs, takes variables and settings, and is exported', () =>
+test('802D runs, takes variables and settings, and exports', () =>
   withPage(app, {}, async ({ page }) => {
     await field(page, 'spindle-speed').fill('900');
     await choose(page);
@@ -79,7 +79,7 @@ test('the 802D runs, takes variables and settings, and is exported', () =>
     assert.match(file.toString('latin1'), /^%_N_MPF9101_MPF\r?\n;\$PATH=\/_N_MPF_DIR/);
   }));
 
-test('a control that cannot run the line says so and offers the speed that it runs', () =>
+test('control too slow for the line offers the speed it can run', () =>
   withPage(app, {}, async ({ page }) => {
     await takeExample(page, PAPER);
     for (const [control, message] of [['gsk-980tdc', '5920 FEED #115 ABOVE LIMIT #119'], ['sinumerik-802d', 'FEED R115 ABOVE LIMIT R119']]) {
@@ -97,7 +97,7 @@ test('a control that cannot run the line says so and offers the speed that it ru
     }
   }));
 
-test('an alarm is a bar beside the drawing of a phone, and opens to its whole text', () =>
+test('alarm on a phone is a bar that opens to its whole text', () =>
   withPage(app, { viewport: { width: 390, height: 844 } }, async ({ page }) => {
     await takeExample(page, PAPER);
     await choose(page, 'gsk-980tdc');
@@ -125,7 +125,7 @@ test('an alarm is a bar beside the drawing of a phone, and opens to its whole te
     assert.deepEqual((await boxes())[1], bar);
   }));
 
-test('a value that the machine cannot have is counted over the drawing and leads to its field', () =>
+test('impossible value is counted and leads to its field', () =>
   withPage(app, {}, async ({ page }) => {
     await takeExample(page, PAPER);
     await field(page, 'press-roller-diameter').fill('150');
@@ -193,7 +193,7 @@ test('another machine is opened fresh, and undo goes back', () =>
     assert.equal(await field(page, 'pitch').inputValue(), '9.5');
   }));
 
-test('files of another control open: project, written program, kept project', () =>
+test('files of another control open: project, written, kept', () =>
   withPage(app, {}, async ({ page, context }) => {
     await choose(page);
     await line(page, 'R100').waitFor();

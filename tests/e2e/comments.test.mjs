@@ -18,7 +18,7 @@ async function characters(page, setting) {
   await page.getByLabel(say('switch.comment-characters'), { exact: true }).selectOption(setting);
 }
 
-test('comments in Chinese are chosen, exported in GBK, and restore the form', () =>
+test('Chinese comments export in GBK and restore the form', () =>
   withPage(app, {}, async ({ page }) => {
     const language = page.getByLabel(say('page.comments'), { exact: true });
     await tab(page, 4);

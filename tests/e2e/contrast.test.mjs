@@ -56,7 +56,7 @@ async function strong(page) {
 }
 
 for (const colorScheme of ['light', 'dark'])
-  test(`text, borders and curves are strong where the system asks for contrast, ${colorScheme}`, () =>
+  test(`more contrast: text, borders, curves strong, ${colorScheme}`, () =>
     withPage(app, { colorScheme, contrast: 'more' }, async ({ page }) => {
       await strong(page);
       await takeExample(page, PAPER);

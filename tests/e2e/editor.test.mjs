@@ -48,7 +48,7 @@ const proposals = (page) => page.locator('.editor .cm-tooltip-autocomplete');
 const list = (page) => page.locator('.editor .cm-list');
 const file = (page) => page.locator('.chip[aria-pressed=true]', { hasText: '.nc' }).textContent();
 
-test('codes are proposed with their meaning, taken by Enter or Tab, left by Escape', () =>
+test('code proposals show meaning; Enter, Tab take, Escape leaves', () =>
   withPage(app, {}, async ({ page }) => {
     const content = await edit(page, 'O9101.nc');
     await newLine(page, content, 'G0');
@@ -78,7 +78,7 @@ test('codes are proposed with their meaning, taken by Enter or Tab, left by Esca
     assert.ok(!(await content.evaluate((element) => element.matches(':focus'))));
   }));
 
-test('variables, functions, programs to call and targets of jumps are proposed', () =>
+test('variables, functions, programs, jump targets are proposed', () =>
   withPage(app, {}, async ({ page }) => {
     const content = await edit(page, 'O9101.nc');
     await newLine(page, content, '#10');
@@ -99,7 +99,7 @@ test('variables, functions, programs to call and targets of jumps are proposed',
     await page.keyboard.press('Escape');
   }));
 
-test('the definition of a program, a block and a variable is a key, a press or a button away', () =>
+test('definition opens by key, press or button', () =>
   withPage(app, {}, async ({ page }) => {
     const content = await edit(page, 'O9101.nc');
     await behind(page, content, 'N5 M98 P9100', 'N5 M98 P91');
@@ -119,7 +119,7 @@ test('the definition of a program, a block and a variable is a key, a press or a
     await page.getByText(say('page.no-definition')).first().waitFor();
   }));
 
-test('all uses of a name are listed across files, and a row leads there', () =>
+test('all uses are listed across files, a row leads to its place', () =>
   withPage(app, {}, async ({ page }) => {
     const content = await edit(page, 'O9101.nc');
     await behind(page, content, 'N16 IF[#100 EQ #127]', 'N16 IF[#100');
@@ -165,7 +165,7 @@ test('programs, blocks and variables are found by their names', () =>
     await list(page).waitFor({ state: 'detached' });
   }));
 
-test('a word has its meaning under the pointer, by key and by button', () =>
+test('meaning of a word shows by pointer, key and button', () =>
   withPage(app, {}, async ({ page }) => {
     const content = await edit(page, 'O9101.nc');
     const meaning = page.locator('#meaning:popover-open');
@@ -228,7 +228,7 @@ test('breakpoints of the editor are those of the debugger', () =>
     await points.nth(1).waitFor();
   }));
 
-test('findings follow one another by key, and their fixes are in a list', () =>
+test('keys step through findings, a list has their fixes', () =>
   withPage(app, {}, async ({ page }) => {
     const content = await edit(page, 'O9101.nc');
     await newLine(page, content, 'G999 X1.\nG01 X1,5');
@@ -256,7 +256,7 @@ test('findings follow one another by key, and their fixes are in a list', () =>
     await active(page, 'G999').waitFor();
   }));
 
-test('a file with carriage returns has its marks and places where they are', () =>
+test('marks are in place in a file with carriage returns', () =>
   withPage(app, {}, async ({ page }) => {
     const blocks = Array.from({ length: 12 }, (_, at) => `N${at + 1} G01 X${at}. F100`);
     const text = ['%', 'O1(RETURNS)', ...blocks, 'GOTO 5', 'G999', 'M30', '%'].join('\r\n');

@@ -29,7 +29,7 @@ async function inside(fragment, options, act) {
 
 const playsOn = (frame) => frame.waitForFunction(() => document.getElementById('clock').textContent > '00:00.5');
 
-test('a machine in another page runs, follows its fields and leads to the whole page with them', () =>
+test('embedded machine runs, follows fields, links to the page', () =>
   inside('embed&machine=turning-spindle', {}, async ({ frame, context }) => {
     assert.equal(await frame.locator('.field').count(), 3);
     assert.equal(await frame.locator('h1').textContent(), 'Turning spindle');
@@ -46,7 +46,7 @@ test('a machine in another page runs, follows its fields and leads to the whole 
     assert.equal(await whole.locator(`#${await field.getAttribute('id')}`).inputValue(), '60');
   }));
 
-test('a page that asks for another machine, language and unit in its frame gets them', () =>
+test('frame address sets machine, language and unit', () =>
   inside('embed&machine=turning-spindle', {}, async ({ frame }) => {
     await frame.page().evaluate(() => {
       const frame = document.querySelector('iframe');
@@ -56,7 +56,7 @@ test('a page that asks for another machine, language and unit in its frame gets 
     assert.deepEqual(await frame.locator('.field .unit').allTextContents(), ['in', 'in', 'in']);
   }));
 
-test('the element of the share dialog shows the project, and its page keeps nothing', () =>
+test('share element shows the project and stores nothing', () =>
   withPage(app, {}, async ({ page }) => {
     await enter(page.locator('#pitch'), '9.5');
     await page.getByRole('button', { name: 'Share', exact: true }).click();
@@ -73,7 +73,7 @@ test('the element of the share dialog shows the project, and its page keeps noth
     });
   }));
 
-test('the language of the address is spoken, and a machine that is not known is said', () =>
+test('address sets the language, unknown machine is reported', () =>
   inside('embed&machine=loom&lang=zh', {}, async ({ frame }) => {
     assert.equal(await frame.locator('html').getAttribute('lang'), 'zh');
     assert.ok(await frame.getByRole('link', { name: words('zh')('page.embed-open') }).isVisible());
@@ -81,7 +81,7 @@ test('the language of the address is spoken, and a machine that is not known is 
   }));
 
 for (const [width, colorScheme] of [[320, 'light'], [375, 'dark'], [390, 'light'], [768, 'light'], [1200, 'dark']]) {
-  test(`everything of a frame is in sight (${width} px, ${colorScheme})`, () =>
+  test(`all of a frame is in sight (${width} px, ${colorScheme})`, () =>
     inside('embed', { viewport: { width, height: 800 }, colorScheme }, async ({ frame }) => {
       const hidden = await frame.evaluate(() => {
         const parts = ['.stage svg', '#play', '.scrub', '.verdicts li', '.field', 'footer a'].flatMap((selector) => [...document.querySelectorAll(selector)]);

@@ -12,7 +12,7 @@ const say = words('en');
 const focused = (page) => page.evaluate(() => document.activeElement.id);
 const arrives = (page, id) => page.waitForFunction((id) => document.activeElement.id === `help-${id}`, id);
 
-test('the meaning of an alarm on the screen of the control is one click away', () =>
+test('alarm on the control screen leads to help in one click', () =>
   withPage(app, {}, async ({ page, requests }) => {
     assert.ok(!requests.some((request) => request.includes('help-')), 'help is loaded at the opening of the page');
     await page.selectOption('select.control', 'gsk-980tdc');
@@ -37,7 +37,7 @@ test('search finds an alarm by its number, and Enter opens it', () =>
     await page.locator('#help-use').waitFor();
   }));
 
-test('the help of a field leads to its entry, and from there to a result and back', () =>
+test('field help leads to its entry, to a result and back', () =>
   withPage(app, {}, async ({ page }) => {
     await page.locator('.about').first().click();
     await page.locator('#about').getByRole('button', { name: say('help.more') }).click();
@@ -49,7 +49,7 @@ test('the help of a field leads to its entry, and from there to a result and bac
     await page.waitForFunction((field) => document.activeElement.id === field, field);
   }));
 
-test('the manual of the machine has its drawing, its parts and its steps', () =>
+test('machine manual has its drawing, parts and steps', () =>
   withPage(app, {}, async ({ page }) => {
     await page.keyboard.press('?');
     await page.locator('.help-body nav button').first().click();
@@ -75,7 +75,7 @@ test('Chinese help is found by Chinese words', () =>
 const papers = (pdf) => [...pdf.toString('latin1').matchAll(/\/Type\s*\/Page\b[^]*?\/MediaBox\s*\[0 0 ([\d.]+)/g)].map(([, width]) => Math.round(width));
 
 for (const [locale, colorScheme] of [['en', 'dark'], ['zh-CN', 'light']])
-  test(`the page of help that is read is printed alone and whole, ${locale}`, () =>
+  test(`open help page prints alone and whole, ${locale}`, () =>
     withPage(app, { locale, colorScheme }, async ({ page }) => {
       const said = words(locale.slice(0, 2));
       await page.evaluate(() => (window.print = () => (document.title = 'printed')));

@@ -12,7 +12,7 @@ const box = (page, selector) => page.locator(selector).boundingBox();
 
 // The last two are 1366 × 768 and 1440 × 900 at a zoom of 200 %.
 for (const [width, height] of [[1366, 768], [1920, 1080], [1440, 900], [1024, 768], [390, 844], [683, 384], [720, 450]]) {
-  test(`machine, play and emergency stop are on the first screen (${width} × ${height})`, () =>
+  test(`machine, play, stop on first screen (${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height } }, async ({ page }) => {
       for (const selector of ['#machine', '#play', '.mushroom']) {
         const { x, y, width: w, height: h } = await box(page, selector);
@@ -26,7 +26,7 @@ for (const [width, height] of [[1366, 768], [1920, 1080], [1440, 900], [1024, 76
 }
 
 for (const [width, height] of [[800, 600], [800, 900], [1024, 480], [780, 1000], [390, 844]]) {
-  test(`the drawing fills its stage from edge to edge (${width} × ${height})`, () =>
+  test(`drawing fills its stage (${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height } }, async ({ page }) => {
       for (const name of ['Ribbon line', 'Turning spindle', 'Polygon lathe']) {
         await page.getByRole('button', { name }).click();
@@ -38,7 +38,7 @@ for (const [width, height] of [[800, 600], [800, 900], [1024, 480], [780, 1000],
     }));
 }
 
-test('it moves at first sight, from the start again at the end, and stands for those who asked for stillness', { skip: FIREFOX }, async () => {
+test('page opens playing, or at rest if motion is reduced', { skip: FIREFOX }, async () => {
   await withPage(app, { reducedMotion: 'no-preference' }, async ({ page }) => {
     await page.waitForFunction(() => document.querySelector('#clock').textContent > '00:00.0500');
     assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Pause');
@@ -75,7 +75,7 @@ test('nothing that is said moves a control', () =>
     assert.ok(!(await page.locator('#spindle-speed-note').isVisible()));
   }));
 
-test('a click on a block tells when it runs, and one more shows the machine then', () =>
+test('click on a block tells its time, second click goes there', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'O9101.nc' }).click();
     await page.locator('.listing li[data-l]', { hasText: 'N44 G01' }).click();
@@ -100,7 +100,7 @@ test('a divider is moved by its keys and remembered', () =>
     assert.equal(await width(), before + 48);
   }));
 
-test('the chart reads out the values under the pointer, and a press sets the play head', () =>
+test('chart reads values at the pointer, press sets playhead', () =>
   withPage(app, {}, async ({ page }) => {
     await page.locator('.plot .over').waitFor();
     const { x, y, width } = await box(page, '.plot');
@@ -157,7 +157,7 @@ function faultsOfTables() {
   return [...broken, ...wide.map((part) => `${part.tagName} ${part.className}`)];
 }
 
-test('the report is whole in print on A4 and Letter, and its words are whole on a phone', () =>
+test('report prints whole on A4 and Letter, wraps on a phone', () =>
   withPage(app, {}, async ({ page, context }) => {
     for (const name of [PAPER, 'Polygon lathe', 'Turning spindle']) {
       await (name === PAPER ? takeExample(page, name) : page.locator('.segments button', { hasText: name }).click());

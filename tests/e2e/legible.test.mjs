@@ -94,7 +94,7 @@ const atEnd = async (page) => {
 const each = (lengths, all) => Object.entries(all).flatMap(([locale, sizes]) => sizes.map(([width, height]) => ({ lengths, locale, width, height })));
 
 for (const { lengths, locale, width, height } of [...each('mm', SIZES), ...each('inch', IN_INCHES)]) {
-  test(`no word and no figure is cut off or covered (${locale}, ${lengths}, ${width} × ${height})`, () =>
+  test(`no cut text (${locale}, ${lengths}, ${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height }, locale }, async ({ page }) => {
       if (lengths === 'inch') {
         await page.evaluate(() => localStorage.setItem('macroline.lengths', 'inch'));
@@ -119,7 +119,7 @@ const scrollsSideways = (page) =>
 
 const BESIDE = { en: [[1440, 900], [1366, 768], [1280, 720], [1024, 768], [390, 844]], zh: [[1366, 768], [390, 844]] };
 for (const { locale, width, height } of each('mm', BESIDE)) {
-  test(`no word and no figure of the form and of the tabs is cut off (${locale}, ${width} × ${height})`, () =>
+  test(`form and tabs are whole (${locale}, ${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height }, locale }, async ({ page }) => {
       for (const name of MACHINES.map(words(locale))) {
         await page.getByRole('button', { name, exact: true }).click();
@@ -147,7 +147,7 @@ for (const [width, height] of [[1440, 900], [1366, 768], [1024, 768], [390, 844]
     }));
 }
 
-test('the page is set in one family of letters beside that of figures', () =>
+test('page uses one letter family and one figure family', () =>
   withPage(app, {}, async ({ page }) => {
     for (const tab of ['program', 'results', 'variables', 'parameters', 'plc']) {
       await page.click(`#tab-${tab}`);

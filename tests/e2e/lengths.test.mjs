@@ -37,7 +37,7 @@ const metric = (page) =>
     return [...found];
   });
 
-test('a person turns to inches, types an inch, and the program keeps millimetres', () =>
+test('inches chosen and typed leave the program in millimetres', () =>
   withPage(app, { viewport: WIDE }, async ({ page }) => {
     const field = page.locator('#pitch');
     const unit = page.locator('.field', { has: field }).locator('.unit');
@@ -69,7 +69,7 @@ test('a person turns to inches, types an inch, and the program keeps millimetres
 for (const language of ['en', 'zh']) {
   const say = words(language);
   for (const name of MACHINES) {
-    test(`no millimetre is left where inches are shown (${name}, ${language})`, () =>
+    test(`no millimetre is left in inches (${name}, ${language})`, () =>
       withPage(app, { locale: language, viewport: WIDE }, async ({ page }) => {
         await page.getByRole('button', { name: say(name), exact: true }).click();
         await turnTo(page, say('page.inches'));

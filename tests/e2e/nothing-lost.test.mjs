@@ -41,7 +41,7 @@ test('a character that is typed and deleted is no edit', () =>
     await page.getByText('Edited program.').waitFor({ state: 'detached' });
   }));
 
-test('a second tab is told when it opens, watches, and may take over', () =>
+test('second tab is told, watches, and may take over', () =>
   withPage(app, {}, async ({ page, context }) => {
     await field(page, 'pitch').fill('9.5');
     await page.locator('.kept', { hasText: /^Saved$/ }).waitFor();
@@ -78,7 +78,7 @@ test('undo goes on after a reload', () =>
     assert.equal(await field(page, 'pitch').inputValue(), '9.5');
   }));
 
-test('a project before “New” is offered again, also after a reload', () =>
+test('project before “New” is offered again, also after reload', () =>
   withPage(app, {}, async ({ page }) => {
     await field(page, 'pitch').fill('9.5');
     await page.getByLabel('Name of the project').fill('Customer 4711');
@@ -120,7 +120,7 @@ test('a remedy is carried out by one click, and undone', () =>
     assert.equal(await field(page, 'print-roller-diameter').inputValue(), '120');
   }));
 
-test('the machine data names the facts to measure first, and each leads to its field', () =>
+test('facts to measure first are listed and lead to their fields', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByText(/^(\d+) of \1 assumed$/).click();
     const fact = page.locator('.measure-first button').first();
@@ -131,7 +131,7 @@ test('the machine data names the facts to measure first, and each leads to its f
     assert.ok(at && name.startsWith(at), `${name}: ${at}`);
   }));
 
-test('a line of a hundred thousand characters is shown by its begin, in little time', () =>
+test('line of 100,000 characters shows its start, quickly', () =>
   withPage(app, {}, async ({ page }) => {
     const spent = await processorTime(page);
     const begin = await spent();

@@ -65,7 +65,7 @@ const take = (page) => notice(page).getByRole('button', { name: SAY('page.versio
 const exportNamed = (page, name) => page.getByRole('button', { name, exact: true });
 const OLD = SAY('page.export-short');
 
-test('after the first visit everything works while the host is gone', () =>
+test('after the first visit everything works without the host', () =>
   withHost(async ({ page, at }) => {
     await isKept(page);
     await at.stop();
@@ -86,7 +86,7 @@ test('after the first visit everything works while the host is gone', () =>
     await at.start();
   }));
 
-test('a newer version is announced, waits, and is taken with the project', () =>
+test('newer version is announced, waits, and keeps the project', () =>
   withHost(async ({ page, context, at }) => {
     await isKept(page);
     publish(at);
@@ -108,7 +108,7 @@ test('a newer version is announced, waits, and is taken with the project', () =>
     await next.waitForFunction(async () => (await caches.keys()).length === 1, null, { polling: 100 });
   }));
 
-test('another tab keeps its version until it asks for the newer one', () =>
+test('another tab keeps its version until it asks for a newer one', () =>
   withHost(async ({ page, context, at }) => {
     await isKept(page);
     const other = await context.newPage();
@@ -147,7 +147,7 @@ test('a newer version that does not come whole changes nothing', () =>
     await at.start();
   }));
 
-test('a page that the browser does not keep works as it does without', async () => {
+test('page works in a browser without service workers', async () => {
   const refused = () => (ServiceWorkerContainer.prototype.register = () => Promise.reject(new DOMException('refused', 'SecurityError')));
   const absent = () => Reflect.deleteProperty(Navigator.prototype, 'serviceWorker');
   for (const without of [refused, absent]) {

@@ -22,7 +22,7 @@ after(async () => {
 
 const opened = (options, act) => withPage({ ...app, url: pathToFileURL(join(folder, 'macroline.html')).href }, options, act);
 
-test('the one file runs the machine, sizes it, edits the program and exports', () =>
+test('one file runs, sizes, edits and exports', () =>
   opened({}, async ({ page }) => {
     await page.click('#play');
     await page.waitForFunction(() => document.getElementById('clock').textContent > '00:00.5');
@@ -43,7 +43,7 @@ test('the one file runs the machine, sizes it, edits the program and exports', (
     assert.equal(await page.locator('#pitch').inputValue(), '8');
   }));
 
-test('the one file is not shared by a link, which would open on no other computer', () =>
+test('one file on a disk offers no link', () =>
   opened({}, async ({ page }) => {
     await page.click('#share');
     const dialog = page.getByRole('dialog');

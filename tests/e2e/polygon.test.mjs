@@ -27,7 +27,7 @@ const drag = (page, id, value) =>
   }, value);
 const drop = (page, id) => page.locator(`#explore-${id}`).dispatchEvent('change');
 
-test('the square of the paper: B200 D1 Q2 with two inserts, and other shapes by preset', () =>
+test('paper square: B200 D1 Q2, two inserts; presets change shape', () =>
   lathe(async (page) => {
     await line(page, 'G512 B200. D1 Q2').waitFor();
     assert.match(await card(page, 'Sides'), /Sides4/);
@@ -40,7 +40,7 @@ test('the square of the paper: B200 D1 Q2 with two inserts, and other shapes by 
     await accessible(page);
   }));
 
-test('it runs: work and tool turn at their ratio, and flats appear pass by pass', () =>
+test('work and tool keep their ratio, flats appear pass by pass', () =>
   lathe(async (page) => {
     const outline = () => page.locator('.stage [data-n="0"]').getAttribute('d');
     const at = async (t) => {
@@ -65,7 +65,7 @@ test('it runs: work and tool turn at their ratio, and flats appear pass by pass'
     assert.deepEqual(await page.locator('#play').boundingBox(), play);
   }));
 
-test('a value is dragged: the shape follows at once, the form takes it when it is let go, a way is taken by a click', () =>
+test('drag previews the shape, release sets it, click takes a way', () =>
   lathe(async (page) => {
     await page.click('#tab-explore');
     await page.locator('.shape svg').waitFor();
@@ -100,7 +100,7 @@ test('a value is dragged: the shape follows at once, the form takes it when it i
     assert.equal(await page.locator('#shape').inputValue(), 'square');
   }));
 
-test('sheets, ladder and the part for another control stand beside the program, and the export has the drawings', () =>
+test('sheets, ladder, native part are shown; export has drawings', () =>
   lathe(async (page) => {
     await page.click('#tab-plc');
     for (const text of ['G360.6', 'Sequence from G512 to G502', 'G51.2']) await page.locator('#side', { hasText: text }).waitFor();

@@ -52,7 +52,7 @@ const modeAt = async (page, seconds, mode) => {
   await page.waitForFunction((mode) => document.querySelector('.drawing .mode').textContent === mode, mode);
 };
 
-test('an action is added at the play head, edited, and removed, each as one step', () =>
+test('action added, edited, removed at the playhead, a step each', () =>
   withPage(app, {}, async ({ page }) => {
     await goTo(page, 5);
     await openList(page);
@@ -111,7 +111,7 @@ test('the steps of the list are told in words', () =>
     assert.match(told, /Feed hold 6 → 7 s/);
   }));
 
-test('a mark is dragged to another time, planned anew from there, as one step', () =>
+test('dragging a mark replans from its new time, as one step', () =>
   withPage(app, {}, async ({ page }) => {
     await withActions(page);
     await modeAt(page, 7, 'Feed hold');
@@ -163,7 +163,7 @@ test('marks are moved, removed and followed to the list by keys', () =>
     assert.deepEqual(await times(page), ['6', '8']);
   }));
 
-test('actions are saved as a panel file, which page and command line read, and kept by the browser', () =>
+test('panel file opens in page and command line, browser keeps it', () =>
   withPage(app, {}, async ({ page }) => {
     await withActions(page);
     await openList(page);

@@ -43,7 +43,7 @@ test('the link is shown, copied by one click, and short', () =>
     if (!FIREFOX) assert.equal(await page.evaluate(() => navigator.clipboard.readText()), link);
   }));
 
-test('a link opens a copy, and what was there before is one step back', async () => {
+test('link opens a copy, the project before is one step back', async () => {
   const link = await linkWith('9.5');
   await withPage(app, {}, async ({ page }) => {
     await openOver(page, link);

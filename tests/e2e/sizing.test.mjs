@@ -13,7 +13,7 @@ async function sized(page) {
   await page.locator('.sizing .sheets[aria-busy="false"] table').first().waitFor();
 }
 
-test('a motor of the list is taken into the form, and the bill follows', () =>
+test('motor of the list enters the form, bill follows', () =>
   withPage(app, {}, async ({ page }) => {
     await sized(page);
     // Rows with their cells, without the heads that stand within cells where there is little room.
@@ -36,7 +36,7 @@ test('a line of the torque chart leads to its moment', () =>
     await page.waitForFunction((ms) => Math.abs(Number(document.getElementById('head').value) - ms) < 2, 1000 * at);
   }));
 
-test('parts of a table join the choice, and a wrong row is told with its line', () =>
+test('table parts join the choice, wrong row is told with line', () =>
   withPage(app, {}, async ({ page }) => {
     const rows = [
       'kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade',
@@ -55,7 +55,7 @@ test('machines are drawn by a button', () =>
     await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
   }));
 
-test('a drawing of machines that was cancelled is done once more by a button', () =>
+test('cancelled draw of machines runs again by a button', () =>
   withPage(app, {}, async ({ page }) => {
     await sized(page);
     await page.getByRole('button', { name: 'Draw 10,000 machines' }).click();

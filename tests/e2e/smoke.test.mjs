@@ -14,7 +14,7 @@ test('the page opens', () =>
     assert.ok(await page.getByRole('heading', { level: 1 }).isVisible());
   }));
 
-test('before anything is touched the browser loads what scripts/sizes.mjs counts, once, and nothing else', () =>
+test('first load is what scripts/sizes.mjs counts, each file once', () =>
   withPage(app, {}, async ({ page, requests }) => {
     await page.waitForLoadState('networkidle');
     // Whether and when icon and manifest are asked for is the browser's own affair; the module that keeps the page comes when all is there.

@@ -35,7 +35,7 @@ const drawing = (page) =>
   });
 
 for (const [width, height] of [[1366, 768], [1440, 900], [1920, 1080], [1024, 768], [390, 844]]) {
-  test(`the machine is drawn before the module is there, and stays in its place (${width} × ${height})`, () =>
+  test(`drawing precedes module, in place (${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height } }, async ({ page }) => {
       await page.addInitScript(() => {
         window.shifts = 0;

@@ -21,7 +21,7 @@ const why = (page) => page.locator('.here');
 const seen = (page) => page.locator('.seen').innerText();
 const clock = (page) => page.locator('#clock').textContent();
 
-test('a click on a line number is a breakpoint; stepping goes into calls, over them and out of them', () =>
+test('line number sets breakpoint; stepping into, over, out works', () =>
   withPage(app, {}, async ({ page }) => {
     await file(page, 'O9101.nc');
     await line(page, 'N5 M98 P9100').click({ position: { x: 20, y: 8 } });
@@ -48,7 +48,7 @@ test('a click on a line number is a breakpoint; stepping goes into calls, over t
     assert.equal(await page.locator('.seen').isVisible(), false);
   }));
 
-test('a condition decides where it stops, and what it stops on is seen: changes, watches, variables', () =>
+test('condition decides the stop; changes, watches are shown', () =>
   withPage(app, {}, async ({ page }) => {
     await showSteps(page);
     await fill(page, 'Break if', '#125 EQ 490');
@@ -85,7 +85,7 @@ test('a condition decides where it stops, and what it stops on is seen: changes,
     await next(page, 'N46');
   }));
 
-test('the head is where the walk stands; playing stops at a breakpoint, the first block too', () =>
+test('playhead follows stepping; playing stops at breakpoints', () =>
   withPage(app, {}, async ({ page }) => {
     await file(page, 'O9101.nc');
     await line(page, 'N44 G01').click();
@@ -115,7 +115,7 @@ test('the head is where the walk stands; playing stops at a breakpoint, the firs
     await why(page).getByText('The program has ended.').waitFor();
   }));
 
-test('breakpoints go with their lines; another program, machine or undo leaves no stop behind', () =>
+test('breakpoints follow their lines, a new run has no stop mark', () =>
   withPage(app, {}, async ({ page }) => {
     await file(page, 'O9101.nc');
     await point(page, 'N12 #128');
@@ -146,7 +146,7 @@ test('breakpoints go with their lines; another program, machine or undo leaves n
     assert.match(await seen(page), /Watches\s+#100\/2/);
   }));
 
-test('a walk without end leaves the page at work and is stopped by a key', () =>
+test('endless walk leaves the page responsive, a key stops it', () =>
   withPage(app, {}, async ({ page }) => {
     const text = 'O9101\nN1 #100=0\nN2 #100=#100+1\nGOTO2\nM30\n';
     await page.setInputFiles('#open', { name: 'O9101.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });

@@ -17,7 +17,7 @@ const lathe = (act) =>
     await act(page);
   });
 
-test('a lathe shows where its limit begins, its volts and the time that surface speed saves', () =>
+test('lathe shows its limit, volts and time saved', () =>
   lathe(async (page) => {
     assert.match(await card(page, 'Limit begins'), /31\.83mm/);
     assert.match(await card(page, 'Speed at largest'), /682\.1r\/min/);
@@ -32,7 +32,7 @@ test('a lathe shows where its limit begins, its volts and the time that surface 
     await accessible(page);
   }));
 
-test('the part is cut, the speed follows the diameter, and charts over diameter and speed have no time', () =>
+test('speed follows diameter of the cut; charts over it lack time', () =>
   lathe(async (page) => {
     const outline = () => page.locator('.stage [data-n="0"]').getAttribute('d');
     const speed = async () => Number((await page.locator('.legend .l1 b').textContent()).replace(/[^\d.]/g, ''));
@@ -53,7 +53,7 @@ test('the part is cut, the speed follows the diameter, and charts over diameter 
     assert.equal(timed, 5);
   }));
 
-test('a taper on another control writes that control’s program, and it is exported', () =>
+test('taper on another control is written for it and exported', () =>
   lathe(async (page) => {
     await openGroups(page);
     await page.selectOption('#path', 'taper');

@@ -58,7 +58,7 @@ const type = async (selector, value) => {
   await input.sendKeys(value, Key.ENTER);
 };
 
-test('in WebKit the page opens, runs, follows a field and goes to a time', async () => {
+test('WebKit opens, runs, follows a field, goes to a time', async () => {
   await browser.manage().window().setRect({ x: 0, y: 0, width: 1440, height: 900 });
   await browser.get(site.url);
   await find('#play');

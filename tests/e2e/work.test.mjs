@@ -35,7 +35,7 @@ test('what is typed stays as it is typed, and counts as it reads', () =>
     await page.getByText('#107=1.5').first().waitFor();
   }));
 
-test('a wrong field says what is allowed, the last good results stay, and nothing is exported', () =>
+test('wrong field tells limits, keeps last results, bars export', () =>
   withPage(app, {}, async ({ page }) => {
     const good = await card(page, 'Line speed').textContent();
     const speed = field(page, 'spindle-speed');
@@ -55,7 +55,7 @@ test('a wrong field says what is allowed, the last good results stay, and nothin
     assert.equal(await page.getByText('Results before the invalid entry').isVisible(), false);
   }));
 
-test('arrow keys step a field, undo and redo bring values back, reset takes the default', () =>
+test('arrow keys step a field; undo, redo, reset restore values', () =>
   withPage(app, {}, async ({ page }) => {
     const speed = field(page, 'spindle-speed');
     await speed.press('ArrowUp');
@@ -70,7 +70,7 @@ test('arrow keys step a field, undo and redo bring values back, reset takes the 
     assert.equal(await speed.inputValue(), '1200');
   }));
 
-test('the paper’s example shows its figures and says in words why it slips', () =>
+test('paper example shows its figures and why it slips', () =>
   withPage(app, {}, async ({ page }) => {
     await takeExample(page, PAPER);
     const plain = (text) => text.replace(/\s/g, '');
@@ -82,7 +82,7 @@ test('the paper’s example shows its figures and says in words why it slips', (
     assert.match(await page.locator('.result.fail', { hasText: 'Roller' }).first().textContent(), /7\.850/);
   }));
 
-test('another control keeps the values, shows what it has, and can be undone', () =>
+test('another control keeps the values and can be undone', () =>
   withPage(app, {}, async ({ page }) => {
     await takeExample(page, PAPER);
     await openGroups(page);
@@ -119,7 +119,7 @@ test('a setting of the control that is free text is typed', () =>
     await page.waitForFunction(() => document.querySelector('.switches input').value === '4120=512 4121=502');
   }));
 
-test('it plays, steps block by block, and marks the block that runs', () =>
+test('run plays, steps by block, marks the running block', () =>
   withPage(app, {}, async ({ page }) => {
     await page.locator('h1').click();
     await page.keyboard.press('Space');
@@ -138,7 +138,7 @@ test('it plays, steps block by block, and marks the block that runs', () =>
     await page.waitForFunction(() => document.querySelector('#clock').textContent === '00:00.0000');
   }));
 
-test('the operator’s hand acts at the play head and is told what it changed', () =>
+test('operator acts at the playhead and is told the change', () =>
   withPage(app, {}, async ({ page }) => {
     await goTo(page, 4);
     await openPanel(page);
@@ -200,7 +200,7 @@ test('exports what the control takes', () =>
     await accessible(page);
   }));
 
-test('a reload keeps everything; a broken stored state is set aside and handed out', () =>
+test('reload keeps everything, broken state is set aside', () =>
   withPage(app, {}, async ({ page }) => {
     await field(page, 'pitch').fill('9.5');
     await page.getByLabel('Name of the project').fill('Customer 4711');
@@ -220,7 +220,7 @@ test('a reload keeps everything; a broken stored state is set aside and handed o
     assert.equal(file.toString('utf8'), '{"version":1,');
   }));
 
-test('the paper’s listing shows what is wrong with it, and a fix mends it', () =>
+test('paper listing shows its faults, a fix mends it', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Paper’s listing' }).click();
     await page.getByText('Edited program.').waitFor();
@@ -249,7 +249,7 @@ test('the paper’s listing is mended in three clicks', () =>
     await page.getByRole('button', { name: 'O9101.nc' }).waitFor();
   }));
 
-test('a finding leads to its file and line, in the listing and in the editor', () =>
+test('finding leads to its line in listing and editor', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
     const editor = page.locator('.editor .cm-content');
@@ -267,7 +267,7 @@ test('a finding leads to its file and line, in the listing and in the editor', (
     await page.locator('.listing li.cursor', { hasText: 'G999' }).waitFor();
   }));
 
-test('the editor loads when asked for, keeps to the content security policy, and detaches the program', () =>
+test('editor loads on demand, keeps the CSP, detaches the program', () =>
   withPage(app, {}, async ({ page, requests }) => {
     assert.ok(!requests.some((name) => name.includes('editor')));
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
@@ -282,7 +282,7 @@ test('the editor loads when asked for, keeps to the content security policy, and
     await page.locator('.editor .cm-changedLine, .editor .cm-insertedLine').first().waitFor();
   }));
 
-test('whoever types on while the control still reads loses nothing', () =>
+test('typing on during a slow read loses nothing', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
     const editor = page.locator('.editor .cm-content');
@@ -329,7 +329,7 @@ test('an open point of the control is set, acts and is saved', () =>
     assert.equal(await base.inputValue(), 'R172');
   }));
 
-test('warnings about a pasted program come with their fixes, are silenced, and shown again', () =>
+test('warnings have fixes, are silenced and shown again', () =>
   withPage(app, {}, async ({ page, requests }) => {
     assert.ok(!requests.some((url) => url.includes('worker')), 'the page opens without what finds warnings');
     const program = '%\nO1\nG91 G01 X8 F100\nM30\nX1.\nM30\n%\n';
@@ -371,7 +371,7 @@ test('any bytes are answered, a large file by the worker', () =>
     assert.ok((await page.locator('.raw').textContent()).split('\n').length <= 5001);
   }));
 
-test('what is only assumed is counted, and each fact leads to its field', () =>
+test('assumed facts are counted and lead to their fields', () =>
   withPage(app, {}, async ({ page }) => {
     await page.click('#tab-results');
     await page.getByText(/\d+ facts of the machine are only assumed/).click();

@@ -21,7 +21,7 @@ after(async () => {
   await site?.close();
 });
 
-test('the example shows a design, follows its choices and runs a program', async () => {
+test('example designs, follows its choices, runs a program', async () => {
   const page = await browser.newPage();
   const complaints = [];
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
