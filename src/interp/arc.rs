@@ -1,8 +1,8 @@
-//! Where the centre of an arc lies, and which arcs cannot be. Lengths in command increments.
+//! Arc geometry: centre from I/J/K, radius, intermediate point or tangent, and checks for impossible arcs. Lengths in command increments.
 
 use crate::math;
 
-/// An arc in its plane, seen from its start.
+/// Start to end of an arc in its plane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chord {
     /// End minus start.
@@ -12,25 +12,25 @@ pub(super) struct Chord {
 }
 
 impl Chord {
-    /// The radius with which it goes round by some degrees, `c / (2 sin(a/2))`; negative for the longer arc, as [`by_radius`] has it.
+    /// Signed radius of an arc with a swept angle in degrees, `c / (2 sin(a/2))`; negative for the longer arc, as in [`by_radius`].
     pub(super) fn radius(&self, turn: f64) -> f64 {
         let radius = math::hypot(self.end.0, self.end.1) / (2.0 * math::sin_cos((turn / 2.0).to_radians()).0);
         if turn > 180.0 { -radius } else { radius }
     }
 }
 
-/// Why an arc cannot be.
+/// Reason for refusing an arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Impossible {
     /// Centre on the start, or no centre at all.
     NoCenter,
     /// Distances of start and end from the centre.
     Deviation(f64, f64),
-    /// Radius, and the smallest that reaches the end.
+    /// Programmed radius, and the smallest radius that reaches the end.
     Radius(f64, f64),
 }
 
-/// Checks a centre given by I, J, K (relative to the start); start and end may differ in radius by `tolerance`.
+/// Checks a centre given by I, J, K (relative to the start). The distances of start and end from it may differ by `tolerance`.
 pub(super) fn by_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Result<(f64, f64), Impossible> {
     let start = math::hypot(center.0, center.1);
     let end = math::hypot(chord.end.0 - center.0, chord.end.1 - center.1);
@@ -43,8 +43,8 @@ pub(super) fn by_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Res
     }
 }
 
-/// The centre of an arc whose start alone counts for its radius: of the two centres from which the end is as far, the one that lies nearer
-/// to what was given.
+/// Centre of an arc on controls that take the radius from the start alone and move the centre: of the two centres at that radius from start
+/// and end, the one nearer to the programmed centre.
 pub(super) fn by_moved_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Result<(f64, f64), Impossible> {
     let radius = math::hypot(center.0, center.1);
     if radius == 0.0 || chord.end == (0.0, 0.0) {
@@ -55,7 +55,7 @@ pub(super) fn by_moved_center(chord: Chord, center: (f64, f64), tolerance: f64) 
     Ok(if far(short) <= far(long) { short } else { long })
 }
 
-/// The centre of an arc by its radius, relative to the start: the shorter arc for a positive radius, the longer for a negative one.
+/// Centre from a radius, relative to the start: the shorter arc for a positive radius, the longer for a negative one.
 ///
 /// With the chord `c` from start to end, the centre lies `sqrt(r² - (c/2)²)` beside the middle of the chord.
 pub(super) fn by_radius(chord: Chord, radius: f64, tolerance: f64) -> Result<(f64, f64), Impossible> {
@@ -74,22 +74,22 @@ pub(super) fn by_radius(chord: Chord, radius: f64, tolerance: f64) -> Result<(f6
     Ok((x / 2.0 - y / length * side, y / 2.0 + x / length * side))
 }
 
-/// A centre relative to the start, and whether the arc is clockwise; nothing for a straight line.
+/// A centre relative to the start, and whether the arc is clockwise; `None` for a straight line.
 type Placed = Result<Option<((f64, f64), bool)>, Impossible>;
 
-/// Half an increment from the line, and a way is a line.
+/// Distance (increments) of a point from the line below which an arc is replaced by a straight line.
 const STRAIGHT: f64 = 0.5;
 
 fn dot(a: (f64, f64), b: (f64, f64)) -> f64 {
     a.0 * b.0 + a.1 * b.1
 }
 
-/// Twice the area between two vectors, positive where the second lies left of the first.
+/// Cross product of two vectors, positive if the second is to the left of the first.
 fn cross(a: (f64, f64), b: (f64, f64)) -> f64 {
     a.0 * b.1 - a.1 * b.0
 }
 
-/// The arc through a point on its way, from the start: `2 c·p = p²` holds for the point and for the end.
+/// Arc through an intermediate point. All points relative to the start; the centre `c` solves `2 c·p = p²` for the point and for the end.
 pub(super) fn by_point(end: (f64, f64), point: (f64, f64)) -> Placed {
     let (turn, ends, points) = (cross(end, point), dot(end, end), dot(point, point));
     if turn.abs() <= STRAIGHT * ends.sqrt() {
@@ -100,7 +100,7 @@ pub(super) fn by_point(end: (f64, f64), point: (f64, f64)) -> Placed {
     Ok(Some(((center.0 / (2.0 * turn), center.1 / (2.0 * turn)), turn > 0.0)))
 }
 
-/// The arc that starts in a direction: its centre lies square to it, as far from the end as from the start.
+/// Arc with a given start direction: the centre is on the normal through the start, equally far from start and end.
 pub(super) fn by_tangent(end: (f64, f64), along: (f64, f64)) -> Placed {
     let length = math::hypot(along.0, along.1).max(f64::MIN_POSITIVE);
     let beside = cross(along, end) / length;
@@ -111,7 +111,8 @@ pub(super) fn by_tangent(end: (f64, f64), along: (f64, f64)) -> Placed {
     Ok(Some(((-along.1 / length * radius, along.0 / length * radius), radius < 0.0)))
 }
 
-/// Whether an arc between two points around its centre, a full circle where they are the same, passes in a direction from there.
+/// Whether an arc crosses a direction seen from its centre. Start and end are relative to the centre; if they coincide, the arc is a full
+/// circle.
 pub(super) fn passes((start, end): ((f64, f64), (f64, f64)), clockwise: bool, direction: (f64, f64)) -> bool {
     let (from, to) = if clockwise { (end, start) } else { (start, end) };
     let (turn, behind, before) = (cross(from, to), cross(from, direction), cross(direction, to));

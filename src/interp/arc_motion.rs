@@ -70,7 +70,7 @@ impl RunState {
         Ok(Canon::Arc { to, plane: (first, second), center, clockwise, feed, exact })
     }
 
-    /// The end of an arc by its centre and the degrees that it goes round.
+    /// Sets the end of an arc from its centre and its swept angle in degrees.
     #[cold]
     pub(super) fn turn_to(&self, cx: &BlockContext, values: &BlockWords, turn: f64, to: &mut Target) {
         let [first, second, _] = self.modal.plane;
@@ -85,7 +85,7 @@ impl RunState {
         }
     }
 
-    /// Distance along an axis from the start of an arc to its intermediate point, as travel of the slide.
+    /// Distance along an axis from the start of an arc to its intermediate point, as slide travel.
     fn passed(&self, cx: &BlockContext, values: &BlockWords, axis: u8) -> f64 {
         let at = usize::from(axis);
         let place = cx.control.axes.get(at).and_then(|axis| axis.letter.after(Address::X));
@@ -95,7 +95,7 @@ impl RunState {
         value.saturating_add(from) as f64 * scale
     }
 
-    /// Direction in the plane in which the last motion came to its end.
+    /// Direction in the plane at the end of the last motion.
     fn heading(&self, cx: &BlockContext) -> (f64, f64) {
         let [first, second, _] = self.modal.plane;
         let part = |axis: u8, from: f64| {
@@ -115,7 +115,7 @@ impl RunState {
     }
 }
 
-/// I, J, K of the axes of a plane: distance from the start to the centre, as travel of the slide.
+/// I, J, K of the axes of a plane: distance from the start to the centre, as slide travel.
 fn center_of(cx: &BlockContext, values: &BlockWords, (first, second): (u8, u8)) -> (f64, f64) {
     let offset = |axis: u8| {
         let at = cx.control.axes.get(axis as usize).and_then(|axis| axis.letter.after(Address::X));

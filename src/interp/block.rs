@@ -37,7 +37,7 @@ impl RunState {
             self.pass_contour(cx, at, block, words, &values);
         }
         self.flow(cx, at, &codes, &values, moved)?;
-        // A call or return alone is over when it is read.
+        // A block with only a call or return ends when it is read.
         if (codes.flow.is_some() || codes.call.is_some()) && !commands {
             self.counts.macros += 1;
         } else {
@@ -46,7 +46,7 @@ impl RunState {
         Ok(())
     }
 
-    /// Calls the macro whose arguments the words are, or ends a modal call; returns whether it called.
+    /// Calls a macro with the block's words as arguments, or ends a modal call; returns whether it called.
     fn macro_call(
         &mut self,
         cx: &mut BlockContext,
@@ -84,8 +84,8 @@ impl RunState {
         Ok(false)
     }
 
-    /// Queues the commands of a block in the order of the machine, without stops; returns whether it moves. `surface` is the work zero for
-    /// constant surface speed before the block.
+    /// Queues the commands of a block in the machine's order, without stops; returns whether the block moves. `surface` is the work zero
+    /// for constant surface speed before the block.
     fn commands(
         &mut self,
         cx: &mut BlockContext,
@@ -139,7 +139,7 @@ impl RunState {
         self.pause = codes.stops != 0 || codes.special == Some(Code::Skip);
     }
 
-    /// Calls or returns; behind a motion calls the modal macro.
+    /// Calls or returns; after a motion, calls the modal macro.
     fn flow(
         &mut self,
         cx: &mut BlockContext,
@@ -168,8 +168,8 @@ impl RunState {
         }
     }
 
-    /// Reads codes and values of a block without executing their commands. Returns whether the block calls or returns; `None` if that depends
-    /// on the calling program.
+    /// Reads codes and values of a block without executing its commands. Returns whether the block calls or returns; `None` if that depends on
+    /// the calling program.
     pub(super) fn read_words(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word]) -> Run<Option<bool>> {
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
@@ -185,7 +185,7 @@ impl RunState {
         Ok(Some(called || codes.flow.is_some()))
     }
 
-    /// A block whose words are the arguments of a macro.
+    /// Executes a block whose words are macro arguments.
     fn call_words(
         &mut self,
         cx: &mut BlockContext,
@@ -221,7 +221,7 @@ impl RunState {
         self.macro_words(cx, block, words, caller, kind)
     }
 
-    /// Goes on behind the contour of a cycle that is not simulated, where it lies ahead.
+    /// Jumps past the contour of a cycle that is not simulated, if the contour lies ahead.
     #[cold]
     fn pass_contour(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word], values: &BlockWords) {
         let number = |value: Option<f64>| value.filter(|value| (1.0..1e9).contains(value)).map(|value| value as u32);

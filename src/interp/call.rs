@@ -19,7 +19,7 @@ use crate::nc::{Block, ExprId, TextId, Word};
 /// The word of a block that calls a macro.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Caller {
-    /// Index in the block; `None` where the block calls by a modal call.
+    /// Index in the block; `None` for a call by a modal call in force.
     pub(super) word: Option<usize>,
     /// G, L, N, O and P are arguments too.
     pub(super) all: bool,
@@ -28,7 +28,7 @@ pub(super) struct Caller {
 /// A call: program, kind and repeats.
 struct Callee {
     program: u32,
-    /// Its first block to run.
+    /// The first block to run.
     entry: u32,
     repeats: u32,
     arguments: Option<Given>,
@@ -45,22 +45,22 @@ pub(super) struct Arguments {
 }
 
 impl Arguments {
-    /// The arguments alone.
+    /// The arguments without P and L.
     pub(super) fn given(self) -> Given {
         Given { locals: Rc::new(self.locals), pointless: self.pointless }
     }
 }
 
-/// Sets of I, J, K in argument specification II.
+/// Maximum sets of I, J, K in argument specification II.
 const SETS: usize = 10;
 
 impl RunState {
-    /// How many macros are running inside one another.
+    /// Number of nested macro calls.
     fn macro_depth(&self) -> usize {
         self.frames.iter().filter(|frame| frame.arguments.is_some()).count()
     }
 
-    /// Whether a code called what runs: within it no code calls.
+    /// Whether the running program was called by a code, directly or indirectly. Codes call no further programs then.
     pub(super) fn called_by_code(&self) -> bool {
         self.frames.iter().any(|frame| frame.by_code)
     }
@@ -85,7 +85,7 @@ impl RunState {
             return Ok(());
         }
         let Callee { program, entry, repeats, arguments, by_code, .. } = callee;
-        // A subprogram goes on with the modal call of its caller.
+        // A subprogram keeps the modal call of its caller.
         let mut modal_call = None;
         if let Some(arguments) = &arguments {
             self.vars.enter(&arguments.locals, cx.shared.rules.running.keep_locals);
@@ -100,7 +100,7 @@ impl RunState {
         Ok(())
     }
 
-    /// A program by its number behind P.
+    /// Index of the program with the number P.
     fn program_of(&self, cx: &BlockContext, number: f64) -> Run<u32> {
         let found = if (1.0..4e9).contains(&number) { cx.shared.index.program(number as u32) } else { None };
         let hint = msg!("interp.hint-program");
@@ -114,7 +114,7 @@ impl RunState {
 
     fn repeats(&self, cx: &BlockContext, repeats: Option<f64>, at: &'static [Address]) -> Run<u32> {
         let max = cx.control.limits.repeat_max;
-        // Where there is an alarm for repeats, none at all is one, too.
+        // On controls with an alarm for repeats, 0 repeats raise it too.
         let min = u32::from(cx.control.raises(Alarm::RepeatRange));
         match repeats {
             None => Ok(1),
@@ -127,7 +127,7 @@ impl RunState {
         }
     }
 
-    /// `M98 P H L`, or a code that calls as it does.
+    /// Subprogram call by `M98 P H L`, or by a code bound to a subprogram.
     pub(super) fn call_sub(
         &mut self,
         cx: &BlockContext,
@@ -141,7 +141,7 @@ impl RunState {
         let at: &'static [Address] = if l.is_some() { &[Address::L] } else { &[Address::P] };
         let (mut p, mut l) = (p, l);
         if let (Some(number), true, false) = (p, macros.repeats_in_p, by_code) {
-            // In front of the digits of the program number.
+            // The repeats are the digits in front of the program number.
             let programs = POW10.get(usize::from(cx.control.syntax.program_digits)).map_or(1e18, |&p| p as f64);
             if number >= programs {
                 p = Some(number % programs);
@@ -192,7 +192,7 @@ impl RunState {
         self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, by_code: false })
     }
 
-    /// The alarm of a call or jump during a modal macro call, on controls that have one.
+    /// Raises the alarm of a call or jump during a modal macro call, on controls that have it.
     fn refuse_in_modal(&self, cx: &BlockContext) -> Run<()> {
         if self.modal_call.is_some() && cx.control.raises(Alarm::ReturnInModal) {
             return Err(Trap::alarm(Alarm::ReturnInModal, msg!("interp.call-in-modal")));
@@ -214,12 +214,12 @@ impl RunState {
         self.enter(cx, Callee { program, entry, repeats, arguments: Some(arguments), modal_call, by_code })
     }
 
-    /// A call by a modal call in force.
+    /// One call of the modal macro in force.
     pub(super) fn call_modal(&mut self, cx: &BlockContext, call: &ModalCall, arguments: Given) -> Run<()> {
         self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), call.by_code)
     }
 
-    /// `G65 P L arguments`, or `G66`, `G66.1` that put a call in force.
+    /// `G65 P L arguments`, or `G66` or `G66.1`, which set a modal call.
     pub(super) fn macro_words(
         &mut self,
         cx: &mut BlockContext,
@@ -232,12 +232,12 @@ impl RunState {
         let Some(number) = arguments.program else {
             return Err(Trap::alarm(Alarm::NoCallProgram, msg!("interp.call-without-program")));
         };
-        // The program has to be there when the call is put in force.
+        // G66 and G66.1 already need the program.
         self.program_of(cx, number)?;
         self.call_as(cx, number as u32, arguments, kind, false)
     }
 
-    /// A macro that a code calls by parameter: its words are arguments.
+    /// Macro call by a code bound to a macro; the words of the block are arguments.
     pub(super) fn call_by_code(
         &mut self,
         cx: &mut BlockContext,
@@ -246,7 +246,7 @@ impl RunState {
         caller: Caller,
         call: CodeCall,
     ) -> Run<()> {
-        // Where codes are no arguments, a calling code is the only code of its block.
+        // On controls where codes cannot be arguments, the calling code has to be the only code of its block.
         let letter = caller.word.and_then(|at| words.get(at)).map(|word| word.letter);
         let first = words.iter().position(|word| Some(word.letter) == letter).filter(|at| caller.word != Some(*at));
         if let Some(word) = first.and_then(|at| words.get(at)).filter(|_| cx.control.raises(Alarm::ArgumentAddress)) {
@@ -279,7 +279,7 @@ impl RunState {
         self.call_macro(cx, (program, repeats), arguments, None, by_code)
     }
 
-    /// Arguments of both specifications, mixed: the later of two for one variable holds.
+    /// Arguments of both specifications, mixed. Of two words for one variable the later one counts.
     pub(super) fn arguments(
         &self,
         cx: &mut BlockContext,
@@ -289,7 +289,7 @@ impl RunState {
     ) -> Run<Arguments> {
         let mut found = Arguments { program: None, repeats: None, locals: [VACANT; LOCALS], pointless: 0 };
         let all = caller.all;
-        // Set of I, J, K that is being filled, and the last of its letters; or how many of each there were.
+        // For argument sets in order: the present set of I, J, K and its last letter. For sets per letter: the counts of I, J and K.
         let (mut set, mut last, mut counts) = (0, None, [0; 3]);
         for (at, word) in words.iter().enumerate() {
             let letter = word.letter;
@@ -348,14 +348,14 @@ impl RunState {
         Ok(found)
     }
 
-    /// Whether a local variable still has the value of an argument whose number had no decimal point, and counted command increments.
+    /// Whether a local variable still has the value of an argument that was written without a decimal point and counted increments.
     pub(super) fn came_without_point(&self, variable: u32, value: f64) -> bool {
         let given = self.frames.iter().rev().find_map(|frame| frame.arguments.as_ref());
         let at = (variable as usize).wrapping_sub(1);
         given.is_some_and(|given| given.pointless >> at.min(63) & 1 == 1 && given.locals.get(at) == Some(&value))
     }
 
-    /// `M99 P`: the end of a subprogram or macro, or once more from the head of the main program.
+    /// `M99 P`: returns from a subprogram or macro, or restarts the main program.
     pub(super) fn end_sub(&mut self, cx: &BlockContext, at: u32, p: Option<f64>) -> Run<()> {
         let keep = cx.shared.rules.running.keep_locals;
         if p.is_some() {

@@ -1,7 +1,7 @@
-//! Canonical commands: the narrow waist between language and machine, in the words of the trade.
+//! Canonical commands: the only commands from the interpreter to the machine, in the trade's terms.
 //!
-//! Positions are whole command increments (0.001 mm or 0.001° on most controls) in the machine frame, so that a million
-//! incremental blocks add up exactly. They count what words count: on an axis that is programmed in diameters, diameters. Each variant's `Display` line is the test oracle.
+//! Positions are whole command increments (0.001 mm or 0.001° on most controls) in the machine frame, so that a million incremental blocks
+//! add up exactly. On an axis programmed in diameters they count diameters. Tests compare the `Display` line of each command.
 
 use core::fmt;
 
@@ -10,10 +10,10 @@ use crate::drives::Approach;
 use crate::drives::speed::SpeedLimit;
 use crate::text::number::Plain;
 
-/// Axes that a control can have at most.
+/// Maximum axes of a control.
 pub const AXES: usize = 6;
 
-/// Where axes go. Axes outside the mask keep their position.
+/// End point of a motion. Axes outside the mask keep their position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Target {
     /// End point of every axis in command increments, machine frame; axes outside the mask hold their present position.
@@ -36,28 +36,28 @@ pub enum Feed {
 pub enum Canon {
     /// Positioning of all programmed axes at rapid traverse.
     Rapid {
-        /// Where to.
+        /// End point.
         to: Target,
     },
     /// Straight cutting feed.
     Linear {
-        /// Where to.
+        /// End point.
         to: Target,
-        /// How fast along the path.
+        /// Feed along the path.
         feed: Feed,
         /// Whether the axes stop and are checked in position at the end (G09, G61).
         exact: bool,
     },
     /// Thread cutting: straight, in step with the spindle, without feed override or hold.
     Thread {
-        /// Where to.
+        /// End point.
         to: Target,
-        /// Along the path, in mm per spindle revolution.
+        /// Lead along the path, in mm per spindle revolution.
         lead: f64,
     },
     /// A circular arc in the plane of two axes; other programmed axes move in proportion (helix).
     Arc {
-        /// Where to.
+        /// End point.
         to: Target,
         /// The two axes of the plane, as indices.
         plane: (u8, u8),
@@ -65,7 +65,7 @@ pub enum Canon {
         center: (f64, f64),
         /// Clockwise seen from the positive third axis.
         clockwise: bool,
-        /// How fast along the path.
+        /// Feed along the path.
         feed: Feed,
         /// Exact stop at the end.
         exact: bool,
@@ -80,7 +80,7 @@ pub enum Canon {
         /// Turns.
         turns: f64,
     },
-    /// The present position is from now on this work position; machine positions do not change. Says only that it happened.
+    /// New work position of the present position (G50, G92). Machine positions do not change; the log only records the event.
     Preset {
         /// Work position in command increments.
         to: Target,
@@ -90,36 +90,36 @@ pub enum Canon {
         /// r/min, before override, gears and clamps.
         rpm: f64,
     },
-    /// Constant surface speed from now on, in m/min (G96): the spindle follows the diameter, which is twice the distance of an axis
-    /// from its work zero. Said again when that zero moves.
+    /// Constant surface speed on, in m/min (G96). The spindle follows the diameter, twice the distance of an axis from its work zero.
+    /// Issued again when that zero moves.
     SurfaceSpeed {
         /// m/min.
         speed: f64,
-        /// Index of the axis that is square to the spindle: X on a lathe.
+        /// Index of the axis perpendicular to the spindle: X on a lathe.
         axis: u8,
-        /// Its work zero in command increments, machine frame.
+        /// Work zero of the axis in command increments, machine frame.
         zero: i64,
     },
-    /// No constant surface speed any more (G97); the spindle keeps the speed that it has.
+    /// Constant surface speed off (G97); the spindle keeps its present speed.
     ConstantSpeed,
     /// A limit of the spindle speed in r/min (G25, G26, G50 S, G92 S, LIMS). It stays until another one is given.
     SpeedLimit {
-        /// Which.
+        /// Kind of limit.
         limit: SpeedLimit,
         /// r/min.
         rpm: f64,
     },
-    /// Gear stage of the spindle (M41 …), 0 for one that each S selects (M40); the program waits for FIN.
+    /// Gear stage of the spindle (M41 and up), or 0 for automatic selection by S (M40); the program waits for FIN.
     Gear {
-        /// From 1.
+        /// From 1; 0 is automatic.
         stage: u8,
     },
-    /// The spindle goes to an angle, beside the motion of its block, and is held there until a direction or stop is given (SPOS). The next
-    /// block begins when it is there.
+    /// Spindle positioning (SPOS): the spindle goes to an angle during the motion of its block, and is held there until M03, M04 or M05.
+    /// The next block begins when the spindle is in position.
     Orient {
-        /// Degrees, clockwise from the zero mark; [`Approach::Incremental`]: from where it is.
+        /// Degrees, clockwise from the zero mark; [`Approach::Incremental`]: from the present angle.
         angle: f64,
-        /// Which way it goes.
+        /// Direction of rotation.
         approach: Approach,
     },
     /// Spindle turns clockwise (1), counter-clockwise (-1) or stops (0): M03, M04, M05.
@@ -127,15 +127,14 @@ pub enum Canon {
         /// 1, -1 or 0.
         sign: i8,
     },
-    /// Another spindle than the machine's own turns clockwise (1), counter-clockwise (-1) or stops (0): a driven tool. Nothing else of it is
-    /// simulated.
+    /// A second spindle, such as a driven tool, turns clockwise (1), counter-clockwise (-1) or stops (0). Nothing else of that spindle is simulated.
     OtherSpindle {
-        /// Its number.
+        /// Number of the spindle.
         spindle: u8,
         /// 1, -1 or 0.
         sign: i8,
     },
-    /// An M code that is the PLC's; the program waits for FIN.
+    /// An M code for the PLC; the program waits for FIN.
     Auxiliary {
         /// The number behind M.
         code: u32,
@@ -145,23 +144,23 @@ pub enum Canon {
         /// The number behind T.
         code: u32,
     },
-    /// A macro variable that is an output to the PLC.
+    /// Value of a macro output variable, written to the PLC.
     Output {
         /// Variable number.
         variable: u32,
         /// Its value.
         value: f64,
     },
-    /// Which of feed hold, cutting override and exact stop check the program has switched off (`#3004`).
+    /// Feed hold, cutting override and exact stop check switched off by the program (`#3004`).
     Suppress {
         /// Feed hold has no effect.
         hold: bool,
-        /// Cutting feed override is taken as 100 %.
+        /// Cutting feed override acts as 100 %.
         feed_override: bool,
         /// G09 and G61 do not wait.
         exact: bool,
     },
-    /// Whether single block stop and the wait for FIN are switched off (`#3003`).
+    /// Single block stop and wait for FIN switched off by the program (`#3003`).
     SuppressWaits {
         /// Single block does not stop.
         single_block: bool,
@@ -173,12 +172,12 @@ pub enum Canon {
         /// Exact stop.
         exact: bool,
     },
-    /// Stop with a message on the screen (`#3006`); cycle start goes on.
+    /// Stop with a message on the screen (`#3006`); cycle start continues the program.
     Message {
         /// Text for the operator.
         text: String,
     },
-    /// Message on the screen while the program goes on; an empty one takes the last away (MSG).
+    /// Message on the screen without a stop (MSG); an empty one clears the last message.
     Show {
         /// Text for the operator.
         text: String,
@@ -191,7 +190,7 @@ pub enum Canon {
     End,
 }
 
-/// Names and scale that a [`Canon`] needs to be written as a line.
+/// Axis names and scale for writing a [`Canon`] as a line.
 #[derive(Debug, Clone, Copy)]
 pub struct CanonNames<'a> {
     /// Axes in the control's order.
@@ -213,7 +212,7 @@ impl Target {
     }
 }
 
-/// At most six decimals.
+/// Formats with at most six decimals.
 fn decimal(value: f64) -> Plain {
     Plain(value, 6)
 }
@@ -232,7 +231,7 @@ impl Feed {
 }
 
 impl Canon {
-    /// Whether it acts when its block is read, as macro statements do; all others wait for those before them.
+    /// Whether the command acts when its block is read, like a macro statement. All others wait for the preceding commands.
     pub fn acts_when_read(&self) -> bool {
         matches!(self, Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. })
     }
@@ -246,7 +245,7 @@ impl Canon {
         }
     }
 
-    /// Whether it sets an axis or a spindle in motion.
+    /// Whether the command sets an axis or a spindle in motion.
     pub fn moves(&self) -> bool {
         match self {
             Canon::Orient { .. } => true,
@@ -261,7 +260,7 @@ impl Canon {
     }
 }
 
-/// A command with the names it needs to be written; see [`Canon::line`].
+/// A command and the names for writing it; see [`Canon::line`].
 #[derive(Debug, Clone, Copy)]
 pub struct Line<'a> {
     canon: &'a Canon,
@@ -275,7 +274,7 @@ impl fmt::Display for Line<'_> {
 }
 
 impl Line<'_> {
-    /// Writes the line where pieces cost least: a run writes one for every command.
+    /// Writes the line to any writer, without a `fmt::Formatter`: a run writes one line per command.
     pub fn write(&self, f: &mut impl fmt::Write) -> fmt::Result {
         let names = &self.names;
         let stop = |exact: bool| if exact { " exact" } else { "" };

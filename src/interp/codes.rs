@@ -1,4 +1,4 @@
-//! G and M codes of a block: modal codes, and the meaning that codes give to the other words.
+//! G and M codes of a block: modal codes, and their effect on the meaning of other words.
 
 use super::canon::Canon;
 use super::context::BlockContext;
@@ -24,13 +24,13 @@ pub(super) const END: u8 = 4;
 /// The codes of a block.
 #[derive(Default)]
 pub(super) struct BlockCodes {
-    /// The one-shot code that gives the words their meaning: dwell, reference return, coordinate setting, macro call …
+    /// The one-shot code that defines the meaning of the words: dwell, reference return, coordinate setting, macro call …
     pub(super) special: Option<Code>,
     /// The axis words belong to a code that is not simulated: no motion.
     pub(super) unmoved: bool,
     /// Blocks from P to Q are the contour of a roughing cycle, not motions.
     pub(super) contour: bool,
-    /// A code that is not simulated, or the end of one, may take any word.
+    /// Every word is allowed, because a code that is not simulated, or its cancel, may use it.
     pub(super) any_word: bool,
     /// Exact stop in this block.
     pub(super) exact: bool,
@@ -46,13 +46,13 @@ pub(super) struct BlockCodes {
     pub(super) stops: u8,
     /// M98, M99.
     pub(super) flow: Option<Code>,
-    /// A code that calls a program by parameter.
+    /// A code bound to a program by parameter.
     pub(super) call: Option<CodeCall>,
-    /// Checks for an argument that is an M code which excludes a call in its block.
+    /// A macro call has an M word that excludes a call in its block.
     pub(super) mixed: bool,
     /// Index of the word that calls a macro.
     pub(super) caller: usize,
-    /// Number of words that are read: all, or those in front of an optional block skip.
+    /// Number of words read: all, or those in front of an optional block skip.
     pub(super) count: usize,
 }
 
@@ -88,7 +88,7 @@ impl RunState {
                     };
                     self.g_code(cx, row, at, codes);
                 }
-                // Behind a macro call it is an argument.
+                // After a macro call, M is an argument.
                 Address::M if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
                 Address::M if self.spindle_of(word) > 1 && self.other_spindle(cx, block, word)? => {}
                 Address::M if at + 1 < words.len() && self.is_overtaken(cx, block, words, at)? => {}
@@ -104,13 +104,13 @@ impl RunState {
         Ok(())
     }
 
-    /// The spindle that a word is for.
+    /// The spindle addressed by a word.
     #[inline]
     pub(super) fn spindle_of(&self, word: &Word) -> u8 {
         word.index.unwrap_or(self.modal.spindle.master)
     }
 
-    /// Takes an M word of another spindle than the machine's own; whether it is that spindle's.
+    /// Handles an M word of a second spindle; returns whether the word addresses one.
     #[cold]
     fn other_spindle(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<bool> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(word.index.is_some()) };
@@ -130,7 +130,7 @@ impl RunState {
         Ok(true)
     }
 
-    /// Whether so many M codes follow that this one does not act.
+    /// Whether the block has enough further M codes for this one not to act.
     fn is_overtaken(&self, cx: &mut BlockContext, block: &Block, words: &[Word], at: usize) -> Run<bool> {
         let most = cx.shared.rules.running.m_codes;
         let mut behind = 0;
@@ -155,7 +155,7 @@ impl RunState {
         Ok(behind >= most)
     }
 
-    /// Takes a code that is a name.
+    /// Handles a named code.
     #[cold]
     fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut BlockCodes) -> Result<(), Trap> {
         match cx.codes().row_of(word) {
@@ -176,7 +176,7 @@ impl RunState {
         cx.world.block_skip(u8::try_from(number.mantissa).unwrap_or(1).max(1))
     }
 
-    /// Takes a code that calls a program. Within a program that was called by a code there are none.
+    /// Handles a code bound to a program. Within a program called by a code, codes call no program.
     #[inline]
     fn calls(&self, cx: &BlockContext, id: CodeId, at: usize, codes: &mut BlockCodes) -> bool {
         let call = cx.codes().call(id).filter(|_| !self.called_by_code());
@@ -253,7 +253,7 @@ impl RunState {
     }
 }
 
-/// How the block calls a macro with its words as arguments, if it does.
+/// Kind of the block's macro call; `None` if it calls no macro.
 pub(super) fn macro_kind(codes: &BlockCodes) -> Option<CallKind> {
     match (codes.call, codes.special) {
         (Some(call), _) => (call.kind != CallKind::Sub).then_some(call.kind),
@@ -264,7 +264,7 @@ pub(super) fn macro_kind(codes: &BlockCodes) -> Option<CallKind> {
     }
 }
 
-/// Whether an M word in a macro call stops, ends, calls or returns.
+/// Whether an M word in a macro call is a stop, end, call or return.
 #[cold]
 fn mixes(cx: &BlockContext, word: &Word) -> bool {
     use Code::{End, EndRewind, OptionalStop, Stop, SubCall, SubEnd};

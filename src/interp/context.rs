@@ -1,4 +1,4 @@
-//! The context of a block while it runs: program, control, machine.
+//! Context of a block during its execution: program, control, machine.
 
 use std::rc::Rc;
 
@@ -8,7 +8,7 @@ use super::world::World;
 use crate::controls::Control;
 use crate::nc::{Codes, Deck, Parsed};
 
-/// What all copies of a run share.
+/// Data shared by all copies of a run.
 #[derive(Debug)]
 pub(super) struct Shared {
     pub(super) parsed: Rc<Parsed>,
@@ -16,13 +16,13 @@ pub(super) struct Shared {
     pub(super) index: Index,
     pub(super) rules: Rules,
     pub(super) units: Units,
-    /// The program that a run starts with; `Err` is a number that no program has.
+    /// Index of the start program; `Err` holds a program number that does not exist.
     pub(super) start: Result<u32, u32>,
-    /// Programs may read data of the block that is executed.
+    /// The program reads modal data of the executing block.
     pub(super) executing: bool,
 }
 
-/// Data that a block reads while it executes.
+/// Data for the execution of a block.
 pub(super) struct BlockContext<'a> {
     pub(super) shared: &'a Shared,
     pub(super) control: &'static Control,
@@ -33,7 +33,7 @@ pub(super) struct BlockContext<'a> {
 }
 
 impl<'a> BlockContext<'a> {
-    /// The codes of the control as its switches have them.
+    /// Codes of the control under its switch settings.
     #[inline]
     pub(super) fn codes(&self) -> &'a Codes {
         self.shared.parsed.codes()

@@ -1,4 +1,4 @@
-//! The range of the control's coordinates: an end point beyond it is an alarm, but for axes whose coordinates roll over.
+//! Range check of coordinates: an end point beyond the range is an alarm, except for axes whose coordinates roll over.
 
 use super::canon::{AXES, Target};
 use super::context::BlockContext;
@@ -9,7 +9,7 @@ use crate::controls::dialect::CoordinateFrame;
 use crate::msg;
 
 impl RunState {
-    /// Refuses an end point beyond the range of the coordinates. Each word alone may be within it: incremental words add up.
+    /// Refuses an end point beyond the range of the coordinates. Each word alone may be in range: incremental words add up.
     #[inline]
     pub(super) fn in_range(&self, cx: &BlockContext, to: &Target) -> Run<()> {
         let Some(frame) = cx.shared.rules.running.range else { return Ok(()) };

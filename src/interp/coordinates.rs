@@ -7,7 +7,7 @@ use super::words::BlockWords;
 use crate::controls::Code;
 
 impl RunState {
-    /// Sets a work zero or a limit of the working area; whether the code is one that does.
+    /// Sets a work zero or a limit of the working area; returns whether the code does so.
     pub(super) fn coordinates(&mut self, cx: &BlockContext, code: Code, values: &BlockWords) -> bool {
         let programmed = (0..AXES).filter(|k| values.mask & 1 << k != 0);
         match code {
@@ -32,7 +32,7 @@ impl RunState {
         true
     }
 
-    /// G50 or G92: absolute words become the present work position, incremental words shift it.
+    /// G50 or G92: absolute words set the work position of the present position, incremental words shift it.
     fn set_coordinates(&mut self, cx: &BlockContext, values: &BlockWords) {
         if values.mask == 0 {
             return;

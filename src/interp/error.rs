@@ -50,7 +50,7 @@ impl Trap {
         }))
     }
 
-    /// The same as the reader has reported it, where it has.
+    /// Replaces the alarm by the reader's finding, if any.
     #[cold]
     pub(super) fn reported_as(mut self, finding: Option<&Diagnostic>) -> Trap {
         if let Trap::Alarm(fault) = &mut self {
@@ -59,7 +59,7 @@ impl Trap {
         self
     }
 
-    /// The same with a way out.
+    /// Adds a hint.
     #[cold]
     pub(super) fn hint(mut self, hint: Message) -> Trap {
         if let Trap::Alarm(fault) = &mut self {
@@ -68,7 +68,7 @@ impl Trap {
         self
     }
 
-    /// The same with a number of its own.
+    /// Sets the number shown in place of the alarm's own.
     #[cold]
     pub(super) fn numbered(mut self, number: Option<u32>) -> Trap {
         if let Trap::Alarm(fault) = &mut self {
@@ -77,7 +77,7 @@ impl Trap {
         self
     }
 
-    /// The same in a part of a formula, if no smaller one is known.
+    /// Locates the alarm at a part of a formula, unless a smaller part is known.
     #[cold]
     pub(super) fn part(mut self, part: ExprId) -> Trap {
         if let Trap::Alarm(fault) = &mut self {
@@ -86,7 +86,7 @@ impl Trap {
         self
     }
 
-    /// The same in the first word of its block with one of these letters, if no narrower place is known.
+    /// Locates the alarm at the block's first word with one of these letters, unless a narrower place is known.
     #[cold]
     pub(super) fn behind(mut self, letters: &'static [Address]) -> Trap {
         if let Trap::Alarm(fault) = &mut self
@@ -97,7 +97,7 @@ impl Trap {
         self
     }
 
-    /// The same in a word, if no narrower place is known.
+    /// Locates the alarm at a word, unless a narrower place is known.
     #[cold]
     pub(super) fn within(mut self, word: Span) -> Trap {
         if let Trap::Alarm(fault) = &mut self {
@@ -108,18 +108,18 @@ impl Trap {
 }
 
 impl Fault {
-    /// Which alarm.
+    /// Kind of the alarm.
     pub(super) fn kind(&self) -> Alarm {
         self.alarm
     }
 
-    /// Looks for the word that it is about in its block.
+    /// Finds the word of the alarm in its block.
     pub(super) fn locate(&mut self, deck: &Deck, block: &Block) {
         let word = deck.words_of(block).iter().find(|word| self.letters.contains(&word.letter));
         self.word = self.word.or(word.map(|word| word.span(block)));
     }
 
-    /// The diagnostic in the control's numbers; `block` is its place where neither part nor word is known.
+    /// The diagnostic in the control's numbers; located at `block` if neither part nor word is known.
     pub(super) fn diagnostic(self, parsed: &Parsed, block: Place) -> Diagnostic {
         if let Some(finding) = self.reported {
             return finding;
@@ -129,7 +129,7 @@ impl Fault {
         let shown = parsed.control().alarm_shown(self.alarm);
         let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(shown);
         if let Some(number) = self.number {
-            // Its wording is the program's.
+            // The program supplies the wording.
             diagnostic.kind = DiagnosticKind::ProgramAlarm;
             let prefix = parsed.control().macros.user_alarm_prefix;
             (diagnostic.alarm, diagnostic.wording) = (

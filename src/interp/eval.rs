@@ -1,4 +1,4 @@
-//! Formulas: their values, vacant variables, and the smallest part that an alarm is about.
+//! Evaluation of formulas, vacant variables included, and location of the part that raises an alarm.
 
 use super::context::BlockContext;
 use super::error::{Run, Trap};
@@ -11,7 +11,7 @@ use crate::nc::{Expr, ExprId, Op};
 use crate::text::catalog::number_text;
 
 impl RunState {
-    /// The value of an expression; vacant where it is nothing but a vacant variable. An alarm is about the part that has no value.
+    /// Value of an expression; vacant if it is only a vacant variable. An alarm is located at the part without a value.
     pub(super) fn value(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
         match self.part(cx, id) {
             Err(trap @ Trap::Alarm(_)) => Err(self.blame(cx, id, trap)),
@@ -19,9 +19,9 @@ impl RunState {
         }
     }
 
-    /// The value of a part of an expression.
+    /// Value of a part of an expression.
     ///
-    /// It goes as deep as the formula does; the parser takes formulas of a few hundred parts at most.
+    /// The recursion is as deep as the formula; the parser limits formulas to a few hundred parts.
     fn part(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
         match cx.deck.expr(id) {
             Expr::Number(dec) => Ok(dec.to_f64()),
@@ -34,7 +34,7 @@ impl RunState {
                 self.read(cx, number)
             }
             Expr::Negate(x) => {
-                // A vacant variable with a sign stays vacant: `X-#1` is dropped as `X#1` is.
+                // A vacant variable with a sign stays vacant: `X-#1` is dropped like `X#1`.
                 Ok(-self.part(cx, x)?)
             }
             Expr::Call(Function::AddPoint, x) => {
@@ -49,7 +49,7 @@ impl RunState {
         }
     }
 
-    /// Finds the smallest part without a value, whose operands have values.
+    /// Finds the smallest part without a value whose operands have values.
     #[cold]
     fn blame(&self, cx: &mut BlockContext, mut id: ExprId, trap: Trap) -> Trap {
         loop {
@@ -65,11 +65,11 @@ impl RunState {
         }
     }
 
-    /// What an assignment stores: vacant only from a variable alone, never `-0`.
+    /// Value stored by an assignment: vacant only if the right side is a variable alone, never `-0`.
     pub(super) fn assigned(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
         let alone = matches!(cx.deck.expr(id), Expr::Var(_) | Expr::Indirect(_));
         let value = self.value(cx, id)?;
-        // Adding 0 makes -0 to 0 and leaves everything else as it is.
+        // Adding 0 turns -0 into 0 and changes no other value.
         Ok(if alone { value + 0.0 } else { or_zero(value) + 0.0 })
     }
 
@@ -100,7 +100,7 @@ impl RunState {
         }
     }
 
-    /// The alarm, with the variables that make the divisor 0.
+    /// The alarm, with a hint for each vacant or zero variable in the divisor.
     #[cold]
     fn division_by_zero(&self, cx: &mut BlockContext, divisor: ExprId) -> Trap {
         let mut trap = Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero")).part(divisor);
@@ -137,7 +137,7 @@ impl RunState {
     }
 }
 
-/// The variable that a calculated number names; vacant names `#0`.
+/// Variable number from a calculated value; vacant gives `#0`.
 pub(super) fn variable_number(cx: &BlockContext, x: f64) -> Run<u32> {
     let whole = or_zero(x).round();
     if (0.0..=4e9).contains(&whole) {

@@ -8,7 +8,7 @@ use crate::controls::{Address, Alarm};
 use crate::msg;
 
 impl RunState {
-    /// The feed of a cut; `None` where F0 means rapid traverse.
+    /// Feed of a cut; `None` if F0 means rapid traverse.
     #[inline]
     pub(super) fn feed_in_force(&self, cx: &BlockContext) -> Run<Option<Feed>> {
         match self.modal.feed {
@@ -19,7 +19,7 @@ impl RunState {
             Some(feed) => Ok(Some(Feed::PerRevolution(feed))),
         }
     }
-    /// Speed in r/min of the spindle, not the machine's own, that the master spindle is.
+    /// Speed in r/min of a master spindle other than the machine's own spindle.
     #[cold]
     fn other_speed(&self) -> Run<f64> {
         match self.modal.spindle.other {

@@ -4,31 +4,31 @@ use std::rc::Rc;
 
 use super::vars::Locals;
 
-/// The caller of a program, for its return.
+/// Return data of a call.
 #[derive(Debug, Clone)]
 pub(super) struct CallFrame {
     /// The caller's program.
     pub(super) program: u32,
-    /// The block behind the call.
+    /// The block after the call.
     pub(super) back: u32,
     /// The modal call of a macro's caller.
     pub(super) modal_call: Option<Rc<ModalCall>>,
     /// First block of the called program, for repeats.
     pub(super) entry: u32,
-    /// How often it runs again.
+    /// Number of repeats left.
     pub(super) again: u32,
     /// Arguments of a macro; a subprogram has none and shares its caller's locals.
     pub(super) arguments: Option<Given>,
-    /// A code called it: within it no code calls.
+    /// Called by a code: within the program codes call no program.
     pub(super) by_code: bool,
 }
 
 /// Arguments of a macro call.
 #[derive(Debug, Clone)]
 pub(super) struct Given {
-    /// By local variable; vacant where the call has none.
+    /// By local variable; vacant if not passed.
     pub(super) locals: Rc<Locals>,
-    /// Local variables, bit 0 for `#1`, whose argument counted command increments because its number had no point.
+    /// Local variables (bit 0 for `#1`) whose argument had no decimal point and counted increments.
     pub(super) pointless: u64,
 }
 
@@ -37,14 +37,14 @@ pub(super) struct Given {
 pub(super) struct ModalCall {
     /// Number of the macro.
     pub(super) program: u32,
-    /// How often each call runs it.
+    /// Runs of the macro per call.
     pub(super) repeats: u32,
-    /// Arguments of each call; G66.1 takes those of the block instead.
+    /// Arguments of each call; G66.1 uses the words of each block instead.
     pub(super) arguments: Given,
-    /// G66.1: each block is a call, and nothing but a call.
+    /// G66.1: each block is only a call.
     pub(super) each_block: bool,
-    /// A code put it in force.
+    /// Set by a code bound to a program.
     pub(super) by_code: bool,
-    /// The modal call that was in force before: it acts within the macro, and again when this one ends.
+    /// The preceding modal call: in force within the macro, and again when this one ends.
     pub(super) outer: Option<Rc<ModalCall>>,
 }

@@ -12,13 +12,13 @@ use crate::msg;
 use crate::nc::{Block, Op, Word, WordValue};
 
 impl RunState {
-    /// Whether a G65 is a function: H comes before P, on a control that has functions.
+    /// Whether a G65 is a function: H comes before P, on a control with functions.
     pub(super) fn is_function(&self, cx: &BlockContext, words: &[Word]) -> bool {
         let first = words.iter().find(|word| matches!(word.letter, Address::H | Address::P));
         !cx.control.macros.functions.is_empty() && first.is_some_and(|word| word.letter == Address::H)
     }
 
-    /// Does a function.
+    /// Executes a `G65 H` function.
     pub(super) fn function_words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
         let word = |letter: Address| words.iter().rfind(|word| word.letter == letter);
         let number = match word(Address::H) {
@@ -33,7 +33,7 @@ impl RunState {
         let missing = |letter: &str| {
             Trap::alarm(Alarm::CallOperands, msg!("interp.no-operand", address = letter, number = (number, 0)))
         };
-        // Constants count as they are written.
+        // Constants count as written.
         let mut operand = |letter: Address, needed: bool| match word(letter) {
             Some(Word { value: WordValue::Number(dec), .. }) => Ok(dec.to_f64()),
             Some(Word { value: WordValue::Expr(id), .. }) => self.value(cx, *id),
@@ -60,7 +60,7 @@ impl RunState {
                 return Err(Trap::alarm(Alarm::CallOperands, msg!("interp.function-result")).behind(&[Address::P]));
             };
             let target = self.variable_of(cx, *id)?;
-            // Adding 0 makes -0 to 0.
+            // Adding 0 turns -0 into 0.
             let operand: &'static [Address] = if needed.contains(&Address::R) { &[Address::R] } else { &[Address::Q] };
             let value = self.calculate(cx, operation, (q, r), target).map_err(|trap| trap.behind(operand))? + 0.0;
             return self.write(cx, block, target, value).map_err(|trap| trap.part(*id));

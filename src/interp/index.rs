@@ -1,4 +1,4 @@
-//! Look-up tables of a run, made once per program: axes, variables, sequence numbers, pairs of DO and END.
+//! Look-up tables of a run, built once per program: axes, variables, sequence numbers, pairs of DO and END.
 
 use std::collections::BTreeMap;
 
@@ -7,24 +7,24 @@ use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, Control, Dialect, VarKind, VarRange};
 use crate::nc::{Deck, Expr, ExprId, Program, Stmt};
 
-/// Where a variable lives.
+/// Storage of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Slot {
-    /// The control has no such number.
+    /// No variable with this number.
     None,
     /// Local variable `#n`, as index from 0.
     Local(u8),
     /// A common variable, as index into the store.
     Common(u16),
-    /// Everything else: index of its row.
+    /// Any other variable: index of its row in the control's table.
     Row(u16),
 }
 
 /// Marks the letter for incremental words of an axis.
 const INCREMENTAL: u8 = 0x40;
-/// Numbers below this are looked up in one step.
+/// Variable numbers below this are in the direct table.
 const DIRECT: u32 = 2048;
-/// A row without place in the store.
+/// A row without storage.
 const NOT_STORED: u32 = u32::MAX;
 
 /// A DO with its END, as block indices of the deck.
@@ -39,13 +39,13 @@ struct Loop {
 /// The partner of a DO or END.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Partner {
-    /// The other one, as block index.
+    /// Block index of the partner.
     Block(u32),
     /// No partner.
     Fault(Alarm),
 }
 
-/// The places of one program that jumps can reach.
+/// Jump targets of one program.
 #[derive(Debug, Default)]
 struct Jumps {
     /// (sequence number, block), sorted.
@@ -64,27 +64,27 @@ pub(super) struct Index {
     direct: Vec<Slot>,
     /// Start of each variable row in the store, or [`NOT_STORED`].
     bases: Vec<u32>,
-    /// How many variables the store holds.
+    /// Number of stored variables.
     pub(super) stored: u32,
-    /// (program number, index of its first program), sorted.
+    /// (program number, index of the first program with it), sorted.
     numbers: Vec<(u32, u32)>,
     jumps: Vec<Jumps>,
     /// (target of a jump, its block), sorted; for languages with jump directions.
     targets: Vec<(u32, u32)>,
     /// (name, index of the program), sorted.
     names: Vec<(Box<str>, u32)>,
-    /// Ranges of common variables that are fitted.
+    /// Ranges of fitted common variables.
     fitted: &'static [(u32, u32)],
 }
 
-/// Whether values of these variables are kept by the interpreter.
+/// Whether the interpreter stores values of these variables.
 fn is_stored(kind: VarKind) -> bool {
     use VarKind::*;
     matches!(kind, Common | Retained | OutputWord(_) | Kept | SuppressSingleBlock | SuppressOverride)
 }
 
 impl Index {
-    /// Reads a deck and a control once.
+    /// Builds the tables from a deck and a control.
     pub(super) fn new(deck: &Deck, control: &Control, dialect: &Dialect) -> Index {
         let mut axes = [u8::MAX; 64];
         for (k, axis) in control.axes.iter().enumerate().take(super::canon::AXES) {
@@ -125,7 +125,7 @@ impl Index {
         index
     }
 
-    /// Index of the axis of an address, and whether it is the one for incremental words.
+    /// Axis index of an address, and whether the address is the axis's incremental one.
     #[inline]
     pub(super) fn axis(&self, letter: Address) -> Option<(usize, bool)> {
         let axis = self.axes[letter as usize & 63];
@@ -153,7 +153,7 @@ impl Index {
         }
     }
 
-    /// Index in the store of a variable of a row.
+    /// Index in the store of a row's variable.
     pub(super) fn stored_at(&self, row: &VarRange, at: usize, number: u32) -> Option<u16> {
         let base = self.bases.get(at).copied().filter(|&base| base != NOT_STORED)?;
         u16::try_from(base + number.checked_sub(row.first)?).ok()
@@ -177,7 +177,7 @@ impl Index {
         self.numbers.get(at).filter(|&&(n, _)| n == number).map(|&(_, program)| program)
     }
 
-    /// The block with a sequence number: searched from `from` on to the end of the program, then from its head.
+    /// The block with a sequence number: searched from `from` to the end of the program, then from its first block.
     pub(super) fn sequence(&self, program: u32, number: u32, from: u32) -> Option<u32> {
         let numbers = &self.jumps.get(program as usize)?.numbers;
         let first_from = |block: u32| {
@@ -197,10 +197,10 @@ impl Index {
         }
     }
 
-    /// Whether a jump leads from outside into a loop.
+    /// Whether a jump enters a loop from outside.
     pub(super) fn enters_loop(&self, program: u32, from: u32, to: u32) -> bool {
         let loops = self.jumps.get(program as usize).map_or(&[][..], |jumps| &jumps.loops);
-        // The innermost loop around the target; its DO itself may be jumped to.
+        // The innermost loop around the target; a jump to its DO is allowed.
         let mut at = loops.partition_point(|l| l.start < to).checked_sub(1).map(|at| at as u32);
         while let Some(inner) = at.and_then(|at| loops.get(at as usize)) {
             if inner.end >= to {
@@ -242,7 +242,7 @@ fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
 
 fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps {
     let mut jumps = Jumps::default();
-    // Loops that are open: (label, block of the DO).
+    // Open loops: (label, block of the DO).
     let mut open: Vec<(u16, u32)> = Vec::new();
     for at in range {
         let Some(block) = deck.blocks.get(at as usize) else { break };
@@ -264,7 +264,7 @@ fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps 
                     jumps.pairs.push((at, Partner::Block(start)));
                     jumps.loops.push(Loop { start, end: at, parent: None });
                 }
-                // Without DO or crossing another loop. A DO that finds no END stays without a partner.
+                // No DO, or crossing another loop. A DO without END stays without a partner.
                 _ => {
                     let crosses = open.iter().any(|&(other, _)| other == label);
                     let alarm = if crosses { Alarm::DoPair } else { Alarm::MissingDo };

@@ -10,29 +10,29 @@ use crate::controls::{CodeId, Group, VarKind};
 use crate::nc::{Block, ParsedFormula};
 use crate::text::{Diagnostic, FileId, Place, Span};
 
-/// How a level was entered.
+/// Kind of call into a level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Entered {
-    /// The program that the run started with.
+    /// The start program of the run.
     Start,
-    /// As a subprogram: it shares the local variables of its caller.
+    /// Subprogram: shares the local variables of its caller.
     Subprogram,
-    /// As a macro, with local variables of its own.
+    /// Macro, with its own local variables.
     Macro,
 }
 
 /// A level of the call stack.
 #[derive(Debug, Clone)]
 pub struct Level {
-    /// Number of the program; 0 where it has none.
+    /// Number of the program; 0 if it has none.
     pub program: u32,
-    /// Name of the program; empty where it has none.
+    /// Name of the program; empty if it has none.
     pub name: String,
-    /// How it was entered.
+    /// Kind of call.
     pub entered: Entered,
-    /// The block that is next, or the one that called.
+    /// The next block, or the calling block.
     pub place: Place,
-    /// How often it runs again after this time.
+    /// Number of repeats left after this run.
     pub again: u32,
     /// Level of the local variables in force, from 0.
     pub level: usize,
@@ -40,7 +40,7 @@ pub struct Level {
 }
 
 impl Level {
-    /// Local variables that are not vacant, by number; a subprogram shares those of its caller, where they are listed.
+    /// Local variables that are not vacant, by number; empty for a subprogram, because its caller's level lists them.
     pub fn locals(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
         let own = self.entered != Entered::Subprogram;
         (1..).zip(self.values).filter(move |(_, value)| own && !value.is_nan())
@@ -50,24 +50,24 @@ impl Level {
 /// The subject of a change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum What {
-    /// A variable that all levels share, by number.
+    /// A variable common to all levels, by number.
     Variable(u32),
-    /// A variable of the level that runs.
+    /// A local variable of the running level.
     Local(u32),
-    /// A code of a modal group: the values are its number.
+    /// A code of a modal group; the values are code numbers.
     Code,
     /// F.
     Feed,
 }
 
-/// A change of a value; `None` is vacant, or not yet set.
+/// A change of a value; `None` is vacant or not yet set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
     /// Variable, code or feed.
     pub what: What,
-    /// As it was.
+    /// Old value.
     pub before: Option<f64>,
-    /// As it is.
+    /// New value.
     pub after: Option<f64>,
 }
 
@@ -80,7 +80,7 @@ fn shown(value: f64) -> Option<f64> {
 }
 
 impl Interp {
-    /// The block that the next step reads for the first time; `None` while the last one is not over, where it is waited for, and at the end.
+    /// The next block to read; `None` while commands of the last block are left, while the program waits for standstill, and at the end.
     pub fn next_block(&self) -> Option<(Place, &Block)> {
         let state = &self.state;
         let between = state.queue.is_empty() && state.ended.is_none() && !state.pause && !state.synced;
@@ -89,7 +89,7 @@ impl Interp {
         Some((Place { file: state.file, span: block.span }, block))
     }
 
-    /// What runs, the innermost first.
+    /// Call levels, innermost first.
     pub fn levels(&self) -> Vec<Level> {
         let (state, deck) = (&self.state, self.shared.parsed.deck());
         let mut levels = Vec::with_capacity(state.frames.len() + 1);
@@ -99,7 +99,7 @@ impl Interp {
             let arguments = by.is_some_and(|frame| frame.arguments.is_some());
             level += usize::from(arguments);
             let (program, place) = match state.frames.get(at) {
-                // The return goes on with the block behind the call.
+                // The return continues with the block after the call.
                 Some(frame) => (frame.program, self.place_of(frame.program, frame.back.saturating_sub(1))),
                 None => (state.program, self.next_block().map_or(state.place, |(place, _)| place)),
             };
@@ -129,8 +129,8 @@ impl Interp {
         Place { file, span }
     }
 
-    /// Value of an expression in the present state, 1 or 0 for a condition; `None` is vacant. Values that wait for standstill in a program are
-    /// read at once.
+    /// Value of an expression in the present state, 1 or 0 for a condition; `None` is vacant. Values that a program may only read at
+    /// standstill are read at once.
     pub fn evaluate(&self, formula: &ParsedFormula, world: &mut dyn World) -> Result<Option<f64>, Box<Diagnostic>> {
         let control = self.shared.control;
         let mut cx = BlockContext { shared: &self.shared, control, deck: formula.deck(), world, parts: 1.0 };
@@ -139,7 +139,7 @@ impl Interp {
             value => value,
         };
         match value {
-            // -0 is 0.
+            // Adding 0 turns -0 into 0.
             Ok(value) => Ok(shown(value + 0.0)),
             Err(Trap::Sync) => Ok(None),
             Err(Trap::Alarm(fault)) => {
@@ -163,7 +163,7 @@ impl Interp {
             }
         };
         let level = now.vars.level();
-        // On a new level all locals are changes.
+        // On a new level every local variable is a change.
         let (values, vacant) = (now.vars.locals_of(level), [VACANT; LOCALS]);
         let given = if level <= then.vars.level() { then.vars.locals_of(level) } else { vacant };
         for (number, (&then, &now)) in (1..).zip(given.iter().zip(&values)) {
@@ -173,7 +173,7 @@ impl Interp {
             for number in row.first..=row.last {
                 let Some(slot) = index.stored_at(row, at, number) else { break };
                 let zero = if matches!(row.kind, VarKind::Common | VarKind::Retained) { VACANT } else { 0.0 };
-                // The others have a value from the start.
+                // Other variables start with a value.
                 let value = |state: &RunState| shown(state.vars.common(slot)).unwrap_or(zero);
                 compare(What::Variable(number), value(then), value(now));
             }
@@ -187,12 +187,12 @@ impl Interp {
             }
         }
         for (group, (&then, &now)) in then.modal.codes.iter().zip(&now.modal.codes).enumerate() {
-            // G00 is a motion; in every other group 0 is none.
+            // In the motion group 0 is G00; in every other group 0 means no code.
             let none = if group == Group::Motion as usize { 0.0 } else { VACANT };
             let code = |code: CodeId| if code.to_f64() == 0.0 { none } else { code.to_f64() };
             compare(What::Code, code(then), code(now));
         }
-        // S, M and T show in their commands.
+        // S, M and T appear in their commands.
         compare(What::Feed, then.modal.words[FEED], now.modal.words[FEED]);
         changes
     }

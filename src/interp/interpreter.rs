@@ -14,7 +14,7 @@ use crate::controls::{Control, VarKind};
 use crate::nc::Parsed;
 use crate::text::Place;
 
-/// A run of a program. A copy is a checkpoint: it shares what neither side has changed.
+/// A run of a program. A clone is a checkpoint and shares unchanged data with the original.
 #[derive(Debug, Clone)]
 pub struct Interp {
     pub(super) shared: Rc<Shared>,
@@ -22,7 +22,7 @@ pub struct Interp {
 }
 
 impl Interp {
-    /// A run at its start, axes at machine zero, variables vacant, on the control as it was set when it read the program.
+    /// Starts a run: axes at machine zero, variables vacant, on the control and settings that the program was parsed for.
     pub fn new(parsed: Rc<Parsed>, start: StartProgram) -> Interp {
         let control = parsed.control();
         let index = Index::new(parsed.deck(), control, parsed.dialect());
@@ -38,23 +38,23 @@ impl Interp {
         Interp { state: RunState::new(&shared), shared }
     }
 
-    /// Does at most one block, or hands out one more command of the block before.
+    /// Reads at most one block, or returns one more command of the preceding block.
     #[inline]
     pub fn step(&mut self, world: &mut dyn World) -> Step {
         self.state.step(&self.shared, world)
     }
 
-    /// Blocks read since the start. A block counts when its first command is handed out.
+    /// Number of blocks read since the start. A block counts when its first command is returned.
     pub fn blocks(&self) -> Counts {
         self.state.counts
     }
 
-    /// The program that runs.
+    /// The parsed program.
     pub fn parsed(&self) -> &Rc<Parsed> {
         &self.shared.parsed
     }
 
-    /// The control that runs it.
+    /// The control.
     pub fn control(&self) -> &'static Control {
         self.shared.control
     }
@@ -64,7 +64,7 @@ impl Interp {
         CanonNames { axes: self.shared.control.axes, increment: self.shared.control.limits.increment }
     }
 
-    /// The block with a sequence number in the program that a run starts with.
+    /// The block with a sequence number in the start program.
     pub fn numbered(&self, sequence: u32) -> Option<Place> {
         let deck = self.shared.parsed.deck();
         let program = deck.programs.get(*self.shared.start.as_ref().ok()? as usize)?;
@@ -72,7 +72,7 @@ impl Interp {
         Some(Place { file: program.file, span: block.span })
     }
 
-    /// A variable; `None` if it is vacant or not kept by the interpreter.
+    /// Value of a variable; `None` if vacant or not stored by the interpreter.
     pub fn variable(&self, number: u32) -> Option<f64> {
         let value = match self.shared.index.slot(self.shared.control, number) {
             Slot::Local(index) => self.state.vars.local(index),
@@ -82,7 +82,7 @@ impl Interp {
         (!value.is_nan()).then_some(value)
     }
 
-    /// Sets a local or common variable as on the control's screen; `None` makes it vacant. Whether the control has it.
+    /// Sets a local or common variable, as on the control's screen; `None` makes it vacant. Returns whether the control has the variable.
     pub fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool {
         let value = value.filter(|value| value.is_finite()).unwrap_or(vars::VACANT);
         match self.shared.index.slot(self.shared.control, number) {
@@ -93,7 +93,7 @@ impl Interp {
         true
     }
 
-    /// Every local (of the running level) and common variable that is not vacant, in rising order, by the control's own names.
+    /// Local variables of the running level and common variables that are not vacant, in rising order, in the control's spelling.
     pub fn variables(&self) -> impl Iterator<Item = (String, f64)> + '_ {
         let kept = |kind| matches!(kind, VarKind::Local | VarKind::Common | VarKind::Retained);
         let rows = self.shared.control.vars.iter().filter(move |row| kept(row.kind));
@@ -101,7 +101,7 @@ impl Interp {
         numbers.filter_map(|number| Some((self.shared.control.variable(number), self.variable(number)?)))
     }
 
-    /// Positions of the axes after everything read so far, in command increments of the machine frame.
+    /// Axis positions after all blocks read so far, in command increments of the machine frame.
     pub fn position(&self) -> [i64; AXES] {
         self.state.position
     }
@@ -111,20 +111,20 @@ impl Interp {
         self.state.position = position;
     }
 
-    /// Subprograms and macros that are running inside one another.
+    /// Number of nested subprogram and macro calls.
     pub fn depth(&self) -> usize {
         self.state.frames.len()
     }
 
-    /// The reset key: back to the start of the program with the codes in force after power-on. Positions stay, and of the variables what
-    /// the control keeps.
+    /// Reset key: back to the start of the program with the codes in force after power-on. Positions stay, and the variables that the
+    /// control keeps at reset.
     pub fn reset(&mut self) {
         self.state.reset(&self.shared);
     }
 }
 
-/// Steps until the program is over or `blocks` blocks are read (`None`), and hands out every command. Time does not pass: what a program
-/// waits for has happened.
+/// Steps until the program ends or `blocks` blocks are read (`None`), and returns every command. Time does not pass: every wait is over at
+/// once.
 pub fn run(
     interp: &mut Interp,
     world: &mut dyn World,

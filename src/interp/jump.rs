@@ -11,7 +11,7 @@ use crate::nc::{Block, ExprId};
 use crate::text::{Diagnostic, DiagnosticKind, Place, Severity, Span};
 
 impl RunState {
-    /// The END of the DO in a block, or the DO of its END.
+    /// Block of the END for a DO, or of the DO for an END.
     pub(super) fn partner(&self, cx: &BlockContext, at: u32, block: &Block) -> Run<u32> {
         match cx.shared.index.partner(self.program, at) {
             Partner::Block(partner) => Ok(partner),
@@ -19,8 +19,8 @@ impl RunState {
         }
     }
 
-    /// The alarm of a DO or END without a partner, as the reader has reported it: of this block; else of another loop of the program, which
-    /// crosses this one; else of a block that does not parse, which hides the partner.
+    /// The alarm of a DO or END without a partner, as reported by the reader: about this block, else about a crossing loop, else about a
+    /// block that does not parse and hides the partner.
     #[cold]
     fn faulty_loop(&self, cx: &BlockContext, block: &Block, alarm: Alarm) -> Trap {
         let message = match alarm {
@@ -52,10 +52,9 @@ impl RunState {
         self.go_to_number(cx, from, number, Alarm::GotoTarget).map_err(|trap| trap.part(target))
     }
 
-    /// Goes on at a sequence number of the running program; `from` is the block that jumps, `missing` the alarm where no block has the
-    /// number.
+    /// Jumps to a sequence number of the running program. `from` is the jumping block, `missing` the alarm if no block has the number.
     pub(super) fn go_to_number(&mut self, cx: &BlockContext, from: u32, number: f64, missing: Alarm) -> Run<()> {
-        // A calculated number may miss the whole one by a last digit; no block has a number with decimals.
+        // A calculated number may differ from a whole one by rounding; sequence numbers have no decimals.
         let whole = (number - number.round()).abs() < WHOLE;
         let number = if whole { number.round() } else { number };
         if !cx.control.syntax.sequence_numbers().contains(&number) {

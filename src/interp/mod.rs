@@ -1,17 +1,17 @@
-//! Running a program: timeless, pulled step by step, never longer than its caller's patience.
+//! Program interpreter: without time, pulled step by step by its caller, at most one block per step.
 //!
-//! The interpreter knows no time, moving axes or operators; it reads them through the [`World`].
+//! The interpreter has no clock, moving axes or operator; it reads them through the [`World`].
 //!
 //! # Order of a block
 //!
-//! Blocks are read in the order in which they run, each once, and everything of a block is evaluated when it is read: that is the
-//! control's pre-read, and the caller decides how far it runs ahead of the machine. Of an NC block the S word, M and T codes come
-//! first, then G61 or G64, then dwell or motion, then a stop or end, then calls and returns.
+//! Blocks are read in the order in which they run, each once, and everything in a block is evaluated when the block is read. This is the
+//! control's read-ahead; the caller decides how far it runs ahead of the machine. In an NC block the S word, M and T codes come first, then
+//! G61 or G64, then dwell or motion, then a stop or end, then calls and returns.
 //!
 //! # Order of the files
 //!
-//! Each group below imports only itself and those above it: what goes in and out, tables and state, values, the parts of a block,
-//! a step, and what is made of steps.
+//! Each group below imports only itself and the groups above it: inputs and outputs, tables and state, values, the parts of a block, a
+//! step, and the users of steps.
 
 pub mod canon;
 mod step;

@@ -1,54 +1,54 @@
-//! Modal state: one code per modal group, feed, work zeros, and the words that variables can show.
+//! Modal state: one code per modal group, feed, work zeros, and the words shown by system variables.
 
 use super::canon::AXES;
 use crate::controls::Address;
 use crate::controls::{Code, CodeDef, CodeId, Control, Group};
 
-/// How many modal groups there are.
+/// Number of modal groups.
 const GROUPS: usize = Group::Other as usize + 1;
 
-/// Work coordinate systems, and what shifts them all.
+/// Work coordinate systems and their common shift.
 const SYSTEMS: usize = 7;
 
-/// Which words of a transverse axis count radii where its positions are diameters.
+/// Words of a transverse axis that count radii while its positions are diameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Radii {
-    /// None.
+    /// No words.
     No,
-    /// Incremental ones.
+    /// Incremental words.
     Incremental,
-    /// All.
+    /// All words.
     All,
 }
 
-/// What stays in force for the spindle.
+/// Modal state of the spindle.
 #[derive(Debug, Clone)]
 pub(super) struct SpindleModal {
     /// Constant surface speed is on.
     pub(super) surface: bool,
     /// The last surface speed as programmed, in m/min; `None` before the first.
     pub(super) surface_speed: Option<f64>,
-    /// A code of feed has ended constant surface speed: the last S in r/min is in force again.
+    /// A feed code has ended constant surface speed: the last S in r/min is in force again.
     pub(super) surface_undone: bool,
     /// The last S in r/min; `None` before the first.
     pub(super) last_speed: Option<f64>,
-    /// The spindle that S and M words without a number are for.
+    /// The spindle addressed by S and M words without a number.
     pub(super) master: u8,
-    /// Another spindle: commanded r/min, and whether it turns.
+    /// Second spindle: commanded r/min, and whether it turns.
     pub(super) other: (f64, bool),
 }
 
 /// Codes in force that are not simulated and whose axis words move nothing.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Unmoved {
-    /// A fixed cycle: axis words are holes, not ends of motions.
+    /// A fixed cycle: axis words are hole positions, not end points.
     pub(super) cycle: bool,
-    /// Polar coordinates and their like: axis words are no positions of the axes.
+    /// Polar coordinates or the like: axis words are not axis positions.
     pub(super) replaced: bool,
 }
 
 impl Unmoved {
-    /// Whether one of them is in force.
+    /// Whether any of these codes is in force.
     #[inline]
     pub(super) fn any(self) -> bool {
         self.cycle || self.replaced
@@ -58,9 +58,9 @@ impl Unmoved {
 /// The limits of the working area.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WorkingArea {
-    /// Lower and upper limits of the working area in the machine frame, where a program has set some.
+    /// Lower and upper limits in the machine frame; `None` until a program sets one.
     pub(super) limits: Option<[[i64; AXES]; 2]>,
-    /// They are switched off.
+    /// The limits are switched off.
     pub(super) off: bool,
 }
 
@@ -71,13 +71,13 @@ pub(super) struct Modal {
     pub(super) motion: Code,
     /// Codes in force that are not simulated and whose axis words move nothing.
     pub(super) unmoved: Unmoved,
-    /// The axes of the plane: first, second, and the third that is square to them.
+    /// The axes of the plane: first, second, and the third perpendicular to them.
     pub(super) plane: [u8; 3],
     /// Dimensions are absolute.
     pub(super) absolute: bool,
     /// Dimensions are in inches.
     pub(super) inch: bool,
-    /// Feeds are.
+    /// Feeds are in inches.
     pub(super) inch_feed: bool,
     /// Feed is per spindle revolution.
     pub(super) per_revolution: bool,
@@ -85,30 +85,30 @@ pub(super) struct Modal {
     pub(super) exact: bool,
     /// Work coordinate system, 1 to 6.
     coordinates: usize,
-    /// Where the zeros of the work coordinate systems lie, the first a shift of all of them: set by variables.
+    /// Zeros of the work coordinate systems (index 0: their common shift), as set by system variables.
     offsets: [[i64; AXES]; SYSTEMS],
-    /// What moves all of them besides: set by G50 or G92.
+    /// Further common shift, as set by G50 or G92.
     origin: [i64; AXES],
-    /// Where local zero lies in the work frame: set by G52.
+    /// Local zero in the work frame, as set by G52.
     local: [i64; AXES],
-    /// Where the zero that dimensions count from lies in the machine frame: the sum of the four.
+    /// Program zero in the machine frame: sum of coordinate system, common shift, G50/G92 shift and local zero.
     pub(super) zero: [i64; AXES],
     /// Feed as programmed in mm/min or mm/rev; `None` before the first F.
     pub(super) feed: Option<f64>,
-    /// Lead of threads as programmed in mm/rev; `None` before the first.
+    /// Thread lead as programmed, in mm/rev; `None` before the first.
     pub(super) lead: Option<f64>,
     /// Words of the transverse axis that count radii.
     pub(super) radii: Radii,
     pub(super) spindle: SpindleModal,
     pub(super) area: WorkingArea,
-    /// The last value of each address letter that modal variables show, by letter from A.
+    /// The last value of each address letter from A, for modal system variables.
     pub(super) words: [f64; 26],
     /// The code in force, by group.
     pub(super) codes: [CodeId; GROUPS],
 }
 
 impl Modal {
-    /// The state after power-on; `startup` are the codes in force.
+    /// The state after power-on, with the codes `startup` in force.
     pub(super) fn new(control: &Control, startup: impl IntoIterator<Item = CodeId>) -> Modal {
         let mut modal = Modal {
             motion: Code::Linear,
@@ -145,7 +145,7 @@ impl Modal {
         modal
     }
 
-    /// Puts a code in force. BlockCodes that act in their own block only change nothing.
+    /// Puts a code in force. One-shot codes change nothing.
     pub(super) fn set(&mut self, control: &Control, row: &CodeDef) {
         use Code::{
             Absolute, ArcCcw, ArcCw, ArcTangent, ArcThrough, Cancel, Diameters, DiametersAbsolute, ExactStop,
@@ -199,7 +199,7 @@ impl Modal {
         }
     }
 
-    /// What F counts from now on.
+    /// Sets the unit of F. On most controls a change of unit cancels the feed.
     fn count_feed(&mut self, control: &Control, per_revolution: bool) {
         if per_revolution != self.per_revolution && !control.limits.feed_kept {
             self.feed = None;
@@ -233,7 +233,7 @@ impl Modal {
         self.place_zero();
     }
 
-    /// G50 or G92: the zero of an axis in the machine frame from now on, in any work coordinate system; local zero is work zero again.
+    /// G50 or G92: sets the zero of an axis in the machine frame, for all work coordinate systems, and resets the local zero.
     pub(super) fn set_zero(&mut self, axis: usize, zero: i64) {
         self.local[axis] = 0;
         self.place_zero();
@@ -241,7 +241,7 @@ impl Modal {
         self.place_zero();
     }
 
-    /// Zero of a work coordinate system, or the shift of all of them.
+    /// Zero of a work coordinate system, or the common shift (0).
     pub(super) fn offset(&self, system: u8, axis: usize) -> i64 {
         self.offsets.get(usize::from(system)).and_then(|offsets| offsets.get(axis)).copied().unwrap_or(0)
     }
@@ -254,7 +254,7 @@ impl Modal {
         }
     }
 
-    /// Where work zeros and limits of the working area lie outlives a reset; G52 does not.
+    /// Keeps work zeros and working area limits at a reset; G52 is cancelled.
     pub(super) fn keep_zeros(&mut self, before: &Modal) {
         (self.offsets, self.origin, self.area.limits) = (before.offsets, before.origin, before.area.limits);
         self.place_zero();
@@ -265,7 +265,7 @@ impl Modal {
         self.words.get(letter as usize).copied().unwrap_or(f64::NAN)
     }
 
-    /// Remembers a word for the variables that show it.
+    /// Stores a word for system variables.
     #[inline]
     pub(super) fn word(&mut self, letter: Address, value: f64) {
         if let Some(place) = self.words.get_mut(letter as usize) {

@@ -8,15 +8,15 @@ use super::modal::Modal;
 use crate::controls::{Control, VarKind};
 use crate::nc::{Deck, Expr};
 
-/// Commands that are kept: more than a control reads ahead.
+/// Number of commands kept, more than any control reads ahead.
 const COMMANDS: usize = 256;
 
-/// The modal data of the newest commands, in their order.
+/// Modal states of the newest commands, in order.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Given(VecDeque<Rc<Modal>>);
 
 impl Given {
-    /// Records the modal state of a command that is handed out.
+    /// Records the modal state of an issued command.
     pub(super) fn note(&mut self, canon: &Canon, modal: &Modal) {
         if canon.acts_when_read() {
             return;
@@ -27,14 +27,14 @@ impl Given {
         self.0.push_back(Rc::new(modal.clone()));
     }
 
-    /// Modal state of the command with this many commands waiting behind it; the oldest kept if that one is dropped.
+    /// Modal state of the command with this many commands waiting behind it; the oldest kept if it is dropped.
     pub(super) fn behind(&self, waiting: usize) -> Option<&Modal> {
         let at = self.0.len().checked_sub(1)?.saturating_sub(waiting);
         self.0.get(at).map(Rc::as_ref)
     }
 }
 
-/// Whether programs may read data of the block that is executed.
+/// Whether the program reads modal data of the executing block.
 pub(super) fn is_asked(deck: &Deck, control: &Control) -> bool {
     let executing = |kind| matches!(kind, VarKind::ExecutingCode(_) | VarKind::ExecutingWord(_));
     control.vars.iter().any(|row| executing(row.kind))

@@ -1,4 +1,4 @@
-//! Operators and functions of formulas: degrees, 32-bit logic, and an alarm wherever a calculation has no result.
+//! Operators and functions of formulas: angles in degrees, 32-bit logic, and an alarm for each calculation without a result.
 
 use super::context::BlockContext;
 use super::error::{Run, Trap};
@@ -9,16 +9,16 @@ use crate::math;
 use crate::msg;
 use crate::nc::Op;
 
-/// A vacant operand of a calculation counts as 0.
+/// Value as an operand: vacant counts as 0.
 #[inline]
 pub(super) fn or_zero(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x }
 }
 
-/// A value that misses a whole number by less than this is that number.
+/// Tolerance for whole numbers: a value closer to one counts as that number.
 pub(super) const WHOLE: f64 = 1e-6;
 
-/// A value as a number of 32 bits, for AND, OR and XOR.
+/// A value as a 32-bit number, for AND, OR and XOR.
 fn bits(cx: &BlockContext, x: f64) -> Run<i32> {
     let whole = x.round();
     if cx.control.macros.whole_bits && (x - whole).abs() >= WHOLE {
@@ -31,7 +31,7 @@ fn bits(cx: &BlockContext, x: f64) -> Run<i32> {
     Ok(whole as i64 as i32)
 }
 
-/// Decimal digits of a whole number as groups of four bits, or back.
+/// Converts decimal digits to groups of four bits (BCD), or back.
 fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
     let error = || Trap::alarm(Alarm::Calculation, msg!("interp.not-bcd", value = x));
     let mut rest = x.round() as i64;
@@ -77,20 +77,20 @@ pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> Run<f64
         Function::Bin => regroup(x, 16, 10)?,
         Function::Bcd => regroup(x, 10, 16)?,
         Function::Square => x * x,
-        // Half away from zero, as Rust rounds.
+        // Half away from zero, like Rust's `round`.
         Function::Round => (x * cx.parts).round() / cx.parts,
         Function::Fix => x.trunc(),
         Function::Fup => x.abs().ceil().copysign(x),
         Function::Ln if x <= 0.0 => return outside(Alarm::Logarithm),
         Function::Ln => math::ln(x),
         Function::Exp => math::exp(x),
-        // Read as an operator of two numbers, and with the argument's point where it is evaluated.
+        // POW is parsed as a binary operator; ADP is evaluated together with its argument.
         Function::Power | Function::AddPoint => x,
     };
     in_range(cx, result)
 }
 
-/// A result, if the control's numbers reach to it.
+/// A result within the control's range of numbers.
 #[inline]
 fn in_range(cx: &BlockContext, x: f64) -> Run<f64> {
     let (least, most) = cx.shared.rules.result;
@@ -107,12 +107,12 @@ fn out_of_range(large: bool) -> Trap {
     Trap::alarm(Alarm::Overflow, if large { msg!("interp.overflow") } else { msg!("interp.underflow") })
 }
 
-/// The value of an operator between two numbers. Comparisons give 1 or 0.
+/// Result of an operator between two numbers, outside the hot path of formulas. Comparisons give 1 or 0.
 pub(super) fn operate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
     calculate(cx, op, a, b)
 }
 
-/// Whether nothing can be divided by a number: MOD rounds it before, but for controls with truths.
+/// Whether a divisor is 0. MOD rounds it first, except on controls with logical AND, OR and XOR.
 #[inline]
 pub(super) fn divides_not(cx: &BlockContext, op: Op, b: f64) -> bool {
     match op {
@@ -123,7 +123,7 @@ pub(super) fn divides_not(cx: &BlockContext, op: Op, b: f64) -> bool {
     }
 }
 
-/// The same in the midst of a formula.
+/// Result of an operator between two numbers, inlined into the evaluation of formulas.
 #[inline(always)]
 pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
     match op {
@@ -135,7 +135,7 @@ pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
         }
         Op::Divide => in_range(cx, a / b),
         Op::Modulo if cx.control.macros.truths => in_range(cx, a % b),
-        // Both are rounded before, as in Custom Macro B.
+        // Both operands are rounded first, as in Custom Macro B.
         Op::Modulo => in_range(cx, a.round() % b.round()),
         Op::Atan => {
             let angle = math::atan2_degrees(a, b);
@@ -162,7 +162,7 @@ pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
     }
 }
 
-/// Whether two numbers count as equal although they differ.
+/// Whether two different numbers count as equal.
 #[inline]
 fn close(cx: &BlockContext, a: f64, b: f64) -> bool {
     let part = cx.control.macros.equal_within;

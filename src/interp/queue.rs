@@ -1,8 +1,8 @@
-//! Commands of the last block that the caller has not yet taken.
+//! Commands of the last block not yet returned to the caller.
 
 use super::canon::Canon;
 
-/// Commands of the last block that were not taken yet.
+/// Commands of the last block not yet returned to the caller.
 #[derive(Debug, Clone, Default)]
 pub(super) struct CommandQueue {
     items: Vec<Canon>,

@@ -1,4 +1,4 @@
-//! What rows and switches of a control come to while a program runs: open points as they are set, ranges, roundings.
+//! Rules of a run, from the rows and switches of a control: settings of open points, ranges, roundings.
 
 use std::rc::Rc;
 
@@ -7,32 +7,32 @@ use crate::controls::dialect::{NumberRules, RunningRules};
 use crate::controls::macros::VacantWord;
 use crate::controls::{Address, AddressSet, Alarm, Code, Control, Dialect, Limits, Point, SpindleRules};
 
-/// M codes of a block that act on any control.
+/// Maximum effective M codes of a block on any control.
 pub(super) const M_CODES: u8 = 8;
 
-/// The control's dialect as it is set, and what its rows come to while a program runs.
+/// The control's dialect and the values derived from its rows for a run.
 #[derive(Debug)]
 pub(super) struct Rules {
     pub(super) dialect: Rc<Dialect>,
-    /// How numbers are counted and rounded.
+    /// Rules for counting and rounding numbers.
     pub(super) numbers: NumberRules,
-    /// How codes and calls run.
+    /// Rules for the execution of codes and calls.
     pub(super) running: RunningRules,
-    /// A word of nothing but a vacant variable is 0, not left out.
+    /// A word of only a vacant variable is 0; otherwise the word is left out.
     pub(super) vacant_word: bool,
-    /// EQ and NE take vacant for 0.
+    /// EQ and NE treat vacant as 0.
     pub(super) vacant_equals_zero: bool,
-    /// Least and largest magnitude of a result that is not 0.
+    /// Least and largest magnitude of a result other than 0.
     pub(super) result: (f64, f64),
-    /// What an axis moves per unit of its words: 0.5 where they count diameters.
+    /// Travel of each axis per unit of its words: 0.5 for words that count diameters.
     pub(super) moves: [f64; AXES],
-    /// Axes that turn, and whose angles begin anew with each turn.
+    /// Rotary axes whose coordinates restart with each turn.
     pub(super) modulo: [bool; AXES],
-    /// Arcs may go on in the direction of the motion before.
+    /// The control has tangential arcs (CT).
     pub(super) tangents: bool,
-    /// Where reference points and fixed point lie, in command increments, machine frame.
+    /// Reference points and fixed point, in command increments, machine frame.
     pub(super) points: [[i64; AXES]; 2],
-    /// The axis that is square to the spindle, for constant surface speed.
+    /// The axis perpendicular to the spindle, for constant surface speed.
     pub(super) surface_axis: usize,
     /// Rules of the control for its spindle.
     pub(super) spindle: SpindleRules,
@@ -59,18 +59,18 @@ impl Rules {
         }
     }
 
-    /// What an axis of a plane moves per unit of its words; see [`Rules::moves`].
+    /// Travel of an axis per unit of its words; see [`Rules::moves`].
     pub(super) fn moved(&self, axis: u8) -> f64 {
         self.moves.get(usize::from(axis)).copied().unwrap_or(1.0)
     }
 
-    /// Where a point lies.
+    /// Position of a reference or fixed point.
     pub(super) fn point(&self, point: Point) -> [i64; AXES] {
         self.points[usize::from(point == Point::Fixed)]
     }
 }
 
-/// Coordinates by axis, in command increments; of two for one axis the later one holds, an axis without one is at 0.
+/// Coordinates by axis, in command increments. Of two for one axis the later one counts; axes not listed are at 0.
 fn point(control: &Control, coordinates: &[(usize, f64)]) -> [i64; AXES] {
     let mut place = [0; AXES];
     for (axis, coordinate) in coordinates {
@@ -81,7 +81,7 @@ fn point(control: &Control, coordinates: &[(usize, f64)]) -> [i64; AXES] {
     place
 }
 
-/// Ranges and roundings of words, in the numbers that the hot path needs.
+/// Ranges and roundings of words, precalculated for the hot path.
 #[derive(Debug)]
 pub(super) struct Units {
     /// Decimals of a command increment: 3 for 0.001.
@@ -94,7 +94,7 @@ pub(super) struct Units {
     pub(super) per_feed: f64,
     /// Addresses whose words count increments without a point.
     pub(super) increment_letters: AddressSet,
-    /// Addresses of whole numbers: decimals are dropped.
+    /// Addresses of integer words: decimals are dropped.
     pub(super) integer_letters: AddressSet,
 }
 

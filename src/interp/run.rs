@@ -1,4 +1,4 @@
-//! One step of a run: one more command of the last block, or the next block.
+//! One step of a run: the next command of the last block, or the next block.
 
 use super::canon::Canon;
 use super::context::{BlockContext, Shared};
@@ -11,7 +11,7 @@ use crate::msg;
 use crate::text::{Place, Span};
 
 impl RunState {
-    /// At most one block, or one more command of the last.
+    /// Reads at most one block, or returns one more command of the last.
     pub(super) fn step(&mut self, shared: &Shared, world: &mut dyn World) -> Step {
         if let Some(canon) = self.queue.pop() {
             return self.hand_out(shared, canon);
@@ -76,7 +76,7 @@ impl RunState {
         self.over()
     }
 
-    /// The block whose code called what runs, and the number of the program that runs: its alarms are about the words of that block.
+    /// The block with the code that called the running program, and that program's number: alarms are located at the code's block.
     #[cold]
     fn calling_block(&self, shared: &Shared) -> Option<(Place, u32)> {
         let deck = shared.parsed.deck();
@@ -91,7 +91,7 @@ impl RunState {
         Step::Ended(self.ended.clone().unwrap_or(End::Program))
     }
 
-    /// The program has run out of blocks.
+    /// The blocks of the program are used up without a program end.
     #[cold]
     fn no_end(&mut self, cx: &BlockContext) -> Step {
         let program = cx.deck.programs.get(self.program as usize);

@@ -15,7 +15,7 @@ use crate::drives::speed::SpeedLimit;
 use crate::msg;
 
 impl RunState {
-    /// S, and constant surface speed on and off. `surface` is its zero before the block, where it was on.
+    /// S, and constant surface speed on and off. `surface` is its work zero before the block; `None` if it was off.
     #[inline]
     pub(super) fn speed(
         &mut self,
@@ -42,7 +42,7 @@ impl RunState {
                 if surface.is_some() {
                     self.queue.push(Canon::ConstantSpeed);
                 }
-                // Where a code of feed has ended it, the last S in r/min is in force again.
+                // If a feed code has ended constant surface speed, the last S in r/min is in force again.
                 let undone =
                     surface.is_some() && self.modal.spindle.surface_undone && cx.shared.rules.spindle.last_speed_back;
                 let back = self.modal.spindle.last_speed.filter(|_| undone);
@@ -58,7 +58,7 @@ impl RunState {
         Ok(())
     }
 
-    /// Constant surface speed is on.
+    /// Switches constant surface speed on.
     fn surface(&mut self, cx: &BlockContext, speed: Option<f64>, before: Option<i64>) -> Run<()> {
         if self.modal.spindle.master > 1 && before.is_none() {
             return Err(self.other_spindle_asked());
@@ -75,7 +75,7 @@ impl RunState {
         Ok(())
     }
 
-    /// A limit of the speed in r/min.
+    /// Queues a speed limit in r/min.
     pub(super) fn limit_speed(&mut self, limit: SpeedLimit, rpm: f64) {
         self.queue.push(Canon::SpeedLimit { limit, rpm });
     }
@@ -104,7 +104,7 @@ impl RunState {
         self.modal.zero.get(cx.shared.rules.surface_axis).copied().unwrap_or(0)
     }
 
-    /// Says the surface speed, where it is on: it is new, or its zero has moved.
+    /// Queues the surface speed if it is on: because it is new, or because its work zero has moved.
     pub(super) fn surface_speed(&mut self, cx: &BlockContext) {
         if self.modal.spindle.surface {
             let (axis, zero) = (cx.shared.rules.surface_axis as u8, self.surface_zero(cx));
@@ -113,7 +113,7 @@ impl RunState {
         }
     }
 
-    /// The spindle goes to an angle in degrees, beside the motion of the block.
+    /// Queues spindle positioning to an angle in degrees, during the motion of the block.
     pub(super) fn orient(&mut self, cx: &BlockContext, angle: f64, approach: Approach) -> Run<()> {
         let within = approach == Approach::Incremental || (0.0..360.0).contains(&angle);
         if !within && !cx.shared.rules.spindle.angle_wraps {

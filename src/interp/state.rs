@@ -29,7 +29,7 @@ pub(super) struct ArcGeometry {
 /// The last motion, for arcs that continue in its direction.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LastMotion {
-    /// Where it began, in command increments, machine frame.
+    /// Start in command increments, machine frame.
     pub(super) from: [i64; AXES],
     /// Its geometry if it was an arc.
     pub(super) arc: Option<ArcGeometry>,
@@ -42,30 +42,30 @@ pub(super) struct RunState {
     pub(super) modal: Modal,
     /// Commanded position in command increments, machine frame.
     pub(super) position: [i64; AXES],
-    /// The last motion, for a next one that continues in its direction.
+    /// The last motion, for arcs that continue in its direction.
     pub(super) came: LastMotion,
     /// End of the last motion with skip signal, machine frame.
     pub(super) skip: [i64; AXES],
     pub(super) queue: CommandQueue,
-    /// Modal states of the commands that were handed out, if a program may read them.
+    /// Modal states of the issued commands, if the program reads them.
     pub(super) given: Given,
     pub(super) frames: Vec<CallFrame>,
     pub(super) modal_call: Option<Rc<ModalCall>>,
-    /// Program that is running, with its file and its blocks.
+    /// Running program, with its file and its blocks.
     pub(super) program: u32,
     pub(super) file: FileId,
     pub(super) first: u32,
     pub(super) end: u32,
     /// Next block.
     pub(super) at: u32,
-    /// Block that ran last.
+    /// Last block read.
     pub(super) place: Place,
     pub(super) counts: Counts,
-    /// Machine time at which `#3001` and `#3002` would be 0, in ms.
+    /// Machine time (ms) of the zero of `#3001` and of `#3002`.
     pub(super) clock_zero: [f64; 2],
-    /// The machine is at rest for the block that comes next.
+    /// The machine is at rest for the next block.
     pub(super) synced: bool,
-    /// Nothing behind the last block may be read before the machine is at rest.
+    /// The machine has to come to rest before a further block is read.
     pub(super) pause: bool,
     pub(super) ended: Option<End>,
 }
@@ -152,13 +152,13 @@ impl RunState {
         }
     }
 
-    /// Adds a remark about bytes of the present block.
+    /// Adds a warning about a span of the present block.
     #[cold]
     pub(super) fn remark(&self, cx: &mut BlockContext, span: Span, message: Message) {
         cx.world.remark(Diagnostic::warning(message).at(Place { file: self.file, span }));
     }
 
-    /// Modal state of the block that the machine executes; at rest that of the last block read.
+    /// Modal state of the executing block; at rest, of the last block read.
     pub(super) fn executing(&self, cx: &mut BlockContext) -> &Modal {
         cx.world.waiting().and_then(|waiting| self.given.behind(waiting)).unwrap_or(&self.modal)
     }

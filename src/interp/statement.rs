@@ -69,7 +69,7 @@ impl RunState {
         Ok(())
     }
 
-    /// The alarm of a block that does not parse, as the reader has reported it.
+    /// The alarm of a block that does not parse, as reported by the reader.
     #[cold]
     fn bad_block(&self, cx: &BlockContext, bad: BadBlock) -> Trap {
         let place = Place { file: self.file, span: bad.finding };

@@ -6,18 +6,18 @@ use crate::text::{Diagnostic, Place};
 /// The outcome of one step of the interpreter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Step {
-    /// A command for the machine, from the block at the place.
+    /// A command for the machine, with the place of its block.
     Command(Canon, Place),
     /// A block that only computed or jumped.
     Logic(Place),
-    /// The program needs the machine at rest before it goes on: the block at the place reads positions, or it has stopped the machine
-    /// (M00, M01, `#3006`) and nothing behind it may be read before. Step again when the machine rests.
+    /// The program needs the machine at rest: the block at the place reads positions, or has stopped the machine (M00, M01, `#3006`), and
+    /// no further block may be read before. Step again when the machine rests.
     Sync(Place),
-    /// The program is over; further steps say the same.
+    /// The program has ended; further steps return the same.
     Ended(End),
 }
 
-/// Why a program is over.
+/// Cause of the end of a program.
 #[derive(Debug, Clone, PartialEq)]
 pub enum End {
     /// M02 or M30.
@@ -26,7 +26,7 @@ pub enum End {
     Alarm(Box<Diagnostic>),
 }
 
-/// Which program a run starts with.
+/// Start program of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StartProgram {
     /// The first program of the first file.
@@ -34,17 +34,17 @@ pub enum StartProgram {
     First,
     /// The program with this number.
     Program(u32),
-    /// The program at this place of the deck.
+    /// The program with this index in the deck.
     Nth(u32),
 }
 
-/// How many blocks a run has read.
+/// Number of blocks read by a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
     /// Blocks with NC words.
     pub nc: u64,
-    /// Blocks that are over when they are read: macro statements, calls and returns alone, skipped and empty blocks.
+    /// Blocks that end when they are read: macro statements, calls and returns alone, skipped and empty blocks.
     pub macros: u64,
-    /// Those of them that are skipped or empty: the block behind one is next to the block before it.
+    /// Skipped and empty blocks among [`Counts::macros`]. They do not separate the blocks before and after them.
     pub empty: u64,
 }

@@ -14,7 +14,7 @@ use crate::msg;
 use crate::nc::{Block, Expr, ExprId};
 
 impl RunState {
-    /// The value of a variable; vacant is NaN.
+    /// Value of a variable; NaN for vacant.
     #[inline]
     pub(super) fn read(&self, cx: &mut BlockContext, number: u32) -> Run<f64> {
         match cx.shared.index.slot(cx.control, number) {
@@ -32,7 +32,7 @@ impl RunState {
         let value = match row.kind {
             VarKind::Vacant | VarKind::Local | VarKind::Common | VarKind::Retained => VACANT,
             VarKind::InputBit if finite_or_zero(cx.world.input(number)) != 0.0 => 1.0,
-            // A bit of the register that a word shows too.
+            // A bit of a register that also has a word variable.
             VarKind::InputBit | VarKind::OutputBit => match cx.control.word_of_bit(number) {
                 Some((word, bit)) => (self.read(cx, word)? as i64 >> bit & 1) as f64,
                 None => 0.0,
@@ -41,7 +41,7 @@ impl RunState {
                 fit(row.width(number), finite_or_zero(cx.world.input(number)))
             }
             VarKind::OutputWord(_) | VarKind::Kept | VarKind::SuppressSingleBlock | VarKind::SuppressOverride => {
-                // These have a value from the start.
+                // These variables are 0 until set.
                 let slot = cx.shared.index.stored_at(row, at as usize, number);
                 slot.map_or(0.0, |slot| zero_if_vacant(self.vars.common(slot)))
             }
@@ -85,14 +85,14 @@ impl RunState {
         Ok(value)
     }
 
-    /// `to = value` of a block; the comment of the block is the message of alarms and stops.
+    /// Executes `to = value`. The comment of the block is the message of alarms and stops.
     pub(super) fn assign(&mut self, cx: &mut BlockContext, block: &Block, to: ExprId, value: ExprId) -> Run<()> {
         let value = self.assigned(cx, value)?;
         let number = self.variable_of(cx, to)?;
         self.write(cx, block, number, value).map_err(|trap| trap.part(to))
     }
 
-    /// The number of the variable that an expression is.
+    /// Variable number of an expression that is a variable.
     #[inline]
     pub(super) fn variable_of(&self, cx: &mut BlockContext, id: ExprId) -> Run<u32> {
         match cx.deck.expr(id) {
@@ -105,7 +105,7 @@ impl RunState {
         }
     }
 
-    /// Writes a variable; vacant is NaN.
+    /// Writes a variable; NaN for vacant.
     #[inline]
     pub(super) fn write(&mut self, cx: &mut BlockContext, block: &Block, number: u32, value: f64) -> Run<()> {
         match cx.shared.index.slot(cx.control, number) {
@@ -182,7 +182,7 @@ impl RunState {
             }
             VarKind::WorkOffset(system) => self.write_offset(cx, row, system, number, value)?,
             VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),
-            // Locals and common variables have slots of their own; kinds that are not writable have returned above.
+            // Local and common variables have their own slots; read-only kinds have returned above.
             _ => {}
         }
         Ok(())
@@ -190,7 +190,7 @@ impl RunState {
 }
 
 impl RunState {
-    /// `#3003` and `#3004`: bits that switch functions off.
+    /// `#3003` and `#3004`: bits that suppress single block, FIN, feed hold, override and exact stop.
     fn suppress(&mut self, cx: &BlockContext, kind: VarKind, slot: Option<u16>, value: f64) -> Run<()> {
         let whole = value.round();
         if !(0.0..=255.0).contains(&whole) {
@@ -229,14 +229,14 @@ impl RunState {
         Ok(())
     }
 
-    /// A value beyond the range of a PLC variable is written.
+    /// Warns about a value outside the range of a PLC variable.
     #[cold]
     fn remark_output(&self, cx: &mut BlockContext, block: &Block, number: u32, written: f64, taken: f64) {
         let message = msg!("interp.output-range", variable = cx.control.variable(number), value = (written, 9), taken);
         self.remark(cx, block.span, message);
     }
 
-    /// Puts the bits of a word of the PLC into its store.
+    /// Stores the bits of a PLC word.
     fn store(&mut self, cx: &BlockContext, word: u32, bits: i64) {
         let Slot::Row(at) = cx.shared.index.slot(cx.control, word) else { return };
         let Some(row) = cx.control.vars.get(at as usize) else { return };
@@ -251,7 +251,7 @@ fn zero_if_vacant(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x }
 }
 
-/// Replaces NaN and infinite values from outside.
+/// Replaces NaN and infinite values from the machine by 0.
 fn finite_or_zero(x: f64) -> f64 {
     if x.is_finite() { x } else { 0.0 }
 }
@@ -262,7 +262,7 @@ fn fit(width: Option<Width>, x: f64) -> f64 {
     math::clamp(x, least, most)
 }
 
-/// The alarm that a program raises; the comment of the block is its message.
+/// The user alarm raised by a program, with the block's comment as its message.
 #[cold]
 pub(super) fn user_alarm(cx: &BlockContext, block: &Block, number: f64) -> Trap {
     let (min, max) = cx.control.macros.user_alarms;
@@ -288,7 +288,7 @@ fn no_such_variable(cx: &BlockContext, number: u32) -> Trap {
     with_common(cx, Trap::alarm(Alarm::VariableRange, message))
 }
 
-/// There is no alarm for what only the simulation lacks, and a made-up value would be worse.
+/// Stops the run at a variable that the control has and the simulation lacks, rather than returning an invented value.
 #[cold]
 fn not_simulated(cx: &BlockContext, number: u32, row: &VarRange) -> Trap {
     Trap::alarm(
@@ -297,7 +297,7 @@ fn not_simulated(cx: &BlockContext, number: u32, row: &VarRange) -> Trap {
     )
 }
 
-/// The way out: a variable that is free to use.
+/// Adds the hint about variables free to use.
 fn with_common(cx: &BlockContext, trap: Trap) -> Trap {
     match cx.control.free_to_use() {
         Some(range) => trap.hint(range),

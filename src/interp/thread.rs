@@ -9,7 +9,7 @@ use super::words::BlockWords;
 use crate::controls::{Address, Alarm};
 use crate::msg;
 
-/// Addresses of an arc's centre and of leads by axis.
+/// Addresses of an arc's centre and of thread leads by axis.
 const CENTRES: [Address; 3] = [Address::I, Address::J, Address::K];
 
 impl RunState {
@@ -26,7 +26,7 @@ impl RunState {
             let axes = cx.control.axes.iter().zip(longest).filter(|row| row.1);
             axes.filter_map(|row| row.0.letter.after(Address::X))
         };
-        // On a taper of 45° both ways are the longest.
+        // On a 45° taper both axes have the longest travel.
         let counting = places().fold(0_u8, |bits, place| bits | 1 << place);
         let own = places().next().unwrap_or(2);
         if values.leads & !counting != 0 && to.position != self.position {
@@ -37,7 +37,7 @@ impl RunState {
         Ok(lead * stretch)
     }
 
-    /// Length of a path per travel of the axis that goes farthest, along which a lead counts, and which axes go so far.
+    /// Ratio of path length to the longest axis travel, to which a lead refers, and the axes with that travel.
     fn stretch(&self, cx: &BlockContext, to: Target) -> (f64, [bool; AXES]) {
         let travel = |k: usize| to.position[k].saturating_sub(self.position[k]) as f64 * cx.shared.rules.moves[k];
         let squares = (0..AXES).map(|k| travel(k) * travel(k));

@@ -1,4 +1,4 @@
-//! The command for the axis words of a block: dwell, work zeros, rapid, cut, arc, thread.
+//! Commands for the axis words of a block: dwell, work zeros, rapid, cut, arc, thread.
 
 use super::canon::{AXES, Canon, Feed, Target};
 use super::codes::BlockCodes;
@@ -11,7 +11,7 @@ use crate::msg;
 use crate::nc::Dimensioning;
 
 impl RunState {
-    /// The command for the axis words of a block; whether axes move.
+    /// Queues the command for the axis words of a block; returns whether axes move.
     #[inline]
     pub(super) fn motion(&mut self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> Run<bool> {
         match codes.special {
@@ -70,7 +70,7 @@ impl RunState {
         Ok(true)
     }
 
-    /// G28 and its like with an intermediate point left out: rapid to a reference point or the fixed point.
+    /// Rapid to a reference point or the fixed point, without an intermediate point (G74, G75).
     fn go_to_point(&mut self, cx: &BlockContext, values: &BlockWords, point: Point) {
         let mut to = Target { position: self.position, mask: values.mask };
         let place = cx.shared.rules.point(point);
@@ -92,7 +92,7 @@ impl RunState {
         self.queue.push(Canon::Rapid { to });
     }
 
-    /// The end point of the axis words: absolute, incremental or in the machine frame.
+    /// End point of the axis words: absolute, incremental or in the machine frame.
     #[inline]
     fn end_point(&self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> Run<Target> {
         let machine = matches!(codes.special, Some(Code::MachineCoordinates | Code::MachineRapid));
@@ -147,7 +147,7 @@ impl RunState {
         }))
     }
 
-    /// Tapping: a feed of lead times speed.
+    /// Tapping: a feed of lead times spindle speed.
     fn tapping(&mut self, cx: &BlockContext, values: &BlockWords, to: Target) -> Run<Canon> {
         let rpm = if self.modal.spindle.master > 1 {
             Some(self.modal.spindle.other.0)
@@ -165,13 +165,14 @@ impl RunState {
         Ok(Canon::Linear { to, feed: Feed::PerMinute(lead * rpm), exact: true })
     }
 
-    /// The master spindle is not the machine's own, and is asked for more than is simulated of it.
+    /// The alarm for a command that is not simulated with the second spindle as master spindle.
     #[cold]
     pub(super) fn other_spindle_asked(&self) -> Trap {
         Trap::alarm(Alarm::Budget, msg!("interp.other-spindle", spindle = u32::from(self.modal.spindle.master)))
     }
 
-    /// Where a rotary axis ends that goes to an angle, by a way of its own or without passing 0: less than a turn from where it is.
+    /// End point of a rotary axis for an absolute angle, by the shortest, positive or negative way or without passing 0: less than a turn
+    /// away.
     #[cold]
     fn turned(&self, cx: &BlockContext, axis: usize, to: i64, angle: i64, way: Dimensioning) -> Run<i64> {
         let turn = (360.0 * cx.shared.units.per_unit) as i64;

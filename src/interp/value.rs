@@ -1,4 +1,4 @@
-//! Words as numbers: command increments, feeds, whole numbers, with the meaning of the point and the range of each address.
+//! Words as numbers: command increments, feeds, whole numbers, with the effect of the decimal point and the range of each address.
 
 use super::context::BlockContext;
 use super::error::{Run, Trap};
@@ -24,14 +24,14 @@ fn shift(mantissa: i64, scale: i32) -> Option<i64> {
     Some(if rest.unsigned_abs() * 2 >= divisor as u64 { whole + mantissa.signum() } else { whole })
 }
 
-/// Truncated to a whole number, but for a rounding error.
+/// Truncates to a whole number, with a tolerance for rounding errors.
 fn cut(value: f64) -> f64 {
     let nearest = value.round();
     if (value - nearest).abs() < WHOLE { nearest } else { value.trunc() }
 }
 
 impl RunState {
-    /// The value of a word as written, `None` where it is vacant and the word is left out; on some controls it is 0 instead.
+    /// Value of a word as written; `None` if it is vacant and the word is left out. On some controls a vacant word is 0.
     pub(super) fn raw(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         if !cx.shared.rules.numbers.round_to_step {
             return self.as_written(cx, block, word);
@@ -40,7 +40,7 @@ impl RunState {
         cx.parts = match word.letter {
             letter if units.integer_letters.contains(letter) => 1.0,
             Address::F => units.per_feed,
-            // An increment in inches is 0.0001 inch where it is 0.001 mm.
+            // The increment in inches is 0.0001 inch if the metric increment is 0.001 mm.
             _ if self.modal.inch => units.per_unit * 10.0,
             _ => units.per_unit,
         };
@@ -49,7 +49,7 @@ impl RunState {
         value
     }
 
-    /// The same where ROUND gives a whole number in any case, as it does in the arguments of a macro.
+    /// Value of a word as written, with ROUND to a whole number, as in macro arguments.
     fn as_written(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) => Ok(Some(dec.to_f64())),
@@ -61,13 +61,13 @@ impl RunState {
         }
     }
 
-    /// Whether a number without a point counts command increments behind this address.
+    /// Whether a number without a decimal point behind this address counts command increments.
     #[inline]
     fn counts_increments(&self, cx: &BlockContext, letter: Address, dec: Dec) -> bool {
         !dec.point && !cx.shared.rules.numbers.whole_units && cx.shared.units.increment_letters.contains(letter)
     }
 
-    /// The value of a word as an argument of a macro.
+    /// Value of a word as a macro argument.
     pub(super) fn argument(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) if self.counts_argument(cx, word) => {
@@ -77,14 +77,14 @@ impl RunState {
         }
     }
 
-    /// Whether an argument of a macro is a number without a point that counts command increments.
+    /// Whether a macro argument is a number without a decimal point that counts command increments.
     pub(super) fn counts_argument(&self, cx: &BlockContext, word: &Word) -> bool {
         let counts =
             cx.shared.rules.numbers.argument_increments && cx.shared.units.increment_letters.contains(word.letter);
         counts && matches!(word.value, WordValue::Number(dec) if !dec.point)
     }
 
-    /// The value of a word in the unit of its address: seconds, millimetres.
+    /// Value of a word in the unit of its address, such as seconds or millimetres.
     pub(super) fn plain(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) if self.counts_increments(cx, word.letter, dec) => {
@@ -94,8 +94,7 @@ impl RunState {
         }
     }
 
-    /// The value of a word as a whole number: decimals are dropped, or rounded where it was calculated and the control
-    /// does so.
+    /// Value of a word as a whole number. Decimals are dropped; on some controls a calculated value is rounded instead.
     pub(super) fn whole(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let value = self.raw(cx, block, word)?;
         self.note_cut(cx, block, word);
@@ -103,7 +102,7 @@ impl RunState {
         Ok(value.map(|value| if round { value.round() } else { cut(value) }))
     }
 
-    /// Remarks a number that is written with decimals behind an address of whole numbers.
+    /// Warns about a number with decimals behind an integer address.
     #[inline]
     fn note_cut(&self, cx: &mut BlockContext, block: &Block, word: &Word) {
         if let WordValue::Number(dec @ Dec { scale: 1.., .. }) = word.value
@@ -114,7 +113,7 @@ impl RunState {
         }
     }
 
-    /// The number of a G code, for a look-up; `None` where the word is left out.
+    /// Number of a G code, for a look-up; `None` if the word is left out.
     #[inline]
     pub(super) fn code_number(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<CodeNumber>> {
         if let WordValue::Number(Dec { mantissa, scale: 0, .. }) = word.value {
@@ -124,7 +123,7 @@ impl RunState {
         Ok(Some(CodeNumber::from_value(value, WHOLE).unwrap_or(CodeNumber::NONE)))
     }
 
-    /// A length or angle in command increments, rounded half away from zero; `None` where the word is left out.
+    /// A length or angle in command increments, rounded half away from zero; `None` if the word is left out.
     #[inline]
     pub(super) fn dimension(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<i64>> {
         let units = &cx.shared.units;
@@ -138,7 +137,7 @@ impl RunState {
                 }
             }
             WordValue::Number(dec) => {
-                // An increment in inches is 0.0001 inch where it is 0.001 mm.
+                // The increment in inches is 0.0001 inch if the metric increment is 0.001 mm.
                 let increments =
                     i32::from(self.counts_increments(cx, word.letter, dec)) * (i32::from(units.decimals) + 1);
                 let scale = i32::from(dec.scale) + increments + 1 - i32::from(units.decimals);
@@ -160,7 +159,7 @@ impl RunState {
         }
     }
 
-    /// F in mm/min, rounded to the control's step, or mm/rev.
+    /// F in mm/min, rounded to the control's feed step, or in mm/rev.
     #[inline]
     pub(super) fn feed_word(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
         if self.modal.per_revolution {
@@ -173,7 +172,7 @@ impl RunState {
         if (0.0..=max).contains(&feed) { Ok(Some(feed)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
     }
 
-    /// F in mm/rev: a feed, or the lead of a thread. That of a left-hand tap is negative.
+    /// F in mm/rev: a feed, or the lead of a thread. The lead of a left-hand tap is negative.
     pub(super) fn lead_word(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
         let Some(value) = self.plain(cx, block, word)? else { return Ok(None) };
         let lead = if inch { value * INCH } else { value };
@@ -186,7 +185,7 @@ impl RunState {
         if (0.0..=max).contains(&lead) { Ok(Some(lead)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
     }
 
-    /// The lead of a thread in mm/rev by its threads per inch.
+    /// Lead of a thread in mm/rev from its threads per inch.
     pub(super) fn threads_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let Some(threads) = self.raw(cx, block, word)? else { return Ok(None) };
         let least = INCH / cx.control.limits.revolution_feed_max;
@@ -231,7 +230,7 @@ impl RunState {
         }
     }
 
-    /// A dwell: P in whole milliseconds, S in turns of the spindle, the other addresses in seconds.
+    /// Dwell time: P in whole milliseconds, S in spindle revolutions, other addresses in seconds.
     pub(super) fn dwell_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let seconds = match word.letter {
             Address::P => self.whole(cx, block, word)?.map(|milliseconds| milliseconds / 1000.0),
@@ -244,7 +243,7 @@ impl RunState {
         }
     }
 
-    /// The alarm for a value that its address cannot hold.
+    /// The alarm for a value outside the range of its address.
     #[cold]
     pub(super) fn out_of_range(&self, cx: &mut BlockContext, block: &Block, word: &Word, min: f64, max: f64) -> Trap {
         let value = self.raw(cx, block, word).ok().flatten().unwrap_or(0.0);

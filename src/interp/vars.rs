@@ -1,27 +1,27 @@
-//! The values of variables: pages that copies of a run share until one of them writes.
+//! Variable store in pages, which copies of a run share until one of them writes.
 
 use std::rc::Rc;
 
-/// A vacant variable. No calculation yields it: results that are no number are alarms.
+/// Vacant variable. No calculation yields NaN: a result that is not a number is an alarm.
 pub(super) const VACANT: f64 = f64::NAN;
 
-/// Local variables of a macro level.
+/// Number of local variables of a macro level.
 pub(super) const LOCALS: usize = 33;
 /// Values of one level, `#1` first.
 pub(super) type Locals = [f64; LOCALS];
 
 const PAGE: usize = 32;
 
-/// All variables that the interpreter keeps.
+/// All variables stored by the interpreter.
 #[derive(Debug, Clone)]
 pub(super) struct Vars {
     pages: Vec<Rc<[f64; PAGE]>>,
-    /// Locals of the main program and of each macro level that was ever entered.
+    /// Local variables of the main program and of each macro level entered so far.
     levels: Vec<Rc<Locals>>,
     level: usize,
 }
 
-/// The locals of a level that was given no argument.
+/// Local variables of a level without arguments.
 pub(super) fn no_locals() -> Rc<Locals> {
     Rc::new([VACANT; LOCALS])
 }
@@ -33,7 +33,7 @@ impl Vars {
         Vars { pages: vec![page; (count as usize).div_ceil(PAGE)], levels: vec![no_locals()], level: 0 }
     }
 
-    /// A variable of the store.
+    /// Reads a variable of the store.
     #[inline]
     pub(super) fn common(&self, slot: u16) -> f64 {
         self.pages.get(slot as usize / PAGE).map_or(VACANT, |page| page[slot as usize % PAGE])
@@ -72,13 +72,13 @@ impl Vars {
         self.levels.get(level).map_or([VACANT; LOCALS], |locals| **locals)
     }
 
-    /// Enters a macro level with its arguments. With `keep`, a local without argument keeps its last value of this level.
+    /// Enters a macro level with its arguments. With `keep`, a local variable without an argument keeps its last value on this level.
     pub(super) fn enter(&mut self, arguments: &Rc<Locals>, keep: bool) {
         self.level += 1;
         self.arguments(arguments, keep);
     }
 
-    /// Gives the present level its arguments (again).
+    /// Sets the arguments of the present level, also for a repeat.
     pub(super) fn arguments(&mut self, arguments: &Rc<Locals>, keep: bool) {
         match self.levels.get_mut(self.level) {
             Some(locals) if keep => {

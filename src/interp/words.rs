@@ -12,7 +12,7 @@ use crate::drives::Approach;
 use crate::msg;
 use crate::nc::{Block, Dimensioning, Word};
 
-/// Bit flags for words that only some codes use: I/J/K, R, P/L, and letters of axes that the machine lacks, of cycles and of offsets.
+/// Bit flags for words that only some codes use: I/J/K, R, P/L, and letters of missing axes, of cycles and of offsets.
 const CENTRE: u8 = 1;
 
 const RADIUS: u8 = 2;
@@ -21,7 +21,7 @@ const CALLED: u8 = 4;
 
 const OTHERS: u8 = 8;
 
-/// The flag of a letter; 0 for letters that every block may use.
+/// The flag of a letter; 0 for letters allowed in every block.
 const fn class(letter: Address) -> u8 {
     match letter {
         Address::I | Address::J | Address::K => CENTRE,
@@ -47,9 +47,9 @@ pub(super) struct BlockWords {
     pub(super) axes: [i64; AXES],
     /// Bit `k`: axis `k` was programmed.
     pub(super) mask: u8,
-    /// Bit `k`: by its incremental address, or as an incremental value.
+    /// Bit `k`: axis `k` was programmed by its incremental address or as an incremental value.
     pub(super) incremental: u8,
-    /// Bit `k`: as an absolute value, by the word itself.
+    /// Bit `k`: axis `k` was programmed as an absolute value by the word itself.
     pub(super) absolute: u8,
     /// Bit 0 to 2: the lead along X, Y, Z is programmed.
     pub(super) leads: u8,
@@ -89,13 +89,13 @@ impl RunState {
     ) -> Run<()> {
         let inch = self.modal.inch;
         let dwell = codes.special == Some(Code::Dwell);
-        // Limits behind S, and the first S of a surface speed, are words of their own.
+        // Limits by S, and the first S of a surface speed, are handled elsewhere.
         let surface = self.modal.spindle.surface && !codes.limits();
         for word in words {
             let letter = word.letter;
-            // Words of another spindle, and words that are not simulated.
+            // Words of a second spindle, and words that are not simulated.
             let spindles = matches!(letter, Address::M | Address::S | Address::Spos | Address::Lims);
-            // Any value behind the axes that go to a point: X1=0.
+            // G74 and G75 ignore the value behind an axis: X1=0.
             if let (Some(Code::GoTo(_)), Some((axis, _))) = (codes.special, cx.shared.index.axis(letter)) {
                 values.mask |= 1 << axis;
                 continue;
@@ -137,13 +137,13 @@ impl RunState {
         Ok(())
     }
 
-    /// Whether the motion in force cuts threads, by a lead.
+    /// Whether the motion in force uses a thread lead.
     #[inline]
     fn cuts_threads(&self) -> bool {
         matches!(self.modal.motion, Code::Thread | Code::Tapping)
     }
 
-    /// The word of an axis, or the one for its incremental words.
+    /// Reads an axis word, absolute or incremental.
     #[inline]
     fn axis_word(
         &self,
@@ -197,7 +197,7 @@ impl RunState {
         }
     }
 
-    /// The lead of a thread by I, J, K or by threads per inch; whether the word is one of these.
+    /// Reads the lead of a thread by I, J, K or by threads per inch; returns whether the word is one.
     #[cold]
     fn thread_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<bool> {
         let inch = self.modal.inch;
@@ -216,7 +216,7 @@ impl RunState {
         Ok(true)
     }
 
-    /// A word that few blocks have: AR, LIMS, SPOS, P, L, Q, D, H, B, E.
+    /// Reads a word that few blocks have: AR, LIMS, SPOS, P, L, Q, D, H, B, E.
     fn rare_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
         match word.letter {
             Address::Ar => {
@@ -257,7 +257,7 @@ impl RunState {
                 if word.letter == Address::H {
                     values.call.h = number;
                 } else if !cx.shared.units.integer_letters.contains(word.letter) {
-                    // Without offsets by number D belongs to cycles and corners.
+                    // On controls without offset numbers D belongs to cycles and corners.
                     values.rare |= OTHERS;
                 }
             }
@@ -267,7 +267,7 @@ impl RunState {
         Ok(())
     }
 
-    /// A word of another spindle, or of an intermediate point; other words with an index are not simulated.
+    /// Reads a word of a second spindle or of an intermediate point; other indexed words are not simulated.
     #[cold]
     fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
         let at = word.letter.after(Address::I).unwrap_or(usize::MAX);
@@ -282,7 +282,7 @@ impl RunState {
         Ok(())
     }
 
-    /// The classes of rare words that do something in a block with these codes.
+    /// Flags of the rare words that have an effect in a block with these codes.
     #[inline]
     fn uses(&self, codes: &BlockCodes, values: &BlockWords) -> u8 {
         let any = codes.any_word
@@ -292,7 +292,7 @@ impl RunState {
         let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
         match (any, arc) {
             (true, _) => u8::MAX,
-            // An arc that has its radius needs no centre.
+            // An arc by radius needs no centre.
             (_, true) if values.radius.is_some() => RADIUS,
             (_, true) => CENTRE,
             (_, false) if codes.flow.is_some() => CALLED,
@@ -300,7 +300,7 @@ impl RunState {
         }
     }
 
-    /// Remarks the words of a block that do nothing in it, or refuses them where the control does.
+    /// Warns about words without effect in their block, or raises the control's alarm for them.
     #[cold]
     fn idle_words(
         &self,
@@ -336,7 +336,7 @@ impl RunState {
         Ok(())
     }
 
-    /// BlockWords that count radii, on an axis whose positions are diameters.
+    /// Doubles words that count radii on an axis whose positions are diameters.
     #[cold]
     fn double(&self, cx: &BlockContext, values: &mut BlockWords) {
         for k in (0..AXES).filter(|&k| cx.shared.rules.moves[k] != 1.0) {

@@ -1,4 +1,4 @@
-//! The limits of the working area (G25, G26): end points and arcs that leave it are alarms.
+//! Working area limits (G25, G26): end points and arcs outside are alarms.
 
 use super::arc::passes;
 use super::canon::{AXES, Target};
@@ -9,17 +9,17 @@ use crate::controls::{Address, Alarm};
 use crate::math;
 use crate::msg;
 
-/// The linear axes that G25 and G26 limit.
+/// Linear axes with limits by G25 and G26.
 const LINEAR_AXES: [Address; 3] = [Address::X, Address::Y, Address::Z];
 
 impl RunState {
-    /// The working area, where its limits are on.
+    /// Limits of the working area; `None` if they are off.
     #[inline]
     pub(super) fn area(&self, cx: &BlockContext) -> Option<&[[i64; AXES]; 2]> {
         self.modal.area.limits.as_ref().filter(|_| cx.shared.rules.running.area && !self.modal.area.off)
     }
 
-    /// Refuses a place beyond the working area.
+    /// Refuses an end point outside the working area.
     #[cold]
     pub(super) fn within(&self, cx: &BlockContext, to: Target, [low, high]: &[[i64; AXES]; 2]) -> Run<()> {
         for (k, axis) in cx.control.axes.iter().enumerate().take(AXES).filter(|(k, _)| to.mask & 1 << k != 0) {

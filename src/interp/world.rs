@@ -2,28 +2,29 @@
 
 use crate::text::Diagnostic;
 
-/// The machine as the interpreter sees it. Reads happen when a block is read, which may be blocks before it is executed.
+/// The machine as seen by the interpreter. It is read when a block is read, possibly several blocks ahead of execution.
 pub trait World {
     /// A macro input from the PLC (bit or signed word), by variable number.
     fn input(&mut self, variable: u32) -> f64;
-    /// Milliseconds since power-on (`run` false) or of automatic running (`run` true).
+    /// Milliseconds since power-on (`run` false) or of automatic operation (`run` true).
     fn clock_ms(&mut self, run: bool) -> f64;
-    /// Position of an axis in millimetres or degrees as words count it (a diameter on such an axis), machine frame. Asked only after a [`Step::Sync`](super::Step::Sync).
+    /// Position of an axis in millimetres or degrees as its words count (diameter on a diameter axis), machine frame. Called only after a
+    /// [`Step::Sync`](super::Step::Sync).
     fn position(&mut self, axis: usize) -> f64;
     /// Whether optional block skip number 1 to 9 is switched on.
     fn block_skip(&mut self, number: u8) -> bool;
-    /// How many commands wait behind the one that is executed, of those that do not act when they are read; `None` where the machine is at
-    /// rest and has done all.
+    /// Number of commands waiting behind the executing one, without commands that act when read; `None` if the machine is at rest with all
+    /// commands done.
     fn waiting(&mut self) -> Option<usize> {
         None
     }
-    /// Whether the coordinates of an axis begin anew with each turn, so that it has no range.
+    /// Whether the coordinates of an axis restart with each turn, so that it has no range.
     fn is_endless(&self, _axis: usize) -> bool {
         false
     }
-    /// The program has changed a common variable (`None`: vacant). For displays of variables over time.
+    /// Reports a change of a common variable by the program (`None`: vacant), for displays of variables over time.
     fn changed(&mut self, _variable: u32, _value: Option<f64>) {}
-    /// A part of the block has no effect, or another than written, and the control raises no known alarm.
+    /// Reports a part of a block without effect or with another effect than written, for which the control has no known alarm.
     fn remark(&mut self, _remark: Diagnostic) {}
 }
 

@@ -12,7 +12,7 @@ use crate::controls::{Alarm, VarKind};
 use crate::nc::{Block, Expr, ExprId, Word, WordValue};
 use crate::text::{Diagnostic, Place};
 
-/// A machine at rest that records remarks.
+/// A machine at rest that records warnings of the run.
 pub(super) struct Listener<'a> {
     pub(super) still: Still,
     pub(super) heard: &'a RefCell<Vec<Diagnostic>>,
@@ -40,22 +40,22 @@ impl World for Listener<'_> {
     }
 }
 
-/// The check of one block after the other.
+/// State of the check, block by block.
 pub(super) struct Precheck<'a> {
     pub(super) cx: BlockContext<'a>,
-    /// Remarks since they were last taken.
+    /// Warnings recorded since the last take.
     pub(super) heard: &'a RefCell<Vec<Diagnostic>>,
-    /// State of a run that only reads its blocks, in the order of the text.
+    /// State of a run that reads blocks in the order of the text without executing them.
     pub(super) state: RunState,
     /// For each expression: it has the same value in every run.
     pub(super) constant: Vec<bool>,
-    /// The modal states that blocks can meet, as far as they matter.
+    /// Modal states in which blocks may be read, reduced to the parts that matter.
     pub(super) modals: Vec<Modal>,
-    /// No modal call takes the words of blocks for its arguments.
+    /// No modal call uses the words of blocks as arguments.
     pub(super) words: bool,
     /// Findings about the present block.
     pub(super) found: Vec<Diagnostic>,
-    /// Cache: the block of words before, if it had no findings.
+    /// Cache: the preceding block of words, if it had no findings.
     pub(super) clean: Vec<Clean>,
 }
 
@@ -90,7 +90,7 @@ impl<'a> Precheck<'a> {
         }
     }
 
-    /// Alarm and finding of a run that ends in one of these alarms; any alarm if the list is empty.
+    /// Alarm and finding of an outcome with one of these alarms; any alarm if the list is empty.
     pub(super) fn finding(&self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) -> Option<(Alarm, Diagnostic)> {
         let Err(Trap::Alarm(mut fault)) = outcome else { return None };
         let kind = fault.kind();
@@ -107,12 +107,12 @@ impl<'a> Precheck<'a> {
         self.note(finding.map(|(_, finding)| finding));
     }
 
-    /// Keeps one finding per place.
+    /// Adds a finding, unless its place has one.
     pub(super) fn note(&mut self, finding: Option<Diagnostic>) {
         self.found.extend(finding.filter(|finding| self.found.iter().all(|other| other.place != finding.place)));
     }
 
-    /// The finding that every modal state gives, the one in the order of the text first; `None` if they differ.
+    /// The finding common to all modal states, the first in text order; `None` if they differ.
     pub(super) fn always(
         &mut self,
         block: &Block,

@@ -8,12 +8,12 @@ pub(super) struct Clean {
     pub(super) word: Word,
     pub(super) least: i64,
     pub(super) most: i64,
-    /// Whether the range may grow: true for lengths and feeds; any other number may have a meaning of its own.
+    /// Whether the range may grow: true for lengths and feeds; other numbers may each have their own meaning.
     pub(super) ranges: bool,
 }
 
 impl Clean {
-    /// Whether a word differs from this one in its value at most.
+    /// Whether a word differs from this one at most in its value.
     pub(super) fn is_like(&self, word: &Word) -> bool {
         let (WordValue::Number(a), WordValue::Number(b)) = (self.word.value, word.value) else { return false };
         (self.word.letter, self.word.index, self.word.form, a.scale, a.point)

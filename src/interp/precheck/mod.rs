@@ -16,14 +16,14 @@ use crate::nc::Parsed;
 use crate::text::{Diagnostic, Place, Severity};
 use check::{Listener, Precheck};
 
-/// Findings that are listed.
+/// Maximum findings in the list.
 const FINDINGS: usize = 1000;
 
-/// Findings after which only alarms are listed.
+/// Number of findings after which only errors are added.
 const REMARKS: usize = 200;
 
-/// Alarms and remarks that blocks raise in every run, in the order of the text. Blocks that depend on values of the run are left out, and
-/// so are blocks with an error of the reader.
+/// Alarms and warnings that blocks raise in every run, in text order. Blocks that depend on values of the run, and blocks with an error of
+/// the reader, are left out.
 pub fn precheck(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
     let Interp { shared, state } = Interp::new(Rc::clone(parsed), StartProgram::First);
     let deck = parsed.deck();
@@ -40,7 +40,7 @@ pub fn precheck(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
             check.block(at, block);
             let here = Place { file: program.file, span: block.span };
             if found.len() >= REMARKS {
-                // Room is for what stops a run.
+                // The remaining room is for errors.
                 check.found.retain(|finding| finding.severity == Severity::Error);
             }
             if !check.found.is_empty() && !errors.iter().any(|error| error.meets(here)) {

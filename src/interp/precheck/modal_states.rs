@@ -1,4 +1,4 @@
-//! Modal states that the codes of all programs can bring about, as far as the meaning of words depends on them.
+//! Modal states that the codes of all programs can produce, reduced to the parts that change the meaning of words.
 
 use super::super::modal::Modal;
 use super::check::Precheck;
@@ -30,7 +30,7 @@ fn key(modal: &Modal) -> ([bool; 5], u8) {
 }
 
 impl Precheck<'_> {
-    /// Finds the modal states that the codes of all programs can bring about.
+    /// Collects the modal states that the codes of all programs can produce.
     pub(super) fn note_codes(&mut self) {
         let control = self.cx.control;
         let mut rows: Vec<&CodeDef> = Vec::new();

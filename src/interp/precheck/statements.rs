@@ -50,7 +50,7 @@ impl Precheck<'_> {
         }
     }
 
-    /// Writes to the variable of an assignment, if it is known and no plain store.
+    /// Writes to the variable of an assignment, if it is constant and not merely stored.
     fn assigned(&mut self, block: &Block, to: ExprId, value: ExprId) {
         use VarKind::{Common, Kept, Local, Retained};
         let kept = |number| {
@@ -74,7 +74,7 @@ impl Precheck<'_> {
             number.and_then(|number| state.write(&mut self.cx, block, number, 0.0).map_err(|trap| trap.part(to)))
         };
         match outcome {
-            // Another value may be remarked or not.
+            // With another value the warning may differ.
             Ok(()) if self.is_constant(value) => self.found.extend(self.heard.take()),
             outcome => self.tell(block, outcome, &WRITES),
         }

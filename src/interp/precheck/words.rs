@@ -12,16 +12,16 @@ use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 /// Alarms of executing a block of words that do not depend on the run.
 const ACTS: [Alarm; 15] = [
-    // Behind H; P of a return is a block number of the calling program.
+    // Sequence number behind H; P of a return is a block number of the calling program.
     Alarm::NoSequence,
-    // Known if P is.
+    // Only with a constant P.
     Alarm::JumpNumber,
     Alarm::RepeatRange,
     Alarm::NoCallProgram,
     Alarm::OwnCall,
     Alarm::SpindleAngle,
     Alarm::SurfaceRange,
-    // Functions by number.
+    // `G65 H` functions.
     Alarm::DivisionByZero,
     Alarm::Calculation,
     Alarm::SquareRoot,
@@ -35,7 +35,7 @@ const ACTS: [Alarm; 15] = [
 impl Precheck<'_> {
     /// Checks the words of a block.
     pub(super) fn block_words(&mut self, at: u32, block: &Block, words: &[Word]) {
-        // The codes of such a block are in force already, and its numbers lie between others without findings.
+        // Cached block: its codes are already in force, and its numbers are in ranges without findings.
         if self.clean.len() == words.len() && self.clean.iter().zip(words).all(|(clean, word)| clean.holds(word)) {
             return;
         }
@@ -46,7 +46,7 @@ impl Precheck<'_> {
             codes &= !is_code(word);
             results &= word.letter == Address::P;
         }
-        // The meaning of the other words depends on a calculated code.
+        // A calculated code may change the meaning of the other words.
         if !codes {
             return;
         }
@@ -70,7 +70,7 @@ impl Precheck<'_> {
                 if all && words.iter().any(|word| word.letter == Address::Q) {
                     self.contour(at, block, words);
                 }
-                // P of a function names its result.
+                // P of a function is its result variable.
                 let function = !all && results && calls && self.state.is_function(&self.cx, words);
                 let spindle = || words.iter().any(|word| matches!(word.letter, Address::S | Address::Spos));
                 if function || all && (calls || spindle()) {
@@ -91,7 +91,7 @@ impl Precheck<'_> {
         self.note(finding);
     }
 
-    /// Alarms of words that cannot be read: of all together, and of each with the codes of the block.
+    /// Alarms of words that cannot be read: of all words together, and of each word with the codes of the block.
     fn faulty_words(&mut self, block: &Block, known: &[Word]) {
         let mut together = |state: &mut RunState, cx: &mut BlockContext| state.read_words(cx, block, known).map(|_| ());
         let finding = self.always(block, &[Alarm::ArgumentSets], &mut together);
@@ -106,7 +106,7 @@ impl Precheck<'_> {
         }
     }
 
-    /// Notes a block without findings; `before` is the cache for the blocks in front of it.
+    /// Caches a block without findings; `before` is the preceding cache.
     fn note_clean(&mut self, words: &[Word], before: Vec<Clean>) {
         self.clean = before;
         if self.clean.len() != words.len() || !self.clean.iter().zip(words).all(|(clean, word)| clean.is_like(word)) {
@@ -125,14 +125,14 @@ impl Precheck<'_> {
         }
     }
 
-    /// The contour that a cycle passes over.
+    /// Warns about the contour skipped by a cycle that is not simulated.
     fn contour(&mut self, at: u32, block: &Block, words: &[Word]) {
-        // Other results depend on the state.
+        // Other outcomes depend on the state.
         let _ = self.state.clone().words(&mut self.cx, at, block, words);
         self.found.extend(self.heard.take().into_iter().filter(|remark| remark.kind == DiagnosticKind::Contour));
     }
 
-    /// Remarks that every modal state gives.
+    /// Warnings common to all modal states.
     fn remarked(&mut self, block: &Block, words: &[Word], mut heard: Vec<Diagnostic>) {
         for modal in &self.modals {
             let mut state = self.state.clone();
