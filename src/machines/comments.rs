@@ -4,7 +4,8 @@ use crate::controls::Control;
 use crate::nc::{Deck, is_message};
 use crate::text::catalog::programs::chinese;
 
-/// Puts the comments and titles of a deck in Chinese. Messages to the operator, settings of the form and what has no Chinese stay as they are.
+/// Translates the comments and titles of a deck to Chinese. Messages to the operator, settings of the form and texts without a translation
+/// stay.
 pub fn put_in_chinese(deck: &mut Deck, control: &Control) {
     let comments = deck.blocks.iter().filter(|block| !is_message(deck, control, block)).map(|block| block.comment);
     let titles = deck.programs.iter().map(|program| program.title);

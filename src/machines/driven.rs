@@ -7,7 +7,7 @@ use crate::math::RPM;
 use crate::motion::{Mover, Snapshot, Stretch};
 use crate::view::Limit;
 
-/// A servo motor of a machine, and where its motion stands in a run.
+/// A servo motor of a machine, and the source of its motion in a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrivenAxis {
     /// Id, for instance `x`.

@@ -1,6 +1,6 @@
 //! Named examples of a machine, as data: what differs from the defaults of its form, and the faults that it shows.
 
-/// A named example. The first of a machine is what a new project begins with: no verdict of it fails on any control of the machine.
+/// A named example. The first one of a machine starts a new project: no verdict of it fails on any control of the machine.
 #[derive(Debug)]
 pub struct Example {
     /// Id, for instance `paper`.

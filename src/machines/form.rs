@@ -125,7 +125,7 @@ pub enum Kind<P: 'static> {
     },
 }
 
-/// A field without its parameters' type: what a page or a report needs.
+/// A field without the type of its parameters, for pages and reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldInfo {
     /// Id.
@@ -170,7 +170,7 @@ pub enum KindInfo {
     Flag(bool),
     /// `(id, catalog id of the label)`, the first is the default.
     Choice(&'static [(&'static str, &'static str)]),
-    /// A text of so many characters.
+    /// A text of at most this many characters.
     Text(usize),
 }
 

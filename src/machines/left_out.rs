@@ -1,4 +1,4 @@
-//! Blocks that a published listing leaves out: a number stands alone where the text has a formula in words.
+//! Blocks that a published listing leaves out: it prints the sequence number alone, and the text has the formula in words.
 
 use crate::msg;
 use crate::nc::{Block, Expr, Parsed, Stmt};
@@ -7,7 +7,7 @@ use crate::text::{Diagnostic, Message, Place, Span};
 /// A block that a published listing leaves out.
 #[derive(Debug, Clone, Copy)]
 pub struct LeftOut {
-    /// Its sequence number, which stands alone.
+    /// Sequence number of the empty block.
     pub number: u32,
     /// The variable that it would set, and that no other block sets.
     pub variable: u32,

@@ -9,8 +9,8 @@ use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
 use crate::view::report::{Input, ListedPart, Open, Report, RunReport, TitleBlock};
 use crate::view::{DrawnPart, Readout};
 
-/// Gathers what machine and control say in the report. `name` is the project's, may be empty; `further` are findings beyond those of the
-/// design, for instance about the program. Title block, run and programs are the project's to fill in.
+/// Gathers the parts of the report that machine and control supply. `name` is the project's and may be empty; `further` are findings beyond
+/// those of the design, for instance about the program. The project fills in title block, run and programs.
 pub fn report(
     machine: &dyn AnyMachine,
     prepared: &PreparedMachine,
@@ -120,7 +120,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
     }
 }
 
-/// Rows that no manual confirms, by table; of the switches also those that differ from their default.
+/// Rows of each table that no manual confirms; of the switches also those that differ from their default.
 fn open(control: &Control, switches: &Switches) -> Vec<Open> {
     let doubtful = |cite: &Citation| cite.grade == Grade::Open;
     let code = |row: &&crate::controls::CodeDef| control.code_name(row.id);

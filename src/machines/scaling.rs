@@ -80,7 +80,7 @@ impl AxisDrive<'_> {
     /// parameters; 0 if whole numbers give it exactly.
     pub fn error(&self, control: &Control) -> Option<f64> {
         let error = self.travel() / self.scaling(control)?.travel - 1.0;
-        // Below what a double can tell.
+        // Below the resolution of a double.
         Some(if error.abs() < 1e-14 { 0.0 } else { error })
     }
 

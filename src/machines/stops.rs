@@ -64,7 +64,7 @@ pub enum SpindleReaction {
     OutputOff,
     /// Work and tool turn on in their ratio.
     TurnsInRatio,
-    /// Work and tool slow down in their ratio and stand.
+    /// Work and tool slow down in their ratio to standstill.
     StopsInRatio,
     /// The drives of work and tool are off: both coast, and their angle to each other is lost.
     Coasts,

@@ -13,7 +13,7 @@ pub fn write_header<M: Machine>(b: &mut Builder, params: &M::Params, control: &C
     }
 }
 
-/// The control's own codes for these functions; those that it lacks are left out.
+/// The control's own codes for these functions, without those that it lacks.
 pub fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
     let own = |code: Code| {
         let row = control.codes.iter().find(|row| row.code == code)?;
@@ -37,7 +37,8 @@ pub fn opening(control: &Control) -> Vec<NewWord> {
     all
 }
 
-/// The variable of the first axis's work position, those of the others behind it, where the control tells it: reading one waits for standstill.
+/// Variable of the first axis's work position, followed by those of the other axes; none if the control has no such variables. Reading one
+/// waits for standstill.
 pub fn work_position(control: &Control) -> Option<u32> {
     control.vars.iter().find(|row| row.kind == VarKind::WorkPosition).map(|row| row.first)
 }

@@ -1,4 +1,4 @@
-//! Findings about a program: of its reader, certain alarms, warnings, and what a run adds.
+//! Findings about a program: of the parser, alarms that any run raises, warnings, and those of a run.
 
 use std::rc::Rc;
 
@@ -43,8 +43,8 @@ pub fn with_run(mut read: Vec<Diagnostic>, run: &[Diagnostic]) -> Vec<Diagnostic
     read
 }
 
-/// Errors in blocks that a run never came to, as warnings: the control has not met them. Errors that the run has raised, and those about a
-/// whole file, stay.
+/// Turns errors in blocks that a run did not reach into warnings: the control has not met them. Errors that the run has raised, and those
+/// about a whole file, stay.
 pub fn not_reached(found: &mut [Diagnostic], parsed: &Parsed, run: &[Diagnostic]) {
     let deck = parsed.deck();
     for finding in found.iter_mut().filter(|finding| finding.severity == Severity::Error) {
@@ -79,7 +79,7 @@ pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diag
     })
 }
 
-/// Fixes that are made together. Those of warnings change what a program does, so each of them is a decision of its own.
+/// Fixes that are made together. A fix of a warning changes the effect of a program, so each of them is a decision of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FixChoice {
     /// Fixes of errors that have one fix, so that there is no choice.
@@ -102,7 +102,8 @@ pub fn fixes(found: &[Diagnostic], choice: FixChoice) -> impl Iterator<Item = &F
 const READINGS: usize = 8;
 
 impl Project {
-    /// Files of the project's program with the fixes of these findings made, then those that reading finds anew; and how many were made.
+    /// Makes the fixes of these findings in the program's files, then those that parsing finds anew; returns the files and the number of
+    /// fixes.
     pub fn mended(&self, files: &Files, found: &[Diagnostic], choice: FixChoice) -> (Files, usize) {
         let (mut files, mut count) = nc::fix_all(files, fixes(found, choice));
         for _ in 1..READINGS {

@@ -48,7 +48,7 @@ impl Proposal {
 /// Proposals for a place.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Completion {
-    /// The bytes of the file that a proposal takes the place of: what is typed already.
+    /// Bytes of the file that a proposal replaces: the typed prefix.
     pub replaces: Span,
     /// In the order of the control's tables.
     pub proposals: Vec<Proposal>,
@@ -65,7 +65,7 @@ enum Typed {
     Target,
     /// Number of a program behind P of a call.
     Called,
-    /// A word, so far as it is there.
+    /// A word or its beginning.
     Word,
 }
 
@@ -134,7 +134,7 @@ fn calls(line: &str, pieces: &[(Span, TokenKind)], control: &Control) -> bool {
         .any(|id| control.code(id).is_some_and(|row| calls(row.code)))
 }
 
-/// A place with what is typed there, in capitals.
+/// A place with its typed prefix, in capitals.
 struct Proposals<'a> {
     words: &'a Words<'a>,
     parsed: &'a Parsed,
@@ -148,7 +148,7 @@ impl Proposals<'_> {
         self.words.control()
     }
 
-    /// The proposal of a text, if it goes on from what is typed.
+    /// Proposal of a text, if it begins with the prefix.
     fn word(&self, text: String, kind: ProposalKind) -> Option<Proposal> {
         let meaning = || self.words.meaning(&text, Table::Program);
         text.to_ascii_uppercase().starts_with(self.prefix).then(|| Proposal {
@@ -217,7 +217,7 @@ impl Proposals<'_> {
         all
     }
 
-    /// The codes that the switches leave on. Numbers have two digits, but for one that is typed without its zero.
+    /// Codes that the switches leave on. Numbers have two digits, except after a prefix without the leading zero.
     fn codes(&self) -> Vec<Proposal> {
         let codes = self.parsed.codes();
         let own = self.control().codes.iter().map(|row| row.id).filter(|id| codes.row(*id).is_some());
@@ -231,7 +231,7 @@ impl Proposals<'_> {
         own.chain(bound).filter_map(|id| self.word(name(id), ProposalKind::Code)).collect()
     }
 
-    /// Variables that the machine names, that the programs name, and those of small ranges.
+    /// Variables that the machine or the programs name, and all variables of small ranges.
     fn variables(&self) -> Vec<Proposal> {
         let sign = self.control().syntax.variable;
         if !self.prefix.is_empty() && !self.prefix.starts_with(sign) {

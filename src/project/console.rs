@@ -12,7 +12,7 @@ use crate::msg;
 use crate::text::catalog::{number_text, sentence, words};
 use crate::text::{Diagnostic, Message, Place, headed};
 
-/// The commands with their abbreviations, as `help` lists them, each with the id of what it does.
+/// Commands with their abbreviations, as `help` lists them, each with the id of its description.
 const COMMANDS: [(&str, &str); 24] = [
     ("into, i", "console.help.into"),
     ("over, o", "console.help.over"),

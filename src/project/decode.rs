@@ -19,7 +19,7 @@ const KINDS: [(&[u8], &str); 12] = [
     (b"\xff\xd8\xff", "project.is-picture"),
 ];
 
-/// The sentence that names what a file is, where it is no text.
+/// Sentence that names the kind of a file that is no text.
 fn other_kind(bytes: &[u8]) -> Option<Message> {
     let (_, id) = KINDS.iter().find(|(start, _)| bytes.starts_with(start))?;
     Some(Message { id, values: Vec::new() })
@@ -45,7 +45,7 @@ pub struct Decoded {
     pub text: String,
     /// Its encoding.
     pub encoding: Encoding,
-    /// The sentence that names what the file is, where it is no text; it has no text then.
+    /// Sentence that names the kind of a file that is no text; the text is empty then.
     pub other: Option<Message>,
     /// The bytes, where the encoding is unknown.
     bytes: Vec<u8>,

@@ -14,7 +14,7 @@ use crate::view::{Readout, Verdict};
 pub enum NameKind {
     /// Id of a machine.
     Machine,
-    /// Id of a control that the machine goes with.
+    /// Id of a control that the machine can have.
     Control,
     /// Id of an example of the machine.
     Example,

@@ -80,7 +80,7 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
     }
 }
 
-/// The programs without the documents that lie beside them in an export, and what is said about those.
+/// The programs without the documents of an export beside them, and a finding about the documents.
 fn without_documents(given: Files) -> (Files, Option<Diagnostic>) {
     let (left, programs): (Vec<File>, Vec<File>) = given.0.into_iter().partition(is_document);
     let told = (!left.is_empty()).then(|| Diagnostic::info(msg!("project.documents-left", count = left.len() as u32)));

@@ -1,4 +1,4 @@
-//! Why a text is no JSON, or not of the shape that is read: serde says so in English; here it is said in the language that is spoken.
+//! Reasons why a text is no JSON, or not of the expected shape: serde has them in English; here they are put in the chosen language.
 
 use crate::msg;
 use crate::text::catalog::{sentence, words};
@@ -41,7 +41,7 @@ fn marks(said: &str) -> Option<String> {
     Some(sentence(&msg!("project.json.expected", marks = either(&marks))))
 }
 
-/// Keys and kinds of values that are not what is read there.
+/// Sentence about a key or a kind of value that does not fit the expected shape.
 fn shape(said: &str) -> Option<String> {
     let key = |kind: &str| said.strip_prefix(kind).and_then(|key| key.strip_suffix('`'));
     if let Some(key) = key("missing field `") {

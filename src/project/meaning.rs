@@ -274,7 +274,7 @@ fn of_name(control: &Control, text: &str) -> Option<Meaning> {
     Some(Meaning { word: text.to_owned(), subject: Subject::Sequence, says, unit: "", cite: None })
 }
 
-/// Statements, comparisons and operators, with what they do.
+/// Statements, comparisons and operators, with the ids of their descriptions.
 const KEYWORDS: [(&str, &str); 24] = [
     ("IF", "meaning.if"),
     ("THEN", "meaning.then"),
@@ -310,7 +310,7 @@ fn of_keyword(control: &Control, text: &str) -> Option<Meaning> {
     Some(meaning(word, Subject::Keyword, vec![Message { id, values: Vec::new() }], "", control.macros.cite))
 }
 
-/// Catalog id of what a function gives.
+/// Catalog id of a function's result.
 fn function_id(function: Function) -> &'static str {
     match function {
         Function::Sin => "meaning.sine",
@@ -390,7 +390,7 @@ fn variable_of(role: SignalRole) -> Option<u32> {
 }
 
 impl Meaning {
-    /// The word with what it means, as one line.
+    /// Word and meaning in one line.
     pub fn sentence(&self) -> String {
         headed(&self.word, sentences(self.says.iter().map(sentence)))
     }
@@ -413,13 +413,13 @@ impl Meaning {
         self.cite.map(|_| format!("{kind}.{}", self.word))
     }
 
-    /// The value of what the word names at time `t` (s) of a run of the project; `None` where a run does not tell.
+    /// Value of the named variable, axis, address or register at time `t` (s) of a run; `None` if a run does not have it.
     pub fn live(&self, project: &Project, run: &Run, t: f64) -> Option<Live> {
         let now = run.timeline().at(t);
         let live = |value: f64, unit: &'static str| Some(Live { value: Some(value), unit });
         let variable = |number: u32| Live { value: run::shown(run, project.control, number, t), unit: self.unit };
         match self.subject {
-            // Local variables are those of one call, of which there may be several.
+            // Local variables belong to one call, and there may be several calls.
             Subject::Variable(number) => match project.control.var(number)?.kind {
                 VarKind::Local | VarKind::Vacant | VarKind::NotSimulated => None,
                 _ => Some(variable(number)),

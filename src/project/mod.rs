@@ -100,7 +100,7 @@ use crate::nc::Files;
 use crate::text::catalog::Language;
 use crate::view::report::TitleBlock;
 
-/// Everything that a run depends on, and exactly what is saved, but for its id.
+/// Input of a run, and contents of the project file except for the id.
 #[derive(Clone)]
 pub struct Project {
     /// Identity among the projects that a browser keeps; no part of the file, and no difference between two projects.
@@ -163,9 +163,9 @@ impl Project {
     }
 }
 
-/// A name in small letters and digits of any script and hyphens, which every file system takes, of at most so many bytes.
+/// A name in small letters, digits of any script and hyphens, at most `bytes` long: every file system accepts it.
 fn plain(name: &str, bytes: usize) -> String {
-    // An accent that is written apart from its letter goes with it.
+    // A combining accent stays with its letter.
     let is_kept = |c: char| c.is_alphanumeric() || ('\u{300}'..='\u{36f}').contains(&c);
     let name = name.to_lowercase();
     let words: Vec<&str> = name.split(|c| !is_kept(c)).filter(|word| !word.is_empty()).collect();
@@ -229,7 +229,7 @@ impl Project {
         }
     }
 
-    /// The control as it is set here.
+    /// The control with the settings of the project.
     pub fn on(&self) -> ControlContext<'_> {
         ControlContext { control: self.control, switches: &self.switches }
     }

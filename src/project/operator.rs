@@ -1,4 +1,4 @@
-//! The operator's actions as a list to edit: those that a machine has on its control, their names and values, and changes in words.
+//! The operator's actions as a list to edit: actions of a machine on its control, their names and values, and changes in words.
 
 use super::Project;
 use crate::controls::vars::HALF_RANGE;
@@ -122,7 +122,7 @@ pub fn unit(action: &Action) -> &'static str {
     }
 }
 
-/// The number of an action as it is typed; empty for a vacant variable, and where there is none.
+/// The number of an action as text for its field; empty for a vacant variable, and for an action without a number.
 pub fn typed_value(action: &Action) -> String {
     match action.value() {
         Some(ActionValue::Number(number)) => number_text(number, DECIMALS),

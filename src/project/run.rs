@@ -95,8 +95,8 @@ fn panel_of(project: &Project) -> Panel {
     Panel::new(knob.into_iter().chain(project.panel.events().iter().cloned()))
 }
 
-/// Plans the run of a project, begun without settings, on with the operator's actions as the project now has them: anew from the earliest one
-/// that has changed. False where the run keeps no state to go back to.
+/// Replans the run of a project, begun without settings, from the earliest changed action of the operator. Returns false if the run keeps
+/// no checkpoint to go back to.
 pub fn replan(run: &mut Run, project: &Project) -> bool {
     let dialect = Rc::clone(run.program().parsed().dialect());
     run.replace_panel(io_names::panel(&panel_of(project), project.control, &dialect))

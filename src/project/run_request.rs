@@ -23,7 +23,7 @@ use crate::text::{Diagnostic, Message};
 /// Budget of a run where none is given: blocks, and seconds of machine time.
 pub const BUDGET: Budget = Budget { blocks: 10_000_000, seconds: 3600.0 };
 
-/// A run as it is asked for.
+/// Request of a run.
 pub struct RunRequest {
     /// Project or programs to run.
     pub subject: ProgramSource,
@@ -61,7 +61,7 @@ pub struct ReadyRun {
 
 /// A run at its end.
 pub struct FinishedRun {
-    /// The end, and what the machine came to.
+    /// Reason of the end, and final state of the machine.
     pub summary: RunSummary,
     /// Diagnostics by their files: of reading and of the run.
     pub findings: Vec<FileFindings>,

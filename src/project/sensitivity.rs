@@ -62,7 +62,7 @@ impl Sensitivity {
         }
     }
 
-    /// The facts that flip a verdict, those that lead to a failure first, then in the order of the form.
+    /// Facts that flip a verdict: first those that make one fail, then in the order of the form.
     pub fn flips(&self) -> Vec<Flip> {
         let mut found: Vec<Flip> = self.facts.iter().filter_map(|fact| fact.flip(&self.before)).collect();
         found.sort_by_key(|flip| core::cmp::Reverse(flip.to));

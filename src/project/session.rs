@@ -1,4 +1,4 @@
-//! A session of the debugger: the stepped run beside the one that it was forked from, breakpoints, watches, and what was said so far.
+//! A session of the debugger: the stepped run beside the one it was forked from, breakpoints, watches, and the diagnostics reported so far.
 
 use super::breakpoints::{Breakpoints, Location};
 use super::debug::{Debugger, Goal, Stop};
@@ -18,7 +18,7 @@ const SLICE: usize = 4096;
 pub struct Halt {
     /// Its reason.
     pub stop: Stop,
-    /// The command came to the end at which the run was already.
+    /// Whether the run was at this end before the command.
     pub again: bool,
     /// Alarms and warnings since the stop before.
     pub found: Vec<Diagnostic>,
@@ -175,7 +175,7 @@ impl Session {
         }
     }
 
-    /// Steps to the goal, and notes what was found on the way.
+    /// Steps to the goal, and collects new diagnostics.
     fn walk(&mut self) -> Halt {
         let stop = self.reach();
         let over = matches!(stop, Stop::Ended(_)).then(|| (self.debugger.t(), self.debugger.run().blocks()));

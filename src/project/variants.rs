@@ -51,7 +51,7 @@ impl Project {
         }
     }
 
-    /// The present settings, under a name, beside those of all variants; `None` where there is no variant.
+    /// Comparison of the present settings, under a name, with all variants; `None` without a variant.
     pub fn compared_variants(&self, present: &str) -> Option<Comparison> {
         if self.variants.is_empty() {
             return None;
@@ -61,8 +61,8 @@ impl Project {
         Some(compare(&all))
     }
 
-    /// The name of each variant with the project as it is with the settings of that variant. A program that the user has edited belongs to the
-    /// present settings alone: each of these has the program that its form writes.
+    /// Each variant's name, and the project with its settings. An edited program belongs to the present settings alone: each variant has
+    /// the program that its form writes.
     pub fn each_variant(&self) -> impl Iterator<Item = (String, Project)> {
         self.variants.iter().enumerate().map(|(at, kept)| {
             let mut project = self.clone();

@@ -40,8 +40,8 @@ pub struct Beginning {
 }
 
 impl Beginning {
-    /// Reads the browser's store, writes the program and begins its run, each in a turn of its own, and then does `then`: with nothing only
-    /// where no machine has a control, and a test of the library holds that there is always one.
+    /// Reads the browser's store, writes the program and begins its run, each in a turn of its own, then calls `then`. It gets `None` only
+    /// if no machine has a control; a test of the library holds that each has one.
     pub fn in_turns(then: impl FnOnce(Option<Beginning>) + 'static) {
         let visit = store::load();
         let Some(project) = visit.project else { return then(None) };
@@ -50,7 +50,7 @@ impl Beginning {
     }
 }
 
-/// The page. What is seen first is built at once, everything else in its turn.
+/// The page. The first screen is built at once, everything else in turns.
 #[component]
 pub fn App(
     /// State with which the page is built.

@@ -53,7 +53,7 @@ pub(crate) async fn mount<V: IntoView + 'static>(view: impl FnOnce() -> V + 'sta
     mount_project(project(), view).await
 }
 
-/// Mounts a view about a project, with all that is built in its turn; the browser's store stays as it is.
+/// Mounts a view with a project, and everything that is built in turns; the browser's store stays unchanged.
 pub(crate) async fn mount_project<V: IntoView + 'static>(
     project: Project,
     view: impl FnOnce() -> V + 'static,

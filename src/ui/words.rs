@@ -32,7 +32,7 @@ pub(crate) fn tone(severity: Severity) -> &'static str {
     }
 }
 
-/// The sign of a class, so that nothing is said by colour alone.
+/// Sign of a class, so that colour is not the only mark.
 pub(crate) fn sign(tone: &str) -> &'static str {
     match tone {
         "ok" => "✓",
@@ -75,7 +75,7 @@ pub(crate) fn figure(number: f64, decimals: u8) -> String {
     number::figure(number, decimals)
 }
 
-/// A number with at most so many decimals.
+/// Number with at most `decimals` decimals.
 pub(crate) fn short(number: f64, decimals: u8) -> String {
     number::short(number, decimals)
 }
@@ -130,7 +130,7 @@ pub(crate) fn verdict_words(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Catalog id of the words for what the control does.
+/// Catalog id of the control's mode.
 pub(crate) fn mode_words(mode: Mode) -> &'static str {
     match mode {
         Mode::Running => "page.mode-running",
@@ -178,7 +178,7 @@ pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
     })
 }
 
-/// The limit of a result, as it is shown beside the value.
+/// Limit of a result as text, with the decimals of its value.
 pub(crate) fn limit_text(readout: &Readout) -> Option<String> {
     readout.limit.map(|limit| say(&limit.message(short(limit.value(), readout.decimals))))
 }

@@ -18,7 +18,7 @@ type Failed = String;
 /// Name and bytes of a file.
 type NamedBytes<'e> = (&'e str, Vec<u8>);
 
-/// Writes files into a folder, which is made where it is missing. On failure the folder is as it was before.
+/// Writes files into a folder, creating it if it is missing. On failure the folder is restored.
 pub(crate) fn write(folder: &Path, files: &[NamedBytes]) -> Result<(), Failed> {
     let made = make(folder)?;
     let done = lock(folder).and_then(|_lock| {

@@ -120,7 +120,7 @@ pub(crate) fn choices(switches: &[String], silenced: &[String]) -> Result<Choice
     Ok(Choices { switches, silenced: silenced.to_vec() })
 }
 
-/// Program files, and an error for each that no control reads as it is; a file that is no text is refused.
+/// Reads program files, with an error for each that no control could read; a file that is no text is refused.
 fn programs(paths: &[PathBuf], format: Format) -> Result<FileFindings, Failure> {
     request::few_files(paths.len()).map_err(|message| Failure::usage(&message))?;
     let (mut files, mut decoded, mut list, mut other) = (Vec::new(), Vec::new(), Vec::new(), false);

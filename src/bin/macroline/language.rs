@@ -94,7 +94,7 @@ fn without_heading(usage: &str) -> &str {
     usage.trim().trim_start_matches("Usage:").trim_start()
 }
 
-/// A command, built by clap, with its own texts, those of its arguments and those of its commands.
+/// Puts the texts of a command, its arguments and its subcommands in the chosen language.
 fn command_in_words(mut command: Command) -> Command {
     let usage = command.render_usage().to_string();
     let usage = ["[OPTIONS]", "<COMMAND>", "[COMMAND]"]
@@ -143,7 +143,7 @@ fn argument_in_words(argument: Arg) -> Arg {
     argument.help(told.clone()).long_help(told).hide_default_value(true).hide_possible_values(true)
 }
 
-/// Prints the help that was asked for, or what is wrong with the arguments; the exit status.
+/// Prints the requested help, or the error of the arguments; returns the exit status.
 fn refused(error: Error) -> ExitCode {
     let status = u8::try_from(error.exit_code()).unwrap_or(2);
     let is_help = matches!(
@@ -159,7 +159,7 @@ fn refused(error: Error) -> ExitCode {
     ExitCode::from(status)
 }
 
-/// An error of clap in the language that is spoken: what is wrong, what is like it, and the usage.
+/// Error of clap in the chosen language: message, similar names, and the usage.
 fn error_text(error: &Error) -> String {
     let mut lines = vec![sentence(&msg!("cli.error", reason = sentence(&error_message(error))))];
     let known = told(error, ContextKind::ValidValue);
@@ -178,7 +178,7 @@ fn error_text(error: &Error) -> String {
     lines.join("\n")
 }
 
-/// A part of what an error tells; empty where it does not tell it.
+/// Part of an error's context; empty if it has none.
 fn told(error: &Error, kind: ContextKind) -> String {
     match error.get(kind) {
         Some(ContextValue::Strings(list)) => listed(list),

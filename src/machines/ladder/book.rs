@@ -63,7 +63,7 @@ impl<'a> Book<'a> {
         self.rung(when, RungAction::Coil(bit), note);
     }
 
-    /// A timer of so many seconds, rounded up to the unit of the PLC's timers.
+    /// A timer of `seconds`, rounded up to the unit of the PLC's timers.
     pub fn timer(&mut self, name: &'static str, seconds: f64, when: Branches, note: &'static str) {
         let unit = self.control.plc.timer_unit();
         // Whole units stay whole beside the rounding of binary fractions.
@@ -347,7 +347,7 @@ impl PlcLanguage {
     }
 }
 
-/// Catalog id of what a signal of the control means to the ladder.
+/// Catalog id of the meaning of a control's signal in the ladder.
 fn role_meaning(role: SignalRole) -> &'static str {
     match role {
         SignalRole::SpindleOverride => "plc.signal.override",

@@ -138,7 +138,7 @@ pub enum Operator {
 pub enum RungAction {
     /// The signal follows the condition.
     Coil(Bit),
-    /// The contact of the timer closes when the condition has lasted for so many milliseconds.
+    /// The contact of the timer closes when the condition has lasted for this time in ms.
     Timer(&'static str, u32),
     /// While the condition holds, the number is copied.
     Move {
@@ -231,13 +231,13 @@ pub struct Ladder {
 }
 
 impl Ladder {
-    /// Device of a signal; empty for one that no rung names.
+    /// Device of a signal; empty if no rung names it.
     pub fn bit(&self, bit: Bit) -> &str {
         let at = self.bits.binary_search_by_key(&bit, |row| row.0).ok();
         at.and_then(|at| self.bits.get(at)).map_or("", |row| &row.1.name)
     }
 
-    /// Device of a number; empty for one that no rung names.
+    /// Device of a number; empty if no rung names it.
     pub fn word(&self, word: PlcNumber) -> &str {
         let at = self.words.binary_search_by_key(&word, |row| row.0).ok();
         at.and_then(|at| self.words.get(at)).map_or("", |row| &row.1.name)
@@ -276,7 +276,7 @@ impl Rung {
         }
     }
 
-    /// Signals that the rung names, those that it drives last.
+    /// Signals that the rung names, the driven ones last.
     pub fn bits(&self) -> Vec<Bit> {
         let mut all: Vec<Bit> = self.when.iter().flatten().map(|contact| contact.bit).collect();
         match self.action {

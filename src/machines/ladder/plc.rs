@@ -14,7 +14,7 @@ use crate::motion::{Io, Plc, ProgramState, Strobes};
 pub const ANSWER: f64 = 0.05;
 /// Time (s) between two looks at the inverter's contact while a rung waits for it.
 const LOOK: f64 = 0.01;
-/// Scans in which a ladder comes to rest; more are left for the next moment.
+/// Scans in which a ladder settles; further ones wait for the next moment.
 const SCANS: u32 = 24;
 /// Stages that a gear box has at most.
 const STAGES: u8 = 8;
@@ -261,8 +261,8 @@ impl LadderPlc {
         [since, meshed, look, self.due].into_iter().flatten().reduce(f64::min)
     }
 
-    /// Whether a scan at `t` would change nothing: the signals are as the last one has left them, and nothing is due before it was to be
-    /// asked again. Speeds may be others, as long as the ladder sees the same of them.
+    /// Whether a scan at `t` would change nothing: the signals are those of the last scan, and none of its times is due. Speeds may differ
+    /// if the ladder reads the same values.
     fn rests(&mut self, t: f64, io: &Io) -> bool {
         let at_speed = Bit::Input(MachineContact::AtSpeed);
         let Some((left, again)) = &mut self.left else { return false };
@@ -274,7 +274,7 @@ impl LadderPlc {
             && (!self.reads_speed || self.image.number(FINAL) == final_speed(io))
     }
 
-    /// Notes what the image as it now is waits for.
+    /// Notes the times that the present image waits for.
     fn note_waits(&mut self) {
         let (speed, arrived) = (Bit::Input(MachineContact::AtSpeed), Bit::Signal(SignalRole::SpeedArrived));
         self.due = self.ladder.due(&self.image);

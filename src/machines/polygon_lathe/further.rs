@@ -1,11 +1,11 @@
-//! The second and the third polygon of a part: each has its place, sides, start angles and cutter; everything else is that of the first.
+//! The second and the third polygon of a part: own place, sides, start angles and cutter; all else is shared with the first.
 
 use super::params::{Further, Params, Shape};
 use super::resolved::PolygonLathe;
 use crate::msg;
 use crate::text::Message;
 
-/// Fields of the first polygon, and the same of the others.
+/// Fields of the first polygon, and the corresponding ones of the others.
 const FIELDS: &[(&str, [&str; 2])] = &[
     ("shape", ["second-shape", "third-shape"]),
     ("sides", ["second-sides", "third-sides"]),
@@ -60,7 +60,7 @@ impl Params {
             };
             let mut own = own.with_shape();
             if own.tool != self.tool {
-                // The errors are those of another cutter.
+                // The errors belong to another cutter.
                 own.radius_errors.clear();
                 own.angle_errors.clear();
             }
@@ -75,7 +75,7 @@ pub(super) fn field(id: &str, at: usize) -> Option<&'static str> {
     FIELDS.iter().find(|(first, _)| *first == id).and_then(|(_, others)| others.get(at).copied())
 }
 
-/// Faults of the further polygons, each with its field: those that the first could have too, places that overlap, cutters that do not fit.
+/// Faults of the further polygons, each with its field: faults of a single polygon, overlapping places, cutters that do not fit.
 pub(super) fn errors(
     lathe: &PolygonLathe,
     alone: impl Fn(&PolygonLathe) -> Vec<(Message, &'static str)>,

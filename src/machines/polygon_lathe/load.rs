@@ -1,4 +1,4 @@
-//! Torque of work and tool: the interrupted cut, the run-up, and what the drives give.
+//! Torque of work and tool: the interrupted cut, the run-up, and the ratings of the drives.
 
 use super::params::Params;
 use crate::drives::cutting::kienzle;

@@ -26,13 +26,13 @@ pub(super) fn plc(lathe: &PolygonLathe) -> LadderPlc {
 /// State of both axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Stage {
-    /// Both stand.
+    /// Both are at rest.
     Rest,
     /// Each axis turns to its start angle until then.
     Indexing([f64; PMC_AXES]),
     /// Both turn at their speeds.
     Turning,
-    /// Both come to rest until then.
+    /// Both slow down, to rest at this time (s).
     Stopping(f64),
     /// Both coast since then, from these speeds in r/min.
     Coasting(f64, [f64; PMC_AXES]),

@@ -1,4 +1,4 @@
-//! The results of all polygons of a part: those of the first, and for each other one what is its own.
+//! The results of all polygons of a part: all of the first, and of each other one those that are its own.
 
 use super::further::field;
 use super::readouts::ROWS;
@@ -8,7 +8,7 @@ use crate::machines::verdict::judge;
 use crate::text::Phrase;
 use crate::view::{Advice, Readout};
 
-/// Results of the first polygon, and ids and labels of the same of the others.
+/// Results of the first polygon, and ids and labels of the corresponding ones of the others.
 #[rustfmt::skip]
 const RESULTS: &[(&str, [(&str, &str); 2])] = &[
     ("sides", [("second-sides", "polygon.second.sides"), ("third-sides", "polygon.third.sides")]),
@@ -37,7 +37,7 @@ pub(super) fn ids(at: usize) -> Vec<&'static str> {
 /// The result that becomes an angle to the first polygon.
 const ANGLE: &str = "orientation";
 
-/// Whether a result has a meaning with this form.
+/// Whether a result applies to this form.
 fn is_shown(lathe: &PolygonLathe, id: &str) -> bool {
     let (p, d) = (&lathe.p, &lathe.d);
     match id {

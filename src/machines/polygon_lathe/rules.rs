@@ -301,7 +301,7 @@ fn distance(lathe: &PolygonLathe) -> Option<Judgement> {
 /// The body of the cutter, disc and holders, in the stock beside the polygon.
 fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    // No body is left where the tips stand out as far as their circle is wide.
+    // The overhang counts up to the radius of the tip circle, at which no body is left.
     let overhang = p.overhang.min(p.tip_radius);
     if d.reach <= overhang + NOTHING {
         return ok(AtMost(overhang));

@@ -17,7 +17,7 @@ const LEAST_FEED: f64 = 0.01;
 /// Longest time constant of the form, ms.
 const LONGEST_RAMP: f64 = 10_000.0;
 
-/// An advice with every feed whose cuts ask too much lowered to what the drive gives: the force grows with `f^(1 - mc)`.
+/// An advice that lowers every feed whose cuts exceed a limit of the drive: the force grows with `f^(1 - mc)`.
 fn with_feeds(lathe: &PolygonLathe, spindle: Spindle, asked: Asked, fact: Message) -> Advice {
     let p = &lathe.p;
     let power = 1.0 / (1.0 - p.specific().exponent);

@@ -1,5 +1,4 @@
-//! The unwinder without current, at a fault of its inverter or a power failure: how long it coasts, and the loop that takes up what it lays
-//! meanwhile.
+//! The unwinder without current, at a fault of its inverter or a power failure: coasting time, and loop for the ribbon laid meanwhile.
 
 use super::derive::Derived;
 use super::mechanics::unwinder_load;
@@ -22,7 +21,7 @@ pub(super) fn seconds(line: &RibbonLine, rpm: f64) -> f64 {
     load::coasting(inertia(line), rpm * RPM, line.mechanics.unwinder + line.p.unwinding.motor_brake)
 }
 
-/// Ribbon (mm) that is laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
+/// Ribbon (mm) laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
 fn laid_beside(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64), lag: f64) -> f64 {
     if d.actual_speed <= 0.0 {
         return 0.0;
@@ -36,20 +35,20 @@ pub(super) fn laid(line: &RibbonLine, d: &Derived) -> f64 {
     laid_beside(line, d, (0.0, line.p.time_constant_x / 1000.0), d.line_speed / 60.0 / line.p.position_gain_x)
 }
 
-/// Ribbon (mm) that is in the loop at the worst moment, with the knob at its end.
+/// Ribbon (mm) in the loop before the stop at the worst moment, with the knob at its end.
 fn laid_before(line: &RibbonLine) -> f64 {
     line.fast.slack_start.abs() + line.fast.slack_run.abs()
 }
 
-/// Ribbon (mm) that is laid at the worst moment, with the knob at its end: X has come to rest behind the last move and M5 is not read yet, so
-/// that the unwinder coasts from its whole speed.
+/// Ribbon (mm) laid at the worst moment, with the knob at its end: X is at rest after the last move and M5 is not read yet, so that the
+/// unwinder coasts from its full speed.
 fn laid_behind_the_last_move(line: &RibbonLine) -> f64 {
     let (edge, lag) = stop_of_x(line);
     laid_beside(line, &line.fast, (edge, edge), lag)
 }
 
-/// How long (s) X takes to come to rest at the end of a product with the knob at its end, and how far (mm) it is behind its command before:
-/// exact stops have both in the time of a block.
+/// Time (s) in which X comes to rest at the end of a product with the knob at its end, and its lag (mm) before: exact stops have both in
+/// the time of a block.
 fn stop_of_x(line: &RibbonLine) -> (f64, f64) {
     match line.p.path_mode {
         PathMode::ExactStop => (0.0, 0.0),

@@ -421,8 +421,8 @@ impl Timing {
     }
 }
 
-/// Seconds of a block of so many pitches that ends in an exact stop: the slower of both axes, `T + τ + ln(lag / w) / K`. Source: sizing facts,
-/// section 4, F5.
+/// Time (s) of a block of `pitches` pitches that ends in an exact stop: the slower of both axes, `T + τ + ln(lag / w) / K`. Source: sizing
+/// facts, section 4, F5.
 fn exact_stop(p: &Params, pitches: f64, pitch_time: f64, y_stroke: f64) -> f64 {
     let axis = |travel: f64, time_constant: f64, position_gain: f64| {
         let block = AxisBlock {
@@ -436,8 +436,8 @@ fn exact_stop(p: &Params, pitches: f64, pitch_time: f64, y_stroke: f64) -> f64 {
     axis(p.pitch, p.time_constant_x, p.position_gain_x).max(axis(y_stroke, p.time_constant_y, p.position_gain_y))
 }
 
-/// Seconds from the start of a block of so many pitches to the start of the next: its motion, with its exact stop, or the time that the control
-/// needs to read on, if that is longer.
+/// Time (s) from the start of a block of `pitches` pitches to the start of the next: its motion, with its exact stop, or the time that the
+/// control needs to read on, if that is longer.
 fn pass(p: &Params, pitches: f64, pitch_time: f64, y_stroke: f64) -> f64 {
     let moves = match p.path_mode {
         PathMode::ExactStop => exact_stop(p, pitches, pitch_time, y_stroke),

@@ -80,7 +80,7 @@ impl ServoAxis {
         ServoAxis { load, output, motor, limits, ramp, hold, rise, duty }
     }
 
-    /// The shares of what the motor has.
+    /// Demand of the run as shares of the motor's ratings.
     pub(super) fn shares(&self) -> Shares {
         self.motor.shares(&self.load, &self.duty)
     }
@@ -116,8 +116,8 @@ impl ServoAxis {
     }
 }
 
-/// The limits of the form: the ratio of inertias, and the share (%) of the stall torque. A motor that is taken from the list sets those of its
-/// series, so that form and list judge it alike.
+/// Limits of the form: the ratio of inertias, and the share (%) of the stall torque. A motor taken from the list sets those of its series,
+/// so that form and list judge it alike.
 fn limits(inertia_ratio: f64, effective: f64) -> Acceptance {
     Acceptance { effective: effective / 100.0, ..Acceptance::mitsubishi(inertia_ratio) }
 }

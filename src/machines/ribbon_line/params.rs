@@ -358,7 +358,7 @@ impl UnwindingParams {
 }
 
 impl Params {
-    /// Where the line stands.
+    /// Height and temperature of the site.
     pub(super) fn site(&self) -> Site {
         Site { height: self.site_height, temperature: self.site_temperature }
     }

@@ -11,7 +11,7 @@ use crate::nc::build::{Builder, Formula, NewWord, g, real, v};
 /// Distance of the nearest head from the ribbon, in heads; where positions are not told, 1 from the start of a product to its end.
 pub(super) const PHASE: u32 = 138;
 
-/// Number of the alarm of a product that did not come to its end.
+/// Number of the alarm after a product that was broken off.
 pub(super) const ALARM: u32 = 23;
 
 /// Distance (in heads) up to which the first block takes the rest of the phase along; beyond it the roller is turned.
@@ -27,7 +27,7 @@ pub(super) fn is_told(line: &RibbonLine) -> bool {
     position(line).is_some()
 }
 
-/// Jumps to the alarm where the product before did not come to its end.
+/// Jumps to the alarm if the product before was broken off.
 pub(super) fn check(b: &mut Builder, line: &RibbonLine) {
     if !is_told(line) {
         b.if_goto(v(PHASE).gt(0), 900 + ALARM);
@@ -58,7 +58,7 @@ pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl 
     b.words(words).note("A HEAD TO THE RIBBON");
 }
 
-/// A product has come to its end: behind M5, when all blocks are done.
+/// Marks the product as complete: after M5, when all blocks are done.
 pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
     if is_told(line) {
         return;

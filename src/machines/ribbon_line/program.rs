@@ -152,7 +152,7 @@ fn about(line: &RibbonLine, what: &str) -> String {
     format!("{} {what}", line.p.print_axis.address())
 }
 
-/// Words of the pull axis for so many millimetres of ribbon.
+/// Words of the pull axis for a length of ribbon in mm.
 fn pull_words(line: &RibbonLine, ribbon: Formula) -> Formula {
     match line.pull_words() {
         1 => ribbon,
@@ -160,7 +160,7 @@ fn pull_words(line: &RibbonLine, ribbon: Formula) -> Formula {
     }
 }
 
-/// The block that pulls and prints. An exact stop that holds for one block stands in each.
+/// The block that pulls and prints. An exact stop that acts in one block alone is written in each.
 fn move_block(line: &RibbonLine, pull: Formula) -> Vec<NewWord> {
     let once = line.p.path_mode == PathMode::ExactStop && !line.control.can(Code::ExactStop);
     let mut words = codes(line, once.then_some(Code::ExactStopOnce));
@@ -249,7 +249,7 @@ fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
     }
 }
 
-/// O9100, ready-made: guards, copies of what the run watches, and the paper's equations, those first that the override does not change.
+/// O9100, ready-made: guards, copies of the watched entries, and the paper's equations; first those that the override does not change.
 fn compute(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - COMPUTE");
     writing::guards(b, &entries(line));
@@ -477,7 +477,7 @@ fn published(b: &mut Builder, line: &RibbonLine) {
     header(b, line);
 }
 
-/// The main program of a listing: what comes before its passes, the passes (from a block on), the last pitch and the alarms.
+/// The main program of a listing: the blocks before its passes, the passes (from a block on), the last pitch and the alarms.
 fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl FnOnce(&mut Builder)) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
@@ -510,7 +510,7 @@ fn run_published(b: &mut Builder, line: &RibbonLine) {
 /// Entries that the precomputed listing watches in the running line, each with the variable of its copy; the others act at the next start.
 const WATCHED_ONCE: [(u32, u32); 3] = [(100, 131), (107, PITCH_COPY), (109, 135)];
 
-/// O9100 of the listing that calculates before the loop: the same numbers without the motion, and copies of what the run watches.
+/// O9100 of the listing that calculates before the loop: the same numbers without the motion, and copies of the watched entries.
 fn precompute(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - AS PUBLISHED, ONCE");
     b.n(1).assign(KNOB, v(line.input())).note("OVERRIDE");

@@ -101,8 +101,8 @@ pub(super) fn range(line: &RibbonLine) -> Option<Judgement> {
     )
 }
 
-/// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors: what is left of the ratio when parameters have taken it as
-/// whole numbers; none where the control has no such numbers.
+/// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors, by the whole numbers of the scaling parameters; none
+/// if the control has no such numbers.
 pub(super) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
     let feeds = [line.d.x_feed, line.d.y_feed];
     let drives = line.drives("");

@@ -28,8 +28,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
 /// Share (%) of the nip's holding force that may be used: a safety of 2 against slip. Source: sizing facts 2.2, from memory.
 const GRIP: f64 = 50.0;
 
-/// Difference (% of the rated torque) between the load of the form and that of brake and friction, from which it is told: a twentieth of the
-/// slip. Engineering choice.
+/// Difference (% of the rated torque) between the load of the form and that of brake and friction from which it is reported: a twentieth of
+/// the slip. Engineering choice.
 const LOAD: f64 = 5.0;
 
 /// Short-time torque of a motor behind an inverter as a share of its rated one. Source: parts, FREQROL-E800, 150 % for 60 s.
@@ -41,7 +41,7 @@ const LONGEST: f64 = 5000.0;
 /// Longest ramp of the inverter that the form takes, s.
 pub(super) const LONGEST_RAMP: f64 = 600.0;
 
-/// A limit at the knob's end, as it is where the knob stands now.
+/// Limit at the end of the knob, scaled to the present position of the knob.
 pub(super) fn here(limit: f64, now: f64, end: f64) -> f64 {
     if end > 0.0 { limit * now / end } else { limit }
 }
@@ -157,7 +157,7 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, [advice])
 }
 
-/// The inverter's ramp, which asks the same of the motor whatever the speed: it is set for the speed at 10 V.
+/// Judges the inverter's ramp. Its torque is the same at every speed, because the ramp is set for the speed at 10 V.
 fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     let (p, torque, steady) = (&line.p, line.mechanics.unwinder_ramp, line.mechanics.unwinder);
     let most = SHORT_TIME * p.unwinding.torque;

@@ -28,7 +28,7 @@ pub(super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
     Some((msg!("ribbon.feed-above-limit", feed = d.vector_feed, most = max), advice))
 }
 
-/// A feed as it is driven, mm/min.
+/// Driven feed of a commanded one, mm/min.
 pub(super) fn followed(line: &RibbonLine, feed: f64) -> f64 {
     feed * line.following(&line.d)
 }
@@ -88,8 +88,8 @@ pub(super) fn slower_advice(line: &RibbonLine) -> Advice {
     }
 }
 
-/// A feed against the clamp of its axis, over the whole range of the knob: the limit of the feed now is lower by what the knob may add. The
-/// driven feed is compared, so the limit of the commanded feed is also lower where the unwinder is fast.
+/// Judges a feed against the clamp of its axis over the whole range of the knob: the limit of the present feed is lower by the share that
+/// the knob may add. The driven feed is compared, so the limit of the commanded feed is also lower if the unwinder is fast.
 fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement> {
     let limit = clamp / line.following(&line.fast) * line.knob_share();
     if limit <= 0.0 || limit.is_infinite() {
@@ -172,8 +172,9 @@ pub(super) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
     motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
 }
 
-/// Time of a block against the time that the control needs for it, over the whole range of the knob: the limit of a block now is longer by
-/// what the knob may take from it. The driven block is compared, so the limit of the commanded one is also longer where the unwinder is fast.
+/// Judges the time of a block against the time that the control needs for it, over the whole range of the knob: the limit of the present
+/// block is longer by the share that the knob may take from it. The driven block is compared, so the limit of the commanded one is also
+/// longer if the unwinder is fast.
 pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, fast, .. } = line;
     let (needed, turned) = (d.block_needed * 1000.0, d.block_needed_turned * 1000.0);

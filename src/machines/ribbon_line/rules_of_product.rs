@@ -103,7 +103,7 @@ pub(super) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
     resolution(line.d.y_resolution, line)
 }
 
-/// A wanted length against what the program makes of it by the rule for its rest.
+/// Judges a wanted length against the length that the program makes by the rule for its rest.
 pub(super) fn length(line: &RibbonLine) -> Option<Judgement> {
     let p = &line.p;
     if !p.is_length(line.control) {

@@ -71,7 +71,7 @@ fn with_loop(advice: Advice, needed: f64, more: Vec<(&'static str, String)>) -> 
     advice.setting(button, more.into_iter().chain([set]).collect::<Vec<_>>())
 }
 
-/// All that a product lays into the loop, with one interruption in it, against what the loop holds.
+/// Judges the ribbon that a product lays into the loop, with one interruption, against the loop's capacity.
 pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let limit = AtMost(p.loop_capacity);

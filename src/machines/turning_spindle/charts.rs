@@ -76,11 +76,11 @@ const STAGES: [(&str, u8); 4] = [
     ("turning.chart.stage-4", 3),
 ];
 
-/// Colours of the cut, and of what the engaged stage gives for a short time.
+/// Colours of the cut, and of the short-time rating in the engaged stage.
 const CUT: u8 = 4;
 const SHORT: u8 = 5;
 
-/// Charts over the speed of the spindle: torque and power that the motor gives in each gear stage, and what the cut asks.
+/// Charts over the speed of the spindle: torque and power of the motor in each gear stage, and the demand of the cut.
 pub(super) fn over_speed(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
     let (p, d) = (&lathe.p, &lathe.d);
     let points = points.max(2);

@@ -235,12 +235,13 @@ fn place(lathe: &TurningSpindle) -> Option<(u32, u32)> {
     writing::places(lathe.control, [CROSS, ALONG])
 }
 
-/// Number of the alarm of a tool that is not clear of the work, behind those of the entries.
+/// Number of the alarm of a tool that is not clear of the work, after those of the entries.
 fn away_alarm(lathe: &TurningSpindle) -> u32 {
     entries(lathe).len() as u32 + 1
 }
 
-/// Words of the speed limit S. Where S alone would make the present position work zero, the position that holds already stands beside it.
+/// Words of the speed limit S. On a control where S alone would make the present position work zero, the words of the present position are
+/// added.
 fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
     let at = place(lathe).filter(|_| lathe.rules().limit_place == LimitPlace::WorkZero);
     let held = at.into_iter().flat_map(|(across, along)| [x(v(across)), z(v(along))]);

@@ -1,4 +1,5 @@
-//! Hold, alarm, reset, emergency stop and inverter fault of the lathe: the spindle turns on while the tool is in the cut, until somebody ends the program.
+//! Hold, alarm, reset, emergency stop and inverter fault of the lathe: the spindle turns on while the tool is in the cut, until the
+//! operator ends the program.
 
 use super::resolved::TurningSpindle;
 use super::run_up;

@@ -38,7 +38,7 @@ pub(super) fn page(machine: &'static dyn AnyMachine, control: &'static Control, 
     Page::new(id, words(machine.name()), control, sections)
 }
 
-/// The variables that the operator reads and sets; those of a field are with it.
+/// Variables that the operator reads and sets, without those described with their field.
 fn variables(project: &Project, texts: &Texts) -> HelpSection {
     let mut section = HelpSection::new("variables", texts.words("title.variables"));
     let fields: Vec<u32> = project.machine.fields().iter().filter_map(variable).collect();

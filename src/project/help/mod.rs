@@ -37,7 +37,7 @@ impl Help {
         help
     }
 
-    /// The section or entry with an id. One without a page is looked for on the present pages first; an alarm that no row has is one that a
+    /// Section or entry with an id. An id without a page is looked for on the present pages first; an alarm without a row is one that a
     /// program raises itself.
     pub fn find(&self, id: &str) -> Option<HelpPlace<'_>> {
         let of = |id: &str| match id.split_once('/') {
@@ -47,7 +47,7 @@ impl Help {
         of(id).or_else(|| id.split('/').next_back()?.starts_with("alarm.").then(|| of("alarm.user"))?)
     }
 
-    /// Full id and name of what an id on a page leads to: on that page, on the page of its control, or on any.
+    /// Full id and name of the target of an id on a page: on that page, on the page of its control, or on any.
     fn target(&self, page: &Page, id: &str) -> Option<(String, String)> {
         let own = |page: &str| self.find_on(page, id);
         let place = match id.split_once('/') {
@@ -61,7 +61,7 @@ impl Help {
         self.pages.iter().find(|one| one.id == page)?.find(id)
     }
 
-    /// Gives each link its full id and its words; one that leads nowhere becomes words.
+    /// Gives each link its full id and its words; a link without a target becomes plain words.
     fn link(&mut self) {
         let known = self.clone();
         for (page, old) in self.pages.iter_mut().zip(&known.pages) {

@@ -22,12 +22,12 @@ pub(super) fn pages(present: &'static dyn AnyMachine, on: &'static Control, text
     pages
 }
 
-/// The first machine that goes with a control.
+/// The first machine that can have a control.
 pub fn machine_on(control: &Control) -> Option<&'static dyn AnyMachine> {
     machines::ALL.iter().copied().find(|machine| machine.controls().contains(&control.id))
 }
 
-/// The present control where the machine goes with it, else the machine's first.
+/// The present control if the machine can have it, else the machine's first.
 fn control_of(machine: &dyn AnyMachine, present: &'static Control) -> &'static Control {
     let ids = machine.controls();
     let id = ids.iter().find(|id| **id == present.id).or(ids.first());

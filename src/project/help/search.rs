@@ -45,7 +45,7 @@ impl Help {
     }
 }
 
-/// A word as it is compared: small letters, and no zeros in front of the number of a code or alarm (`G01`, `M03`).
+/// Form of a word for comparison: small letters, and no zeros in front of the number of a code or alarm (`G01`, `M03`).
 fn canonical(word: &str) -> String {
     let word = word.trim().to_lowercase();
     let digits = word.find(|c: char| c.is_ascii_digit()).unwrap_or(word.len());

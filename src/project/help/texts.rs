@@ -6,7 +6,7 @@ use crate::text::catalog::{self, Language};
 /// A piece of a text: words, or a link.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Piece {
-    /// The words; those of a link are the name of what it leads to.
+    /// The words; in a link, the name of its target.
     pub words: String,
     /// Full id of the section or entry that it leads to; empty for words alone.
     pub to: String,
@@ -35,7 +35,7 @@ impl Texts {
         Texts { manual, glossary: include_str!("../../../docs/glossary.md") }
     }
 
-    /// Names of the files of a language among those of the page: manual and glossary.
+    /// Names of the manual's and the glossary's files in a language.
     pub fn files(language: Language) -> (String, &'static str) {
         (format!("help-{}.properties", language.code()), "glossary.md")
     }

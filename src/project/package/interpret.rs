@@ -16,7 +16,7 @@ use crate::project::file_findings::Sources;
 use crate::project::request::{ProgramSource, Refused};
 use crate::project::run_request::program_of_name;
 
-/// The program of a request, the one that starts, and the files that diagnostics are about.
+/// Program of a request, program to start, and the files of its diagnostics.
 fn program(request: &InterpretRequest) -> Result<(Rc<Parsed>, StartProgram, Sources), Refused> {
     let choices = request.choices.choices();
     let (parsed, first, sources) = match request.subject.read()? {

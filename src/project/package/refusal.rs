@@ -11,7 +11,7 @@ use crate::text::{Message, Severity};
 /// Characters of a request at most.
 pub const MAX_REQUEST: u32 = 64 << 20;
 
-/// Why a request does not come to this door at all.
+/// Reason why a request is refused before it is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unasked {
     /// There is no such language; its code.

@@ -152,7 +152,7 @@ pub(super) fn overload(ratings: &mut Ratings) -> Option<&mut String> {
 
 /// Whether a column holds numbers.
 pub fn is_number(column: &str) -> bool {
-    // They stand together in the order of writing.
+    // The numeric columns are neighbours in the order of writing.
     COLUMNS
         .iter()
         .skip_while(|name| **name != "rated_power_w")

@@ -55,7 +55,8 @@ pub fn shipped() -> &'static [Part] {
     SHIPPED.get_or_init(|| read(include_str!("shipped.csv"), "shipped.csv").0)
 }
 
-/// Whether a part goes with a control: its series is one of the control's drive systems, it is a gear unit or an encoder, or the user has entered it.
+/// Whether a control can use a part: its series is one of the control's drive systems, it is a gear unit or an encoder, or the user has
+/// entered it.
 pub fn goes_with(part: &Part, control: &Control) -> bool {
     control.drives.iter().any(|row| row.series == part.series)
         || matches!(part.ratings, Ratings::Gear(_) | Ratings::Encoder(_))

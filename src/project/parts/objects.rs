@@ -81,7 +81,7 @@ pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) 
     rows.finish()
 }
 
-/// A part as an object: what it has, nothing else.
+/// Entries of a part's object: the known values alone.
 pub(in crate::project) fn entries(part: &Part) -> Entries<'static> {
     let value = |(column, text): (&'static str, String)| match text.parse() {
         Ok(number) if columns::is_number(column) => (column, json::number(number)),

@@ -191,7 +191,7 @@ impl<'t> Rows<'t> {
         Some(number)
     }
 
-    /// Whether what is highest is not below what is rated.
+    /// Whether each greatest value is at least the rated one.
     fn ordered(&mut self, ratings: &mut Ratings, cells: &[Cell<'t>]) -> bool {
         const PAIRS: [(&str, &str); 5] = [
             ("rated_torque_nm", "peak_torque_nm"),

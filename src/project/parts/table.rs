@@ -137,7 +137,7 @@ fn cell_sources(record: &str, delimiter: u8) -> Vec<&str> {
     record.split(ends).take(MAX_CELLS).map(str::trim).collect()
 }
 
-/// The cells of a part by column, those that are not empty.
+/// Cells of a part by column, without the empty ones.
 pub(super) fn cells(part: &Part) -> Vec<(&'static str, String)> {
     let word = |found: Option<&'static str>| found.unwrap_or_default().to_owned();
     let status = Status::WORDS.into_iter().find(|(_, status)| part.status == Some(*status));

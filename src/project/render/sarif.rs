@@ -129,7 +129,7 @@ impl Renderer<'_> {
     }
 }
 
-/// A path as a URI, a relative one as a relative reference: what is no letter, digit or `-._~/` is percent-encoded.
+/// A path as a URI, or a relative one as a relative reference: characters other than letters, digits and `-._~/` are percent-encoded.
 fn uri(path: &str) -> String {
     let path = if cfg!(windows) { path.replace('\\', "/") } else { path.to_owned() };
     let path = path.trim_start_matches("./");

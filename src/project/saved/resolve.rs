@@ -76,7 +76,7 @@ pub(super) fn project<'t>(
     Loaded { project: Some(project), diagnostics: found.into_diagnostics() }
 }
 
-/// The control that a file names, where the machine goes with it.
+/// The control that a file names, if the machine can have it.
 fn control_of(machine: &dyn AnyMachine, id: &Located) -> Option<&'static Control> {
     id.as_str().filter(|id| machine.controls().contains(id)).and_then(controls::find)
 }

@@ -80,7 +80,7 @@ fn begin_anew_at_another_address(page: Page) {
 #[component]
 fn Open() -> impl IntoView {
     let page = Page::here();
-    // A project that came by a link and has three other values is short enough for one; one that is not is not lost without a word.
+    // A project that came by a link fits into a link with three other values; a longer one leaves the address out.
     let link = move || page.project.with(|project| project.to_link().ok());
     let address = move || link().map(|fragment| format!("{}#{fragment}", dom::address().0));
     view! { <a href=address target="_blank" rel="noopener">{t("page.embed-open")}</a> }

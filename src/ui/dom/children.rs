@@ -4,8 +4,7 @@ use web_sys::{Element, Node};
 
 use leptos::wasm_bindgen::JsCast;
 
-/// Changes the children of an element, which are `before`, into `after`; those that are the same stay as they are. Each text is the HTML of one
-/// element.
+/// Changes the children of an element from `before` to `after`; equal ones stay the same elements. Each text is the HTML of one element.
 pub(crate) fn change(host: &Element, before: &[String], after: &[String]) {
     let same = before.iter().zip(after).take_while(|(old, new)| old == new).count();
     let (old, new) = (before.get(same..).unwrap_or_default(), after.get(same..).unwrap_or_default());

@@ -67,7 +67,7 @@ pub(crate) async fn frame() {
     let _ = wasm_bindgen_futures::JsFuture::from(next).await;
 }
 
-/// Does something after the effects of what has just changed.
+/// Runs `act` after the effects of the present change.
 pub(crate) fn soon(act: impl FnOnce() + 'static) {
     let act: Box<dyn FnOnce()> = Box::new(act);
     wasm_bindgen_futures::spawn_local(async move {
@@ -277,7 +277,7 @@ pub(crate) fn takes_text(element: &Element) -> bool {
     }
 }
 
-/// A text of a JavaScript error. Browsers have it in English: a reader of another language is told the name of the error alone.
+/// Text of a JavaScript error. Browsers write it in English, so in another language the name of the error alone is shown.
 pub(crate) fn told(error: &JsValue) -> String {
     if let Some(text) = error.as_string() {
         return text;

@@ -23,7 +23,7 @@ pub(crate) fn in_turn(work: impl FnOnce() + 'static) {
     }
 }
 
-/// Does the first piece, which stays in the line until it is done: what it adds waits behind the others.
+/// Runs the first piece of work. It stays in the queue meanwhile, so that work it adds comes after the others.
 fn next() {
     let work =
         WAITING.with_borrow_mut(|waiting| waiting.front_mut().map(|first| core::mem::replace(first, Box::new(|| ()))));

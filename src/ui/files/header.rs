@@ -1,4 +1,4 @@
-//! The header: machine and control, the project, and what can be done with it.
+//! The header: machine and control, name of the project, and its buttons.
 
 use leptos::prelude::*;
 
@@ -88,7 +88,7 @@ fn MachinePicker() -> impl IntoView {
     view! { <div class="segments" role="group" aria-label=t("page.machine")>{buttons}</div> }
 }
 
-/// The controls that the machine goes with.
+/// List of the controls that the machine can have.
 #[component]
 fn ControlPicker() -> impl IntoView {
     let page = Page::here();

@@ -105,7 +105,7 @@ fn files_of(list: Option<FileList>) -> Vec<File> {
     list.map(|list| (0..list.length()).filter_map(|at| list.get(at)).collect()).unwrap_or_default()
 }
 
-/// Takes what was dropped or pasted; whether there was something to take.
+/// Opens dropped or pasted files or text; returns whether there were any.
 fn transferred(page: Page, (large, worker): (LargeFile, Client), data: &DataTransfer) -> bool {
     let list = files_of(data.files());
     if !list.is_empty() {

@@ -14,7 +14,7 @@ use crate::ui::worker::messages::{ReadParts, Request, Response};
 /// Findings about a table that are told one by one.
 const TOLD: usize = 4;
 
-/// Adds the parts of a table to the project: a step of the history. What was wrong with the others is told.
+/// Adds the parts of a table to the project, as one step of the history, and reports the faulty rows.
 pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
     let name = table.name.clone();
     let show = move |response: Option<Response>| {

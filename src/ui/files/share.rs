@@ -114,7 +114,7 @@ pub(crate) fn ShareDialog() -> impl IntoView {
     }
 }
 
-/// Whether an address is that of a file: nobody else can open it, nor a page of another host.
+/// Whether an address is that of a file on this disk, which no other computer and no page of another host can open.
 fn leads_to_this_disk(address: &str) -> bool {
     address.starts_with("file:")
 }

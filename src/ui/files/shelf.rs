@@ -113,8 +113,8 @@ pub(super) fn version_before(page: Page, note: &'static str) {
     });
 }
 
-/// Puts the states that were set aside on the shelf, which has more room. Each stays where it is until the shelf has it; one that does not
-/// read stays there.
+/// Moves the states that were set aside to the shelf, which has more room. Each stays in the store until the shelf has it; unreadable ones
+/// stay there.
 pub(super) async fn take_in(page: Page) -> Result<(), String> {
     for state in set_aside::list() {
         if state.reason == Reason::Unread || page.view.kept.is_disposed() {
@@ -148,7 +148,7 @@ pub(super) fn leave(page: Page, before: &Project) {
     take_in_soon(page);
 }
 
-/// Puts them there in the background: after a state was set aside, and for those that the last visit has left.
+/// Moves the states in the background: after one was set aside, and those that the last visit left.
 pub(super) fn take_in_soon(page: Page) {
     if set_aside::list().iter().all(|state| state.reason == Reason::Unread) {
         return;

@@ -35,7 +35,7 @@ const TABS: &str = "macroline.tab";
 /// A tab that has just opened asks who holds the project.
 const ASKS: &str = "asks";
 
-/// A tab holds the project, and has held it before the one that asks.
+/// Answer of a tab that held the project before the asking tab.
 const HOLDS: &str = "holds";
 
 /// A tab takes the project over.
@@ -175,8 +175,8 @@ pub(crate) fn take_over(page: Page) {
         .for_each(|words| page.notices.dismiss(t(words)));
 }
 
-/// Stores what a reload would lose: the project with what is being typed, or, in a tab that watches, a copy set aside. False where the browser
-/// has no room for it.
+/// Stores the project with the entry being typed, or, in a tab that watches, a copy of it set aside, so that a reload loses nothing.
+/// Returns false if the browser has no room for it.
 pub(super) fn store_before_reload(page: Page) -> bool {
     page.take_typed();
     if page.view.kept.get_untracked() == Kept::Elsewhere {
@@ -235,7 +235,8 @@ fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValu
     }
 }
 
-/// Keeps the project from now on, shortly after each change, as long as no other tab holds it. What a link replaced is one step back.
+/// Keeps the project from now on, shortly after each change, as long as no other tab holds it. A project that a link replaced is one step
+/// back.
 pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     let by_link = replaced.is_some();
     let mut steps =
@@ -292,7 +293,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         }
     });
     say(ASKS);
-    // Whoever closes the page in that moment loses nothing either.
+    // A page that is closed during the delay loses nothing either.
     let hide = move || {
         stepping::keep(page);
         let typed = page.program.typed.with_value(Option::is_some);
@@ -309,7 +310,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
             say(LEAVES);
         }
     });
-    // A page that comes back by the browser's history asks as one that opens.
+    // A page restored from the browser's history asks like a new one.
     dom::hear("pageshow", move |event| {
         if event.unchecked_ref::<PageTransitionEvent>().persisted() {
             say(ASKS);

@@ -1,4 +1,4 @@
-//! One field of the form: typed text stays as it is typed, and the project gets it when it reads as a value.
+//! One field of the form: the entry stays as typed, and the project gets it when it reads as a value.
 
 use std::sync::Arc;
 

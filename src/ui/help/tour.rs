@@ -11,7 +11,7 @@ use crate::ui::words::t;
 /// Key in the browser's store that says that help was opened once, so that the tour is no longer offered.
 const SEEN: &str = "macroline.tour";
 
-/// Attribute of the page of somebody who has not seen it.
+/// Attribute of the page for a user who has not opened help yet.
 const NEW: &str = "data-new";
 
 /// The part of the page that each step is about, its title and its text.
@@ -61,7 +61,7 @@ pub(crate) fn Tour() -> impl IntoView {
     });
     let end = move || step.set(None);
     let next_button: NodeRef<html::Button> = NodeRef::new();
-    // The focus goes with the tour, so that Enter leads through it.
+    // The focus follows the tour, so that Enter leads through it.
     Effect::new(move |_| {
         if let (Some(_), Some(button)) = (step.get(), next_button.get()) {
             let _ = button.focus();

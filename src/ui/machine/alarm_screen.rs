@@ -69,7 +69,7 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
 }
 
 fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
-    // In the words that stand at its place in the program.
+    // With the words of the finding at its place in the program.
     let known = page.program.findings.with(|found| reported(found, alarm).cloned());
     let alarm = known.as_ref().unwrap_or(alarm);
     let own = match alarm.message.value("text") {

@@ -96,7 +96,7 @@ impl Charts {
         self.lines().iter().filter_map(text).collect()
     }
 
-    /// Writes the values at the head; those of a line that only counts have no decimals.
+    /// Writes the values at the playhead; counting lines have no decimals.
     fn write_values(&self, head: f64) {
         let unit = self.unit();
         for (line, (place, whole)) in self.lines().iter().zip(&self.values) {

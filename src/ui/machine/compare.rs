@@ -54,7 +54,7 @@ impl Side {
         Side { run: begin(project, &project.written()), drawn: Drawn::new(host, &scene), machine, size }
     }
 
-    /// Whether the run is planned as far as it is shown.
+    /// Whether the run is planned up to the shown time.
     fn is_planned(&self) -> bool {
         self.run.ended_at().is_some() || self.run.timeline().end() >= SHOWN
     }
@@ -115,7 +115,7 @@ impl Pair {
         self.each(|name, _| name.to_owned()).unwrap_or_default()
     }
 
-    /// Puts one to a side, 0 or 1; what was there changes sides where the other side had it.
+    /// Puts a project to a side (0 or 1); if the other side has it, the sides swap.
     fn choose(self, side: usize, at: usize) {
         let [own, other] = [self.places[side], self.places[1 - side]];
         let before = own.get_untracked();
@@ -289,7 +289,7 @@ fn plan(
     }
 }
 
-/// The programs, line by line: those of the right one, and what the left one's have instead.
+/// Programs of the right project, line by line, with the differing lines of the left one.
 #[component]
 fn Programs(
     /// The two projects.

@@ -1,4 +1,4 @@
-//! The drawing in its room: what is new in it is fitted before it is seen, and again when the room has another size or a text grows.
+//! The drawing in its room: new labels are fitted before they are seen, and again when the room has another size or a text grows.
 
 use leptos::html;
 use leptos::prelude::*;

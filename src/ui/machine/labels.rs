@@ -69,8 +69,8 @@ fn seen_in(label: &Label, lens: Area) -> usize {
     (0..label.lines.len()).take_while(is_within).count()
 }
 
-/// Places the labels: those in lenses stay, then come those that lead to parts. Each has all its lines where it can, else fewer, its name at
-/// last.
+/// Places the labels: those in lenses keep their place, then follow labels with hairlines, then the others. A label without room loses
+/// lines from its end, the name last.
 fn placed(labels: &[Label], frame: Area) -> Vec<Fate> {
     let mut taken: Vec<Area> = Vec::new();
     let mut fates = vec![(0.0, 0); labels.len()];
@@ -199,7 +199,7 @@ mod tests {
         assert_eq!(placed(&[over.clone(), figures.clone()], FRAME), [(-38.0, 1), (0.0, 2)]);
         let beside = label(30.0, 50.0, &[60.0], false);
         assert_eq!(placed(&[beside, figures.clone()], FRAME), [(0.0, 1), (0.0, 2)]);
-        // In a smaller drawing the letters keep their size: what has no room in the lens goes.
+        // A smaller drawing keeps the size of its letters: lines without room in the lens are left out.
         let wide = Label { lens, ..label(90.0, 40.0, &[100.0, 50.0], true) };
         assert_eq!(placed(&[wide], FRAME), [(0.0, 0)]);
         let mut close = figures;

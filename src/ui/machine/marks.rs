@@ -79,8 +79,8 @@ enum Side {
     Left,
 }
 
-/// Places the milestones of the shown time on an axis of so many pixels; a name that would lie on another one, on a symbol (of an action or
-/// the end, at these times) or beyond the axis is left out.
+/// Places the milestones of the shown time on an axis of `width` pixels; a name that would overlap another one, a symbol (of an action or
+/// the end, at these times) or the end of the axis is left out.
 fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) -> Vec<Placed> {
     let pixel = |t: f64| (t - from) / (to - from) * width;
     let mut marks: Vec<(f64, &Named)> = Vec::new();

@@ -26,7 +26,7 @@ use crate::ui::words::{clock, say, t};
 /// Pixels of a row, as in the style sheet.
 const ROW: f64 = 40.0;
 
-/// Rows that are built, whatever the length of the list, and those of them above the first one in sight.
+/// Rows that are built for a list of any length, and the number of them above the first one in sight.
 const BUILT: usize = 32;
 const ABOVE: usize = 8;
 
@@ -354,7 +354,7 @@ fn focused() -> Option<(usize, String)> {
 }
 
 impl List {
-    /// Takes a typed entry, or says what is allowed; then the text stays as it was typed.
+    /// Takes a typed entry, or shows the allowed values and keeps the text as typed.
     fn take(
         self,
         typed: &web_sys::Event,
@@ -384,7 +384,7 @@ impl List {
         }
     }
 
-    /// Gives an action another time; the focus goes with the row that has it.
+    /// Moves an action to another time; the focus follows its row.
     fn move_row(self, at: usize, present: &Event, event: Event, input: &HtmlInputElement) {
         // The page may be gone, or another action be there.
         if self.page.project.is_disposed() || event_at(self.page, at).as_ref() != Some(present) {

@@ -25,7 +25,7 @@ pub(super) struct Drawn {
     alt: &'static str,
 }
 
-/// The drawing is wider than its room where that would show more than so many times the units per pixel that its labels are laid out for
+/// Ratio of the drawing's units per pixel to those its labels are laid out for, above which the drawing becomes wider than its room
 /// (`boot.js` too).
 const CROWDED: f64 = 1.35;
 /// Height in pixels of the strip over such a drawing (`.stage.pans`; `boot.js` too).
@@ -84,8 +84,8 @@ impl Drawn {
         }
     }
 
-    /// Keeps labels at their size in pixels and apart in a room of so many pixels; where that is little, the drawing becomes wider than it.
-    /// Says whether it did.
+    /// Keeps the labels at their size in pixels and apart, in a room of these pixels; without enough room the drawing becomes wider than
+    /// it. Returns whether it did.
     pub(super) fn fit(&self, (width, height): (f64, f64)) -> bool {
         let room = self.picture.as_ref().and_then(|picture| Some((picture, picture.parent_element()?)));
         let Some((picture, parent)) = room.filter(|_| width > 0.0 && height > 0.0) else { return false };

@@ -1,4 +1,4 @@
-//! The drawing of the machine, its state, and what can be done with the picture.
+//! The drawing of the machine, its state, and the buttons of the picture.
 
 use leptos::ev::MouseEvent;
 use leptos::html;

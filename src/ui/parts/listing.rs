@@ -1,4 +1,4 @@
-//! A program as rows of HTML: coloured words, line numbers, and what is wrong below the line it is wrong in.
+//! A program as rows of HTML: coloured words, line numbers, and the findings of each line below it.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

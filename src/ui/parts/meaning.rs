@@ -136,7 +136,7 @@ impl Shown {
         }
     }
 
-    /// Sets what is to be shown after a while, in place of what was to be.
+    /// Schedules the next word to show, in place of the one scheduled before.
     fn later(self, then: Option<(Option<Word>, Duration)>) {
         let then = then.and_then(|(word, wait)| set_timeout_with_handle(move || self.put(word), wait).ok());
         if let Some(Some(before)) = self.timer.try_update_value(|timer| core::mem::replace(timer, then)) {

@@ -13,8 +13,8 @@ pub(crate) fn svg(scene: &Scene) -> String {
     svg::page(scene, None, t(scene.alt))
 }
 
-/// The present scene in the page, as texts. With the next one only what is not the same is written: the browser lays out the whole drawing
-/// again even for the box that it has already.
+/// The present scene as written to the page, as texts. The next scene writes only the differences: the browser would lay out the whole
+/// drawing again even for an unchanged view box.
 #[derive(Default)]
 pub(crate) struct Shown {
     attributes: [(&'static str, String); 3],

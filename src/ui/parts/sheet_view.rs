@@ -70,7 +70,7 @@ pub(crate) fn SheetView(
     let before = StoredValue::new_local(None::<Project>);
     Effect::new(move |_| {
         let mut present = page.project.get();
-        // No sheet tells of them.
+        // Variants change no sheet.
         present.variants.clear();
         if before.with_value(|before| before.as_ref() == Some(&present)) {
             return;

@@ -13,8 +13,8 @@ fn title(readout: &Readout) -> String {
     advice.unwrap_or_else(|| format!("{} {}", figure(readout.value, readout.decimals), readout.unit))
 }
 
-/// The line; a click leads to the result among all results, the button carries out the best advice. What has not changed in it is not written
-/// again: while a field is dragged it changes with every step.
+/// The line: a click leads to the result among all results, the button carries out the best advice. Unchanged parts are not written again,
+/// because a dragged field changes the line with every step.
 #[component]
 fn VerdictLine(
     /// The result; always the same one.
@@ -62,7 +62,7 @@ fn VerdictLine(
     }
 }
 
-/// A line for each of these results, in their order; those that stay are changed in place.
+/// One line for each result, in their order; lines of results that stay are changed in place.
 #[component]
 pub(crate) fn VerdictLines(
     /// The results.

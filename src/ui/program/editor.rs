@@ -25,7 +25,7 @@ use super::{navigation, points};
 /// The bundle of the editor.
 const MODULE: &str = "editor.js";
 
-/// Milliseconds after which what was typed is read.
+/// Milliseconds without a key before the typed text is read.
 const PAUSE: Duration = Duration::from_millis(150);
 
 type Handle = StoredValue<Option<JsValue>, LocalStorage>;

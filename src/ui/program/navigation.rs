@@ -65,7 +65,7 @@ impl Navigation {
         self.page.project.with_untracked(|project| self.worker.ask(project, request, then));
     }
 
-    /// Promises the proposals for what is typed at a place.
+    /// Returns a promise of the completion proposals at a place.
     fn complete(self, units: &JsValue) -> JsValue {
         let request = Request::Complete(self.caret(units));
         let project = self.page.typed_project();
@@ -189,7 +189,7 @@ fn promise(ask: impl FnOnce(Box<dyn FnOnce(JsValue)>) + 'static) -> JsValue {
     Promise::new(executor).into()
 }
 
-/// Adds to the options of the editor what it asks for.
+/// Adds the handlers of the editor's requests to its options.
 pub(super) fn add(page: Page, options: &JsValue) {
     let all = Navigation { page, worker: Client::here(), choices: StoredValue::new(Vec::new()) };
     let function = |name: &str, answer: Box<dyn Fn(JsValue, JsValue) -> JsValue>| {

@@ -1,4 +1,4 @@
-//! Breakpoints beside the lines of the editor: those of the debugger.
+//! Breakpoints of the debugger beside the lines of the editor.
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsValue;

@@ -20,7 +20,7 @@ pub(super) fn set<'t>(project: &Project, values: &mut Values, sets: impl IntoIte
     }
 }
 
-/// Takes values into the form: a step of the history, one with those of the same key that follow at once.
+/// Sets values in the form: a step of the history, merged with steps of the same key that follow at once.
 pub(super) fn take(page: Page, key: &str, values: Values) {
     // Wrong entries of these fields give way.
     let changed: Vec<FieldInfo> = page.project.with_untracked(|project| {
@@ -32,7 +32,7 @@ pub(super) fn take(page: Page, key: &str, values: Values) {
     page.notices.say(t("page.taken"));
 }
 
-/// The values of the form with those of the row that was clicked; `None` where the click met no such row.
+/// Values of the form with those of the clicked row; `None` if the click hit no such row.
 pub(super) fn listed(page: Page, event: &MouseEvent) -> Option<Values> {
     let target = event.target()?.dyn_into::<Element>().ok()?;
     let row = target.closest("[data-sets]").ok().flatten()?;

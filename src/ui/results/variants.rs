@@ -121,7 +121,7 @@ fn is_known(project: &Project, typed: &str) -> bool {
     variant_name(typed).is_some_and(|name| project.variants.iter().any(|variant| variant.name == name))
 }
 
-/// The head of the table: names, with what can be done with each variant. It follows the names alone, so that its buttons keep the focus.
+/// Head of the table: names, and the buttons of each variant. It depends on the names alone, so that its buttons keep the focus.
 fn head_of(variants: &[Variant]) -> String {
     let mut out = "<tr>".to_owned();
     for title in ["variants.row", "variants.now"] {
@@ -158,7 +158,7 @@ fn keep(page: Page, name: &str) {
     }
 }
 
-/// Does what the button that was clicked is for: keeps a variant under the typed name, takes one, shows one in motion beside the present settings,
+/// Carries out the clicked button: keeps a variant under the typed name, takes one, shows one in motion beside the present settings,
 /// removes one.
 fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());

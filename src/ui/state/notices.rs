@@ -12,7 +12,7 @@ pub(crate) struct Notice {
     pub tone: &'static str,
     /// The sentence.
     pub text: String,
-    /// A file that goes with it: name and content.
+    /// Attached file: name and content.
     pub file: Option<(&'static str, String)>,
     /// Action that the notice offers.
     pub offer: Option<Offer>,
@@ -24,7 +24,7 @@ impl Notice {
         Notice { tone, text, file: None, offer: None }
     }
 
-    /// The sentence with a file that goes with it.
+    /// Attaches a file: name and content.
     pub(crate) fn with_file(self, name: &'static str, content: String) -> Notice {
         Notice { file: Some((name, content)), ..self }
     }
@@ -50,7 +50,7 @@ impl Notices {
         self.show(Notice::new(tone, text));
     }
 
-    /// Shows a notice with what goes with it.
+    /// Shows a notice with its file and its button.
     pub(crate) fn show(self, shown: Notice) {
         self.said.set(shown.text.clone());
         self.list.update(|list| {

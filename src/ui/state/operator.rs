@@ -19,7 +19,7 @@ const EFFECT: f64 = 1.0;
 /// Parts of a second that the clock shows.
 const CLOCK: f64 = 1e4;
 
-/// Does an action at the head and tells what it changes: the run a little later, with and without it.
+/// Does an action at the playhead and says what it changes: compares the run a little later with and without it.
 pub(crate) fn act(page: Page, action: Action) {
     dom::mark("knob-turned");
     let player = page.player;
@@ -55,7 +55,7 @@ pub(crate) fn change(page: Page, at: usize, event: Event, key: &str) -> Option<u
 /// Adds an action at a time (s), as far as the clock shows it; its place in the list.
 pub(crate) fn add(page: Page, t: f64, action: Action) -> usize {
     let mut at = 0;
-    // A time that the clock shows stays what it is, whatever its last bit.
+    // Rounded so that a time shown by the clock is kept in spite of its last bit.
     let event = Event { t: (t * CLOCK + 1e-6).floor() / CLOCK, action };
     say_of(page, &event, |time, action| msg!("operator.added", time, action));
     page.edit("", |project| at = project.panel.add(event));

@@ -46,7 +46,7 @@ pub(crate) struct Results {
 /// The state of the page. A handle: copies mean the same.
 #[derive(Clone, Copy)]
 pub(crate) struct Page {
-    /// The project as it was last valid.
+    /// The last valid project.
     pub project: RwSignal<Project, LocalStorage>,
     /// Id of its machine.
     pub machine: RwSignal<&'static str>,
@@ -186,7 +186,7 @@ impl Page {
     /// Applies a fix of a finding, both by number; the program is then an edited one.
     pub(crate) fn apply_fix(self, finding: usize, fix: usize) {
         let mended = self.program.findings.with_untracked(|findings| {
-            // Marks in the editor may be those of the text before.
+            // Marks in the editor may belong to the text before the edit.
             if self.program.pending.get_untracked() {
                 return None;
             }
@@ -278,7 +278,7 @@ impl Page {
         })
     }
 
-    /// Takes another machine: as it was left on this page, or fresh. Undo brings this one back.
+    /// Changes the machine: to its last project on this page, or a fresh one. Undo brings the present one back.
     pub(crate) fn change_machine(self, id: &'static str) {
         let present = self.project.get_untracked();
         let left = self.left.try_update_value(|left| {
@@ -334,7 +334,7 @@ impl Page {
         self.travel(1);
     }
 
-    /// Goes so many steps forth, or back where the count is below zero, as far as there are any.
+    /// Goes `steps` steps forth in the history, or back if negative, as far as there are any.
     pub(crate) fn travel(self, steps: i32) {
         let step = if steps < 0 { History::back } else { History::forth };
         let before = self.project.get_untracked();
@@ -353,7 +353,7 @@ impl Page {
         }
     }
 
-    /// Sets what follows from a project, as far as what it depends on has changed.
+    /// Updates the values that follow from a project, as far as the entries they depend on have changed.
     fn follow(self, before: &Project, after: Project) {
         let machine = before.machine.id() != after.machine.id() || before.control.id != after.control.id;
         let values = machine || before.values != after.values || before.provenance != after.provenance;

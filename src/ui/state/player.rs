@@ -98,7 +98,7 @@ pub(crate) struct Player {
     pub ended: RwSignal<Option<RunEnd>, LocalStorage>,
     /// Seconds shown by film and charts; 0 is the whole plan.
     pub window: RwSignal<f64>,
-    /// The part of the run that film and charts show in place of `window`, as it was chosen at a place of the head.
+    /// Part of the run that film and charts show in place of `window`, as chosen at a position of the playhead.
     pub zoom: RwSignal<Option<Zoom>>,
     /// Counts the plans, for what asks the planner itself.
     pub plans: RwSignal<u32>,
@@ -114,7 +114,7 @@ pub(crate) struct Zoom {
     /// Its begin and length, in seconds.
     from: f64,
     span: f64,
-    /// The head as it was chosen: as soon as it moves, the part follows it.
+    /// Position of the playhead at the choice: when it moves, the part follows it.
     head: f64,
 }
 
@@ -139,7 +139,7 @@ struct State {
     pace: Pace,
 }
 
-/// How quickly edits follow one another. While a field is dragged each step plans what the head needs, and the whole run some times a second.
+/// Pace of edits. While a field is dragged, each step plans only up to the playhead, and the whole run some times a second.
 #[derive(Default)]
 struct Pace {
     /// When the last edit was shown.
@@ -283,7 +283,7 @@ impl Player {
         self.ask();
     }
 
-    /// Shows the run and lets the machine move at first sight, again and again; it stands still for those who asked for stillness.
+    /// Shows the run and starts it at once, repeating, unless the user prefers reduced motion.
     pub(crate) fn begin(self) {
         self.settle();
         if !dom::prefers("(prefers-reduced-motion: reduce)") {
@@ -352,7 +352,7 @@ impl Player {
         }
     }
 
-    /// Does what the operator does, at the head.
+    /// Does an action of the operator at the playhead.
     pub(crate) fn act(self, action: Action) -> Event {
         let event = Event { t: self.head(), action };
         self.state.update_value(|state| {
@@ -365,7 +365,7 @@ impl Player {
         event
     }
 
-    /// Plans on with the operator's actions of a project whose run this is, from the earliest one that has changed.
+    /// Replans from the earliest changed action of the operator, for the same project.
     pub(crate) fn replan(self, project: &Project, written: &Written) {
         let done = self.state.try_update_value(|state| Some(run::replan(state.planner.as_mut()?, project)));
         if done.flatten() == Some(true) {
@@ -404,7 +404,7 @@ impl Player {
         self.state.with_value(|state| state.planner.as_ref().map(question))
     }
 
-    /// Findings of the run, as far as it is planned.
+    /// Findings of the planned part of the run.
     pub(crate) fn findings(self) -> Vec<Diagnostic> {
         self.plans.track();
         self.state.with_value(|state| state.findings.clone())
@@ -463,7 +463,7 @@ impl Player {
         self.ask();
     }
 
-    /// Shows so many seconds around the head; 0 is all that is planned.
+    /// Shows a window of `seconds` around the playhead; 0 shows all that is planned.
     pub(crate) fn show_window(self, seconds: f64) {
         self.zoom.set(None);
         self.window.set(seconds);
@@ -531,7 +531,7 @@ impl Player {
         set_timeout(slice, Duration::ZERO);
     }
 
-    /// Seconds up to which the plan is needed now: what the charts show, and a little ahead of the head.
+    /// Time (s) up to which the plan is needed now: the end of the charts, and a little ahead of the playhead.
     fn soon(self) -> f64 {
         let head = self.head();
         self.axis(head, 0.0).1.max(head + AHEAD)
@@ -627,7 +627,7 @@ impl Player {
                 state.slow_at = time;
             }
             let (run, machine) = (state.planner.as_ref()?, state.machine.as_deref()?);
-            // The debugger may stand where nothing is planned yet.
+            // The debugger may be at a time that is not planned yet.
             let now = self.walk.with_untracked(|walk| {
                 let stop = walk.stopped().filter(|debugger| debugger.t() > planned);
                 let timeline = stop.map_or(run, Debugger::run).timeline();

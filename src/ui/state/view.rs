@@ -30,7 +30,7 @@ pub(crate) enum ProgramView {
     Listing,
     /// The editor.
     Editor,
-    /// The lines beside those that the form writes.
+    /// The lines beside those of the form's program.
     Difference,
 }
 

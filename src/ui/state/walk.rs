@@ -11,7 +11,7 @@ const STEPS: usize = 64;
 /// The debugger of the page.
 #[derive(Default)]
 pub(crate) struct Walk {
-    /// The second run, beside the one that is shown.
+    /// The second run, beside the shown one.
     pub debugger: Option<Debugger>,
     /// Whether the debugger has stopped at the playhead.
     pub at_stop: bool,

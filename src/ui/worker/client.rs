@@ -80,7 +80,7 @@ type Answer = fn(&Project, Request) -> Option<Response>;
 struct Waiting {
     question: Question,
     then: Box<dyn FnOnce(Option<Response>)>,
-    /// Is told how far the answer is.
+    /// Receives the progress of the answer.
     progress: Rc<dyn Fn(f64)>,
 }
 

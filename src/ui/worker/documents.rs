@@ -152,10 +152,10 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
     // In a narrow layout, prose behind many columns goes below them: see `.stacked`.
     let prose = matches!(sheet.columns.last(), Some(Column::Prose(_))) && shown.len() > 3;
-    // Sentences in several columns stand below one another there, each with its head: see `.told`.
+    // In a narrow layout, sentences in several columns go below one another, each with its head: see `.told`.
     let is_bill = sheet.kind == SheetKind::Bill;
     let told = is_bill || shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
-    // A source that all rows share stands once.
+    // A source that all rows share is shown once.
     let common = sheet.common_source().filter(|_| is_bill || !told && !prose);
     out.push_str("<table class=\"sheet");
     if told {

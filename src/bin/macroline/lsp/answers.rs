@@ -77,7 +77,7 @@ impl Programs {
         self.location(symbols.definition(symbol)?)
     }
 
-    /// All places of what is named at a position.
+    /// All places of the symbol at a position.
     pub(super) fn references(&self, file: FileId, position: Position, with_definition: bool) -> Option<Vec<Location>> {
         let (symbols, symbol) = self.symbol(file, position)?;
         let wanted = symbols.of(symbol).filter(|row| with_definition || row.role != Role::Definition);

@@ -1,4 +1,4 @@
-//! Open files and the programs beside them. Those of one folder are the programs of one control, so that calls lead from file to file.
+//! Open files and the programs beside them. The files of one folder are the programs of one control, so that calls lead from file to file.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -39,7 +39,8 @@ impl Programs {
 
 /// Endings of program files; one without an ending goes by its name, `O9100`.
 const ENDINGS: [&str; 5] = ["nc", "mpf", "spf", "cnc", "ngc"];
-/// Files of a folder that are looked at, and bytes of those that are read beside the open ones, which are parsed with every change. Our choice.
+/// Greatest number of files of a folder that are looked at, and of bytes read beside the open ones, which are parsed with every change. Our
+/// choice.
 const MOST_FILES: usize = 2000;
 const MOST_BYTES: u64 = 1 << 20;
 
@@ -77,7 +78,7 @@ fn name(address: &Url) -> String {
 }
 
 impl Documents {
-    /// Reads all programs for another control, or for those of their folders.
+    /// Reads all programs again, for this control or for those of their folders.
     pub(super) fn ask(&mut self, setup: Option<Setup>) {
         self.asked = setup;
         self.folders.values_mut().for_each(|folder| folder.read = None);
@@ -90,7 +91,7 @@ impl Documents {
         self.saved(&address);
     }
 
-    /// A file is on the disk as it is here: the folder may have another project file, and other programs.
+    /// Handles a saved file: the folder may have another project file, and other programs.
     pub(super) fn saved(&mut self, address: &Url) {
         let Some(folder) = self.folders.get_mut(&folder(address)) else { return };
         let path = address.to_file_path().ok();

@@ -48,7 +48,7 @@ impl Programs {
         self.of_file(file).map(one).collect()
     }
 
-    /// The fixes of findings that meet a range of a file, and the one that makes all without a choice.
+    /// Code actions for the findings that meet a range of a file, and one that makes all fixes without an alternative.
     pub(super) fn actions(&self, file: FileId, range: Range, related: bool) -> Vec<CodeActionOrCommand> {
         let Some((address, text)) = self.get(file) else { return Vec::new() };
         let lines = Lines::new(text);

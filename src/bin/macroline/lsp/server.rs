@@ -91,7 +91,7 @@ impl Server {
         self.state
     }
 
-    /// The messages for the client since the last time, with the diagnostics of what has changed.
+    /// Messages for the client since the last call, with the diagnostics of the changed files.
     pub(super) fn sends(&mut self) -> Vec<Message> {
         for address in self.documents.changed() {
             self.publish(&address);
@@ -267,7 +267,7 @@ impl Server {
         }
     }
 
-    /// Takes settings of the editor; those that name nothing known are told.
+    /// Takes the settings of the editor; unknown names are reported.
     fn settings(&mut self, settings: &Json) {
         if self.fixed {
             return;

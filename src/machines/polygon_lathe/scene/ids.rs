@@ -31,7 +31,7 @@ pub(in super::super) mod group {
     pub(in crate::machines::polygon_lathe) const TRACES: u16 = TIPS + super::TIPS;
     /// The ticks of the passes in the section as the work sees it.
     pub(in crate::machines::polygon_lathe) const PASSES: u16 = TRACES + 1;
-    /// Groups that each polygon has for itself, and the first of those of the second polygon.
+    /// Groups that each polygon has of its own, and the first group of the second polygon.
     const OWN: [u16; 6] = [DISC, INSERTS, BLUR, LENS, TRACES, PASSES];
     const SECOND: u16 = PASSES + 1;
 

@@ -24,7 +24,7 @@ pub(crate) const TAKE_UP: f64 = 66.0;
 const TAKE_UP_FULL: f64 = 84.0;
 /// Radius of a pinch roller over that of its driven roller.
 pub(crate) const PINCH: f64 = 0.6;
-/// Radius of the lens as it is drawn before its scale.
+/// Radius of the lens in its own drawing, before scaling.
 pub(crate) const LENS: f64 = 80.0;
 
 /// Angle, rad, over which the ribbon is drawn on a reel before it is one with the winding.
@@ -136,7 +136,7 @@ fn supply(p: &Params) -> (f64, f64) {
 }
 
 impl Layout {
-    /// The layout for names of so many letters above unwinder, pull rollers and print roller, and beside the take-up reel.
+    /// Layout for names of these numbers of letters above unwinder, pull rollers and print roller, and beside the take-up reel.
     pub(crate) fn new(p: &Params, letters: [usize; 4]) -> Layout {
         let (r1, r2, r3) = (0.5 * p.press_roller_diameter, 0.5 * p.x_roller_diameter, 0.5 * p.print_roller_diameter);
         let scale = (r1.max(r2) / ROLLER).max(r3 / PRINT_ROLLER).max(supply(p).1 / REEL);

@@ -64,7 +64,7 @@ impl View {
         (self.face + z * self.scale, AXIS - radius * self.scale)
     }
 
-    /// The turret never comes to where the tailstock is.
+    /// Whether there is a tailstock: it is drawn only if the turret never reaches its place.
     pub(in super::super) fn has_tailstock(&self) -> bool {
         self.low_end < TAIL.0
     }
