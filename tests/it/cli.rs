@@ -315,7 +315,7 @@ fn plc_inputs_are_forced_by_variable_or_register() {
         said.iter().any(|said| said.contains("R999")) && said.iter().any(|said| said.contains("#2000")),
         "{said:?}"
     );
-    // Beyond what the register holds.
+    // Values beyond the range of the register.
     std::fs::write(&panel, r##"[ { "t": 0, "input": { "#1033": 5e9, "R72": 70000, "#1005": 2 } } ]"##).unwrap();
     let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 4);
     let said = out["diagnostics"].as_array().unwrap().iter().filter(|d| d["id"] == "interp.output-range");
@@ -391,7 +391,7 @@ fn run_prints_its_log_while_it_runs() {
     assert!(out.status.code() == Some(3) && said.contains("blocks after 3000000 blocks"), "{said}");
 }
 
-/// Steps through a program with a script of commands: exit status, answers, and what was said beside them.
+/// Steps through a program with a script of commands: exit status, standard output, standard error.
 #[track_caller]
 fn step(args: &[&str], script: &str) -> (i32, String, String) {
     let mut command = command::macroline();
@@ -561,7 +561,7 @@ fn code_call_setting_without_a_program_is_a_finding() {
         ("knd-k2000t", "No.4120=0", &[][..]),
         ("gsk-980tdc", "86=3 87=100 88=2000", &[][..]),
         ("gsk-980tdc", "86=3 87=100", &["86=3", "87=100"][..]),
-        // Codes of the control itself stay what they are.
+        // Codes of the control itself are unchanged.
         ("gsk-980tdc", "86=1 87=1 88=2000", &["86=1", "87=1", "88=2000"][..]),
         ("mitsubishi-e60", "#7201=200 #7202=1 #7203=9010 #7301=200", &["#7301=200"][..]),
     ] {
@@ -774,7 +774,7 @@ fn parts_prints_the_catalogue_and_takes_rows_back() {
     assert!(added.status.success(), "{}", String::from_utf8_lossy(&added.stderr));
     let added: Json = serde_json::from_slice(&added.stdout).unwrap();
     assert_eq!(added["parts"][0], read[0]);
-    // A mistake is told with its place, and fails.
+    // A mistake is reported with its place, and fails.
     std::fs::write(&own, "kind,maker,model,ratio\ngear,Own,G1,two\n").unwrap();
     let wrong = macroline(&["parts", &text(&own)]);
     let said = String::from_utf8(wrong.stderr).unwrap();

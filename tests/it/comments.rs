@@ -36,7 +36,7 @@ fn in_english(project: &Project) -> Project {
     project
 }
 
-/// Every machine on every control, as it is new and by each of its examples.
+/// Every machine on every control, with the defaults of its form and with each of its examples.
 fn projects() -> Vec<Project> {
     let mut all = Vec::new();
     for machine in machines::ALL {
@@ -62,7 +62,7 @@ fn comments_of(parsed: &Parsed) -> Vec<String> {
     texts.flatten().map(|id| deck.text(Some(id)).trim().to_owned()).collect()
 }
 
-/// A line of the form's settings, which stays as it is.
+/// Whether a comment is a line of the form's settings, which is not translated.
 fn is_setting(comment: &str) -> bool {
     comment.starts_with("MACROLINE ") || comment.split_once('=').is_some_and(|(key, _)| !key.contains(' '))
 }

@@ -10,7 +10,7 @@ use macroline::interp::{self, Canon, End, Interp, StartProgram};
 use macroline::nc::{self, Files};
 use macroline::text::{Place, Severity};
 
-/// Behind the lines: a program that counts how often it ran, from its head and from N5 on; and one that shows its I, J, K.
+/// Subprograms appended to the lines: one counts its runs, from its head and from N5 on; another one copies its I, J, K.
 const SUBPROGRAMS: &str =
     "O2\n#102=#102+1\nN5 #105=#105+1\nM99\nO3\n#104=#4\n#105=#5\n#106=#6\n#107=#7\n#108=#8\n#109=#9\nM99\n";
 

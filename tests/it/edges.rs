@@ -416,7 +416,7 @@ fn processor(path: &Path, command: &str) -> f64 {
     of_children.split_whitespace().map(seconds).sum()
 }
 
-/// Four times the size may take six times the processor, and what a start takes; a quadratic path takes sixteen times.
+/// Four times the size may take six times the processor time, besides that of a start; a quadratic path takes sixteen times.
 #[cfg(unix)]
 #[test]
 fn large_projects_take_no_quadratic_time() {
@@ -444,7 +444,7 @@ fn large_projects_take_no_quadratic_time() {
     }
 }
 
-/// Checks the processor time of commands on a program of so many blocks and of four times as many.
+/// Checks the processor time of commands on a program of 10,000 blocks against one of 40,000.
 #[cfg(unix)]
 fn assert_no_quadratic_time(path: &Path, name: &str, commands: &[&str], program: &dyn Fn(usize) -> String) {
     for command in commands {

@@ -33,7 +33,7 @@ fn choose(project: &mut Project, id: &str, option: &str) {
     project.values.insert(id.to_owned(), Value::Text(option.to_owned()));
 }
 
-/// Runs what the project exports, to its end.
+/// Runs the exported files of a project to their end.
 #[track_caller]
 fn run(project: &Project) -> RunSummary {
     let written = project.written();

@@ -1,4 +1,4 @@
-//! Laws on generated programs: plain blocks do the same as macros; parse, emit and run keep their promises.
+//! Laws on generated programs: macros run like their plain blocks; parse, emit and run keep their promises.
 
 mod dice;
 mod flat;

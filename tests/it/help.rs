@@ -28,7 +28,7 @@ fn help(machine: &'static dyn AnyMachine, control: &'static Control) -> Help {
     Help::new(machine, control, &Texts::shipped(catalog::spoken()))
 }
 
-/// Help as somebody on this control opens it.
+/// Help on a control.
 fn on(control: &'static Control) -> Help {
     let machine = pages::machine_on(control).unwrap_or(machines::ALL[0]);
     help(machine, control)

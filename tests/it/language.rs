@@ -1,4 +1,4 @@
-//! Reading programs: what the control would say of a text, where, and how it is mended.
+//! Reading programs: findings of a text with their places and fixes.
 
 mod dialects;
 mod dialects_calls;
@@ -26,7 +26,7 @@ fn read_on(control: &'static Control, text: &str) -> Parsed {
     parse(&Files::one("O1.nc", text), control)
 }
 
-/// Findings as `line:column severity alarm message`, remarks (info) left out, with hints, fixes and what they write.
+/// Findings as `line:column severity alarm message` without remarks (info), with hints, fixes and their replacements.
 fn findings(parsed: &Parsed) -> String {
     let mut out = String::new();
     for d in parsed.diagnostics().iter().filter(|d| d.severity != Severity::Info) {

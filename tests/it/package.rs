@@ -1,4 +1,4 @@
-//! The package's door: answers are those of the command line, and any text gets an answer.
+//! The package's door: it answers like the command line, and answers any text.
 
 use macroline::project::Project;
 use macroline::project::package::{StepAnswers, answer};
@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 
 use crate::command::macroline;
 
-/// Functions of the package, and one that there is not.
+/// Functions of the package, and an unknown one.
 const ASKS: [&str; 9] = ["list", "new", "design", "size", "export", "check", "run", "interpret", "other"];
 
 fn asked(ask: &str, request: &Json) -> Json {

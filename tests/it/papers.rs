@@ -17,7 +17,7 @@ use macroline::project::check::review;
 use macroline::project::run::{self, RunOptions};
 use macroline::view::Readout;
 
-/// A clause: where it stands, what it says, the test that shows it.
+/// A clause of a paper: its section, its sentence, the test that shows it.
 pub(super) struct Clause {
     section: &'static str,
     says: &'static str,
@@ -43,7 +43,7 @@ const LIMITS: Budget = Budget { blocks: 1_000_000, seconds: 3600.0 };
 struct Run {
     planner: Planner<Interp>,
     ended: Option<RunEnd>,
-    /// The program, where it is one that the test wrote.
+    /// Text of the program; empty for the program of a machine.
     text: String,
 }
 
@@ -130,7 +130,7 @@ impl Run {
         self.planner.timeline().at(t)
     }
 
-    /// When everything has come to rest.
+    /// State after everything has come to rest.
     fn end(&self) -> Snapshot {
         self.at(self.planner.timeline().end())
     }
@@ -185,7 +185,7 @@ const PAPERS: [(&str, &[Clause]); 4] = [
     ("Polygon turning, KND K2000T", polygon::CLAUSES),
 ];
 
-/// `make clauses` shows what it prints.
+/// Printed by `make clauses`.
 #[test]
 #[expect(clippy::print_stdout, reason = "the table is for people")]
 fn table_of_clauses_holds() {

@@ -300,7 +300,7 @@ fn own_part_takes_the_place_of_a_shipped_one() {
     let named: Vec<_> = catalogue.iter().filter(|part| part.model == "HG-KN43J").collect();
     assert_eq!(named.len(), 1);
     assert_eq!((named[0].servo().unwrap().peak, named[0].evidence.grade), (3.9, PartGrade::Entered));
-    // Once more: what was entered before goes.
+    // A second import replaces the first.
     project.add_parts(read(&OWN.replace("3.9", "3.7"), "own.csv").0);
     assert_eq!(project.parts.len(), 3);
     assert_eq!(project.catalogue().iter().find(|part| part.model == "HG-KN43J").unwrap().servo().unwrap().peak, 3.7);

@@ -487,7 +487,7 @@ fn old_sentences_of_settings_are_upgraded() {
             offered.push((id, option));
         }
     }
-    // Every option that is not called as it was has its old sentence here.
+    // Every renamed option has its old sentence here.
     for (id, _, option) in old {
         assert!(offered.contains(&(id, option)), "no control offers {option} of {id}");
     }

@@ -113,7 +113,7 @@ fn local_variable_is_that_of_its_level() {
     // The argument of the call sets it.
     let of_macro: Vec<String> = references("gsk-980tdc", text).into_iter().map(|row| row.0).collect();
     assert_eq!(of_macro, ["2 A1.5", "7 #1"]);
-    // A subprogram shares those of its caller.
+    // A subprogram shares the variables of its caller.
     let of_sub = text.replace('|', "").replace("Y#1", "Y#|1");
     let of_sub: Vec<String> = references("gsk-980tdc", &of_sub).into_iter().map(|row| row.0).collect();
     assert_eq!(of_sub, ["3 #1", "10 #1"]);

@@ -72,8 +72,8 @@ fn modules_name_only_earlier_modules() {
     hold(&format!("The order of modules is {}.", ORDER.join(", ")), mend, broken);
 }
 
-/// The folders of the page, in the order of its flow: each names only itself and those before it. The features are one step, and name
-/// each other no more than what comes later.
+/// The folders of the page, in the order of its flow: each names only itself and earlier ones. The features are one step: they name neither
+/// each other nor later folders.
 const PAGE: [&[&str]; 7] = [
     &["words"],
     &["dom"],

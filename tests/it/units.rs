@@ -237,7 +237,7 @@ fn programs_and_data_are_the_same_in_inches() {
     }
 }
 
-/// Lines in which a number of millimetres stands.
+/// Lines with a number of millimetres.
 fn metric_lines(text: &str) -> Vec<&str> {
     let is_metric = |line: &&str| {
         let mut before = "";
@@ -254,7 +254,7 @@ fn metric_lines(text: &str) -> Vec<&str> {
 
 #[test]
 fn report_in_inches_has_millimetres_only_of_the_control() {
-    // Parameters and what the program has as its words.
+    // Parameters, and words of the program.
     let of_the_control = |line: &str| line.contains("as X offset of the cutter") || line.contains("X20 ");
     let mut left = Vec::new();
     for project in each_machine() {

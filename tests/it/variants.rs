@@ -21,7 +21,8 @@ fn names(project: &Project) -> Vec<&str> {
     project.variants.iter().map(|variant| variant.name.as_str()).collect()
 }
 
-/// The line as it is new is variant A; in B it is on another control, with a setting of that; now it has a pitch of 12 mm.
+/// A project with two variants: A has the defaults, B another control with a setting of that control; the present settings have a pitch of
+/// 12 mm.
 fn two() -> Project {
     let mut project = ribbon();
     project.keep_variant("");

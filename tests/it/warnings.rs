@@ -62,7 +62,7 @@ impl Case<'_> {
         expected.assert_eq(&out);
     }
 
-    /// Nothing is said.
+    /// Checks that there is no finding.
     #[track_caller]
     fn quiet(&self, text: &str) {
         let (_, found) = self.review(text);
@@ -123,7 +123,7 @@ fn comparing_decimals_for_equality_is_a_warning() {
             #5041 EQ 100 compares every digit, and the value can have decimals: what should be equal may differ in the last one.
             = Compare by GE, GT, LE or LT, or within a tolerance: ABS[a-b] LT 0.0001.
     "#]]);
-    // The operator's length, as it is used as one, and added up.
+    // The operator's length used as a length, and added up.
     E60.check("O1\n#1=0\nN1 G91X#500\n#1=#1+#500\nIF[#1 NE 100]GOTO1\nM30", expect![[r#"
         4:7 “X#500” warning lint.vacant-word
             X#500 is left out while #500 is vacant: the axis does not move.
@@ -554,7 +554,7 @@ fn main_program_that_returns_is_a_warning() {
     Case { start: Some(1), ..E60 }.quiet("O1\nIF[#1033 EQ 1]GOTO9\nM99\nN9 M30");
 }
 
-/// Its jumps and assignments are not followed, so that nothing is said that could be wrong.
+/// Jumps and assignments of G65 H are not followed, so no warning about them could be certain.
 #[test]
 fn g65_h_functions_give_no_warning() {
     GSK.quiet("O0001\nG65 H05 P#101 Q#102 R#103\nG65 H81 P9 Q#101 R#500\nG65 H80 P9\nG00 X1.\nN9 M30");
@@ -626,7 +626,7 @@ fn overwritten_words_are_a_warning() {
             X3. is the second of its address in this block: X1. in front of it counts for nothing.
     "#]],
     );
-    // Codes, arguments of a macro, and what a block skip leaves out.
+    // Codes, arguments of a macro, and words that a block skip leaves out.
     E60.quiet("O1\nG91 G00 X1. M8 M9\nG65 P2 I1. J2. I3.\nG00 X1. /X2.\nM30\nO2\n#100=#4+#5+#7\nM99");
 }
 

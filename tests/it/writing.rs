@@ -1,4 +1,4 @@
-//! Writing programs: what the builder makes, that it reads back the same, and that nothing makes reading or writing fail.
+//! Writing programs: output of the builder, its reading back to an equal deck, and input that must not make reading or writing fail.
 
 use expect_test::{Expect, expect};
 use macroline::controls::Address;
@@ -364,7 +364,7 @@ enum Step {
     Comment(String),
 }
 
-/// Letters of words that take any number, and of those that take whole ones.
+/// Letters of words that take any number, and of words that take whole numbers.
 const NAMED: &[u8] = b"XYZFIJK";
 const REAL: &[u8] = b"XYZFIJKRQE";
 const WHOLE: &[u8] = b"STM";
@@ -452,7 +452,7 @@ fn deck_of() -> impl Strategy<Value = (&'static Control, Deck)> {
     any_control().prop_flat_map(|control| (Just(control), deck(control)))
 }
 
-/// Reads what was written: the same as the lowered deck, unless a formula is too deep or a block too long for the control.
+/// Parses the emitted text: equals the lowered deck, unless a formula is too deep or a block too long for the control.
 fn reads_back(deck: &Deck, control: &'static Control) -> Result<(), TestCaseError> {
     let low = lower(deck, control);
     prop_assert!(lower(&low, control).same_as(&low), "lowering twice is lowering once");

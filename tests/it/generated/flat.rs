@@ -1,4 +1,4 @@
-//! A run written out: the blocks that it came to, as a program of plain blocks without variables, jumps and calls.
+//! A run written out: its executed blocks as a program of plain blocks without variables, jumps and calls.
 
 use macroline::controls::Address;
 use std::cell::RefCell;
@@ -26,7 +26,7 @@ pub(crate) struct Ran {
     pub(crate) alarm: bool,
 }
 
-/// A run that notes what each of its blocks comes to.
+/// A run that records each of its blocks.
 #[derive(Debug, Clone)]
 pub(crate) struct Recorder {
     interp: Interp,
@@ -82,7 +82,7 @@ impl RunningProgram for Recorder {
     }
 }
 
-/// A program of plain blocks that does what was run. Distances are absolute and incremental in turn.
+/// A program of plain blocks equal to a run. Distances are absolute and incremental in turn.
 pub(crate) fn flat(control: &'static Control, ran: &[Ran]) -> String {
     let named = control.syntax.names.is_some();
     let mut w =
@@ -276,7 +276,7 @@ impl Writer {
     fn arc(&mut self, to: &Target, plane: (u8, u8), center: (f64, f64), clockwise: bool, how: String) -> String {
         let axes = [plane.0 as usize, plane.1 as usize];
         let start = axes.map(|k| self.position[k] as f64);
-        // Offsets and radius count what moves, end points what is written.
+        // Offsets and radius count the travel of the axis, end points the diameter as written.
         let scale = axes.map(|k| if self.control.axes[k].diameter { 0.5 } else { 1.0 });
         let letters = axes.map(|k| self.control.axes[k].letter);
         let code = match letters {

@@ -60,7 +60,7 @@ fn told(parsed: &Parsed, findings: &[Diagnostic], text: &str) {
     }
 }
 
-/// Edits every third block: all else stays as it was.
+/// Edits every third block: the other blocks stay byte for byte.
 fn edited(parsed: &Parsed, text: &str) {
     let mut deck = parsed.deck().clone();
     let edited = |at: usize| at % 3 == text.len() % 3;
@@ -70,7 +70,7 @@ fn edited(parsed: &Parsed, text: &str) {
     }
     let out = nc::emit_parsed(parsed, &deck);
     assert_eq!(out.files.0.len(), 1);
-    // With the old text in place of what was written anew it is the old file.
+    // The old text in place of the rewritten blocks gives the old file.
     let mut again = String::new();
     let mut end = 0;
     for (at, (place, old)) in out.places.iter().zip(&old).enumerate() {

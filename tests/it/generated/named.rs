@@ -1,4 +1,4 @@
-//! Programs for controls whose programs, labels and codes have names, made from dice as those of the others are.
+//! Random programs for controls whose programs, labels and codes have names.
 
 use std::fmt::Write as _;
 

@@ -33,7 +33,7 @@ impl Arc {
         if self.clockwise { Code::ArcCw } else { Code::ArcCcw }
     }
 
-    /// The radius as it is written: negative where the arc is longer than half the circle.
+    /// The radius as a word: negative for an arc longer than half the circle.
     pub(crate) fn signed_radius(&self) -> i32 {
         if self.quarters == 3 { -self.radius } else { self.radius }
     }

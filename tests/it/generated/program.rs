@@ -151,7 +151,7 @@ fn word(control: &'static Control, dice: &mut Dice) -> String {
     }
 }
 
-/// The G code that does this, as it is written.
+/// G code of a function, as the control writes it.
 pub(crate) fn g(control: &Control, code: Code) -> Option<String> {
     let row = control.codes.iter().find(|row| matches!(row.id, CodeId::G(_)) && row.code == code)?;
     Some(written(row.id))

@@ -1,4 +1,4 @@
-//! Neovim as a client: it opens a program, reads what the server says, makes a fix and ends the server.
+//! Neovim as a client: opens a program, reads the diagnostics, makes a fix and ends the server.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! `docs/adding-a-machine.md`, followed once: what a new machine gets without further work.
+//! `docs/adding-a-machine.md`, followed once: functions that a new machine gets without further work.
 
 use std::sync::Mutex;
 use std::sync::atomic::Ordering;

@@ -10,7 +10,7 @@ use macroline::view::drawing::crosses;
 use macroline::view::scene::{LETTER, LINE};
 use macroline::view::{Font, Pose, Scene, Shape};
 
-/// A machine that stays as it is.
+/// A run at one constant moment.
 pub(super) struct Still(pub(super) Snapshot);
 
 impl Samples for Still {
@@ -134,7 +134,7 @@ pub(super) fn lost(scene: &Scene, pose: &Pose) -> Vec<String> {
     faults
 }
 
-/// Leaders that meet the text of another label, and groups that are seen at rest and not in the pose of a machine that stands.
+/// Faults of a drawing: leaders that cross the text of another label, and groups that are visible at rest although the pose at rest hides them.
 fn crossed(scene: &Scene, pose: &Pose) -> Vec<String> {
     let texts = texts(scene, pose);
     let mut faults = Vec::new();

@@ -14,7 +14,7 @@ use macroline::project::run::{self, RunOptions};
 use macroline::text::Severity;
 use macroline::view::Verdict;
 
-/// Every machine with every control that it goes with.
+/// Every machine with each of its controls.
 fn machines_on_controls() -> impl Iterator<Item = (&'static dyn AnyMachine, &'static Control)> {
     let controls = |machine: &&'static dyn AnyMachine| {
         let machine = *machine;

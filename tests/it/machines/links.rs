@@ -185,7 +185,7 @@ proptest! {
     }
 }
 
-/// Machine, control and name of the project that an embedded page shows, or what is said.
+/// Machine, control and name of the project that an embedded page shows, or the findings about its address.
 fn embedded_by(fragment: &str) -> Option<String> {
     let loaded = embedded(fragment)?;
     Some(match loaded.project {

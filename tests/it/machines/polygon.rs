@@ -1,4 +1,4 @@
-//! The polygon lathe: its programs run, both axes keep their ratio, mistakes are alarms, the run cuts what the formulas say.
+//! The polygon lathe: its programs run, both axes keep their ratio, mistakes are alarms, the run cuts the shape of the formulas.
 
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -181,7 +181,7 @@ fn tool_keeps_its_ratio_through_every_speed_change() {
         for i in 0..10_000 {
             let now = timeline.at(f64::from(i) * 0.001);
             let [w, t] = now.pmc;
-            // From where both have come to their start angles and stand for the last time before they turn.
+            // From the last standstill at the start angles on.
             if now.t < begun {
                 continue;
             }
@@ -198,7 +198,7 @@ fn tool_keeps_its_ratio_through_every_speed_change() {
         assert!(turned > 8000);
         let speed = timeline.at(2.9).pmc[WORK].feed / 360.0;
         assert!((speed - 60.0 * d * if override_acts { 1.2 } else { 1.0 }).abs() < 1e-9, "{speed}");
-        // Hold does not stop what the PMC turns.
+        // Hold does not stop axes that the PMC turns.
         let held = timeline.at(3.65);
         assert!(held.mode == Mode::Hold && held.axes[1].feed == 0.0 && held.pmc[WORK].feed != 0.0);
     }
@@ -725,7 +725,7 @@ fn explorer_has_fixed_sliders_and_a_section_where_one_exists() {
     assert_eq!(fields, ["sides", "inserts", "work-ratio", "tool-ratio", "tip-radius"]);
     for knob in &square.knobs {
         assert!(knob.range.0 <= knob.value && knob.value <= knob.range.1, "{knob:?}");
-        // Each slider alone, with what goes along with it, at both of its ends.
+        // Each slider alone, with its dependent entries, at both of its ends.
         for end in [knob.range.0, knob.range.1] {
             let text = end.to_string();
             let along = knob.along.iter().map(|(id, text)| (*id, text.as_str()));

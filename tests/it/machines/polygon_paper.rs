@@ -22,7 +22,7 @@ fn with_part(text: &str) -> Project {
     project
 }
 
-/// The end of a run of so many seconds at most.
+/// Summary of a run of at most `seconds` s.
 fn end(project: &Project, seconds: f64) -> RunSummary {
     let limits = Budget { blocks: 1_000_000, seconds };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };

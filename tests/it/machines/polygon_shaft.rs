@@ -78,7 +78,7 @@ fn refused(project: &Project) -> bool {
     project.design().diagnostics.iter().any(|found| found.severity == Severity::Error)
 }
 
-/// Numbers that look random, the same in every run.
+/// Pseudo-random numbers, the same in every run.
 pub(super) struct Dice(pub(super) u64);
 
 impl Dice {

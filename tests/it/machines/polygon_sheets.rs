@@ -98,7 +98,7 @@ fn exported_g51_2_file_reads_without_errors() {
 
 #[test]
 fn radius_errors_of_inserts_show_on_their_sides() {
-    // Two at ratio 3 turn a hexagon: the sides of one stand opposite those of the other, so that 0.1 mm is 0.1 mm across flats.
+    // Two at ratio 3 turn a hexagon: sides of one insert are opposite those of the other, so that 0.1 mm is 0.1 mm across flats.
     let hexagon = [("shape", "own"), ("tool-ratio", "3"), ("sides", "6"), ("stock-diameter", "30")];
     let off = |radii: &'static str| [&hexagon[..], &[("radius-errors", radii)]].concat();
     expect![[r#"
@@ -111,7 +111,7 @@ fn radius_errors_of_inserts_show_on_their_sides() {
     let across = felt(&even, "across-flats");
     assert!((felt(&deep, "least-across-flats") - (across - 0.1)).abs() < 5e-3, "{}", felt(&deep, "least-across-flats"));
     assert!((felt(&both, "across-flats") - (across - 0.2)).abs() < 5e-3);
-    // Two at ratio 2 turn a square: each cuts sides that stand opposite each other.
+    // Two at ratio 2 turn a square: each insert cuts two opposite sides.
     let square = [("stock-diameter", "29"), ("radius-errors", "0.02 -0.01"), ("angle-errors", "0 0.5")];
     expect![[r#"
         1 | 0.02 | 0 | 1 3 | -0.07 | -0.02 | 0

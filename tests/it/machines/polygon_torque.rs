@@ -71,7 +71,7 @@ fn turned(inserts: u32, (tool, work): (f64, f64), d: f64, r: f64, stock: f64, fo
     sums.map(|(mean, peak)| (mean.abs(), peak))
 }
 
-/// The results of the first pass are those of the tips in motion, which are `chip` mm of feed further at each cut of a side.
+/// Checks the results of the first pass against the tips in motion, which advance by `chip` mm of feed between two cuts of a side.
 #[track_caller]
 fn same_as_in_motion(changes: &[(&str, &str)], inserts: u32, terms: (f64, f64), (d, chip): (f64, f64)) {
     // Sides that do not meet in the stock; the second pass cuts nothing.
@@ -105,7 +105,7 @@ fn energy_of_a_thin_layer_is_that_of_its_area() {
         let sizes = [20.0, 20.0 - 0.002];
         let pass = load::passes(&sizes, r, ratio, inserts, stock).nth(1).unwrap();
         let areas = sizes.map(|size| Section::new(&CutterSetup::even(size, r, ratio, inserts), stock).unwrap().area());
-        // Over a turn of the work, 2π of its angle: every side as often as it is cut.
+        // Over a turn of the work, 2π: every side is cut equally often.
         let energy = 2.0 * PI * (pass.work.mean + ratio.value() * pass.tool.mean);
         near(energy, (areas[0] - areas[1]) * ratio.passes_per_turn(inserts), 2e-3);
     }

@@ -228,7 +228,7 @@ fn failing_design_says_so_first_and_names_its_repair() {
     assert!(words(of_class(&page, "conclusion")[0]).contains("verdicts fail: Block time, Roller : ribbon speed"));
     let first = of_class(&page, "fail")[0];
     assert!(words(first).ends_with("Set 2 pitches per block"), "{}", words(first));
-    // The worst rows stand above the others.
+    // The worst rows come first.
     let signs: Vec<String> = of_class(&page, "sign").into_iter().map(words).collect();
     let rank = |sign: &String| ["✕", "△", "✓", ""].iter().position(|known| known == sign).unwrap().min(2);
     assert!(signs.is_sorted_by_key(rank), "{signs:?}");

@@ -25,7 +25,7 @@ fn outcome(project: &Project, events: &[(f64, Action)]) -> Outcome {
     within(7200.0, project, events)
 }
 
-/// The run with these events, of so many seconds at most.
+/// A run with these events, of at most `seconds` s.
 pub(super) fn within(seconds: f64, project: &Project, events: &[(f64, Action)]) -> Outcome {
     let mut project = project.clone();
     for (t, action) in events {
@@ -35,14 +35,14 @@ pub(super) fn within(seconds: f64, project: &Project, events: &[(f64, Action)]) 
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };
     let mut planner = run::of_project(&project, &project.written(), &begin);
     let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
-    // A preset that says where the tool is anyway differs with the place; what is driven to does not.
+    // A preset of the present position depends on that position; driven motions do not.
     let driven = planner.take_log().into_iter().filter(|(_, canon, _)| !matches!(canon, Canon::Preset { .. }));
     let names = planner.program().names();
     let log = driven.map(|(t, canon, _)| (t, canon.line(names).to_string())).collect();
     Outcome { planner, ended, log }
 }
 
-/// Moments between 0 and 1, the same in every run of the test.
+/// Pseudo-random moments between 0 and 1, the same in every run of the test.
 fn shares(seed: u32) -> impl Iterator<Item = f64> {
     let next = |x: &u32| Some(x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
     std::iter::successors(Some(seed), next).skip(1).take(MOMENTS as usize).map(|x| f64::from(x >> 8) / 16_777_216.0)

@@ -190,8 +190,8 @@ fn feed_per_revolution_follows_the_unwinder_everywhere() {
             let turns = now(to).spindle.turns - now(from).spindle.turns;
             assert!((pulled / turns / 12.566370614 - 1.0).abs() < 1e-5, "{}: {}", control.id, pulled / turns);
         }
-        // In ramps, too: the loop never takes more than what X lags at 110 %, half its time constant and its gain, and what the unwinder
-        // turns before the program has read its first block.
+        // In ramps, too: the loop never takes more than the lag of X at 110 %, half its time constant and its gain, and the turns of the
+        // unwinder before the program has read its first block.
         let end = planner.ended_at().unwrap() - 0.5;
         let charts = project.prepared().charts(&planner, 0.0, end, 2000);
         let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
@@ -286,7 +286,7 @@ fn values_that_a_control_lacks_have_no_effect() {
         let lines = files.iter().flat_map(|file| file.text.lines()).filter(|line| !line.starts_with('('));
         lines.collect::<Vec<_>>().join("\n")
     };
-    // Neither a final speed nor an exact stop; C counts degrees whatever was said of Y.
+    // Neither a final speed nor an exact stop; C counts degrees whatever unit Y has.
     assert_eq!(text("gsk-980tdc", &chosen), text("gsk-980tdc", &chosen[2..3]));
     assert_eq!(text("mitsubishi-e60", &chosen[2..3]), text("mitsubishi-e60", &[]));
 }

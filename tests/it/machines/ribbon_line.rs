@@ -26,7 +26,7 @@ pub(super) fn on() -> ControlContext<'static> {
     at_defaults(control())
 }
 
-/// Every control that the line goes with.
+/// Every control that the line can have.
 pub(super) fn controls() -> impl Iterator<Item = &'static Control> {
     machine().controls().iter().map(|id| macroline::controls::find(id).unwrap())
 }

@@ -166,7 +166,7 @@ fn programs_match_their_goldens() {
         project.values.extend(values(changes));
         let folder = folder.join(id).join(name);
         for file in project.written().files.0 {
-            // A golden has the line ends of the repository, whatever those of the form are.
+            // A golden has the line ends of the repository, not those of the form.
             expect_file![folder.join(&file.name)].assert_eq(&file.text.replace("\r\n", "\n"));
         }
         expect_file![folder.join("project.json")].assert_eq(&project.to_json());

@@ -47,7 +47,7 @@ fn loop_is_judged_by_the_sum_of_what_a_product_lays() {
     let value = |id: &str| readout(&project, id).value;
     let parts = ["slack-start", "slack-run", "slack-stop"].map(value);
     assert!((parts.iter().sum::<f64>() - 596.0).abs() < 0.5, "{parts:?}");
-    // Each alone fits into 500 mm; what counts is what they come to, with a hold and its restart.
+    // Each alone fits into 500 mm; the verdict is on their sum, with a hold and its restart.
     assert!(
         ["slack-start", "slack-run", "slack-stop", "slack-hold", "slack-resume"]
             .iter()
@@ -194,7 +194,7 @@ fn fault_behind_the_last_move_stays_within_the_loop() {
         for more in [[("inverter-ramp", "0"), ("dwell", "2.5")], [("inverter-ramp", "2"), ("dwell", "0.7")]] {
             let project = line(control.id, &more);
             let whole = over_time(&project, vec![]);
-            // X stands as good as still, and M5 comes at once.
+            // X is nearly at rest, and M5 comes at once.
             let end = whole.timeline().end();
             let turns = |t: &f64| whole.timeline().at(*t).spindle.command > 0.0;
             let t = (0..4000).map(|step| end - f64::from(step) * 0.002).find(turns).expect("a moment before M5");

@@ -35,7 +35,7 @@ fn typed() -> impl Iterator<Item = &'static Control> {
     controls().filter(typed)
 }
 
-/// Speed of the unwinder (r/min) as it is commanded, and of X (mm/min).
+/// Commanded speed of the unwinder (r/min), and speed of X (mm/min).
 fn speeds(planner: &Planner<Interp>, t: f64) -> (f64, f64) {
     let now = planner.timeline().at(t);
     (now.spindle.command, now.axes[0].feed)

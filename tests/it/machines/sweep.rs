@@ -15,7 +15,7 @@ const RANDOM: usize = 300;
 /// Blocks of a run, and seconds of the machine: enough for every kind of block that a program has.
 const BUDGET: Budget = Budget { blocks: 300, seconds: 30.0 };
 
-/// Findings that end or slow a run, by a part of their sentence, with the results of which one must have failed before.
+/// Findings that end or slow a run, by a part of their sentence, with the results of which at least one must have failed before.
 const TOLD: &[(&str, &[&str])] = &[
     // Alarms that the program raises.
     ("ABOVE LIMIT", &["vector-feed", "feed-per-revolution"]),
@@ -64,7 +64,8 @@ impl Random {
     }
 }
 
-/// Least, greatest and default number; each choice; both ways of a check mark; no text, the longest, and one that a program cannot hold.
+/// Values at the ends of a field: least, greatest and default number; each choice; both states of a check mark; empty text, the longest,
+/// and one that a program cannot hold.
 pub(super) fn ends(field: &FieldInfo) -> Vec<Value> {
     let text = |text: &str| Value::Text(text.to_owned());
     match field.kind {

@@ -64,7 +64,7 @@ pub(super) fn run_of(project: &Project, event: Option<Event>) -> Planner<Interp>
     begun(&project, &[])
 }
 
-/// The same, in which he sets a variable first.
+/// A run that has not begun, with a variable set before the start.
 pub(super) fn run_set(project: &Project, number: u32, value: f64) -> Planner<Interp> {
     begun(project, &[run::Setting { name: project.control.variable(number), value }])
 }
@@ -502,7 +502,7 @@ fn charts_over_the_speed_have_every_gear_stage() {
                     assert!((power - torque * speed / 9_549.296_585_513_72).abs() <= 1e-9 * power.abs(), "{control}");
                 }
             }
-            // A stage ends where its analog output does, and what the cut asks at the largest diameter is the result.
+            // A stage ends at the end of its analog output, and the torque of the cut at the largest diameter is the result.
             let first = torque.series[0].points.last().unwrap();
             assert_eq!(first.0, number(&project, "stage-1"));
             let cut = torque.series.iter().find(|line| line.label == "turning.chart.cut").unwrap();
@@ -557,7 +557,7 @@ fn pass_count_is_independent_of_query_order() {
     let end = planner.timeline().end();
     let asked = |fresh: &Planner<Interp>, t: f64| [36, 37, 50].map(|block| fresh.passes(block, t).0);
     let moments: Vec<f64> = (0..400).map(|at| end * f64::from(at) / 399.0).collect();
-    // Forward, as it is watched; and back and forth, as it is looked through.
+    // Forward, as in play; and back and forth, as in scrubbing.
     let forward: Vec<_> = moments.iter().map(|&t| asked(&planner, t)).collect();
     let looked = over_time(&project);
     for at in (0..400).map(|at| at * 157 % 400) {

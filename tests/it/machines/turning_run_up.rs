@@ -85,7 +85,7 @@ fn ramp_fails_just_below_the_shortest_one() {
     for control in each_control() {
         let plain = shaft(control, &[]);
         let shortest = result(&plain, "shortest-ramp");
-        // 150 % of what the motor gives at the highest speed, above base speed by its power.
+        // 150 % of the motor's torque at the highest speed, by its power above base speed.
         let torque = 1.5 * 9_549.296_585_513_72 * 6.0 / result(&plain, "speed-largest");
         same(shortest, result(&plain, "inertia") * 1500.0 * RPM / (torque - 2.0));
         let hundredths = (shortest * 100.0).ceil();

@@ -16,7 +16,7 @@ use super::sweep::{changes, forms};
 /// Results that a clamp holds at their limit, or that have to stay below it: they fail at the limit itself.
 const HELD: &[&str] = &["volts", "speed-smallest", "relief"];
 
-/// A machine, its control, and entries of its form with what is typed there.
+/// A machine, its control, and typed entries of its form by field.
 type Entered = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
 
 /// Machines whose advice is too rare for random forms.

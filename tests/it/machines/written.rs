@@ -8,7 +8,7 @@ use macroline::text::catalog::sentence;
 /// Programs that are looked at for each machine and control at most; choices beyond are passed over in even steps.
 const MOST: usize = 2000;
 
-/// Every field that is chosen, with what it can be.
+/// Every field with a choice, and its values.
 fn choices(machine: &dyn AnyMachine) -> Vec<(&'static str, Vec<Value>)> {
     let fields = machine.fields().into_iter();
     let values = fields.map(|field| match field.kind {

@@ -144,7 +144,7 @@ fn letters_become_local_variables() {
     }
 }
 
-/// A program whose G777 or G1 calls what a parameter binds.
+/// Value that a program sets if parameters bind G777 or G1 to its call.
 fn bound(parameters: &str, code: &str, program: u32) -> Option<f64> {
     let text = format!("%\nO1\n#500=0\n{code}\nM30\nO{program}\n#500=1\nM99\n%\n");
     program_with(KND, &[("call-parameters", parameters)], &text, vec![]).planner.variable_at(500, 1e9)

@@ -205,7 +205,7 @@ fn limit_holds_at_centre_and_g97_keeps_the_last_speed() {
         }
         lines
     };
-    // Without a limit the clamp of the spindle is one, and nothing is said of it.
+    // Without a limit the clamp of the spindle limits, and there is no finding.
     for (limit, wanted) in [(Some(900.0), 900.0), (None, 1480.0), (Some(0.0), 0.0)] {
         let planner = on_lathe(vec![], lines(limit));
         let end = ended_at(&planner);
@@ -254,7 +254,7 @@ fn waits_switched_off_by_the_program_do_not_happen() {
     close(first_fin, plant().block_time + 0.05, 1e-6);
     let goes_on = run(vec![off(false, true), auxiliary(), linear(10.0, 0.0, 6000.0), off(false, false), auxiliary()]);
     close(begins(&goes_on, 2), 3.0 * plant().block_time, 1e-6);
-    // The last one is waited for, which is longer than the block before it takes to come to rest.
+    // The last FIN is waited for; that takes longer than the block before it takes to come to rest.
     let end = begins(&goes_on, 4);
     close(ended_at(&goes_on) - end, 0.05 + TAU, 1e-6);
     // Single block: three blocks without a stop between them, then one.

@@ -206,7 +206,7 @@ fn rapid_is_straight_within_every_axis_rate() {
     let now = planner.timeline().at(0.5);
     close(now.axes[0].feed, 15e3, 1e-9);
     close(now.axes[1].feed, 5e3, 1e-9);
-    // Behind a rapid the control waits until the command has come to rest.
+    // After a rapid the control waits until the command is at rest.
     let next = first(&planner, 0.0, |now| now.block == Some(place(1)));
     close(next, plant.block_time + 300.0 / 250.0 + TAU, 1e-6);
 }

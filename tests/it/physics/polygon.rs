@@ -48,7 +48,7 @@ fn near(found: f64, wanted: f64, within: f64) {
     assert!((found - wanted).abs() <= within, "found {found}, wanted {wanted}, off {:e}", found - wanted);
 }
 
-/// Numbers that look random and are the same in every run.
+/// Pseudo-random numbers, the same in every run.
 struct Random(u64);
 
 impl Random {
@@ -169,7 +169,7 @@ fn sides_are_flat_in_the_middle_at_one_radius() {
     near(Curve::new(55.0, 45.0, 2.0).unwrap().curvature(), 0.001, 1e-15);
     near(Curve::new(55.0, 45.0, 1.0).unwrap().curvature(), 1.0 / 55.0, 1e-15);
     near(Curve::new(55.0, 45.0, -2.0).unwrap().curvature(), -0.0547, 5e-5);
-    // k = 1 - a/r: the tip stands still on the work in the middle of the side, a cusp.
+    // k = 1 - a/r: the tip is at rest on the work in the middle of the side, a cusp.
     let cusp = Curve::new(55.0, 45.0, -2.0 / 9.0).unwrap();
     assert_eq!(cusp.curvature(), f64::NEG_INFINITY);
     near(cusp.speed(200.0, 0.0), 0.0, 1e-9);

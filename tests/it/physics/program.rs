@@ -162,7 +162,7 @@ fn manual_sample_runs_at_its_printed_speeds() {
     }
     // At N10 the tool is at the centre: the gear limits. Behind N50 the rapid back has the speed of X100 again.
     assert_eq!(speeds, [3000.0, 955.0, 1910.0, 1910.0, 1910.0, 955.0, 955.0]);
-    // N50 has come to X80 but for the last of its slowing down when the rapid begins.
+    // N50 has reached X80 except for the end of its deceleration when the rapid begins.
     let rapid = first_of(&planner, begins_at(&planner, 5) - 1e-3, |now| now.spindle.command < 1000.0);
     close(planner.timeline().at(rapid - 2e-4).spindle.command, 1194.0, 2e-3);
     // The voltage stays after the program's end.

@@ -88,7 +88,7 @@ fn begins(planner: &Planner<Interp>, number: &str) -> f64 {
 
 #[test]
 fn speed_limits_match_the_fact_sheet_cases() {
-    // sinumerik-802d.md section 7: G25 = 50, G26 = 3000, LIMS = 2500; what is programmed, override, speed, what holds it.
+    // sinumerik-802d.md section 7: G25 = 50, G26 = 3000, LIMS = 2500; programmed speed, override, actual speed, limit that acts.
     let (six, five) = (682.092_613, 545.674_091);
     for (lines, percent, wanted, bound) in [
         ("G97 S3200 M3", 100.0, 2800.0, Bound::Gear),
@@ -321,7 +321,7 @@ fn motion_on_the_spindle_ramp_is_told_once_a_block() {
     assert_eq!(told(&[], "S1000 M3\nG4 F5\nS2000\nG0 X9"), [rapid]);
     assert_eq!(told(&free, "S1000 M3 G0 X1\nG1 X2\nX2.1"), [rapid, cut, cut]);
     assert_eq!(told(&[], "S1000 M3\nG4 F5\nM5\nG0 X9"), [""; 0]);
-    // Every pass through a loop meets the ramp; the block is told once.
+    // Every pass of a loop meets the ramp; the block is reported once.
     let passes = "R1=0\nAB: S=500+R1*500 M3\nG0 X=R1+1\nR1=R1+1\nIF R1<5 GOTOB AB";
     assert_eq!(told(&[], passes), [rapid]);
     // Under constant surface speed the speed follows the axes; its start is a ramp like any other.

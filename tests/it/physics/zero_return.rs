@@ -1,4 +1,4 @@
-//! Program zero return: what the operator's key does, and when it does nothing.
+//! Program zero return: effect of the operator's key, and states in which it has none.
 
 use std::rc::Rc;
 

@@ -132,7 +132,7 @@ fn each_switch_setting_is_in_a_program() {
                 .any(|source| source.contains(comment(control, &format!("SET {id} {value}")).trim_end_matches(')')))
         };
         for row in control.switches {
-            // Names of registers, what the PLC does, and what the hand does; no program can tell.
+            // Names of registers, actions of the PLC and of the operator: no program can distinguish them.
             if matches!(row.kind, SwitchKind::MacroInputBase(_) | SwitchKind::PmcOverride(_) | SwitchKind::ManualS(_)) {
                 continue;
             }

@@ -255,7 +255,7 @@ fn told(control: &'static Control, block: &str) -> String {
     said.join(", ")
 }
 
-/// One row for each block: what the controls say, in their order.
+/// One row for each block: the errors on each control, in their order.
 #[track_caller]
 fn check(blocks: &[&str], expected: Expect) {
     let mut out = String::new();

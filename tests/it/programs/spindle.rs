@@ -22,8 +22,8 @@ const SWITCHES: &[Switch] = &[
     switch(SposOutOfRange::of(&[SposOutOfRange::Alarm, SposOutOfRange::Modulo]), MADE),
 ];
 
-/// A control with the rules of SINUMERIK turning controls in the words of another: the codes of feed and surface speed are one group, a
-/// limit stands behind G25 and G26, surface speed has a range and needs a first S.
+/// A control with ISO words and the rules of SINUMERIK turning controls: the codes of feed and surface speed are one group, G25 and G26 set
+/// limits, surface speed has a range and needs a first S.
 fn one_group() -> &'static Control {
     let base = &gsk_980tdc::CONTROL;
     let limit =

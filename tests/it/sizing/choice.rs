@@ -355,7 +355,7 @@ fn motor_is_judged_by_the_torque_that_it_has_at_its_speed() {
         found.shares.unwrap()
     };
     let speed = 6000.0 * shares("SLOW").speed;
-    // A ramp is a row of short turns, the last of which ends a little below the speed.
+    // A ramp is split into short turns; the last of them ends a little below the speed.
     super::same("share of the peak torque", shares("SLOW").peak / shares("FAST").peak, speed / 1000.0, 1e-3);
 }
 
@@ -564,7 +564,7 @@ fn named_motor_that_the_list_refuses_is_marked_in_the_bill() {
     let json = refused.json();
     let rows = json["bom"].as_array().unwrap();
     assert_eq!(rows.iter().filter(|row| row["refused"] == why.as_str()).count(), 1);
-    // One that passes has no mark.
+    // A passing motor has no mark.
     let passes = sized(&used_to_three_quarters("beta 4.0/4000is"));
     assert!(passes.bill.iter().any(|row| row.model == "beta 4.0/4000is"));
     assert!(passes.bill.iter().all(|row| row.refusal.is_none()), "{:?}", passes.bill);

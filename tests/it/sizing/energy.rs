@@ -51,8 +51,8 @@ fn motor_that_starts_takes_what_another_gives_back() {
 }
 
 proptest! {
-    /// Whatever the motions: the balance is that of the motors, a shared bus gives back at most what they give back alone, and the area under the
-    /// sampled power is the same.
+    /// For any motions: the balance equals that of the motors, a shared bus gives back at most the sum of the motors alone, and the area
+    /// under the sampled power agrees.
     #[test]
     fn bus_keeps_the_balance_of_its_motors(
         one in prop::collection::vec((0.01f64..1.0, -200.0f64..200.0), 1..8),
@@ -195,7 +195,7 @@ fn pause_of_the_shift_counts_in_torque_duty_and_parts_per_hour() {
     assert!(duty(&line).contains("S1"), "{}", duty(&line));
     line.values.insert("pause".to_owned(), Value::Number(60.0));
     assert!(duty(&line).contains("S3"), "{}", duty(&line));
-    // The form has the same effective torque: √(T² t / (t + p)), and what the ribbon pulls at rest.
+    // The form's effective torque agrees: √(T² t / (t + p)), with the pull of the ribbon at rest.
     let result = |line: &Project, id: &str| line.design().readouts.into_iter().find(|row| row.id == id).unwrap().value;
     let (paused, time) = (result(&line, "y-effective-torque"), result(&line, "product-time"));
     super::same("per hour", result(&line, "products-per-hour"), 3600.0 / (time + 60.0), 1e-12);

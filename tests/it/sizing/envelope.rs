@@ -40,7 +40,7 @@ fn line() -> Project {
     project
 }
 
-/// The project with the knob where a row was met: the formulas tell of the form's position, the envelope of the worst one.
+/// The project with the knob at the position of a row: the formulas apply to the form's position, the envelope to the worst one.
 fn at_knob(project: &Project, row: &EnvelopeRow) -> Project {
     let mut project = project.clone();
     if let Some(percent) = row.knob {
@@ -85,7 +85,7 @@ fn loop_at_every_stop_is_that_of_the_formulas() {
         let there = at_knob(&project, worst);
         super::same(event.id(), worst.value - loop_in_the_run(&there), result(&there, id), 0.02);
     }
-    // The restart after standstill lays on top what a start lays until X has caught up.
+    // The restart after standstill adds the ribbon of a start until X has caught up.
     let worst = row(&sizing, OperatingEvent::Hold, "loop");
     let there = at_knob(&project, worst);
     let both = result(&there, "slack-hold") + loop_at_start(&there);
@@ -214,7 +214,7 @@ fn pitch_that_the_program_refuses_is_an_alarm_of_the_event() {
     project.values.insert("feed-limit".to_owned(), Value::Number(limit));
     let sizing = sized(&project);
     assert_eq!(row(&sizing, OperatingEvent::ProductChange, "alarm").verdict, Verdict::Fail);
-    // A program of somebody else may mean anything by that variable.
+    // In an edited program the variable may have any meaning.
     project.edited = Some(macroline::nc::Files::one("O1.NC", "%\nO1\nM30\n%\n"));
     assert!(sized(&project).envelope.iter().all(|row| row.event != OperatingEvent::ProductChange));
 }

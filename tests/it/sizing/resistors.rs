@@ -13,7 +13,7 @@ fn sized(project: &Project) -> Sizing {
     size(project, &project.written())
 }
 
-/// Starts, runs for a second and stops within 0.2 s, so many times.
+/// Starts, runs for a second and stops within 0.2 s, `times` times.
 fn starts(times: u32, speed: f64) -> Vec<Turn> {
     let part = |at: u32| {
         let t = 2.0 * f64::from(at);
@@ -61,7 +61,7 @@ fn resistor_takes_what_all_of_its_known_ratings_allow() {
 }
 
 proptest! {
-    /// Work that is at all times changes nothing; of two works the energies are those of each and of the idle rest.
+    /// Work over the whole time changes nothing; with two works the energies are those of each and of the idle rest.
     #[test]
     fn motion_without_work_keeps_the_energy_balance(
         points in prop::collection::vec((0.05f64..2.0, -200.0f64..200.0), 2..9),

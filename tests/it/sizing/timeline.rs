@@ -129,7 +129,7 @@ fn energy_of_a_part_is_that_of_its_motors() {
     let works = project.prepared().driven_axes().into_iter().map(|axis| {
         axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end())).work(axis.fitted.motor.rotor)
     });
-    // The unwinder among them, whose spindle is told in r/min of its motor.
+    // Includes the unwinder, whose spindle speed is in r/min of its motor.
     let unwinder = project.prepared().inverter_drive().unwrap();
     let turns = run.timeline().stretches(Mover::Spindle, 0.0, run.timeline().end());
     let unwinder = unwinder.motion(&turns).work(unwinder.rotor);

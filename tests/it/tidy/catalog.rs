@@ -40,7 +40,7 @@ impl Sentences {
         Sentences { rows: text.lines().skip(1).map(row).collect(), file }
     }
 
-    /// The rows by key, with what is wrong with the file: its order, a key that stands there twice, a row without key and sentence.
+    /// Rows by key; adds the faults of the file: its order, a key given twice, a row without key and sentence.
     pub(crate) fn checked(&self, broken: &mut Vec<String>) -> BTreeMap<&str, &str> {
         for pair in self.rows.windows(2).filter(|pair| pair[0].0 >= pair[1].0) {
             broken.push(format!("{}: out of order or twice: {}", self.file, pair[1].0));
@@ -133,7 +133,7 @@ fn every_place_of_a_sentence_has_its_value() {
     hold("Every place of a sentence gets its value by its name.", mend, broken);
 }
 
-/// The names of the values that a sentence takes: those of its places, and of the units that are values too, `{drift, unit, unit}`.
+/// Names of the values in a sentence: those of its places, and units that are values too, `{drift, unit, unit}`.
 fn places(sentence: &str) -> BTreeSet<&str> {
     let units = lengths(sentence).map(|(_, unit)| unit).filter(|unit| !units::converted().any(|known| known == *unit));
     let names = parts(sentence).filter_map(|part| match part {
@@ -159,7 +159,7 @@ struct Call<'s> {
     names: BTreeSet<&'s str>,
 }
 
-/// Every `msg!("id", name = value, name, …)`, those of unit tests among them.
+/// Every `msg!("id", name = value, name, …)`, in unit tests too.
 fn calls(source: &Source) -> Vec<Call<'_>> {
     let mut found = Vec::new();
     for (at, part) in source.tokens.windows(4).enumerate() {
@@ -184,7 +184,7 @@ fn calls(source: &Source) -> Vec<Call<'_>> {
     found
 }
 
-/// The phrases that rows state, with the table that each stands in.
+/// The phrases of rows, with the table of each.
 fn phrases() -> BTreeMap<String, &'static str> {
     let mut all = BTreeMap::new();
     let mut add = |phrase: Phrase, table| {
@@ -332,7 +332,7 @@ fn chinese_follows_its_glossary() {
     hold("Chinese follows docs/glossary.md.", "see its rules of style", broken);
 }
 
-/// Sentences whose lengths stay in millimetres whatever is shown: what the control reads, or what stands in a program or a parameter.
+/// Sentences whose lengths stay in millimetres in any units: about words that the control reads, or values of a program or a parameter.
 const OF_THE_CONTROL: [&str; 12] = [
     "interp.",
     "lint.",

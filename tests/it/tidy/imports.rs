@@ -44,7 +44,7 @@ impl<'a> Imports<'a> {
         imports
     }
 
-    /// The file that defines what a path names, as seen from a module; `None` for modules as such, other crates and locals.
+    /// The file that defines a path, as seen from a module; `None` for modules themselves, other crates and locals.
     fn definition(&self, own: &Module<'a>, path: &[&str], depth: usize) -> Option<usize> {
         let (first, rest) = path.split_first()?;
         let file = self.files[*self.by_module.get(own)?];

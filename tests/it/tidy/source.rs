@@ -175,7 +175,7 @@ impl Source {
         self.modules().first().copied()
     }
 
-    /// The tokens without those of unit tests.
+    /// Tokens outside of unit tests.
     pub(super) fn shipped(&self) -> &[Token] {
         &self.tokens[..self.shipped]
     }

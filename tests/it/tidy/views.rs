@@ -46,7 +46,7 @@ fn is_prose(text: &str) -> bool {
     is_words(text) && (first || !text.is_ascii())
 }
 
-/// Texts that stand in a view of a file.
+/// Texts in the views of a file.
 fn literals_in_views(source: &Source) -> impl Iterator<Item = String> {
     let tokens = source.shipped();
     let begins = (0..tokens.len()).filter(|at| is_view(tokens, *at));

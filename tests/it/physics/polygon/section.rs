@@ -154,7 +154,7 @@ fn tips_pass_outside_the_section_and_never_inside() {
                 [-1e-12, 1e-12].map(|by| section.radius(math::atan2(y, x) + by)).into_iter().fold(stock, f64::min);
             assert!(math::hypot(x, y) >= left - 1e-9, "case {case}: {} in {left}, {cutter:?}", math::hypot(x, y));
         }
-        // Outside: where the section is smaller than the stock, a tip has come to its very edge.
+        // Outside: where the section is smaller than the stock, a tip has reached its edge.
         let k = cutter.ratio.value();
         for _ in 0..10 {
             let angle = random.between(0.0, 2.0 * PI);
