@@ -1,5 +1,5 @@
-// Speed of the wasm as the page ships it, beside native code: one bench (benches/both.rs), built for both, run in turns. The best round of each
-// counts: what else the machine does only ever slows, and on a shared core by half. `node scripts/both.mjs`; its last lines are the figures.
+// Speed of the wasm as the page ships it, beside native code: one bench (benches/both.rs), built for both, run in turns. The best round of
+// each counts: other load of the machine only slows, on a shared core by half. `node scripts/both.mjs`; its last lines are the figures.
 import { spawnSync } from 'node:child_process';
 
 const ROUNDS = 6;
@@ -7,7 +7,7 @@ const BUILDS = [
   { name: 'native', args: [] },
   { name: 'wasm', args: ['--target', 'wasm32-unknown-unknown', '--profile', 'web'] },
 ];
-// Least part of the native speed, by figure.
+// Least share of the native speed, by figure.
 const PARTS = { 'flat blocks, text to canon': 0.5, 'P9100 passes, text to canon': 0.5, 'flat blocks, planned': 0.45 };
 
 function cargo(args) {
@@ -25,7 +25,7 @@ function cargo(args) {
 
 // Rates of each figure, one a round, by build.
 const rates = new Map();
-// Least rates that figures state themselves, by figure and build.
+// Least rates that the bench states, by figure and build.
 const leasts = new Map();
 for (const { args } of BUILDS) cargo([...args, '--no-run']);
 for (let round = 0; round < ROUNDS; round++) {

@@ -1,12 +1,12 @@
-// The last step of a build: its number into the page, the list of its files into the service worker, and the page as one file beside them:
-// `node scripts/finish.mjs FOLDER`, which Trunk does (Trunk.toml).
+// Last step of a build: writes the build's number into the page, the list of its files into the service worker, and the page as one file
+// beside them. `node scripts/finish.mjs FOLDER`, called by Trunk (Trunk.toml).
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { oneFile } from './one_file.mjs';
 
-// Where the number of the build goes.
+// Placeholder of the build's number.
 const PLACE = /@build@/g;
 const WORKER = 'service_worker.js';
 export const ONE_FILE = 'macroline.html';
@@ -19,7 +19,7 @@ export function finish(folder) {
     .map((entry) => relative(folder, join(entry.parentPath, entry.name)).split(sep).join('/'))
     .sort();
   const read = (name) => readFileSync(join(folder, name));
-  // A number that differs when any file does.
+  // Number of the build: differs when any file differs.
   const build = sha256(files.map((name) => `${name} ${sha256(read(name), 'hex')}\n`).join(''), 'hex').slice(0, 16);
   writeFileSync(join(folder, 'index.html'), String(read('index.html')).replace(PLACE, build));
   // A host may redirect `index.html` to its folder.

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { TYPES } from './serve.mjs';
 
-// What the page does not ask for by its address: it is in the document itself, or only of use beside it.
+// Files that the page does not request by address: they are in the document itself, or only of use beside it.
 const NO_PART = /^(index\.html|service_worker\.js|offline\.js|manifest\.webmanifest|icon\.svg|.*\.css|app-.*|snippets\/.*)$/;
 
 const hashes = (texts) => texts.map((text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`).join(' ');

@@ -1,12 +1,12 @@
-// Serves a folder on localhost: `node scripts/serve.mjs [folder]`, at $PORT, else at 8080 or whatever is free. The browser keeps the page for use
-// without a network only with OFFLINE=1.
+// Serves a folder on localhost: `node scripts/serve.mjs [folder]`, at $PORT, else at 8080 or any free port. The browser keeps the page for
+// use without a network only with OFFLINE=1.
 import { createReadStream } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, resolve, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-// Types of files by the end of their names.
+// Content types by file extension.
 export const TYPES = {
   '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
@@ -18,7 +18,7 @@ export const TYPES = {
   '.wasm': 'application/wasm', // without it the browser cannot compile while it loads
 };
 
-// In place of the page's service worker: takes itself and what an earlier one has kept away.
+// Replaces the page's service worker: removes itself and the files that an earlier one kept.
 const NO_WORKER = `
 addEventListener('install', () => skipWaiting());
 addEventListener('activate', (event) => event.waitUntil(leave()));
@@ -29,8 +29,8 @@ async function leave() {
 }
 `;
 
-// Starts serving `folder`; port 0 is any free one. `packed` gives the bytes of a file compressed with brotli, for those who measure. With
-// `offline: false` the browser keeps nothing, and each reload shows the build that is there. Resolves to { url, close }.
+// Serves `folder`; port 0 is any free one. `packed` returns the bytes of a file compressed with brotli, for measurements. With `offline:
+// false` the browser keeps nothing, and each reload shows the present build. Resolves to { url, close }.
 export async function serve(folder, port = 0, packed = null, { offline = true } = {}) {
   const root = resolve(folder);
   const server = createServer(async (request, response) => {
@@ -57,7 +57,7 @@ export async function serve(folder, port = 0, packed = null, { offline = true } 
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   const folder = process.argv[2] ?? 'dist';
-  // The same port each time keeps what the browser has stored for the page; another one when it is taken.
+  // A fixed port keeps the browser's store for the page; another one is used if it is taken.
   const at = (port) => serve(folder, port, null, { offline: Boolean(process.env.OFFLINE) });
   const { url } = await (process.env.PORT ? at(Number(process.env.PORT)) : at(8080).catch(() => at(0)));
   console.log(`macroline is at ${url} (Ctrl+C ends it)`);

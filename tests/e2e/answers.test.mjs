@@ -1,4 +1,5 @@
-// Everything answers: words have a meaning, results show their cause, numbers are dragged, the chart zooms; drawings keep their labels at every size.
+// Direct answers of the page: words show their meaning, results their cause, numbers are dragged, the chart zooms; drawings keep their
+// labels at every size.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { accessible, saved, showSteps, start, withPage } from './page.mjs';
@@ -74,7 +75,7 @@ test('chart zooms about the pointer and marks milestones', () =>
     await page.waitForFunction((whole) => document.querySelector('#head').max - document.querySelector('#head').min === whole, whole);
   }));
 
-// Labels and marks that are seen, with their boxes.
+// Visible labels and marks, with their boxes.
 const texts = (page, selector) =>
   page.locator(selector).evaluateAll((all) =>
     all

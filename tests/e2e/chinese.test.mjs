@@ -1,4 +1,4 @@
-// The page in Chinese: chosen by the browser or by a person, without an English sentence, and nothing is lost on the way to another language.
+// The page in Chinese: chosen by the browser or by the user, without an English sentence, and a change of language loses nothing.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { accessible, enter, openGroups, openPanel, ready, saved, showSteps, start, withPage } from './page.mjs';
@@ -12,7 +12,7 @@ const say = words('zh');
 const zh = { locale: 'zh-CN' };
 const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 
-// Texts, names and titles on the page that have two English words in a row. Programs and what is quoted of them may be English.
+// Texts, names and titles on the page that have two English words in a row. Programs and quotations of them may be English.
 const english = (page) =>
   page.evaluate(() => {
     const found = new Set();

@@ -1,4 +1,4 @@
-// A person chooses another control, another machine, or opens a file that names them; all that was typed stays, and undo goes back.
+// Another control, another machine, or a file that names them: all entries stay, and undo goes back.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PAPER, accessible, enter, goTo, listing, openPanel, ready, saved, showSteps, start, takeExample, withPage } from './page.mjs';

@@ -1,4 +1,4 @@
-// Comments of the program in Chinese: chosen where the control can show them, exported in its bytes, and read back.
+// Comments of the program in Chinese: chosen where the control can show them, exported in its encoding, and read back.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { unzipSync } from 'fflate';
@@ -12,7 +12,7 @@ after(() => app?.close());
 const say = words('en');
 const tab = (page, at) => page.getByRole('tab').nth(at).click();
 
-// Sets which characters comments can have.
+// Sets the characters that comments can have.
 async function characters(page, setting) {
   await tab(page, 4);
   await page.getByLabel(say('switch.comment-characters'), { exact: true }).selectOption(setting);

@@ -1,4 +1,4 @@
-// High contrast: text 7:1, borders and curves 4.5:1, in light and dark, as the system asks for it and as its button says.
+// High contrast: text 7:1, borders and curves 4.5:1, in light and dark, by the system's setting and by its button.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PAPER, accessible, openGroups, openPanel, start, takeExample, withPage } from './page.mjs';
@@ -11,7 +11,7 @@ after(() => app?.close());
 const say = words('en');
 const TEXT = ['color-contrast-enhanced'];
 
-// The lowest contrast of a property of what is shown, against the ground around it.
+// Lowest contrast of a property of visible elements against their background.
 const lowest = (page, selector, property) =>
   page.evaluate(
     ([selector, property]) => {

@@ -70,7 +70,7 @@ test('code proposals show meaning; Enter, Tab take, Escape leaves', () =>
     await page.keyboard.press('Enter');
     await line(page, /^M3$/).waitFor();
     assert.equal(await active(page, /./).count(), 0, 'Enter behind a whole word begins a line');
-    // Tab is the editor's, but for one behind Escape.
+    // Tab belongs to the editor, except after Escape.
     await page.keyboard.press('Tab');
     assert.ok(await content.evaluate((element) => element.matches(':focus')));
     await page.keyboard.press('Escape');
@@ -85,7 +85,7 @@ test('variables, functions, programs, jump targets are proposed', () =>
     await option(page, /^#107\s*\S/).waitFor();
     await page.keyboard.type('0=SQ');
     await option(page, /^SQRT\s*\S/).waitFor();
-    // A longer list scrolls by the keys of the text, which axe knows of fields of one line only.
+    // A longer list scrolls by the keys of the text; axe knows that of single-line fields only.
     await accessible(page);
     await page.keyboard.press('Enter');
     await active(page, '#100=SQRT').waitFor();
@@ -157,7 +157,7 @@ test('programs, blocks and variables are found by their names', () =>
     await page.keyboard.press('Escape');
     await list(page).waitFor({ state: 'detached' });
     await active(page, 'O9100').waitFor();
-    // A list is about the text that it was made of.
+    // An edit closes a list, which belongs to the text before it.
     await content.press('Control+Shift+o');
     await list(page).waitFor();
     await content.focus();
@@ -197,7 +197,7 @@ test('breakpoints of the editor are those of the debugger', () =>
     await page.keyboard.press('F9');
     await points.first().waitFor();
     await page.locator('[role=status], [aria-live]', { hasText: /^Breakpoint: O9101.nc, line/ }).first().waitFor({ state: 'attached' });
-    // A line above moves it along.
+    // A line inserted above moves the breakpoint.
     const beside = async (text) => {
       for (let turn = 0; turn < 50; turn++) {
         const [dot, row] = [await points.first().boundingBox(), await line(page, text).first().boundingBox()];

@@ -1,4 +1,4 @@
-// The page inside another one: a machine at work, three fields, and the way to the whole page.
+// The page inside another one: a machine at work, three fields, and the link to the whole page.
 import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
@@ -67,7 +67,7 @@ test('share element shows the project and stores nothing', () =>
       assert.ok((await frame.locator('.stage').textContent()).includes('9.5 mm'));
       await enter(frame.locator('.field input.number').first(), '60');
       await frame.waitForTimeout(600);
-      // Two keys are of the whole page, which the test has opened before and left.
+      // Two keys belong to the whole page, which the test opened before and left.
       const kept = await frame.evaluate(() => Object.keys(localStorage));
       assert.deepEqual(kept.filter((key) => !['macroline.tab', 'macroline.walk'].includes(key)), []);
     });

@@ -1,4 +1,4 @@
-// The one screen: machine, play and emergency stop at every size; nothing that is said moves a control; it moves at first sight.
+// The one screen: machine, play and emergency stop at every size; no message moves a control; the page opens playing.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { FIREFOX, PAPER, doubleClick, openPanel, ready, saved, start, takeExample, withPage } from './page.mjs';
@@ -67,7 +67,7 @@ test('nothing that is said moves a control', () =>
     await page.setInputFiles('#open', { name: 'a.json', mimeType: 'text/plain', buffer: Buffer.from('{"version":1,') });
     await page.locator('.notice').first().waitFor();
     assert.deepEqual(await boxes(), before);
-    // Why an entry is wrong lies over what is below, while its field has the focus or the pointer.
+    // The reason of a wrong entry covers the elements below it while its field has the focus or the pointer.
     await page.locator('#spindle-speed').focus();
     assert.ok(await page.locator('#spindle-speed-note').isVisible());
     await page.locator('#play').focus();
@@ -129,7 +129,7 @@ test('a part of the drawing leads to its field', () =>
     assert.equal(await page.evaluate(() => document.activeElement.id), field);
   }));
 
-// Width and height in CSS pixels of a sheet less the margins that `@page` of style/report.css has: of the first one, and of the others.
+// Width and height in CSS pixels of a sheet without the margins of `@page` in style/report.css: of the first one, and of the others.
 const pixels = (mm) => Math.floor((mm * 96) / 25.4);
 const SHEETS = Object.entries({ A4: [210, 297], Letter: [215.9, 279.4] }).map(([format, [width, height]]) => ({
   format,
@@ -137,7 +137,7 @@ const SHEETS = Object.entries({ A4: [210, 297], Letter: [215.9, 279.4] }).map(([
   others: { width: pixels(width - 8 - 13 - 13 - 1), height: 900 },
 }));
 
-// Words of tables that are on two lines, but for very long names and what has a hyphen; tables and drawings that are wider than the sheet.
+// Words of tables that break over two lines, except very long names and words with a hyphen; tables and drawings wider than the sheet.
 function faultsOfTables() {
   const broken = [...document.querySelectorAll('td, th')].flatMap((cell) => {
     const texts = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT);

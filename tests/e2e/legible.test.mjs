@@ -1,4 +1,4 @@
-// What is said can be read: no word and no figure is cut off, none lies on another, at every size, in every language.
+// Legibility: no word and no figure is cut off or covered, at every size, in every language.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PAPER, openPanel, ready, start, takeExample, withPage } from './page.mjs';
@@ -16,8 +16,8 @@ const SIZES = {
 const IN_INCHES = { en: [[1440, 900], [1024, 768], [390, 844], [320, 640]], zh: [[1366, 768], [390, 844]] };
 const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 
-// Words that reach beyond what clips them: boxes, buttons, the window. The running block and the name of the project may be longer than their
-// places, the title of a chart stands on its chip too, and what scrolls sideways is read by scrolling.
+// Words that reach beyond a clipping element: box, button, window. Exempt are the running block and the name of the project, which may be
+// longer than their places, the title of a chart, which is on its chip too, and elements that scroll sideways.
 const cutOff = (page, places = '.top, .product, .cards, .keys, .chart, .now, .panel, .mode') =>
   page.evaluate((places) => {
     const free = '.hidden, h1, .where, .project, select, .percents, figcaption > span:first-child, .listing, .tabs, .told thead, :is(.ways, .variants) .scroll';
@@ -37,7 +37,7 @@ const cutOff = (page, places = '.top, .product, .cards, .keys, .chart, .now, .pa
         break;
       }
     }
-    // A list shows its chosen word only: as wide as a list of that word alone.
+    // A list shows only its chosen word: compare it with the width of a list of that word alone.
     for (const list of document.querySelectorAll('select.speed, select.control')) {
       const alone = list.cloneNode();
       alone.append(list.selectedOptions[0].cloneNode(true));
@@ -52,7 +52,8 @@ const cutOff = (page, places = '.top, .product, .cards, .keys, .chart, .now, .pa
     return faults;
   }, places);
 
-// Labels of the drawing that lie on one another, on a lens that is not theirs, or below what lies over the drawing; figures of the chart on its title.
+// Labels of the drawing that overlap one another, a lens of another label, or elements over the drawing; figures of the chart over its
+// title.
 const covered = (page) =>
   page.evaluate(() => {
     const area = (element, free = 0) => {
@@ -113,7 +114,7 @@ for (const { lengths, locale, width, height } of [...each('mm', SIZES), ...each(
     }));
 }
 
-// Parts beside the drawing that are wider than they are: what is clipped widens them too.
+// Parts beside the drawing whose content is wider than they are: clipped content counts too.
 const scrollsSideways = (page) =>
   page.evaluate(() => [...document.querySelectorAll('.form, .side > .body')].filter((part) => part.checkVisibility() && part.scrollWidth > part.clientWidth).map((part) => `${part.className}: ${part.scrollWidth}`));
 

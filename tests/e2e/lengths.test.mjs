@@ -1,4 +1,4 @@
-// The page in inches: chosen by a person, typed and shown everywhere, and the program stays as it is.
+// The page in inches: chosen by the user, typed and shown everywhere; the program stays in millimetres.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { accessible, enter, listing, openGroups, openPanel, ready, saved, start, withPage } from './page.mjs';
@@ -9,7 +9,7 @@ before(async () => (app = await start()));
 after(() => app?.close());
 
 const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
-// What the control has stays in millimetres: its variables and parameters, and the sentence about the word X in the program.
+// Values of the control stay in millimetres: its variables and parameters, and the sentence about the word X in the program.
 const OF_THE_CONTROL = ['tab-variables', 'tab-parameters'];
 
 // Opens the page anew in the other units.
@@ -21,7 +21,7 @@ async function turnTo(page, name) {
 // A header that has room for the choice of units; in a shorter one it is in help.
 const WIDE = { width: 1600, height: 900 };
 
-// Texts on the page with a number of millimetres or metres: not in programs, nor where the control's own are shown.
+// Texts on the page with a number of millimetres or metres, except in programs and in values of the control.
 const metric = (page) =>
   page.evaluate(() => {
     const found = new Set();

@@ -1,4 +1,4 @@
-// Nothing is lost and nothing is done twice: machines and tabs that are left, actions that are undone, edits that are none, remedies by one click.
+// No loss of work: machines and tabs left behind, undone actions, edits without a change, remedies by one click.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PAPER, accessible, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';

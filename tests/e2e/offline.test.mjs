@@ -1,5 +1,5 @@
-// The page without its host: everything is there after the first visit, and a newer version is announced, taken when asked for, and never mixed
-// with the one that runs.
+// The page without its host: complete after the first visit; a newer version is announced, taken on request, and never mixed with the
+// running one.
 import assert from 'node:assert/strict';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -35,7 +35,7 @@ async function host() {
   return { files, browser, url: site.url, stop: () => site.close(), start: async () => (site = await serve(files, port)) };
 }
 
-// Puts another build in place of the one that is there: the button of the export has another name.
+// Publishes another build in place of the present one: the button of the export has another name.
 function publish({ files }) {
   const change = (name, act) => writeFileSync(join(files, name), act(readFileSync(join(files, name), 'utf8')));
   const [, build] = readFileSync(join(files, 'index.html'), 'utf8').match(/data-build="(\w+)"/);

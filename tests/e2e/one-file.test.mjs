@@ -1,4 +1,4 @@
-// The page as one file, opened from a disk: all of it works, and nothing beside it is asked for.
+// The page as one file, opened from a disk: all of it works, and it requests no other file.
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -1,5 +1,5 @@
-// A person at the page: opens it in the system's Chromium, or with BROWSER=firefox in its Firefox ESR, and fails the test on whatever the
-// browser complains about.
+// Opens the page like a user, in the system's Chromium or with BROWSER=firefox in its Firefox ESR, and fails the test on every complaint of
+// the browser.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
@@ -17,7 +17,7 @@ const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
 
 const installed = (command) => execFileSync('sh', ['-c', `command -v ${command}`], { encoding: 'utf8' }).trim();
 
-// Firefox cannot be asked for what goes through Chromium's developer tools, nor for other wishes of motion in each page.
+// Firefox lacks functions of Chromium's developer tools, and settings of reduced motion for a single page.
 export const FIREFOX = process.env.BROWSER === 'firefox';
 const FOLDER = FIREFOX && mkdtempSync(join(tmpdir(), 'macroline-'));
 
@@ -31,7 +31,7 @@ export function launch(args = []) {
   return chromium.launch({ executablePath: installed('chromium'), args: ['--no-sandbox', '--disable-dev-shm-usage', ...args] });
 }
 
-// Serves dist/ and starts the browser; both end with `close`. One per test file, in `before` and `after`. For those who measure: `packed` as in
+// Serves dist/ and starts the browser; both end with `close`. One per test file, in `before` and `after`. For measurements: `packed` as in
 // scripts/serve.mjs, and further arguments of the browser.
 export async function start({ packed = null, args = [] } = {}) {
   assert.ok(existsSync(DIST), 'there is no dist/: run `make dist` first');
@@ -48,12 +48,12 @@ export async function start({ packed = null, args = [] } = {}) {
   };
 }
 
-// What the driver says of a service worker that a page registers in vain, here as in every context but those that ask for one
-// (`serviceWorkers: 'allow'`): a test sees the page and not what the browser keeps of it.
+// Message of the driver about a service worker that a page cannot register, in every context except those with `serviceWorkers: 'allow'`: a
+// test sees the page itself, not the browser's copy of it.
 const NO_WORKER = 'Service Worker registration blocked by Playwright';
 
-// Opens the page in a fresh profile and waits until the app is there, gives it to `act`, and then holds that the browser
-// had nothing to complain about: `withPage(app, { viewport: … }, async ({ page, requests }) => …)`.
+// Opens the page in a fresh profile, waits until the app is ready, calls `act`, and then checks that the browser had no complaint:
+// `withPage(app, { viewport: … }, async ({ page, requests }) => …)`.
 export async function withPage(app, options, act) {
   const context = await app.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en', acceptDownloads: true, reducedMotion: 'reduce', serviceWorkers: 'block', ...options });
   const complaints = [];
@@ -79,7 +79,7 @@ export async function withPage(app, options, act) {
     await page.goto(app.url);
     await ready(page);
     await act({ page, context, requests });
-    // What is on its way to the console arrives before this does.
+    // Messages already on their way to the console arrive before this.
     await page.evaluate(() => new Promise((done) => setTimeout(done)));
     assert.deepEqual(complaints, [], 'the browser complained');
   } finally {
@@ -87,7 +87,7 @@ export async function withPage(app, options, act) {
   }
 }
 
-// The app is there when all of it is built, or when boot.js has put its error into its notice.
+// The app is ready when all of it is built, or when boot.js has put its error into its notice.
 export async function ready(page) {
   await page.waitForFunction(() => {
     const notice = document.getElementById('boot');
@@ -115,7 +115,7 @@ export async function saved(page, act) {
   throw new Error('nothing was saved');
 }
 
-// Types a text and confirms it, as a person does: Firefox takes a text that a script has set for no change.
+// Types a text and confirms it like a user: Firefox does not count a text set by a script as a change.
 export async function enter(input, text) {
   await input.fill('');
   await input.pressSequentially(text);
@@ -139,8 +139,8 @@ export async function doubleClick(target) {
   await (FIREFOX ? target.dispatchEvent('dblclick') : target.dblclick());
 }
 
-// Asks for the processor time, in seconds, that the page's own thread has spent so far: unlike time by the clock it does not depend on what
-// else the machine does. Firefox does not tell it: 0.
+// Processor time (s) of the page's own thread so far: unlike clock time it does not depend on other load of the machine. 0 in Firefox,
+// which has no such figure.
 export async function processorTime(page) {
   if (FIREFOX) return async () => 0;
   const devtools = await page.context().newCDPSession(page);
@@ -148,10 +148,10 @@ export async function processorTime(page) {
   return async () => (await devtools.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration').value;
 }
 
-// Holds that axe-core finds nothing in the page as it stands now (WCAG 2.2 A and AA, with the size of targets, which axe looks at only when told,
-// and axe's best practices), or nothing by some of its rules.
+// Checks that axe-core finds nothing in the present page (WCAG 2.2 A and AA, with the size of targets, which axe checks only on request,
+// and axe's best practices), or nothing by the given rules.
 export async function accessible(page, rules) {
-  // Evaluated by the test and not by the page, so the page's content security policy stays in force.
+  // Evaluated by the test, so that the page's content security policy stays in force.
   await page.evaluate(AXE);
   const options = { resultTypes: ['violations'], runOnly: rules, rules: { 'target-size': { enabled: !rules } } };
   const { violations } = await page.evaluate((options) => window.axe.run(document, options), options);

@@ -1,7 +1,7 @@
-// Pictures of every view in its sizes, themes and languages: taken into target/pictures and compared with the last accepted ones in .pictures, which are
-// those of this machine, for fonts and browsers draw differently. What differs is listed and marked in NAME.diff.png; the status is then 1.
-// `node tests/e2e/pictures.mjs` (make pictures); `--accept` puts the new ones in the place of the old (make accept-pictures); a part of a name
-// takes only the pictures that hold it.
+// Pictures of every view in its sizes, themes and languages, taken into target/pictures and compared with the last accepted ones in
+// .pictures. Accepted pictures belong to one machine, because fonts and browsers draw differently. Differences are listed and marked in
+// NAME.diff.png; the status is then 1. `node tests/e2e/pictures.mjs` (make pictures); `--accept` replaces the old ones with the new (make
+// accept-pictures); a part of a name selects the pictures whose names hold it.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import pixelmatch from 'pixelmatch';
@@ -18,11 +18,11 @@ const PHONE = { width: 390, height: 844 };
 const LOOKS = ['light', 'dark'].flatMap((theme) => ['en', 'zh'].map((language) => [theme, language]));
 const SIZES = [LARGE, { width: 1366, height: 768 }, { width: 1920, height: 1080 }, { width: 1024, height: 768 }, PHONE];
 
-// Acts get the page, and the sentences of its language by their ids.
+// Actions before a picture, by the page and the sentences of its language.
 const machine = (id) => (page, say) => page.getByRole('button', { name: say(id), exact: true }).click();
 const tab = (id) => (page) => page.click(`#tab-${id}`);
 const button = (id) => (page, say) => page.getByRole('button', { name: say(id), exact: true }).click();
-// Some way into the run, where something has been made.
+// Time into the run at which the machine has made something.
 const later = (act, seconds) => async (page, say) => {
   await act(page, say);
   const ms = 1000 * seconds;
@@ -34,7 +34,7 @@ const errors = async (page, say) => {
   await page.locator('.mode', { hasText: say('page.mode-errors') }).waitFor();
 };
 
-// The machines in every size, what lies over and beside them in two. Each in both themes and languages.
+// The machines in every size, elements over and beside them in two. Each in both themes and languages.
 const VIEWS = [
   ['ribbon', SIZES, later(() => {}, 3)],
   ['turning', SIZES, later(machine('turning.name'), 8)],
@@ -80,7 +80,7 @@ async function take(part) {
   return taken;
 }
 
-// Pixels of a picture that differ from the accepted one; writes the difference as a picture. None where there is nothing to compare.
+// Number of pixels that differ from the accepted picture; writes the difference as a picture. None without an accepted picture.
 function difference(name) {
   if (!existsSync(ACCEPTED + name)) return null;
   const [now, before] = [TAKEN, ACCEPTED].map((from) => PNG.sync.read(readFileSync(from + name)));

@@ -1,4 +1,4 @@
-// A person sizes a polygon lathe: the preset, the run in which flats appear, the explorer, the drawings that leave with an export.
+// Sizing a polygon lathe: the preset, the run in which flats appear, the explorer, the drawings of an export.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { accessible, goTo, openGroups, saved, start, withPage } from './page.mjs';
@@ -17,7 +17,7 @@ const lathe = (act, options = {}) =>
     await openGroups(page);
     await act(page);
   });
-// What is wider than its place in the tab, by name.
+// Elements wider than their place in the tab, by name.
 const tooWide = (page) =>
   page.locator('#side .scroll').evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.ariaLabel));
 const drag = (page, id, value) =>
@@ -55,7 +55,7 @@ test('work and tool keep their ratio, flats appear pass by pass', () =>
     assert.ok(texts.includes('200.0 r/min') && texts.includes('400.0 r/min'), String(texts));
     await at(50);
     assert.ok((await page.locator('.stage text').allTextContents()).includes('4 / 4'));
-    // The end is told over the lower edge of the stage: no control moves.
+    // The end is reported over the lower edge of the stage: no control moves.
     const play = await page.locator('#play').boundingBox();
     await goTo(page, 500);
     const why = page.locator('.why', { hasText: /./ });
@@ -75,7 +75,7 @@ test('drag previews the shape, release sets it, click takes a way', () =>
     await drag(page, 'inserts', 3);
     assert.notEqual(await section(), square);
     assert.match(await sides(), /6.*exactly 4/);
-    // The form knows nothing of it yet.
+    // The form has not changed yet.
     assert.equal(await page.locator('#shape').inputValue(), 'square');
     await drop(page, 'inserts');
     await page.waitForFunction(() => document.querySelector('#shape').value === 'own');
@@ -86,9 +86,9 @@ test('drag previews the shape, release sets it, click takes a way', () =>
     const best = page.locator('[data-sets*="sides=6"]', { hasText: 'possible' }).first();
     await best.waitFor();
     await accessible(page);
-    // What speaks against the others is told.
+    // The other ways show their drawbacks.
     await page.locator('[data-sets*="sides=6"]', { hasText: 'the sides are not flat enough' }).first().waitFor();
-    // The best way is the one that is set: another is taken.
+    // The best way is already set: choose another one.
     const other = page.locator('[data-sets*="sides=6"]:not([data-sets*="inserts=3;"])').first();
     const [, inserts] = /inserts=(\d+)/.exec(await other.getAttribute('data-sets'));
     await other.getByRole('button').click();

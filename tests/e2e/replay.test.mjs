@@ -1,4 +1,4 @@
-// The operator's hand as part of the project: edited as a list and on the time axis, kept, saved as a panel file and taken in again.
+// The operator's actions as part of the project: edited as a list and on the time axis, kept, saved as a panel file and opened again.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -67,13 +67,13 @@ test('action added, edited, removed at the playhead, a step each', () =>
     await page.keyboard.type('50');
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => document.querySelector('.percents').textContent.includes('S 50 %'));
-    // A bad value is told and not taken.
+    // A bad value is reported and not accepted.
     await enter(entry(page, 0, 'value'), '2000');
     assert.equal(await page.locator('#hand-list-told').textContent(), 'Spindle override takes a number from 0 to 1000 %.');
     await accessible(page);
     await page.keyboard.press('Control+a');
     await page.keyboard.type('60');
-    // The override moves behind the hold, and the focus goes with it, although Tab went on to the next column.
+    // The override moves after the hold, and the focus moves with it, although Tab went on to the next column.
     await entry(page, 0, 'time').click();
     await page.keyboard.press('Control+a');
     await page.keyboard.type('9,5');
@@ -182,7 +182,7 @@ test('panel file opens in page and command line, browser keeps it', () =>
     await openList(page);
     await timesAre(page, ['4', '6', '8']);
     assert.deepEqual(await focusOf(page), ['panel-list', undefined]);
-    // One that does not read changes nothing.
+    // An unreadable file changes nothing.
     await openFile(page, [{ t: 1, dance: true }], 'no.json');
     await page.locator('.notice.fail', { hasText: 'dance' }).waitFor();
     await timesAre(page, ['4', '6', '8']);

@@ -1,4 +1,4 @@
-// What is sent to others: the link that carries a project, the archive of all files, the report that is printed.
+// Sharing: the link that carries a project, the archive of all files, the printed report.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { FIREFOX, accessible, ready, start, withPage } from './page.mjs';
@@ -75,7 +75,7 @@ test('a link beside an open tab touches nothing of that tab', async () => {
     await saved(page);
     await other.waitForTimeout(300);
     assert.equal(await pitch(other).inputValue(), '9.5');
-    // Nothing stores it: the address keeps it.
+    // The page does not store it: the address keeps it.
     await other.reload();
     await ready(other);
     assert.equal(await pitch(other).inputValue(), '9.5');
@@ -107,7 +107,7 @@ test('the report is printed as the export has it, in three clicks', () =>
     }));
     assert.deepEqual({ mode, sheet }, { mode: 'CSS1Compat', sheet: 'rgb(255, 255, 255)' });
     if (!FIREFOX) {
-      // The printer decides on the paper.
+      // The printer sets the paper.
       for (const [format, size] of [['A4', '0 0 596 843'], ['Letter', '0 0 612 792']]) {
         const pdf = (await report.pdf({ format, preferCSSPageSize: true })).toString('latin1');
         const sizes = new Set([...pdf.matchAll(/\/MediaBox \[([^\]]*)\]/g)].map(([, box]) => box.split(' ').map((side) => Math.round(Number(side))).join(' ')));

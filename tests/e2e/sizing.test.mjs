@@ -16,7 +16,7 @@ async function sized(page) {
 test('motor of the list enters the form, bill follows', () =>
   withPage(app, {}, async ({ page }) => {
     await sized(page);
-    // Rows with their cells, without the heads that stand within cells where there is little room.
+    // Rows with their cells, without the heads that a narrow layout puts into cells.
     const rows = (table) => [...table.rows].map(({ cells }) => [...cells].map((cell) => [...cell.childNodes].filter(({ nodeName }) => nodeName !== 'SMALL').map((node) => node.textContent).join('')).join(' ')).join('\n');
     const bill = await page.locator('.sizing table').first().evaluate(rows);
     assert.match(bill, /Pull roller: Motor\s+as entered: stall torque 1.3 Nm, .*to be chosen/);
@@ -59,12 +59,12 @@ test('cancelled draw of machines runs again by a button', () =>
   withPage(app, {}, async ({ page }) => {
     await sized(page);
     await page.getByRole('button', { name: 'Draw 10,000 machines' }).click();
-    // At once: the button shows itself only where the answer takes its time.
+    // Dispatched without waiting: the button is visible only during a slow answer.
     await page.locator('.working').nth(1).locator('button').dispatchEvent('click');
     await page.getByText('Cancelled').waitFor();
     await page.getByRole('button', { name: 'Run again' }).click();
     await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
-    // The worker that was ended has a successor: the sizing goes on.
+    // A new worker replaces the cancelled one: the sizing goes on.
     await page.getByRole('button', { name: /HG-KR23$/ }).first().click();
     await page.waitForFunction(() => document.querySelector('.sizing table').innerText.includes('HG-KR23'));
   }));
@@ -79,7 +79,7 @@ test('variants are kept, compared, taken and undone', () =>
     await enter(page.locator('#pitch'), '20');
     await pitch.locator('td').first().getByText('20', { exact: true }).waitFor();
     assert.deepEqual(await pitch.locator('td').allInnerTexts(), ['20', '10']);
-    // The other one by the keyboard, under a name of its own.
+    // The second variant by the keyboard, under its own name.
     await enter(page.getByRole('textbox', { name: 'Name of the variant' }), 'Wide');
     await section.locator('thead .name', { hasText: 'Wide' }).waitFor();
     await page.waitForFunction(() => document.querySelectorAll('.variants tbody td').length % 3 === 0);
@@ -103,7 +103,7 @@ test('variants are kept, compared, taken and undone', () =>
     await page.locator('.variants h3').click();
     await page.keyboard.press('Control+z');
     await page.waitForFunction(() => document.getElementById('pitch').value === '20');
-    // They are there again after a reload.
+    // The variants are there after a reload.
     await page.waitForFunction(() => JSON.parse(localStorage.getItem('macroline.project')).values.pitch === 20);
     await page.reload();
     await page.locator('#tab-sizing').click();

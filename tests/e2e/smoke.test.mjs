@@ -1,4 +1,4 @@
-// The page opens, loads only what is counted as its first load, and is accessible.
+// The page opens, loads only the files counted as its first load, and is accessible.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { firstLoad } from '../../scripts/sizes.mjs';
@@ -17,7 +17,7 @@ test('the page opens', () =>
 test('first load is what scripts/sizes.mjs counts, each file once', () =>
   withPage(app, {}, async ({ page, requests }) => {
     await page.waitForLoadState('networkidle');
-    // Whether and when icon and manifest are asked for is the browser's own affair; the module that keeps the page comes when all is there.
+    // The browser decides whether and when to load icon and manifest; the offline module comes after everything else.
     const asked = (name) => !['icon.svg', 'manifest.webmanifest', 'offline.js'].includes(name);
     assert.deepEqual(requests.map((name) => name || 'index.html').filter(asked).sort(), firstLoad(DIST).filter(asked));
   }));
@@ -32,7 +32,7 @@ test('a host without the type of wasm will do', async () => {
     await ready(page);
     assert.ok(await page.getByRole('heading', { level: 1 }).isVisible());
   };
-  // The glue of wasm-bindgen remarks it, and nothing else is wrong.
+  // The glue of wasm-bindgen warns about it; there is no other complaint.
   const remarked = ({ actual }) => actual?.length === 1 && actual[0].startsWith('console warning: `WebAssembly.instantiateStreaming` failed');
   await assert.rejects(withPage(app, {}, foreign), remarked);
 });

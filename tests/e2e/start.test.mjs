@@ -1,4 +1,4 @@
-// The begin of the page: the machine is seen before the module is there, and stays where it is when the module has come.
+// Start of the page: the machine is visible before the module is loaded, and keeps its place when the module takes over.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { ready, start, withPage } from './page.mjs';
@@ -7,7 +7,7 @@ let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
-// Opens the page anew while its module is held back; `look` sees that, then the module comes.
+// Reloads the page with its module held back; calls `look`, then releases the module.
 async function held(page, look) {
   let release;
   const wait = new Promise((done) => (release = done));
@@ -27,7 +27,7 @@ async function held(page, look) {
   return seen;
 }
 
-// Where the drawing is, and the drawing units per pixel of its labels.
+// Place of the drawing, and the drawing units per pixel of its labels.
 const drawing = (page) =>
   page.locator('svg.scene').evaluate((svg) => {
     const { x, y, width, height } = svg.getBoundingClientRect();

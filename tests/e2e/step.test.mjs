@@ -39,7 +39,7 @@ test('line number sets breakpoint; stepping into, over, out works', () =>
     await press(page, 'Back one block');
     await next(page, 'N47 M99');
     await accessible(page);
-    // The breakpoint is told with all others, and goes as it came or where it is told.
+    // The list of breakpoints can remove a breakpoint.
     assert.match(await seen(page), /Breakpoints\s+O9101.nc:23\s+N5 M98 P9100 · 1 ×/);
     await press(page, 'Remove O9101.nc:23');
     await file(page, 'O9101.nc');
@@ -75,7 +75,7 @@ test('condition decides the stop; changes, watches are shown', () =>
     const row = page.locator('tr[data-changed]');
     assert.equal(await row.count(), 1);
     assert.equal(await row.locator('input').inputValue(), '489');
-    // What the operator sets is there at the stop, and the run goes on with it.
+    // A value that the operator sets is visible at the stop, and the run goes on with it.
     await enter(row.locator('input'), '1');
     await page.locator('#tab-program').click();
     await page.waitForFunction(() => /#125\*2\s+2(\s|$)/.test(document.querySelector('.seen').innerText));
@@ -101,7 +101,7 @@ test('playhead follows stepping; playing stops at breakpoints', () =>
     await page.waitForFunction((at) => document.querySelector('#clock').textContent > at, at);
     await page.locator('.listing li.stop.next').waitFor();
     assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Play');
-    // Another moment is no stop of the walk.
+    // Another moment is no stop of the debugger.
     await page.keyboard.press('Home');
     await page.waitForFunction(() => document.querySelector('#clock').textContent === '00:00.0000');
     assert.equal(await page.locator('.listing li.next').count(), 0);
@@ -137,7 +137,7 @@ test('breakpoints follow their lines, a new run has no stop mark', () =>
     await page.locator('.listing li.next').waitFor();
     await page.keyboard.press('Control+z');
     assert.equal(await page.locator('.listing li.next').count(), 0);
-    // They are there after a reload.
+    // Breakpoints and watches are there after a reload.
     await fill(page, 'Watch', '#100/2');
     await page.reload();
     await ready(page);

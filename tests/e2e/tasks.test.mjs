@@ -1,4 +1,4 @@
-// Five tasks of an engineer from a blank profile, with the clicks that they take at most.
+// Five tasks of an engineer from a blank profile, with the greatest number of clicks for each.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { unzipSync } from 'fflate';
@@ -8,7 +8,7 @@ let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
-// Lets a person do a task on a fresh page; it must not take more clicks.
+// Runs a task on a fresh page and checks the number of its clicks.
 const within = (clicks, act) =>
   withPage(app, {}, async ({ page }) => {
     // A choice in a list is a click as well.
@@ -51,7 +51,7 @@ test('choose a control and take its files', () =>
 
 test('follow an advice', () =>
   within(1, async (page) => {
-    // The advice is for a roller that does not go with the ribbon; the click into its field is not part of the task.
+    // The advice is about a roller that does not match the ribbon; the click into its field is not part of the task.
     await page.locator('#print-roller-diameter').focus();
     await page.keyboard.press('Control+a');
     await page.keyboard.type('120');
@@ -66,7 +66,7 @@ test('mend the paper’s listing', () =>
     await page.locator('.mode', { hasText: 'Program error' }).waitFor();
     await page.getByRole('button', { name: /^Fix \d+ errors$/ }).click();
     await page.getByRole('button', { name: /^Take \d+ first proposals?$/ }).click();
-    // It reads without an error; that it lacks its values is for the run to tell.
+    // It reads without an error; the missing values are found by the run.
     await page.waitForFunction(() => document.querySelector('.mode').textContent !== 'Program error');
   }));
 

@@ -1,4 +1,4 @@
-// A person sizes a turning spindle: values, cut, charts over time and over the diameter, export.
+// Sizing a turning spindle: values, cut, charts over time and over the diameter, export.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { accessible, goTo, openGroups, start, withPage } from './page.mjs';
@@ -22,11 +22,11 @@ test('lathe shows its limit, volts and time saved', () =>
     assert.match(await card(page, 'Limit begins'), /31\.83mm/);
     assert.match(await card(page, 'Speed at largest'), /682\.1r\/min/);
     assert.match(await card(page, 'Cutting time'), /17\.7\ds|17\.8\ds/);
-    // What only the ribbon line has is not there.
+    // Elements of the ribbon line alone are absent.
     assert.equal(await page.getByText('Stroboscope').isVisible(), false);
     assert.equal(await page.getByText('Paper’s listing').isVisible(), false);
     await accessible(page);
-    // The ladder of the spindle, and what stops it.
+    // The ladder of the spindle, and its reactions to interruptions.
     await page.click('#tab-plc');
     for (const text of ['Ladder', 'Hold, alarm, reset, emergency stop']) await page.locator('#side', { hasText: text }).waitFor();
     await accessible(page);

@@ -95,7 +95,7 @@ test('another control keeps the values and can be undone', () =>
       [true, false],
     );
     await page.locator('.card.fail', { hasText: 'Vector feed' }).waitFor();
-    // C counts degrees: there is nothing to choose.
+    // C counts degrees: there is no unit to choose.
     await page.selectOption('#print-axis', 'c');
     await field(page, 'y-unit').waitFor({ state: 'hidden' });
     await page.locator('#tab-program').click();
@@ -243,7 +243,7 @@ test('the paper’s listing is mended in three clicks', () =>
     await page.locator('.mode', { hasText: 'Program error' }).waitFor();
     await page.getByRole('button', { name: /^Fix \d+ errors$/ }).click();
     await page.getByRole('button', { name: /^Take \d+ first proposals?$/ }).click();
-    // It reads without an error; that it lacks its values is for the run to tell.
+    // It reads without an error; the missing values are found by the run.
     await page.waitForFunction(() => document.querySelector('.mode').textContent !== 'Program error');
     for (const _ of ['proposals', 'errors', 'listing']) await page.getByRole('button', { name: 'Undo' }).click();
     await page.getByRole('button', { name: 'O9101.nc' }).waitFor();
@@ -289,14 +289,14 @@ test('typing on during a slow read loses nothing', () =>
     await editor.waitFor();
     await editor.press('Control+Home');
     let sent = '';
-    // Pauses in which the text is taken, and keys at the moments in which the answers to it arrive.
+    // Pauses in which the text is read, and keys at the moments at which answers arrive.
     for (let at = 0; at < 60; at++) {
       await page.keyboard.type('ABC'[at % 3]);
       sent += 'ABC'[at % 3];
       await page.waitForTimeout(at % 4 ? 15 : 155 + at);
     }
     assert.equal(await page.locator('.editor .cm-line').first().textContent(), `${sent}%`);
-    // Who closes the page with the last letter finds it there again.
+    // A page closed after the last letter has that letter when it opens again.
     await page.locator('.editor .cm-lintRange-error').first().waitFor();
     await page.keyboard.type('D');
     await page.reload();
@@ -366,7 +366,7 @@ test('any bytes are answered, a large file by the worker', () =>
     const begin = await spent();
     await page.setInputFiles('#open', path);
     await page.getByText('Checked.').waitFor({ timeout: 300_000 });
-    // The worker spends seconds on it, the page's own thread next to nothing, whatever else the machine does.
+    // The worker spends seconds on it, the page's own thread next to nothing, whatever the load of the machine.
     assert.ok((await spent()) - begin < 1, 'the page itself works on a large file');
     assert.ok((await page.locator('.raw').textContent()).split('\n').length <= 5001);
   }));
@@ -399,7 +399,7 @@ for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]]) {
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.ok(wide <= width, `${wide} px`);
       assert.ok(await page.locator('#play').isVisible());
-      // All of the machine is to be seen at once, or it has places to go to.
+      // All of the machine is visible at once, or there are stations to scroll to.
       if ((await page.locator('.stations').count()) > 0) return;
       const [scene, stage] = [await page.locator('.scene').boundingBox(), await page.locator('.stage').boundingBox()];
       assert.ok(scene.width <= stage.width && scene.height <= stage.height + 1, JSON.stringify({ scene, stage }));

@@ -1,4 +1,4 @@
-// The example of docs/package.md runs, and prints what stands below it.
+// The example of docs/package.md runs, and prints the output shown below it.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';

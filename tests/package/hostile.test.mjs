@@ -1,4 +1,4 @@
-// Whatever the functions are given, they answer: an error is a sentence in the answer, and nothing is thrown.
+// The functions answer any argument: an error is a sentence in the answer, and nothing is thrown.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { INDEX, macroline } from './package.mjs';
@@ -78,7 +78,7 @@ test('sessions do not disturb one another', () => {
 });
 
 test('a call before init says so', async () => {
-  // Beside the one that is loaded: a module of its own name.
+  // A second instance of the module, under an address of its own.
   const fresh = await import(`${INDEX}?fresh`);
   assert.throws(() => fresh.list(), /await init\(\)/);
   await Promise.all([fresh.init(), fresh.init()]);

@@ -1,4 +1,4 @@
-// The package that is tested: PACKAGE, else the one that `make test-package` builds.
+// The package under test: PACKAGE, else the one that `make test-package` builds.
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { join } from 'node:path';
 

@@ -1,5 +1,5 @@
-// The types are those of what the functions give: real answers are written down as literals of their types, in which TypeScript finds every field
-// that is missing, too many or of another type.
+// The published types match the answers: real answers are written as literals of their types, in which TypeScript finds every field that is
+// missing, too many or of another type.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -14,7 +14,7 @@ const TSC = fileURLToPath(new URL('../../node_modules/.bin/tsc', import.meta.url
 let core;
 before(async () => (core = await macroline()));
 
-// Type-checks files as a program that uses the package does, and returns what the compiler says.
+// Type-checks files as a program that uses the package; returns the messages of the compiler.
 function compiled(files) {
   mkdirSync(FOLDER, { recursive: true });
   for (const [name, text] of Object.entries(files)) writeFileSync(join(FOLDER, name), text);
@@ -32,7 +32,7 @@ function compiled(files) {
   }
 }
 
-// One of each shape is enough of a list.
+// One item of each shape is enough of a list.
 function shortened(value) {
   if (Array.isArray(value)) {
     const shapes = new Map(value.map((item) => [shape(item), item]));
@@ -111,7 +111,7 @@ test('answers have their types, field by field', () => {
   const text = `import type { ${names.join(', ')} } from 'macroline';\n${lines.join('\n')}\n`;
   assert.equal(compiled({ 'answers.ts': text }), '');
 
-  // The test would see it: every field of the types that is taken away, and one too many, is an error.
+  // Counter-check: a removed field, a field too many and a field of another type are errors.
   const [found] = [...all.values()].filter(({ type }) => type === 'Stop');
   const wrong = [{ ...found.answer, more: 1 }, { ...found.answer, time_s: '1' }, { ...found.answer, block: undefined }];
   const literals = wrong.map((answer, at) => `export const answer${at}: Stop = ${JSON.stringify(answer)};`);
