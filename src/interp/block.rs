@@ -168,8 +168,8 @@ impl RunState {
         }
     }
 
-    /// Reads codes and values of a block without executing its commands. Returns whether the block calls or returns; `None` if that depends on
-    /// the calling program.
+    /// Reads codes and values of a block without executing its commands. Returns whether the block calls or returns; `None` if that depends
+    /// on the calling program.
     pub(super) fn read_words(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word]) -> Run<Option<bool>> {
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;

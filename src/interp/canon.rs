@@ -127,7 +127,8 @@ pub enum Canon {
         /// 1, -1 or 0.
         sign: i8,
     },
-    /// A second spindle, such as a driven tool, turns clockwise (1), counter-clockwise (-1) or stops (0). Nothing else of that spindle is simulated.
+    /// A second spindle, such as a driven tool, turns clockwise (1), counter-clockwise (-1) or stops (0). Nothing else of that spindle is
+    /// simulated.
     OtherSpindle {
         /// Number of the spindle.
         spindle: u8,

@@ -1,4 +1,4 @@
-//! The plant with checked numbers: one entry for each axis that a control can have.
+//! The plant with checked numbers: one entry for each possible axis of a control.
 
 use super::plant::{AxisPlant, Plant, SpindlePlant};
 use super::plc::{Stops, WordPart};
@@ -10,13 +10,13 @@ use crate::drives::speed::STAGES;
 use crate::interp::canon::AXES;
 use crate::text::Phrase;
 
-/// Farthest home position of an axis from its zero, in mm or °.
+/// Largest distance of a home position from machine zero, in mm or °.
 const HOME: f64 = 1e6;
 
-/// Every block takes some time, so that time passes in a loop that waits.
+/// Least time (s) per block, so that time passes even in a waiting loop.
 const LEAST_BLOCK_TIME: f64 = 1e-4;
 
-/// Seconds in which a spindle that nothing slows coasts to rest: 30 years, longer than any run.
+/// Coasting time (s) of a spindle without friction: 30 years, longer than any run.
 const ENDLESS_COAST: f64 = 1e9;
 
 /// Constants of a run.
@@ -24,7 +24,7 @@ const ENDLESS_COAST: f64 = 1e9;
 pub(super) struct CheckedPlant {
     pub(super) axes: [AxisPlant; AXES],
     pub(super) spindle: SpindlePlant,
-    /// Millimetres or degrees that each axis moves per command increment.
+    /// Travel in millimetres or degrees of each axis per command increment.
     pub(super) scale: [f64; AXES],
     pub(super) block_time: f64,
     pub(super) macro_time: f64,
@@ -39,7 +39,7 @@ pub(super) struct CheckedPlant {
     pub(super) reversal: Option<(&'static str, Phrase)>,
     pub(super) gear_timeout: Option<(&'static str, Phrase)>,
     pub(super) inverter_fault: Option<(&'static str, Phrase)>,
-    /// From this time (s) on there is no supply.
+    /// Time (s) of the power failure; infinite without one.
     pub(super) power_fails: f64,
     /// The control has program zero return.
     pub(super) zero_return: bool,
@@ -49,19 +49,19 @@ pub(super) struct CheckedPlant {
     pub(super) log: bool,
 }
 
-/// Seconds of coasting as a run takes them: infinity where nothing slows the spindle stays beyond any run, NaN and less than 0 are no time.
+/// Coasting time (s) within the limits of a run: infinity becomes [`ENDLESS_COAST`], NaN and negative values 0.
 fn coasting(seconds: f64) -> f64 {
     if seconds > 0.0 { seconds.min(ENDLESS_COAST) } else { 0.0 }
 }
 
 impl CheckedPlant {
-    /// Replaces NaN and values out of range: no plant stops a run.
+    /// Replaces NaN and values out of range, so that no plant can stop a run.
     pub(super) fn new(control: &Control, plant: &Plant, limits: Budget, log: bool) -> CheckedPlant {
         let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
         let mut fitted = 0;
         let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {
             let letter = control.axes.get(k).map(|axis| axis.letter);
-            // An axis that the machine lacks moves without inertia, so that the program can be watched; a diagnostic says so.
+            // An axis that the machine lacks moves without inertia, so that the program can be watched; a diagnostic reports it.
             let missing = AxisPlant {
                 letter,
                 rotary: false,
@@ -127,17 +127,17 @@ impl CheckedPlant {
         }
     }
 
-    /// The axis that counts diameters: it is square to the spindle.
+    /// Index of the diameter axis, which is perpendicular to the spindle.
     pub(super) fn square(&self) -> Option<u8> {
         self.axes.iter().position(|axis| axis.diameter).map(|at| at as u8)
     }
 
-    /// Whether the spindle's drive gives no current at `t`.
+    /// Whether the spindle's drive supplies no current at `t`.
     pub(super) fn is_without_current(&self, t: f64, stops: &Stops) -> bool {
         self.spindle.coasting.is_some() && (stops.inverter_fault || t >= self.power_fails)
     }
 
-    /// Least and largest value of an input, or of half of it.
+    /// Least and largest value of an input, or of one of its halves.
     pub(super) fn input_range(&self, number: u32, part: WordPart) -> (f64, f64) {
         let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
         let whole = row.filter(|_| part == WordPart::Whole).and_then(|row| row.input_range(number));

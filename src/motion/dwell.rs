@@ -8,12 +8,12 @@ use super::sim::Sim;
 const TURNED: f64 = 1e-9;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Turns of the spindle since the run began.
+    /// Spindle turns since the start of the run.
     pub(super) fn turns(&self, t: f64) -> f64 {
         self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.turns(&self.plant.spindle, t))
     }
 
-    /// Turns that a dwell still has to wait for.
+    /// Turns left of a dwell.
     pub(super) fn turns_left(&self, t: f64, from: f64, turns: f64) -> f64 {
         let left = turns - (self.turns(t) - from).abs();
         if left > TURNED { left } else { 0.0 }

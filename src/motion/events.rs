@@ -23,7 +23,7 @@ pub(super) enum EventSource {
 }
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Time (s) and source of the earliest event; infinite if nothing happens without the operator.
+    /// Time (s) and source of the earliest event; infinite if only the operator can cause one.
     pub(super) fn next(&self) -> (f64, EventSource) {
         if !self.s.started {
             return (0.0, EventSource::PowerOn);
@@ -31,7 +31,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let operator = self.panel.events().get(self.s.operator.events_done);
         let operator_at = operator.map_or(f64::INFINITY, |event| event.t);
         let mut next = (f64::INFINITY, EventSource::Operator);
-        // Cycle start at the very moment of a stop answers that stop.
+        // Cycle start at the exact time of a stop answers that stop.
         let start = operator.is_some_and(|event| event.action == Action::Start);
         let first = if start { f64::INFINITY } else { operator_at };
         for (t, who) in [
@@ -74,7 +74,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.exec.end(self.holding()).or(nothing_follows)
     }
 
-    /// The reason why a program that has not ended waits for ever, unless it is reported already.
+    /// The reason why a program waits for ever without ending, unless it is already reported.
     pub(super) fn stuck(&self) -> Option<Diagnostic> {
         let message = match &self.s.exec {
             exec if exec.end(self.holding()).is_some() => return None,

@@ -6,7 +6,7 @@ use super::snapshot::Mode;
 use crate::interp::Canon;
 use crate::text::Diagnostic;
 
-/// Seconds between two measurements while spindle and axes follow one another and change.
+/// Interval (s) of speed measurements while spindle and axes follow one another and change.
 pub(super) const MEASURE: f64 = 0.01;
 
 /// The state of the executor.
@@ -18,43 +18,43 @@ pub(super) const MEASURE: f64 = 0.01;
 pub(super) enum Exec {
     /// Takes the next command as soon as it is ready.
     Idle,
-    /// Moves.
+    /// Moves the axes.
     Moving(Move),
-    /// Waits for the spindle's speed, before this movement.
+    /// Waits for the spindle speed before this movement.
     Spinning(Box<Move>),
-    /// Lets the axes settle until then.
+    /// Waits until this time (s) for the axes to settle.
     Settling(f64),
-    /// Waits for standstill until then, before this command.
+    /// Waits until this time (s) for standstill, before this command.
     Resting(f64, Box<Canon>),
-    /// Dwells until then.
+    /// Dwells until this time (s).
     Dwelling(f64),
-    /// Dwells until the spindle has turned from there so far, in turns.
+    /// Dwells for spindle turns: turns at the start, and turns to wait.
     Counting(f64, f64),
     /// Waits for the PLC.
     Fin,
-    /// Waits for cycle start, then goes on.
+    /// Waits for cycle start.
     Stopped,
-    /// After reset: cycle start begins at the head of the program.
+    /// After reset: cycle start begins at the start of the program.
     Ready,
-    /// The program is over.
+    /// The program has ended.
     Finished,
-    /// Alarm of the program; needs reset.
+    /// Alarm of the program, until reset.
     Alarm(Box<Diagnostic>),
-    /// Emergency stop; needs reset.
+    /// Emergency stop, until reset.
     Emergency(Box<Diagnostic>),
     /// The budget is used up.
     OutOfBlocks,
 }
 
 impl Exec {
-    /// Whether the program runs (it may be held).
+    /// Whether the program runs, held or not.
     pub(super) fn runs(&self) -> bool {
         use Exec::{Alarm, Emergency, Finished, OutOfBlocks, Ready, Stopped};
         !matches!(self, Stopped | Ready | Finished | Alarm(_) | Emergency(_) | OutOfBlocks)
             && self.returning().is_none()
     }
 
-    /// A return to the program's reference point is under way: whether the program had ended before it.
+    /// Whether the program had ended before the program zero return under way; `None` without a return.
     #[inline(always)]
     pub(super) fn returning(&self) -> Option<bool> {
         match self {
@@ -63,12 +63,12 @@ impl Exec {
         }
     }
 
-    /// The state behind such a return.
+    /// The state after a program zero return.
     pub(super) fn behind_return(ended: bool) -> Exec {
         if ended { Exec::Finished } else { Exec::Ready }
     }
 
-    /// Whether a thread is being cut, which no hold interrupts.
+    /// Whether a thread is being cut. No hold interrupts it.
     pub(super) fn threads(&self) -> bool {
         matches!(self, Exec::Moving(motion) if matches!(motion.pace, Pace::Thread(_)))
     }

@@ -1,4 +1,4 @@
-//! Executes commands one after the other: moves, waits for standstill, for the PLC, for the operator.
+//! Executes commands in order: moves the axes, waits for standstill, for the PLC, for the operator.
 
 use super::exec::Exec;
 use super::moves::{Move, Pace};
@@ -141,7 +141,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
             Canon::OtherSpindle { sign, .. } => self.s.spindle.driven = sign != 0,
-            // These only say that the interpreter has changed its mind, or have acted when they were read.
+            // No motion: a position or message is recorded, or the command has acted when it was read.
             Canon::Preset { .. } => self.s.path.reference = Some(self.s.path.position),
             Canon::PathMode { .. } => {}
             Canon::Show { text } => self.out.timeline.show_message(t, &text, false),
@@ -165,7 +165,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         Some(queued)
     }
 
-    /// Where a movement ends, in mm.
+    /// End point of a movement, in mm.
     fn goal(&mut self, to: &Target) -> [f64; AXES] {
         let missing = to.mask & !self.plant.fitted;
         for k in (0..AXES).filter(|k| missing & (1 << k) != 0) {
@@ -178,7 +178,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         })
     }
 
-    /// Does a command that needs the axes at rest.
+    /// Executes a command that needs the axes at rest.
     fn perform(&mut self, t: f64, canon: Canon) {
         self.s.exec = Exec::Idle;
         match canon {
@@ -201,7 +201,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// The unfiltered path has come to the end of a block.
+    /// Ends a block on the unfiltered path.
     fn arrive(&mut self, t: f64, end: [f64; AXES], exact: bool, pace: Pace) {
         self.s.path.position = end;
         if let Pace::Return { ended } = pace {
@@ -220,7 +220,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let mut until = self.rest_time();
         if pace != Pace::Rapid {
             for (k, axis) in self.plant.axes.iter().enumerate() {
-                // From standstill of the command on, the axis closes in exponentially.
+                // After the command stops, the axis closes in exponentially.
                 let still = t + axis.time_constant;
                 let state = self.out.timeline.path.axis(k, axis, still);
                 let left = (state.position - state.actual).abs();
@@ -232,7 +232,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.exec = Exec::Settling(until);
     }
 
-    /// Breaks off motion and waits: the path ends here.
+    /// Breaks off motion and waits; the path ends here.
     pub(super) fn break_off(&mut self, t: f64) {
         if let Exec::Moving(motion) = &mut self.s.exec {
             motion.set_speed(t, 0.0);
@@ -242,7 +242,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.rest(t);
     }
 
-    /// Ends the path with a standstill where nothing moves it on.
+    /// Ends the path with a standstill if no movement continues it.
     pub(super) fn rest(&mut self, t: f64) {
         if self.s.path.moving && !matches!(self.s.exec, Exec::Moving(_)) {
             self.s.path.moving = false;

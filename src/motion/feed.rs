@@ -12,7 +12,7 @@ use crate::msg;
 use crate::text::{Diagnostic, DiagnosticKind};
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Begins a cut, or waits for the spindle's speed on controls that do so.
+    /// Begins a cut, or waits for the spindle speed on controls that do so.
     pub(super) fn cut(&mut self, t: f64, motion: &Move) {
         let turning = &self.s.spindle;
         if turning.orienting.is_some() && motion.length > 0.0 {
@@ -38,8 +38,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.begin(t, motion);
     }
 
-    /// Whether a movement ends deeper in the work than it began while neither the spindle nor an axis of the PLC turns, and no angle of the
-    /// spindle says that a driven tool cuts.
+    /// Whether a movement ends deeper in the work than it began without rotation: the spindle and the PMC axes are at rest, and the spindle
+    /// is not positioned for a driven tool.
     fn feeds_without_rotation(&self, motion: &Move) -> bool {
         let turning = &self.s.spindle;
         let turns = turning.direction != 0
@@ -78,8 +78,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.follow(t);
     }
 
-    /// Tells, once for each block, that it moves axes while the spindle is still on its ramp to a commanded speed: a warning about a cut, a
-    /// remark about a rapid.
+    /// Reports, once per block, axis motion while the spindle is still on its ramp to a commanded speed: a warning for a cut, a remark for
+    /// a rapid.
     fn say_ramping(&mut self, t: f64, pace: Pace) {
         let plant = &self.plant.spindle;
         let Some(ramp) = self.out.timeline.ramps.last().filter(|_| plant.drives_cut) else { return };
@@ -98,7 +98,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.say_here(finding);
     }
 
-    /// Warns once that an axis is too slow for a feed in mm/min: it limits the path speed (mm/s).
+    /// Warns once that an axis is too slow for a feed (mm/min) and limits the path speed to `limit` (mm/s).
     fn say_clamped(&mut self, limit: f64, limiting: usize, feed: f64) {
         let slowed = limit * 60.0;
         if feed > slowed * (1.0 + 1e-9) {
@@ -109,7 +109,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Updates the speed of the movement.
+    /// Updates the path speed of the movement.
     pub(super) fn pace(&mut self, t: f64) {
         let asked = self.asked_speed(t);
         let Exec::Moving(motion) = &mut self.s.exec else { return };
@@ -148,7 +148,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// A feed per revolution waits because the spindle is at rest.
+    /// Whether a feed per revolution waits because the spindle is at rest.
     pub(super) fn waits_for_spindle(&self) -> bool {
         let Exec::Moving(motion) = &self.s.exec else { return false };
         let by_turns = matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_)));
@@ -178,8 +178,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Path speed of a feed in mm per revolution. While the spindle changes its speed the feed follows in steps, each with the mean speed
-    /// of its span.
+    /// Path speed of a feed in mm per revolution. While the spindle speed changes, the feed follows in steps, each with the mean speed of
+    /// its span.
     fn in_step(&self, t: f64, feed: f64) -> (f64, f64) {
         let reached = self.s.spindle.reached_at;
         let again = if reached.is_finite() { reached.min(t + MEASURE) } else { f64::INFINITY };
@@ -187,7 +187,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         (feed * self.measured(middle) / 60.0, again)
     }
 
-    /// Speed of the spindle in r/min as its encoder measures it, without sign; 0 without encoder.
+    /// Spindle speed in r/min as measured by the encoder, without sign; 0 without encoder.
     pub(super) fn measured(&self, t: f64) -> f64 {
         let plant = &self.plant.spindle;
         let ramp = self.out.timeline.ramps.last().filter(|_| plant.encoder);

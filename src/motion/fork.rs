@@ -1,4 +1,4 @@
-//! A second run from a checkpoint of the first, for debuggers: stops before a block and shows variables and inputs as the program reads them.
+//! A second run from a checkpoint of the first, for debuggers: stops before a block and shows variables and inputs as read by the program.
 
 use std::collections::VecDeque;
 
@@ -9,18 +9,18 @@ use super::records::Records;
 use super::setup::{Progress, Retention};
 use crate::interp::{Canon, World};
 
-/// Newest commands that are kept for the debugger.
+/// Number of newest commands kept for the debugger.
 const GIVEN: usize = 8;
 
 impl<P: RunningProgram> Planner<P> {
-    /// As [`advance`](Planner::advance), but stops when the gate shuts, and returns whether it did. The log keeps the newest commands.
+    /// Plans like [`advance`](Planner::advance), but stops at a shut gate; returns whether it did. The log keeps the newest commands.
     pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> (Progress, bool) {
         let answer = self.plan(until, budget, Some(gate));
         self.records.forget_log(GIVEN);
         answer
     }
 
-    /// The program at the end of the planned part, with the machine as it reads it, but with the present positions of the axes.
+    /// Calls `look` with the program at the end of the planned part and the machine as read by it, but with the present axis positions.
     pub fn look<R>(&self, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
         let t = self.records.timeline.end();
         self.state.look(t, &self.plant.axes, &self.records.timeline, look)
@@ -32,8 +32,8 @@ impl<P: RunningProgram> Planner<P> {
         (self.records.taken.saturating_sub(self.records.anew), log.iter().map(|(_, canon, _)| canon))
     }
 
-    /// A run from the last checkpoint not after `t` (s) with at most `blocks` blocks read, or from the first; its timeline is the same. It
-    /// keeps only the newest part.
+    /// A run from the last checkpoint not after `t` (s) with at most `blocks` blocks read, or from the first checkpoint. Its timeline is
+    /// the same; it keeps only the newest part.
     pub fn fork(&self, t: f64, blocks: u64) -> Planner<P> {
         let fits = |point: &&Checkpoint<P>| {
             let read = point.state.program.blocks();
@@ -60,8 +60,8 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
-    /// The same run from the last checkpoint not after `t` (s) on, planned anew with what happens to it; its timeline begins there. It keeps what
-    /// this run keeps, but costs no copy of the part before.
+    /// A run from the last checkpoint not after `t` (s), planned anew with its own later events. Its timeline begins there. It keeps the
+    /// same records as this run, without copying the earlier part.
     pub fn branch(&self, t: f64) -> Planner<P> {
         Planner { keep: self.keep, ..self.fork(t, u64::MAX) }
     }

@@ -7,11 +7,11 @@ use crate::interp::World;
 pub enum Gate {
     /// The step is read.
     Open,
-    /// The step is read, and [`Planner::given`] starts with it.
+    /// The step is read and becomes the first of [`Planner::given`].
     Anew,
     /// The run stops before the step.
     Shut,
 }
 
-/// Called before each step of the program, with its time (s), the program, and the machine as the program reads it.
+/// Callback before each step of the program, with the time (s), the program, and the machine as read by the program.
 pub type Gatekeeper<'a, P> = &'a mut dyn FnMut(f64, &P, &mut dyn World) -> Gate;

@@ -1,20 +1,20 @@
-//! Milestones of a run: moments at which the spindle is switched, the control waits, stops or ends.
+//! Milestones of a run: spindle switching, and waits, stops and ends of the control.
 
 use super::snapshot::Mode;
 use super::timeline::Timeline;
 use crate::controls::Code;
 
-/// What happens at a milestone.
+/// Event at a milestone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Milestone {
-    /// The spindle is switched: [`Code::SpindleCw`], [`Code::SpindleCcw`] or [`Code::SpindleStop`], also where reset or the end of the program does it.
+    /// The spindle is switched: [`Code::SpindleCw`], [`Code::SpindleCcw`] or [`Code::SpindleStop`], also by reset or program end.
     Spindle(Code),
-    /// The control changes to this mode, from running.
+    /// The control changes from running to this mode.
     Mode(Mode),
 }
 
 impl Timeline {
-    /// Milestones of the whole plan with their times (s), in order.
+    /// Milestones of the planned run with their times (s), in order.
     pub fn milestones(&self) -> Vec<(f64, Milestone)> {
         let mut found = Vec::new();
         let mut before = 0;

@@ -1,35 +1,36 @@
 //! From commands to time: the planner steps the interpreter, the timeline gives the machine at any moment.
 //!
-//! # What is simulated, and how far
+//! # Scope and limits of the simulation
 //!
 //! * **Reading ahead.** Each block costs the control its block time; at most `preread` blocks are read and not yet begun. Macro
 //!   statements, inputs, `#3004` and macro outputs act when they are read, so a knob acts as late as on the machine. M00, M01, M02,
-//!   M30 and messages stop the reading until they are done.
+//!   M30 and messages stop the reading until they are executed.
 //! * **Axes.** A path of constant feed, slowed as a whole where an axis would exceed its clamp; behind it acceleration "linear by time
 //!   constant" (a moving average per axis) and the lag of the position loop. G64 begins a block when the unfiltered path of the one
 //!   before ends; G61 and G09 wait until the command rests and the axes are in position; a rapid waits until the command rests.
 //!   Dwell and S, M and T codes wait until the command rests. A block that is not ready in time lets the axes stop.
-//! * **Diameters.** Words of an axis may count diameters. What goes in and out at the program's side (targets, centres of arcs, positions
-//!   that it reads) counts them; plant, feeds, clamps, timeline and snapshots are travels of the slide.
-//! * **In step with the spindle.** Feed per revolution and threads take the actual speed, in steps of 10 ms while it changes; at
-//!   standstill they wait. A thread knows no override and no hold. Under constant surface speed the spindle follows the diameter of a cut
-//!   at its commanded position behind acceleration: its command is computed every 10 ms, more often where the diameter changes fast or
-//!   a limit begins, and runs straight from one to the next. In a rapid it has the speed of the rapid's end, or waits for the next cut.
-//! * **Spindle.** S times override within its limits, of which the snapshot shows the active one; the inverter follows in a straight
-//!   ramp, with slip. Override acts at once. Gears are the PLC's: it receives the wanted stage and reports the engaged one. An angle is
-//!   approached beside the motion of its block, which ends when both are there. The [rules](crate::controls::SpindleRules) of a
-//!   control hold its behaviour at M30, at reset, without M03, in threads and before cuts.
-//! * **PLC.** Scanned when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.
-//! * **PMC axes.** Axes that the PLC turns by itself: it gives them speeds, acceleration and lag are those of any axis. Neither hold nor the
-//!   program's clamps act on them; overrides, reset and emergency stop as far as the PLC lets them. A drive that
-//!   emergency stop switches off coasts where the PLC of the machine gives the speeds of that; else it stops over its time constant.
-//! * **End.** When the program ends or stops, at an alarm, hold, reset or emergency stop, the timeline goes on until axes and spindle have
-//!   settled; where the spindle goes on turning, at its speed.
-//! * **Operator.** Feed hold lets dwell and codes run to their end. Reset breaks off: the axes stop over their time constants. Cycle
-//!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment. Program zero
-//!   return moves the axes while no program runs; feed hold ends it, and it begins anew.
+//! * **Diameters.** Words of an axis may count diameters. Values on the program's side (targets, centres of arcs, positions read by the
+//!   program) count diameters then; plant, feeds, clamps, timeline and snapshots count the travel of the slide.
+//! * **In step with the spindle.** Feed per revolution and threads follow the actual speed, in steps of 10 ms while it changes; at
+//!   standstill they wait. Override and hold do not act on a thread. Under constant surface speed the spindle follows the diameter of a
+//!   cut at its commanded position behind acceleration: its command is computed every 10 ms, more often where the diameter changes fast
+//!   or a limit begins, and is linear in between. In a rapid it has the speed of the rapid's end, or waits for the next cut.
+//! * **Spindle.** S times override within its limits; the snapshot shows the active limit. The inverter follows in a straight ramp, with
+//!   slip. Override acts at once. The PLC shifts gears: it receives the wanted stage and reports the engaged one. Positioning runs beside
+//!   the motion of its block, which ends when both are finished. The [rules](crate::controls::SpindleRules) of a control hold its
+//!   behaviour at M30, at reset, without M03, in threads and before cuts.
+//! * **PLC.** Scanned when one of its inputs has changed and at the times it requests; the codes of one block are put out together and end
+//!   with FIN.
+//! * **PMC axes.** Axes moved by the PLC alone: it gives their speeds; acceleration and lag are those of any axis. Hold and the program's
+//!   clamps do not act on them; overrides, reset and emergency stop act if the PLC lets them. A drive switched off by emergency stop
+//!   coasts if the machine's PLC gives the coasting speeds; otherwise it stops over its time constant.
+//! * **End.** When the program ends or stops, at an alarm, hold, reset or emergency stop, the timeline continues until the axes and spindle
+//!   have settled; a spindle that keeps turning settles at its speed.
+//! * **Operator.** Feed hold lets dwell and codes finish. Reset breaks off: the axes stop over their time constants. Cycle start at the
+//!   exact time of a stop answers that stop; other actions come before the machine's events of the same time. Program zero return moves
+//!   the axes while no program runs; feed hold ends it, and it has to be started again.
 
-// What goes in and out.
+// Inputs and outputs.
 pub mod panel;
 pub mod plant;
 pub mod plc;
@@ -54,7 +55,7 @@ mod sim;
 mod spindle_control;
 mod state;
 
-// What happens at an event.
+// Handling of events.
 mod dwell;
 mod events;
 mod executor;

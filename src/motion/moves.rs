@@ -11,16 +11,16 @@ use crate::math;
 pub(super) enum Pace {
     /// Rapid traverse.
     Rapid,
-    /// Rapid traverse by hand to the program's reference point; whether the program had ended before.
+    /// Program zero return by the operator, at rapid traverse. `ended`: the program had ended before.
     Return { ended: bool },
     /// A programmed feed.
     Feed(Feed),
-    /// A thread, by its lead in mm per spindle revolution: neither override nor hold acts on it.
+    /// A thread, by its lead in mm per spindle revolution; override and hold do not act on it.
     Thread(f64),
 }
 
 impl Pace {
-    /// Whether it runs at the rates of rapid traverse.
+    /// Whether the movement runs at rapid traverse.
     #[inline(always)]
     pub(super) fn is_rapid(self) -> bool {
         matches!(self, Pace::Rapid | Pace::Return { .. })
@@ -36,22 +36,22 @@ struct ArcMove {
     sweep: f64,
 }
 
-/// A movement that is being executed.
+/// The executing movement.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Move {
-    /// Where it began.
+    /// Start point.
     pub(super) start: [f64; AXES],
-    /// Travel added in proportion to the path: the whole line; on an arc, that of the other axes and the rounding error in the plane.
+    /// Travel in proportion to the path: all of a line; on an arc, the travel of other axes and the rounding error in the plane.
     line: [f64; AXES],
     bow: Option<ArcMove>,
-    /// Where it ends.
+    /// End point.
     pub(super) end: [f64; AXES],
     /// Length of the path; millimetres and degrees count alike (`reference/mitsubishi-e60.md` section 5).
     pub(super) length: f64,
     pub(super) pace: Pace,
     /// Exact stop at the end.
     pub(super) exact: bool,
-    /// Path speed that no axis clamp (rapid: rapid rate) forbids, mm/s.
+    /// Largest path speed within all axis clamps (for rapids, rapid rates), mm/s.
     pub(super) limit: f64,
     /// Axis that sets the limit.
     pub(super) limiting: usize,
@@ -59,9 +59,9 @@ pub(super) struct Move {
     pub(super) speed: f64,
     /// Path covered at `since`.
     done: f64,
-    /// When the present speed began.
+    /// Start (s) of the present speed.
     pub(super) since: f64,
-    /// Time (s) of the next measurement of the speed that the feed or the spindle follows.
+    /// Time (s) of the next computation of the path speed; infinite if it does not follow the spindle.
     pub(super) again: f64,
 }
 
@@ -83,8 +83,8 @@ impl Move {
         motion
     }
 
-    /// An arc instead of a straight line; a full turn where it ends in the plane where it began. The small difference that rounding
-    /// leaves between the end and the circle of the start is spread over the arc.
+    /// Turns the line into an arc; a full circle if it ends in the plane at its start point. The small rounding difference between the end
+    /// point and the circle is spread over the arc.
     pub(super) fn around(
         mut self,
         plane: (u8, u8),
@@ -124,13 +124,13 @@ impl Move {
         self
     }
 
-    /// Sets the limit of the path speed: no axis above its rate.
+    /// Sets the limit of the path speed, so that no axis exceeds its rate.
     #[inline(always)]
     fn set_limit(&mut self, axes: &[AxisPlant; AXES]) {
         self.limit = f64::INFINITY;
         for (k, axis) in axes.iter().enumerate() {
             let in_plane = self.bow.filter(|bow| bow.plane.0 as usize == k || bow.plane.1 as usize == k);
-            // Somewhere on an arc an axis of the plane may run with the whole speed in the plane.
+            // An axis of the plane may reach the full speed in the plane somewhere on the arc.
             let way = in_plane.map_or(self.line[k].abs(), |bow| bow.radius * bow.sweep.abs());
             if way == 0.0 {
                 continue;
@@ -151,7 +151,7 @@ impl Move {
         self.speed = speed;
     }
 
-    /// When it ends at the present speed.
+    /// Time (s) of the end at the present speed.
     #[inline]
     pub(super) fn end_time(&self) -> f64 {
         let left = self.length - self.done;
@@ -164,7 +164,7 @@ impl Move {
         }
     }
 
-    /// Positions of the axes after a length of the path (mm).
+    /// Positions of the axes at a fraction of the path.
     fn place(&self, part: f64) -> [f64; AXES] {
         let mut place = core::array::from_fn(|k| self.start[k] + self.line[k] * part);
         if let Some(bow) = self.bow {

@@ -11,7 +11,7 @@ use crate::msg;
 use crate::text::Diagnostic;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// The next event of the panel happens.
+    /// Carries out the next event of the panel.
     pub(super) fn operate(&mut self, t: f64) {
         let panel = self.panel;
         let Some(event) = panel.events().get(self.s.operator.events_done) else { return };
@@ -51,7 +51,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 if self.s.plc.program.watches_inverter() {
                     self.s.plc.io.stops.inverter_fault = *on;
                     if *on {
-                        // Without the inverter's output no angle is held.
+                        // Without current from the inverter the spindle is not held at an angle.
                         self.s.spindle.orienting = None;
                     }
                     self.scan(t);
@@ -95,8 +95,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// S given by hand. While the program runs most controls refuse it; where it acts, in a running or interrupted program, it replaces the S that
-    /// the axes were reckoned with.
+    /// Manual S. Most controls refuse it while the program runs; others let it replace the programmed S in a running or interrupted
+    /// program, with a warning.
     fn manual_speed(&mut self, t: f64, rpm: f64) {
         if matches!(self.s.exec, Exec::Emergency(_)) || !rpm.is_finite() {
             return;
@@ -125,7 +125,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.out.report(Diagnostic::warning(msg!("motion.nothing-to-set", name)));
     }
 
-    /// Cycle start: goes on after a stop or hold, begins anew after reset or program end.
+    /// Cycle start: continues after a stop or hold, restarts after reset or program end.
     fn start(&mut self, t: f64) {
         match self.s.exec {
             Exec::Stopped => {
@@ -145,13 +145,13 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.s.operator.stepped = false;
             self.s.operator.held = false;
             self.s.path.flow_end = None;
-            // A PLC that stopped the spindle lets it go before the axes are asked how fast they may be.
+            // A PLC that holds the spindle releases it before the path speed is computed.
             self.show_state(t);
             self.pace(t);
         }
     }
 
-    /// Stops everything: the axes over their time constants, the spindle over its ramp, where the control does so.
+    /// Stops the axes over their time constants, and the spindle over its ramp on controls that do so.
     fn reset(&mut self, t: f64, then: Exec) {
         self.break_off(t);
         if self.plant.log {

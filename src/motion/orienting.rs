@@ -1,4 +1,4 @@
-//! Bringing the spindle to an angle and holding it there.
+//! Spindle positioning: travel to an angle, and holding there.
 
 use super::plc::sense;
 use super::program::RunningProgram;
@@ -10,7 +10,7 @@ use crate::msg;
 use crate::text::Diagnostic;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Whether the spindle turns to an angle.
+    /// Whether the spindle is on its way to an angle.
     pub(super) fn orients(&self) -> bool {
         self.s.spindle.orienting.is_some_and(|orienting| !orienting.is_held())
     }
@@ -50,7 +50,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             first_travel(from, target, clockwise)
         };
         let way = match approach {
-            // The present angle is ahead, too.
+            // An absolute angle equal to the present one lies ahead, too.
             _ if degrees == 0.0 => direction,
             _ => sense(degrees),
         };
@@ -71,7 +71,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.part(t, rpm, travel.peak * f64::from(way), first, travel.to_peak);
     }
 
-    /// Ends a part of the travel.
+    /// Ends a part of the travel to an angle and starts the next.
     pub(super) fn travel_on(&mut self, t: f64) {
         let Some(orienting) = &mut self.s.spindle.orienting else { return };
         let (peak, travel) = (orienting.travel.peak * f64::from(orienting.way), orienting.travel);

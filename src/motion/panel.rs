@@ -19,9 +19,9 @@ pub enum Action {
     Reset,
     /// Emergency stop.
     EmergencyStop,
-    /// The fault relay of the spindle's inverter: on at a fault, off once it is cleared at the inverter.
+    /// Fault relay of the spindle inverter: on at a fault, off after the fault is cleared at the inverter.
     InverterFault(bool),
-    /// Program zero return: the axes go to the program's reference point, on controls that have that mode.
+    /// Program zero return: the axes go to the program's reference point, on controls with that mode.
     ProgramZeroReturn,
     /// Single block on or off.
     SingleBlock(bool),
@@ -29,13 +29,13 @@ pub enum Action {
     OptionalStop(bool),
     /// Optional block skip on or off.
     BlockSkip(bool),
-    /// S given by hand in r/min; 0 stops the spindle.
+    /// Manual S in r/min; 0 stops the spindle.
     ManualSpeed(f64),
-    /// A limit of the spindle speed set in r/min, as in the setting data.
+    /// Spindle speed limit in r/min, as in the setting data.
     SpeedLimit(SpeedLimit, f64),
-    /// A macro input is forced: the variable (`#1033`), or its lower or upper half (`#1033.low`, `#1033.high`).
+    /// Forced macro input: the variable (`#1033`), or its lower or upper half (`#1033.low`, `#1033.high`).
     Input(String, f64),
-    /// A variable set on the control's screen, by number.
+    /// Variable set on the control's screen, by number; `None` makes it vacant.
     Variable(u32, Option<f64>),
 }
 
@@ -69,7 +69,7 @@ impl Action {
         }
     }
 
-    /// The action with another value; `None` where its kind has no such value.
+    /// The action with another value; `None` if the value does not suit the action.
     pub fn with_value(&self, value: ActionValue) -> Option<Action> {
         Some(match (self, value) {
             (Action::SpindleOverride(_), ActionValue::Number(percent)) => Action::SpindleOverride(percent),
@@ -120,21 +120,21 @@ impl Event {
     }
 }
 
-/// Events in the order of time; equal times keep the order in which they were given.
+/// Panel events by time; events of equal time keep their order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Panel {
     events: Vec<Event>,
 }
 
 impl Panel {
-    /// Sorts the events by time; times that are negative or no number become 0, infinite ones the largest number.
+    /// Sorts the events by time. Negative times and NaN become 0, infinite ones the largest number.
     pub fn new(events: impl IntoIterator<Item = Event>) -> Panel {
         let mut events: Vec<Event> = events.into_iter().map(Event::in_range).collect();
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
         Panel { events }
     }
 
-    /// Adds an event behind all that are not later; its place.
+    /// Adds an event after all events that are not later, and returns its index.
     pub fn add(&mut self, event: Event) -> usize {
         let event = event.in_range();
         let at = self.events.partition_point(|other| other.t <= event.t);
@@ -142,12 +142,12 @@ impl Panel {
         at
     }
 
-    /// Removes the event at a place.
+    /// Removes the event at an index.
     pub fn remove(&mut self, at: usize) -> Option<Event> {
         (at < self.events.len()).then(|| self.events.remove(at))
     }
 
-    /// Replaces the event at a place; its new place. It stays where it was among events of its time, and goes behind those of another time.
+    /// Replaces the event at an index and returns its new index. At an unchanged time the index stays; at a new time the event comes last.
     pub fn replace(&mut self, at: usize, event: Event) -> Option<usize> {
         let event = event.in_range();
         let present = self.events.get_mut(at)?;
@@ -159,7 +159,7 @@ impl Panel {
         Some(self.add(event))
     }
 
-    /// Time (s) of the earliest event that only one of two panels has, or has elsewhere in its order; `None` where they are equal.
+    /// Time (s) of the first event that differs between two panels; `None` if they are equal.
     pub fn differs_from(&self, other: &Panel) -> Option<f64> {
         let same = self.events.iter().zip(&other.events).take_while(|(one, two)| one == two).count();
         let times = [&self.events, &other.events].map(|events| events.get(same).map(|event| event.t));

@@ -1,4 +1,4 @@
-//! The commanded path before acceleration, and in closed form what acceleration and servo make of it.
+//! The commanded path before acceleration, and the filtered positions by acceleration and servo lag in closed form.
 //!
 //! The path `U(t)` is a list of segments of constant feed. Acceleration "linear by time constant" is a moving average over the time
 //! constant `τ` of each axis behind the interpolator (`reference/sizing.md` section 4):
@@ -8,15 +8,15 @@
 //! v(t) = (U(t) - U(t-τ)) / τ          a(t) = (u(t) - u(t-τ)) / τ
 //! ```
 //!
-//! The axis follows with the position gain `K` as `dy/dt = K (P - y)`, so that with `H` the part of a step that has not yet arrived
+//! The axis follows with the position gain `K` as `dy/dt = K (P - y)`. `H` is the fraction of a step that has not yet arrived:
 //!
 //! ```text
 //! y(t) = U(t) - ∫ u(t-s) H(s) ds      H(s) = 1 - s/τ + (1 - exp(-K s)) / (K τ)      s < τ
 //!                                     H(s) = (1 - exp(-K τ)) / (K τ) · exp(-K (s - τ))   s ≥ τ
 //! ```
 //!
-//! Written with speeds, each is a sum over the segments of the window, and an axis at rest is exactly at its commanded position. The
-//! last integral is cut off `TAIL / K` behind `τ`, where exp(-TAIL) = 2e-9 of what happened before is neglected.
+//! Each of these is a sum over the segments of a time window, so an axis at rest is exactly at its commanded position. The last integral is
+//! cut off `TAIL / K` behind `τ`, which neglects exp(-TAIL) = 2e-9 of the earlier motion.
 
 use super::plant::AxisPlant;
 use super::snapshot::AxisState;
@@ -24,10 +24,10 @@ use super::time_series::{TimeSeries, Timed};
 use crate::interp::canon::AXES;
 use crate::math;
 
-/// Position gains times seconds after which a past movement counts as arrived.
+/// Age of a movement, in units of `1 / K`, after which it counts as arrived.
 const TAIL: f64 = 20.0;
 
-/// From `t` until the next segment the path runs with constant feed.
+/// A part of the path with constant feed, from `t` until the next segment.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Segment {
     /// Seconds.
@@ -36,11 +36,11 @@ pub(super) struct Segment {
     pub(super) from: [f64; AXES],
     /// Speed in mm/s or °/s; on an arc without the circular part.
     pub(super) velocity: [f64; AXES],
-    /// Number of the [`Circle`] that is added, counted from 1; 0 on a straight line.
+    /// Number (from 1) of the [`Circle`] to add; 0 on a straight line.
     pub(super) circle: u32,
 }
 
-/// The circular part of a segment: `radius (cos, sin)(phase + omega dt)` in the plane, less its value at the start.
+/// The circular part of a segment: `radius (cos, sin)(phase + omega dt)` in the plane, minus its value at the start.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Circle {
     /// Seconds.
@@ -113,7 +113,7 @@ impl Weight {
         let mut total = 0.0;
         if run.swing != 0.0 {
             if (run.omega * span).abs() < 1e-3 {
-                // So short an arc is its chord; the closed form would divide by its tiny angle.
+                // An arc this short equals its chord; the closed form would divide by its tiny angle.
                 constant = (run.position(age - young) - run.position(age - old)) / span;
             } else {
                 total = run.swing * (self.swung(run, age, old) - self.swung(run, age, young));
@@ -153,7 +153,7 @@ pub(super) struct Path {
 }
 
 impl Path {
-    /// One axis at time `t`.
+    /// State of one axis at time `t`.
     pub(super) fn axis(&self, k: usize, plant: &AxisPlant, t: f64) -> AxisState {
         let segments = self.segments.until(t);
         let Some(now) = segments.last() else { return AxisState::default() };
@@ -178,7 +178,7 @@ impl Path {
         state
     }
 
-    /// Commanded speed of one axis in mm/s or °/s behind an acceleration over `tau` seconds: the mean speed of that time.
+    /// Commanded speed of one axis in mm/s or °/s after an acceleration filter over `tau` seconds: the mean speed of that time.
     pub(super) fn mean_speed(&self, k: usize, t: f64, tau: f64) -> f64 {
         let segments = self.segments.until(t);
         if tau <= 0.0 {
@@ -190,7 +190,7 @@ impl Path {
         mean
     }
 
-    /// Commanded position of one axis behind acceleration at `t`, which may lie ahead: as in [`axis`](Path::axis).
+    /// Commanded position of one axis after acceleration at `t`, which may be later than the last segment; see [`axis`](Path::axis).
     pub(super) fn commanded(&self, k: usize, plant: &AxisPlant, t: f64) -> f64 {
         let segments = self.segments.until(t);
         let Some(now) = segments.last() else { return 0.0 };
@@ -203,7 +203,7 @@ impl Path {
         place
     }
 
-    /// How far the axis itself is behind the unfiltered path: `∫ u(t-s) H(s) ds`.
+    /// Distance of the axis behind the unfiltered path: `∫ u(t-s) H(s) ds`.
     fn missing(&self, segments: &[Segment], k: usize, t: f64, tau: f64, gain: f64) -> f64 {
         let mut missing = 0.0;
         let mut tail = 1.0;
@@ -224,7 +224,7 @@ impl Path {
         missing
     }
 
-    /// Calls `part(run, age, young, old)` for the part of each segment whose age at `t` is between `young` and `old`.
+    /// Calls `part(run, age, young, old)` for the part of each segment with an age at `t` between `young` and `old`.
     fn window(
         &self,
         segments: &[Segment],
@@ -251,7 +251,7 @@ impl Path {
         }
     }
 
-    /// Speed of the unfiltered path at `t`, 0 before it began.
+    /// Speed of the unfiltered path at `t`; 0 before its start.
     fn speed(&self, segments: &[Segment], k: usize, t: f64) -> f64 {
         let before = segments.partition_point(|segment| segment.t <= t);
         segments[..before].last().map_or(0.0, |segment| self.run(segment, k).speed(t - segment.t))
@@ -271,7 +271,7 @@ impl Path {
         run
     }
 
-    /// How long before `t` the path still matters to an axis.
+    /// Time (s) for which the path still acts on an axis.
     pub(super) fn memory(plant: &AxisPlant) -> f64 {
         plant.time_constant + if plant.position_gain > 0.0 { TAIL / plant.position_gain } else { 0.0 }
     }

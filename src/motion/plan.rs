@@ -1,8 +1,7 @@
-//! The planner: runs a program over time in slices, and again from a checkpoint when the operator changes the past.
+//! The planner: runs a program over time in slices, and again from a checkpoint when an operator event in the past changes.
 //!
-//! A discrete-event simulation: the earliest event happens first, in a fixed order where times are equal, so that a run is a pure
-//! function of program, plant, PLC and panel. No event knows of a later one: the plan up to a moment stays valid when
-//! something is added after it.
+//! A discrete-event simulation: the earliest event happens first, in a fixed order at equal times, so a run is a pure function of program,
+//! plant, PLC and panel. No event depends on a later one: the plan before a time stays valid when an event is added after it.
 
 use std::collections::VecDeque;
 
@@ -22,7 +21,7 @@ use crate::interp::{Canon, Counts};
 use crate::msg;
 use crate::text::{Diagnostic, Place};
 
-/// A state before all events at or after a time.
+/// State before all events at or after a time.
 #[derive(Debug, Clone)]
 pub(super) struct Checkpoint<P> {
     pub(super) t: f64,
@@ -30,7 +29,7 @@ pub(super) struct Checkpoint<P> {
     pub(super) marks: RecordLengths,
 }
 
-/// A run that is planned slice by slice.
+/// A run planned slice by slice.
 #[derive(Debug, Clone)]
 pub struct Planner<P> {
     pub(super) plant: CheckedPlant,
@@ -47,7 +46,7 @@ pub struct Planner<P> {
 }
 
 impl<P: RunningProgram> Planner<P> {
-    /// A run at time 0; cycle start is pressed.
+    /// A run at time 0, with cycle start pressed.
     pub fn new(setup: Setup<'_, P>) -> Planner<P> {
         let plant = CheckedPlant::new(setup.control, setup.plant, setup.limits, setup.keep != Retention::Timeline);
         let mut timeline = Timeline::new(plant.axes, super::pmc::axes(&setup.plant.pmc), plant.spindle);
@@ -77,7 +76,7 @@ impl<P: RunningProgram> Planner<P> {
         self.plan(until, budget, None).0
     }
 
-    /// The same, but a gate may shut before a step of the program; whether it did.
+    /// Plans like [`advance`](Planner::advance), with an optional gate before each step of the program; returns whether the gate shut.
     pub(super) fn plan(&mut self, until: f64, budget: usize, mut gate: Option<Gatekeeper<P>>) -> (Progress, bool) {
         let mut shut = false;
         let until = until.min(self.plant.limits.seconds);
@@ -129,13 +128,13 @@ impl<P: RunningProgram> Planner<P> {
             }
             let mut sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
             sim.happen(t, who);
-            // Other events may follow at this very time; it is known only once they have happened.
+            // Other events may follow at the same time; the time counts as planned only after them.
             self.records.timeline.end = t.max(self.records.timeline.end);
         }
         (Progress { planned_to: self.records.timeline.end, ended: self.ended.clone() }, shut)
     }
 
-    /// Before the first event at or after a whole second. All events before have happened before `due`.
+    /// Records a checkpoint before the first event at or after a whole second. All earlier events come before `due`.
     fn checkpoint(&mut self, t: f64) {
         match self.keep {
             Retention::Timeline | Retention::Both => {
@@ -152,8 +151,8 @@ impl<P: RunningProgram> Planner<P> {
         self.has_last_word = true;
     }
 
-    /// Adds an event of the operator at any time, also in the planned part: the timeline before it stays, the rest is planned
-    /// anew by further calls of [`advance`](Planner::advance), as if the event had been known from the beginning.
+    /// Adds an operator event at any time, also in the planned part. The timeline before it stays; later calls of
+    /// [`advance`](Planner::advance) plan the rest anew, as if the event had been there from the beginning.
     pub fn event(&mut self, mut event: Event) {
         if self.keep == Retention::Log {
             event.t = event.t.max(self.state.now);
@@ -163,8 +162,8 @@ impl<P: RunningProgram> Planner<P> {
         self.forget_from(t);
     }
 
-    /// Takes other events of the operator: the timeline before the earliest one that differs stays, the rest is planned anew, as if they had
-    /// been known from the beginning. False, and nothing is changed, where only the log is kept: there is no way back.
+    /// Replaces the operator events. The timeline before the earliest difference stays; the rest is planned anew, as if the events had been
+    /// there from the beginning. Returns false and changes nothing if only the log is kept, because a log cannot be undone.
     pub fn replace_panel(&mut self, panel: Panel) -> bool {
         let Some(t) = self.panel.differs_from(&panel) else { return true };
         if self.keep == Retention::Log {
@@ -175,8 +174,8 @@ impl<P: RunningProgram> Planner<P> {
         true
     }
 
-    /// Goes back to the last state before all events at or after `t` (s), which have changed; behind the end of the run, which they may have put
-    /// off, to a state before that.
+    /// Returns to the last state before all events at or after `t` (s). If `t` is after the end of the run, it returns to a state before
+    /// that end, because the changed events may postpone it.
     fn forget_from(&mut self, t: f64) {
         self.ended = None;
         if core::mem::take(&mut self.has_last_word) {
@@ -199,20 +198,20 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
-    /// Whether only the operator, who does nothing any more, can continue the run.
+    /// Whether only the operator can continue the run, and no operator event is left.
     fn is_over(&mut self) -> bool {
         let sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
         let (next, _) = sim.next();
         sim.end(next).is_some()
     }
 
-    /// Takes the supply away at `t` (s): emergency stop, but the spindle coasts.
+    /// Power failure at `t` (s): like emergency stop, but the spindle coasts.
     pub fn lose_power(&mut self, t: f64) {
         self.plant.power_fails = t;
         self.event(Event { t, action: Action::EmergencyStop });
     }
 
-    /// Ends the plan at `still`, where axes and spindle have settled after the end of the run.
+    /// Ends the plan at `still`, the time when axes and spindle have settled after the end of the run.
     fn finish(&mut self, end: RunEnd, still: f64) {
         let sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
         if let Some(why) = sim.stuck() {
@@ -222,8 +221,8 @@ impl<P: RunningProgram> Planner<P> {
         self.ended = Some(end);
     }
 
-    /// Time (s) at which the program ended or stopped, once the run is planned to its end. Axes and spindle settle between that
-    /// time and [`Timeline::end`].
+    /// Time (s) at which the program ended or stopped, after the run is planned to its end. Axes and spindle settle between that time and
+    /// [`Timeline::end`].
     pub fn ended_at(&self) -> Option<f64> {
         match self.ended.as_ref()? {
             RunEnd::Seconds => Some(self.records.timeline.end),
@@ -231,8 +230,8 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
-    /// The program's reference point: where the axes were at the last preset of coordinates (G50, G92) or limit of the speed that takes their
-    /// place for one, as words count it in the machine frame; `None` before the first.
+    /// The program's reference point in the machine frame, in the unit of words: the position at the last preset of coordinates (G50, G92),
+    /// or at the last speed limit (G50 S) that sets the reference point; `None` before the first.
     pub fn reference_point(&self) -> Option<[f64; AXES]> {
         let axes = &self.plant.axes;
         self.state.path.reference.map(|place| core::array::from_fn(|k| place[k] * axes[k].words_per_unit()))
@@ -243,7 +242,7 @@ impl<P: RunningProgram> Planner<P> {
         &self.records.timeline
     }
 
-    /// Events of the operator panel, with all that were added.
+    /// Operator events, including all added ones.
     pub fn panel(&self) -> &Panel {
         &self.panel
     }
@@ -253,7 +252,7 @@ impl<P: RunningProgram> Planner<P> {
         self.state.program.blocks()
     }
 
-    /// Blocks that came too late to follow the one before without a stop.
+    /// Number of blocks read too late to follow the preceding one without a stop.
     pub fn starved(&self) -> u64 {
         self.state.starved
     }
@@ -268,8 +267,8 @@ impl<P: RunningProgram> Planner<P> {
         &self.records.diagnostics
     }
 
-    /// A common variable, macro input or macro output as the control's screen shows it at time `t`, which is as the program has read
-    /// ahead; `None` is vacant.
+    /// A common variable, macro input or macro output on the control's screen at time `t`, including changes by blocks read ahead; `None`
+    /// is vacant.
     pub fn variable_at(&self, number: u32, t: f64) -> Option<f64> {
         let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
         let base = self.checkpoints[..known].last();
@@ -287,7 +286,7 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
-    /// Takes the log of the commands that were begun since the last call: when each was read, in the order of the program.
+    /// Takes the log of commands begun since the last call, in program order, with their reading times (s).
     pub fn take_log(&mut self) -> Vec<(f64, Canon, Place)> {
         let begun = self.state.reader.queue.front().map_or(self.records.logged(), |next| next.logged);
         let count = begun.saturating_sub(self.records.taken).min(self.records.log.len());

@@ -1,26 +1,26 @@
-//! The machine as motion sees it: axes with clamps and time constants, one spindle with gear stages, ramps and analog output.
+//! The machine for the simulation: axes with clamps and time constants, one spindle with gear stages, ramps and analog output.
 
 use crate::controls::{Address, Code, Control, SpindleRules};
 use crate::drives::speed::STAGES;
 use crate::drives::{Analog, Positioning, Stage};
 
-/// The most axes that a PLC turns.
+/// Maximum number of axes moved by the PLC.
 pub const PMC_AXES: usize = 2;
 
 /// An axis of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisPlant {
-    /// Address letter; `None` for an axis that programs cannot name.
+    /// Address letter; `None` for an axis without an address in programs.
     pub letter: Option<Address>,
-    /// Turns: degrees instead of millimetres.
+    /// Rotary axis: degrees instead of millimetres.
     pub rotary: bool,
-    /// Coordinates begin anew with each turn: the axis has no range.
+    /// The coordinates restart with each turn, so the axis has no range.
     pub endless: bool,
-    /// Words of this axis are diameters, twice its travel. All other values are its travel.
+    /// Words of this axis are diameters, twice its travel. All other values of the axis are travel.
     pub diameter: bool,
     /// Rapid traverse in mm/min or °/min.
     pub rapid: f64,
-    /// Cutting feed clamp in mm/min or °/min: above it the whole vector is slowed.
+    /// Cutting feed clamp in mm/min or °/min; a faster feed slows all axes of the movement.
     pub clamp: f64,
     /// Time constant of linear acceleration for cutting feed (and rapid), seconds.
     pub time_constant: f64,
@@ -31,7 +31,7 @@ pub struct AxisPlant {
 }
 
 impl AxisPlant {
-    /// An axis that the PLC turns, and that follows at once.
+    /// An axis moved by the PLC, without inertia or lag.
     pub const PMC: AxisPlant = AxisPlant {
         letter: None,
         rotary: true,
@@ -49,7 +49,7 @@ impl AxisPlant {
         self.letter.map_or_else(|| "?".to_owned(), |letter| letter.to_string())
     }
 
-    /// What words count for each millimetre that the axis moves.
+    /// Units of words per millimetre of travel: 2 for diameters, otherwise 1.
     pub fn words_per_unit(&self) -> f64 {
         if self.diameter { 2.0 } else { 1.0 }
     }
@@ -58,38 +58,38 @@ impl AxisPlant {
 /// A spindle on an analog output, through an inverter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpindlePlant {
-    /// The analog output; its rated speed is that of the gear stage.
+    /// The analog output; the gear stage replaces its rated speed.
     pub analog: Analog,
     /// Gear stages.
     pub stages: [Stage; STAGES],
-    /// How many of them there are.
+    /// Number of gear stages.
     pub stage_count: u8,
-    /// Clamp in r/min: of spindle or chuck.
+    /// Clamp in r/min of spindle or chuck.
     pub speed_clamp: f64,
     /// Lowest speed in r/min under constant surface speed (No.043).
     pub surface_low: f64,
     /// Seconds from 0 to the rated speed of a stage, and back.
     pub ramp: f64,
-    /// Seconds in which it coasts from the rated speed of each stage to rest without current; where that is not known it slows down over its ramp.
+    /// Coasting time (s) without current from the rated speed of each stage to rest; `None`: unknown, the spindle slows down over its ramp.
     pub coasting: Option<[f64; STAGES]>,
-    /// Speed of the unloaded motor per commanded speed: an induction motor at 50 Hz turns 1500 where 1480 is asked for.
+    /// Motor speed without load per commanded speed: an induction motor at 50 Hz turns at 1500 r/min for a command of 1480.
     pub gain: f64,
-    /// Speed lost under load as a fraction of the rated speed: actual = gain × command - slip × rated speed while
-    /// turning (constant at any speed, as for V/f control).
+    /// Speed loss under load as a fraction of the rated speed: actual = gain × command - slip × rated speed while turning (constant at any
+    /// speed, as for V/f control).
     pub slip: f64,
-    /// An encoder measures the speed; without one, nothing moves by feed per revolution.
+    /// An encoder measures the speed; without one, movements by feed per revolution wait.
     pub encoder: bool,
-    /// What positioning needs, where the spindle can be positioned.
+    /// Data of spindle positioning; `None` if the spindle cannot be positioned.
     pub positioning: Option<Positioning>,
-    /// Delay (s) between a new speed command and the speed-reached check, where cuts wait for it (No.072).
+    /// Delay (s) between a new speed command and the speed-reached check, on controls where cuts wait for the speed (No.072).
     pub reached_delay: f64,
-    /// Where the turning centre lies on the axis that is square to it, in mm in the machine frame; `None` where it is unknown.
+    /// Turning centre on the axis perpendicular to the spindle, in mm in the machine frame; `None` if unknown.
     pub centre: Option<f64>,
-    /// A driven tool turns whenever something is cut at an angle.
+    /// A driven tool turns during every cut at a spindle angle.
     pub driven_tool: bool,
-    /// The spindle turns work or tool: motion before it has reached its speed is a finding.
+    /// The spindle turns work or tool: motion before its speed is reached is a finding.
     pub drives_cut: bool,
-    /// Rules of the control for the spindle.
+    /// Spindle rules of the control.
     pub rules: SpindleRules,
 }
 
@@ -116,19 +116,19 @@ impl SpindlePlant {
         }
     }
 
-    /// The spindle of a control's bench, under these rules.
+    /// The spindle of a control's test bench, under these rules.
     pub fn bench(control: &Control, rules: SpindleRules) -> SpindlePlant {
         let bench = &control.bench;
         let first = bench.gears.first().copied().unwrap_or(0.0);
         let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(first, bench.volts_full) };
-        // Where no code makes the present position a work zero, axes count from the turning centre until a program shifts them.
+        // On controls without a code for presetting coordinates, axes count from the turning centre until a program shifts them.
         let centre = (!control.can(Code::SetCoordinates)).then_some(0.0);
         let spindle = SpindlePlant::new(analog, bench.speed_clamp, bench.ramp, rules);
         SpindlePlant { positioning: bench.positioning, centre, ..spindle }
             .with_stages(bench.gears.iter().copied().map(Stage::new))
     }
 
-    /// The same with these stages, as many as a spindle can have; with none it keeps its first one.
+    /// The spindle with other gear stages, up to the maximum number; without any it keeps its first stage.
     pub fn with_stages(mut self, stages: impl IntoIterator<Item = Stage>) -> SpindlePlant {
         let mut count = 0;
         for (place, stage) in self.stages.iter_mut().zip(stages) {
@@ -139,17 +139,17 @@ impl SpindlePlant {
         self
     }
 
-    /// The stages that there are.
+    /// The fitted stages.
     pub fn stages(&self) -> &[Stage] {
         self.stages.get(..usize::from(self.stage_count)).unwrap_or(&self.stages)
     }
 
-    /// A stage by its number from 1; the first where there is none such.
+    /// A stage by its number from 1; the first for an unknown number.
     pub fn stage(&self, number: u8) -> &Stage {
         &self.stages[self.place(number)]
     }
 
-    /// Where a stage stands in the tables, by its number from 1; the first where there is none such.
+    /// Index of a stage by its number from 1; the first for an unknown number.
     fn place(&self, number: u8) -> usize {
         let place = usize::from(number).wrapping_sub(1);
         if place < self.stages().len() { place } else { 0 }
@@ -166,7 +166,7 @@ impl SpindlePlant {
         self.rate(stage, self.ramp)
     }
 
-    /// Loss of speed in a stage without current, r/min per second.
+    /// Deceleration in a stage without current, r/min per second.
     pub fn coasting_rate(&self, stage: u8) -> f64 {
         let place = self.place(stage);
         self.rate(stage, self.coasting.map_or(self.ramp, |seconds| seconds[place]))
@@ -180,21 +180,21 @@ impl SpindlePlant {
 /// The whole plant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plant {
-    /// Axes, found by their letters. Axes of the control that the machine lacks are not here.
+    /// Axes, identified by their letters. Axes of the control that the machine lacks are omitted.
     pub axes: Vec<AxisPlant>,
-    /// Axes that the PLC turns by itself, [`PMC_AXES`](super::PMC_AXES) at most. Of each, time constant and gain count.
+    /// Axes moved by the PLC, at most [`PMC_AXES`](super::PMC_AXES). Only their time constant and gain are used.
     pub pmc: Vec<AxisPlant>,
     /// The spindle.
     pub spindle: SpindlePlant,
-    /// Seconds a block with NC words costs the control.
+    /// Time (s) per block with NC words.
     pub block_time: f64,
-    /// Seconds a macro block costs the control.
+    /// Time (s) per macro block.
     pub macro_time: f64,
     /// Blocks read ahead.
     pub preread: u8,
     /// In-position width for exact stop in mm.
     pub in_position: f64,
-    /// Radius in mm of the round work behind Z0, into which no cut may feed while the spindle is at rest, and no return to the program's
-    /// reference point may go; 0 where it is unknown.
+    /// Radius in mm of the round work behind Z0. Cuts into it with the spindle at rest, and returns to the program's reference point
+    /// through it, are reported; 0 if unknown.
     pub stock: f64,
 }

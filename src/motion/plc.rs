@@ -7,7 +7,7 @@ use crate::controls::Alarm;
 use crate::drives::speed::Steps;
 use crate::text::Message;
 
-/// Which part of an input word is forced. The whole word yields to its halves.
+/// Part of an input word that is forced. A forced half overrides the forced whole word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum WordPart {
     /// All 32 bits, or the one bit of an input bit.
@@ -19,7 +19,7 @@ pub enum WordPart {
 }
 
 impl WordPart {
-    /// The input with this part of it replaced.
+    /// The input word with this part replaced.
     pub(super) fn put(self, word: f64, value: f64) -> f64 {
         let (old, new) = (word as i32, value as i64 as i32);
         match self {
@@ -38,30 +38,30 @@ pub enum ProgramState {
     Idle,
     /// The program runs.
     Running,
-    /// Feed hold: cycle start goes on inside the block.
+    /// Feed hold: cycle start continues inside the block.
     Held,
-    /// Stopped between two blocks by M00, M01, a message or single block: cycle start goes on.
+    /// Stopped between two blocks by M00, M01, a message or single block: cycle start continues.
     Stopped,
-    /// An alarm or emergency stop that waits for reset.
+    /// An alarm or emergency stop, until reset.
     Alarm,
 }
 
-/// The part of the interface that stops the machine and lets it go on.
+/// The part of the interface that stops and releases the machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stops {
-    /// Whether the program runs.
+    /// State of the program.
     pub program: ProgramState,
-    /// Reset or emergency stop was pressed: for the one scan that sees it first.
+    /// Reset or emergency stop was pressed; set for one scan.
     pub reset: bool,
-    /// It was emergency stop.
+    /// Emergency stop was pressed; set for one scan.
     pub emergency: bool,
-    /// The spindle's inverter reports a fault: its output is off.
+    /// The spindle inverter reports a fault: its output is off.
     pub inverter_fault: bool,
-    /// Key of the spindle that was pressed by hand, for the one scan that sees it first: its sense, 0 for "stop".
+    /// Spindle key pressed by the operator: 1, -1, or 0 for stop; set for one scan.
     pub spindle_key: Option<i8>,
-    /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and its direction stay for when it lets go.
+    /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and direction stay in force.
     pub spindle: bool,
-    /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it lets go.
+    /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it releases them.
     pub axes: bool,
 }
 
@@ -72,11 +72,11 @@ pub struct Io {
     pub spindle_override: f64,
     /// Cutting feed override of the operator's knob in percent.
     pub feed_override: f64,
-    /// Stops: what has stopped the program, and what the PLC stops.
+    /// Stops of the program, and stops by the PLC.
     pub stops: Stops,
     /// Macro inputs by variable number, read by the program as `#1033` ….
     pub inputs: BTreeMap<u32, f64>,
-    /// Macro outputs, by variable number, as the program wrote them.
+    /// Macro outputs by variable number, as written by the program.
     pub outputs: BTreeMap<u32, f64>,
     /// Inputs forced by the operator; they replace the values of the PLC in `inputs`.
     pub forced: BTreeMap<(u32, WordPart), f64>,
@@ -88,25 +88,25 @@ pub struct Io {
     pub t_strobe: Option<u32>,
     /// Gear stage that waits for FIN, from 1.
     pub gear_wanted: Option<u8>,
-    /// The PLC's answer: the waiting code is done.
+    /// The PLC's answer: the waiting codes are done.
     pub fin: bool,
-    /// Percent that the PLC gives to the control as spindle override (register method).
+    /// Spindle override in percent from the PLC to the control (register method).
     pub spindle_override_out: f64,
-    /// Gear stage that is engaged, from 1, as the PLC reports it to the control.
+    /// Engaged gear stage, from 1, from the PLC to the control.
     pub gear: u8,
     /// Alarm of the PLC: stops the program and clears the codes that wait for FIN.
     pub alarm: Option<Alarm>,
-    /// A remark of the PLC for the operator, shown once a run; the program goes on.
+    /// A remark of the PLC for the operator, shown once per run; the program continues.
     pub notice: Option<Message>,
-    /// Volts that the PLC puts out to the spindle instead of those of the speed, while it shifts gears.
+    /// Volts from the PLC to the spindle in place of the speed's, during a gear change.
     pub gear_volts: Option<f64>,
-    /// Spindle speed in r/min that the control puts out after override and clamps, signed.
+    /// Commanded spindle speed in r/min after override and clamps, signed.
     pub spindle_command: f64,
-    /// Spindle speed in r/min as it is, signed.
+    /// Actual spindle speed in r/min, signed.
     pub spindle_actual: f64,
-    /// Speeds in r/min, signed, at which the PLC turns its own axes.
+    /// Speeds in r/min, signed, of the axes moved by the PLC.
     pub pmc_speed: [f64; PMC_AXES],
-    /// Commanded turns since the run began, before acceleration.
+    /// Commanded turns of these axes since the start of the run, before acceleration.
     pub pmc_turns: [f64; PMC_AXES],
 }
 
@@ -138,49 +138,49 @@ impl Default for Io {
 }
 
 impl Io {
-    /// What of it the speed of the spindle depends on: whether the PLC holds it, its gear stage, the volts while it shifts, and the override.
+    /// Inputs of the spindle speed from the PLC: spindle hold, gear stage, volts during a gear change, and override.
     pub(super) fn spindle_orders(&self) -> (bool, u8, Option<f64>, f64) {
         (self.stops.spindle, self.gear, self.gear_volts, self.spindle_override_out)
     }
 
-    /// Nothing waits for FIN any more.
+    /// Clears all codes that wait for FIN.
     pub(super) fn clear_strobes(&mut self) {
         (self.m_strobe, self.s_strobe, self.t_strobe, self.gear_wanted) = (None, None, None, None);
     }
 }
 
-/// A builder's PLC program. It is called whenever something that it sees has changed, and when it asked to be.
+/// The machine builder's PLC program. It is called when one of its inputs has changed, and at the time it requests.
 pub trait Plc {
-    /// Reads and writes the interface at time `t` (seconds); returns when it wants to be asked again at the latest.
+    /// Reads and writes the interface at time `t` (s); returns the time of the latest next call, if any.
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64>;
-    /// Whether it watches the fault contact of a spindle inverter.
+    /// Whether the PLC monitors the fault contact of the spindle inverter.
     fn watches_inverter(&self) -> bool {
         false
     }
-    /// A copy with all its state, for the planner's checkpoints.
+    /// A copy with all state, for the planner's checkpoints.
     fn boxed(&self) -> Box<dyn Plc>;
 }
 
-/// A builder's gear change: the shift voltage, a delay, the old gear out and the new one in, the wait for its contact, another delay; then
-/// the voltage is that of the speed again.
+/// A gear change: shift voltage, delay, old gear disengaged and new one engaged, wait for its contact, another delay; then the voltage of
+/// the commanded speed again.
 ///
 /// Source: `reference/gsk-980tdc.md` section 1.2 (No.067, DT000, ASPn, DT001; A1.0 where the contact does not come).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GearShift {
-    /// Volts while it shifts.
+    /// Analog output (V) while the gear shifts.
     pub volts: f64,
-    /// Seconds until the old gear goes out.
+    /// Time (s) until the old gear disengages.
     pub before: f64,
-    /// Seconds until the new gear is in position.
+    /// Time (s) until the new gear is in position.
     pub meshing: f64,
-    /// Seconds until the voltage is that of the speed.
+    /// Time (s) until the voltage of the commanded speed.
     pub after: f64,
-    /// Seconds that the new gear may take to be in position; `None` without supervision.
+    /// Time limit (s) for the new gear to be in position; `None` without supervision.
     pub patience: Option<f64>,
 }
 
 impl GearShift {
-    /// Shifts to the stage that is wanted since `since`; when it is done, and until then the next moment that something happens.
+    /// Shifts to the stage wanted since `since` (s); returns the time of the next change, `None` when the shift is finished.
     pub fn shift(&self, t: f64, since: f64, io: &mut Io) -> Option<f64> {
         let wanted = io.gear_wanted.filter(|&wanted| wanted != io.gear || io.gear_volts.is_some())?;
         let out = since + self.before;
@@ -199,12 +199,12 @@ impl GearShift {
     }
 }
 
-/// Since when the codes of a block wait for FIN.
+/// Start (s) of the wait for FIN of the present codes.
 #[derive(Debug, Clone, Default)]
 pub struct Strobes(Option<f64>);
 
 impl Strobes {
-    /// The time at which the present ones came; none where nothing waits, and then FIN is off.
+    /// Start (s) of the wait of the present codes. Without waiting codes it is `None` and switches FIN off.
     pub fn since(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
             (self.0, io.fin) = (None, false);
@@ -214,16 +214,16 @@ impl Strobes {
     }
 }
 
-/// The bench's PLC: answers codes after a delay and echoes the spindle override into a macro input.
+/// The test bench's PLC: answers codes after a delay and echoes the spindle override into a macro input.
 #[derive(Debug, Clone)]
 pub struct BenchPlc {
     /// Seconds until FIN.
     pub fin_delay: f64,
-    /// Variable that shows the spindle override in percent.
+    /// Variable with the spindle override in percent.
     pub override_echo: Option<u32>,
-    /// How it shifts gears.
+    /// Voltage and times of a gear change.
     pub shift: GearShift,
-    /// Positions of the override knob, where it has such.
+    /// Positions of the override knob; `None` for a continuous one.
     pub knob: Option<Steps>,
     /// M03 and M04 need M05 between them.
     pub stop_between: bool,
@@ -274,12 +274,12 @@ impl Plc for BenchPlc {
     }
 }
 
-/// An override in percent: 0 to 1000, 0 where it is no number.
+/// Limits an override to 0 to 1000 %; NaN becomes 0.
 pub(super) fn percent(value: f64) -> f64 {
     if value > 0.0 { value.min(1000.0) } else { 0.0 }
 }
 
-/// The sign of a speed or an angle, 0 where it is none.
+/// Sign of a speed or angle: 1, -1, or 0 below 1e-9.
 pub(super) fn sense(value: f64) -> i8 {
     i8::from(value > 1e-9) - i8::from(value < -1e-9)
 }

@@ -1,4 +1,4 @@
-//! PMC axes, turned by the PLC: it commands their speeds; acceleration and servo lag are those of any axis.
+//! PMC axes, moved by the PLC: it commands their speeds; acceleration and servo lag are those of any axis.
 
 use super::path::Segment;
 use super::plant::{AxisPlant, PMC_AXES};
@@ -7,11 +7,11 @@ use super::sim::Sim;
 use super::timeline::Timeline;
 use crate::interp::canon::AXES;
 
-/// Degrees a second for each turn a minute.
+/// °/s per r/min.
 const DEGREES: f64 = 6.0;
 
 impl Timeline {
-    /// Commanded angles (°) of the PLC's axes at `t`, before acceleration.
+    /// Commanded angles (°) of the PMC axes at `t`, before acceleration.
     fn pmc_told(&self, t: f64) -> [f64; AXES] {
         self.pmc
             .segments
@@ -21,13 +21,13 @@ impl Timeline {
 }
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Hands the PLC the commanded angles of its axes.
+    /// Writes the commanded turns of the PMC axes to the PLC interface.
     pub(super) fn show_pmc(&mut self, t: f64) {
         let told = self.out.timeline.pmc_told(t);
         self.s.plc.io.pmc_turns = core::array::from_fn(|k| told[k] / 360.0);
     }
 
-    /// Turns the axes of the PLC at the speeds that it now gives.
+    /// Turns the PMC axes at the speeds from the PLC.
     pub(super) fn turn_pmc(&mut self, t: f64) {
         let speed = self.s.plc.io.pmc_speed;
         let asked = |k: usize| speed.get(k).copied().filter(|rpm| rpm.is_finite()).unwrap_or(0.0) * DEGREES;
@@ -39,7 +39,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 }
 
-/// The axes of the PLC as the timeline needs them: where the machine has fewer, nothing turns.
+/// PMC axes for the timeline; missing ones are at rest.
 pub(super) fn axes(plant: &[AxisPlant]) -> [AxisPlant; PMC_AXES] {
     let positive = |x: f64| if x > 0.0 && x.is_finite() { x } else { 0.0 };
     core::array::from_fn(|k| {

@@ -4,22 +4,22 @@ use crate::interp::canon::AXES;
 use crate::interp::{Counts, Interp, Step, World};
 use crate::text::Place;
 
-/// A program that runs, timeless; a clone goes on exactly as the original would.
+/// A running program without time; a clone continues exactly like the original.
 pub trait RunningProgram: Clone {
     /// The next step. The first step of a block raises [`blocks`](RunningProgram::blocks), further steps of the same block do not.
     fn step(&mut self, world: &mut dyn World) -> Step;
-    /// Blocks read so far; never falls.
+    /// Number of blocks read so far; never decreases.
     fn blocks(&self) -> Counts;
-    /// Back to the head of the start program with all modal states as after reset; the machine is at this position, in command
-    /// increments, machine frame. Common variables stay.
+    /// Restarts the start program with all modal states as after reset, at this axis position in command increments, machine frame. Common
+    /// variables stay.
     fn restart(&mut self, position: [i64; AXES]);
-    /// The machine is at this position when the run begins, in command increments, machine frame.
+    /// Sets the axis position at the start of the run, in command increments, machine frame.
     fn stand(&mut self, _position: [i64; AXES]) {}
-    /// Sets a variable as the control's screen does; whether there is such a variable.
+    /// Sets a variable as on the control's screen; returns whether it exists.
     fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool;
-    /// A common variable; `None` is vacant.
+    /// Value of a common variable; `None` is vacant.
     fn variable(&self, number: u32) -> Option<f64>;
-    /// The block with a sequence number in the program that a run starts with.
+    /// The block with a sequence number in the start program.
     fn numbered(&self, _sequence: u32) -> Option<Place> {
         None
     }

@@ -13,7 +13,7 @@ use crate::interp::canon::AXES;
 use crate::interp::{Canon, Step, World};
 use crate::text::Diagnostic;
 
-/// The machine as a program reads it in a block.
+/// The machine as read by a block of the program.
 struct ReaderWorld<'a> {
     inputs: &'a BTreeMap<u32, f64>,
     position: Axes<'a>,
@@ -26,16 +26,16 @@ struct ReaderWorld<'a> {
     remarks: Vec<Diagnostic>,
 }
 
-/// Where the axes are.
+/// Source of the axis positions.
 enum Axes<'a> {
-    /// Here, at rest.
+    /// At rest, at these positions.
     Rest(&'a [f64; AXES]),
-    /// On their path.
+    /// From the timeline.
     Path(&'a Timeline),
 }
 
 impl<P> SimState<P> {
-    /// Hands out the program, and the machine as the program sees it at `t`, with the axes on their path.
+    /// Calls `look` with the program and the machine as read by it at `t`, with the axes on their path.
     pub(super) fn look<R>(
         &self,
         t: f64,
@@ -98,7 +98,7 @@ impl World for ReaderWorld<'_> {
 }
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Takes one step of the program.
+    /// Reads one step of the program.
     pub(super) fn read(&mut self, t: f64) {
         let before = self.s.program.blocks();
         if before.nc + before.macros >= self.plant.limits.blocks {
@@ -127,7 +127,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.out.timeline.changes.push(VariableChange { t, number, value: value.unwrap_or(f64::NAN) });
         }
         for remark in eyes.remarks {
-            // One remark for each block, also in a loop with changing values.
+            // One remark per block, also in a loop with changing values.
             let told = |d: &Diagnostic| (d.place, d.id()) == (remark.place, remark.id());
             let said = &mut self.out.diagnostics;
             if said.len() < REMARKS && !said.iter().any(told) {
@@ -140,7 +140,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.take(t, step, (after.nc + after.macros - after.empty, nc + macros > 0));
     }
 
-    /// Takes in a step of a block: the block's number, empty ones not counted, and whether the step is its first.
+    /// Queues the result of a step; `block` is the block's number without empty blocks, `first` marks its first step.
     fn take(&mut self, t: f64, step: Step, (block, first): (u64, bool)) {
         let (canon, place) = match step {
             Step::Command(canon, place) => (canon, place),

@@ -6,18 +6,18 @@ use super::timeline::{Timeline, TimelineLengths};
 use crate::interp::Canon;
 use crate::text::{Diagnostic, Place, Severity};
 
-/// Warnings of a run are kept up to so many findings.
+/// Maximum findings of a run; beyond it only errors are added.
 pub(super) const REMARKS: usize = 1000;
 
-/// Records of a run; cut to [`RecordLengths`] when the past changes.
+/// Records of a run; cut to [`RecordLengths`] when planning returns to a checkpoint.
 #[derive(Debug, Clone)]
 pub(super) struct Records {
     pub(super) timeline: Timeline,
     pub(super) log: VecDeque<(f64, Canon, Place)>,
-    /// Log entries that were handed out.
+    /// Number of log entries taken.
     pub(super) taken: usize,
     pub(super) diagnostics: Vec<Diagnostic>,
-    /// Number of the first log entry that the debugger shows.
+    /// Number of the first log entry for the debugger.
     pub(super) anew: usize,
 }
 
@@ -30,14 +30,14 @@ pub(super) struct RecordLengths {
 }
 
 impl RecordLengths {
-    /// Number of changes of variables.
+    /// Number of variable changes.
     pub(super) fn changes(&self) -> usize {
         self.timeline.changes
     }
 }
 
 impl Records {
-    /// Adds a finding of the run, once: a program that is started again meets the same alarms. Warnings beyond [`REMARKS`] are left out.
+    /// Adds a finding, once: a restarted program raises the same alarms again. Warnings beyond [`REMARKS`] are dropped.
     pub(super) fn report(&mut self, diagnostic: Diagnostic) {
         let has_room = diagnostic.severity == Severity::Error || self.diagnostics.len() < REMARKS;
         if has_room && !self.diagnostics.contains(&diagnostic) {
@@ -49,7 +49,7 @@ impl Records {
         self.taken + self.log.len()
     }
 
-    /// Forgets the log but for its newest entries.
+    /// Drops all but the newest log entries.
     pub(super) fn forget_log(&mut self, keep: usize) {
         while self.log.len() > keep {
             self.log.pop_front();

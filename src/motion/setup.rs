@@ -1,4 +1,4 @@
-//! Inputs of a run (program, plant, PLC, panel, budgets), and how it ends.
+//! Inputs of a run (program, plant, PLC, panel, budgets), and its end.
 
 use super::panel::Panel;
 use super::plant::Plant;
@@ -9,9 +9,9 @@ use crate::text::Diagnostic;
 /// Budgets of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Budget {
-    /// Blocks read at most.
+    /// Maximum blocks read.
     pub blocks: u64,
-    /// CheckedPlant seconds at most.
+    /// Maximum machine time (s).
     pub seconds: f64,
 }
 
@@ -20,38 +20,38 @@ pub struct Budget {
 pub enum Retention {
     /// The whole timeline and a checkpoint for every second: any moment can be shown, any event added.
     Timeline,
-    /// The same, and the commands as a log: for stepping on the command line.
+    /// Timeline and checkpoints as [`Retention::Timeline`], and the commands as a log: for stepping on the command line.
     Both,
-    /// Only the newest moments, and the commands as a log for [`Planner::take_log`]: for long runs on the command line. An event that
-    /// is added to the past happens now.
+    /// Only the newest moments, and the commands as a log for [`Planner::take_log`]: for long runs on the command line. An event added to
+    /// the past happens at the present time.
     Log,
 }
 
-/// All that a run is a function of.
+/// All inputs of a run.
 pub struct Setup<'a, P> {
-    /// The program, at its head.
+    /// The program, at its start.
     pub program: P,
-    /// The control that runs it.
+    /// The control.
     pub control: &'a Control,
-    /// Axes, spindle, block times.
+    /// Axes, spindle and block times.
     pub plant: &'a Plant,
-    /// The builder's logic.
+    /// The machine builder's PLC program.
     pub plc: Box<dyn Plc>,
-    /// The operator's hand.
+    /// The operator's events.
     pub panel: Panel,
     /// Budgets.
     pub limits: Budget,
-    /// Records that are kept.
+    /// Records to keep.
     pub keep: Retention,
 }
 
-/// Why a run is over. Where the operator does something further it goes on.
+/// Cause of the end of a run. A further operator event continues the run.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RunEnd {
     /// M02, M30 or the end of the start program; the spindle is left as it is.
     ProgramEnd,
-    /// It waits for the operator: M00, M01, a message, single block, hold or reset, and no event of the panel answers. Or it waits for
-    /// something that never comes (FIN, a feed above 0); a diagnostic says which.
+    /// A wait for the operator (M00, M01, message, single block, hold or reset) without a later panel event, or a wait for an event that
+    /// never comes (FIN, a feed above 0); a diagnostic names it.
     Stop,
     /// An alarm, or emergency stop.
     Alarm(Box<Diagnostic>),
@@ -61,11 +61,11 @@ pub enum RunEnd {
     Seconds,
 }
 
-/// How far a run is planned.
+/// Progress of planning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
-    /// Machine time (s) up to which the run is planned.
+    /// Machine time (s) planned so far.
     pub planned_to: f64,
-    /// Set when the run is over, and axes and spindle have settled at that time.
+    /// Cause of the end; set after axes and spindle have settled.
     pub ended: Option<RunEnd>,
 }

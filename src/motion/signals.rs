@@ -9,17 +9,17 @@ use crate::controls::Alarm;
 use crate::msg;
 use crate::text::Diagnostic;
 
-/// Rounds in which control and PLC agree, at the most.
+/// Maximum rounds in which control and PLC settle.
 const ROUNDS: u32 = 4;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Lets the PLC act until it and the spindle agree.
+    /// Scans the PLC until it and the spindle agree.
     pub(super) fn scan(&mut self, t: f64) {
-        // The speed at a cut's diameter and its feed per revolution depend on each other: they agree before the PLC sees them.
+        // The speed at a cut's diameter and its feed per revolution depend on each other; they settle before the PLC is scanned.
         (0..ROUNDS).all(|_| self.turn(t));
         self.show_pmc(t);
         let waited = self.s.plc.io.stops.axes;
-        // A PLC and a control that never agree are left for the next scan.
+        // A PLC and a control that never agree are left to the next scan.
         for _ in 0..ROUNDS {
             self.s.plc.io.spindle_actual =
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.plant.spindle, t));
@@ -28,7 +28,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             let wish = self.s.plc.program.scan(t, &mut self.s.plc.io);
             (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (false, false);
             self.s.plc.io.stops.spindle_key = None;
-            // A PLC that wants to be asked at once is asked in its next cycle.
+            // A PLC that requests an immediate scan gets it in its next cycle (1 ms).
             self.s.plc.next_scan = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.plc.io;
             for ((number, part), value) in forced.iter() {
@@ -73,14 +73,14 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Lets the PLC see that the program has stopped or goes on.
+    /// Shows the PLC that the program has stopped or continued.
     pub(super) fn show_state(&mut self, t: f64) {
         if self.program_state() != self.s.plc.io.stops.program {
             self.scan(t);
         }
     }
 
-    /// The PLC stops the program.
+    /// Stops the program with an alarm of the PLC.
     fn plc_alarm(&mut self, t: f64, alarm: Alarm) {
         let (shown, message) = match alarm {
             Alarm::SpindleReversal => {
@@ -101,7 +101,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.turn(t);
     }
 
-    /// An alarm at the block that is executing.
+    /// Stops with an alarm at the executing block.
     pub(super) fn stop_with(&mut self, diagnostic: Diagnostic) {
         self.break_off(self.s.now);
         let diagnostic = Diagnostic { place: self.s.place, ..diagnostic };
@@ -109,7 +109,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.exec = Exec::Alarm(Box::new(diagnostic));
     }
 
-    /// Records macro inputs that have changed, for the screen.
+    /// Records changed macro inputs, for the screen.
     fn show_inputs(&mut self, t: f64) {
         let inputs = &self.s.plc.io.inputs;
         if *inputs == self.s.plc.shown {

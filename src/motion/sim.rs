@@ -1,4 +1,4 @@
-//! The simulation that events act on: state, plant, panel and records.
+//! Simulation of one event: state, plant, panel and records.
 
 use super::checked_plant::CheckedPlant;
 use super::panel::Panel;
@@ -6,7 +6,7 @@ use super::records::{REMARKS, Records};
 use super::state::SimState;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
 
-/// Diagnostics that a run gives once, as numbers of bits; of axes, that of the first axis.
+/// Diagnostics reported once per run, as bit numbers; for axes, the bit number of the first axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Once {
@@ -25,7 +25,7 @@ pub(super) enum Once {
     SmallOffset = 26,
 }
 
-/// A state with everything that its events read and write.
+/// The state, and everything that its events read and write.
 pub(super) struct Sim<'a, P> {
     pub(super) s: &'a mut SimState<P>,
     pub(super) plant: &'a CheckedPlant,
@@ -34,17 +34,17 @@ pub(super) struct Sim<'a, P> {
 }
 
 impl<P> Sim<'_, P> {
-    /// Adds a warning once a run.
+    /// Adds a warning, once per run.
     pub(super) fn say(&mut self, bit: u32, message: impl FnOnce() -> Message) {
         self.say_kind(bit, DiagnosticKind::Plain, message);
     }
 
-    /// The same of a kind that code acts on.
+    /// Adds a warning with a kind that code tests for, once per run.
     pub(super) fn say_kind(&mut self, bit: u32, kind: DiagnosticKind, message: impl FnOnce() -> Message) {
         self.once(bit, || Diagnostic::warning(message()).kind(kind));
     }
 
-    /// Adds a remark once a run.
+    /// Adds a remark, once per run.
     pub(super) fn note(&mut self, bit: u32, message: impl FnOnce() -> Message) {
         self.once(bit, || Diagnostic::info(message()));
     }
@@ -56,7 +56,7 @@ impl<P> Sim<'_, P> {
         }
     }
 
-    /// Adds a finding once for each block of the program, up to [`REMARKS`] findings.
+    /// Adds a finding, once per block of the program, up to [`REMARKS`] findings.
     pub(super) fn say_here(&mut self, finding: Diagnostic) {
         let finding = Diagnostic { place: self.s.place, ..finding };
         let told = |other: &Diagnostic| (other.place, other.id()) == (finding.place, finding.id());

@@ -1,45 +1,45 @@
-//! The machine at one moment of a run; positions are those of the slides, not diameters.
+//! The machine at one time of a run; positions are travel of the slides, not diameters.
 
 use super::plant::PMC_AXES;
 use crate::drives::Bound;
 use crate::interp::canon::AXES;
 use crate::text::Place;
 
-/// An axis at one moment. Lengths in mm (or degrees), speeds in mm/min (or °/min).
+/// An axis at one time. Lengths in mm (or degrees), speeds in mm/min (or °/min).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AxisState {
-    /// Commanded position behind acceleration, as the drive gets it.
+    /// Commanded position after acceleration: the input of the drive.
     pub position: f64,
-    /// Position of the axis itself, which lags its command by `speed / gain`.
+    /// Actual position, `speed / gain` behind the commanded one.
     pub actual: f64,
-    /// Commanded speed behind acceleration.
+    /// Commanded speed after acceleration.
     pub feed: f64,
     /// Commanded acceleration in mm/s² (or °/s²).
     pub acceleration: f64,
 }
 
-/// The spindle at one moment.
+/// The spindle at one time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpindleState {
     /// Commanded speed from S and override, after clamps, signed, r/min.
     pub command: f64,
-    /// Speed of the motor behind ramp and slip, signed, r/min.
+    /// Motor speed after ramp and slip, signed, r/min.
     pub actual: f64,
-    /// Analog command in volts before rounding to steps; its sign is the direction where the output has one.
+    /// Analog command in volts before rounding to converter steps; its sign gives the direction on a signed output.
     pub volts_command: f64,
-    /// Analog output in volts as it leaves the converter.
+    /// Analog output of the converter in volts.
     pub volts: f64,
-    /// Revolutions of the motor since the run began, signed.
+    /// Motor revolutions since the start of the run, signed.
     pub turns: f64,
     /// Angle in degrees, 0 to 360, clockwise from the zero mark.
     pub angle: f64,
-    /// It is held at its angle.
+    /// The spindle is held at its angle.
     pub held: bool,
-    /// Gear stage that is engaged, from 1.
+    /// Engaged gear stage, from 1.
     pub stage: u8,
-    /// Limit that acts on the command.
+    /// Limit that reduces or raises the command.
     pub bound: Bound,
-    /// Surface speed in m/min at the commanded tool position, where the machine has an axis square to the spindle.
+    /// Surface speed in m/min at the commanded tool position; `None` without an axis perpendicular to the spindle.
     pub surface_speed: Option<f64>,
 }
 
@@ -57,7 +57,7 @@ pub enum Mode {
     WaitFin,
     /// Dwell.
     Dwell,
-    /// The program is over.
+    /// The program has ended.
     Ended,
     /// Alarm.
     Alarm,
@@ -65,19 +65,19 @@ pub enum Mode {
     EmergencyStop,
 }
 
-/// Everything at one moment.
+/// The whole machine at one time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Snapshot {
     /// Machine time (s).
     pub t: f64,
     /// Axes in the control's order.
     pub axes: [AxisState; AXES],
-    /// Axes that the PLC turns, in ° and °/min.
+    /// Axes moved by the PLC, in ° and °/min.
     pub pmc: [AxisState; PMC_AXES],
     /// The spindle.
     pub spindle: SpindleState,
     /// Mode of the control.
     pub mode: Mode,
-    /// The block that is executing.
+    /// The executing block.
     pub block: Option<Place>,
 }

@@ -7,10 +7,10 @@ use crate::drives::Bound;
 use crate::drives::orient::turn;
 use crate::math;
 
-/// The commanded speed of the spindle. Equal commands ask for the same ramp.
+/// Commanded speed of the spindle. Equal commands give the same ramp.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct SpeedCommand {
-    /// Speed in r/min without sign now, and `span` seconds later: under constant surface speed it changes evenly.
+    /// Speed in r/min without sign, now and `span` seconds later. Under constant surface speed it changes linearly in between.
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) span: f64,
@@ -20,16 +20,16 @@ pub(super) struct SpeedCommand {
     pub(super) stage: u8,
     /// Limit that acts on the speed.
     pub(super) bound: Bound,
-    /// The drive gives no current: the spindle coasts to rest.
+    /// The drive supplies no current: the spindle coasts to rest.
     pub(super) coasts: bool,
 }
 
 impl SpeedCommand {
-    /// Relative difference of two commands of one moment, below which speed and feed have agreed: far below the bend of the speed between
-    /// two moments, and far above the last digit.
+    /// Relative difference of two commands at one time below which speed and feed have settled: far below the curvature of the speed
+    /// between two steps, and far above rounding errors.
     const AGREED: f64 = 1e-9;
 
-    /// Whether this command, found again at the same moment, has settled.
+    /// Whether this command, computed again at the same time, has settled.
     pub(super) fn agrees(&self, last: &SpeedCommand) -> bool {
         let is_near = |a: f64, b: f64| (a - b).abs() <= SpeedCommand::AGREED * b.abs();
         let is_same = SpeedCommand { from: last.from, to: last.to, span: last.span, ..*self } == *last;
@@ -37,24 +37,24 @@ impl SpeedCommand {
     }
 }
 
-/// Whether a spindle turns by speed or goes to an angle.
+/// Control mode of the spindle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum SpindleMode {
-    /// By speed, behind the inverter, with its slip.
+    /// Speed control through the inverter, with slip.
     #[default]
     Speed,
-    /// To an angle, in position control.
+    /// Travel to an angle, in position control.
     Position,
-    /// It is held at an angle.
+    /// Held at an angle.
     Held,
 }
 
-/// From `t` until the next segment the inverter runs from `start` toward `target`.
+/// Ramp of the inverter from `start` toward `target`, valid from `t` until the next segment.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ramp {
     /// Seconds.
     pub(super) t: f64,
-    /// Speed at `t` behind the ramp, before slip, signed, r/min.
+    /// Speed at `t` after the ramp and before slip, signed, r/min.
     pub(super) start: f64,
     /// Speed at the end of the ramp, signed, r/min.
     pub(super) target: f64,
@@ -62,10 +62,10 @@ pub(super) struct Ramp {
     pub(super) rate: f64,
     /// Turns at `t`.
     pub(super) turns: f64,
-    /// The command that the ramp follows.
+    /// The command followed by the ramp.
     pub(super) command: SpeedCommand,
     pub(super) control: SpindleMode,
-    /// The axis square to the spindle, and its position in mm at diameter 0.
+    /// The axis perpendicular to the spindle, and its position in mm at diameter 0.
     pub(super) square: Option<(u8, f64)>,
 }
 
@@ -75,7 +75,7 @@ impl Timed for Ramp {
     }
 }
 
-/// Motor speed behind an inverter: `gain · n`, reduced by `lost` toward standstill. With negative `lost` (a motor driven by its load) the
+/// Motor speed after an inverter: `gain · n`, reduced by `lost` toward standstill. With negative `lost` (a motor driven by its load) the
 /// speed is at most doubled, so that it starts from 0 without a step.
 #[derive(Clone, Copy)]
 pub(super) struct Slip {
@@ -102,27 +102,27 @@ impl Slip {
         area / self.gain
     }
 
-    /// Whether the speed is straight between two speeds.
+    /// Whether the motor speed is linear between two inverter speeds.
     fn straight(self, a: f64, b: f64) -> bool {
         self.lost == 0.0 || a * b > 0.0 && self.gain * a.abs().min(b.abs()) >= self.lost.abs()
     }
 }
 
 impl Ramp {
-    /// Seconds that the ramp takes.
+    /// Duration (s) of the ramp.
     fn whole(&self) -> f64 {
         let change = (self.target - self.start).abs();
         if change > 0.0 && self.rate > 0.0 { change / self.rate } else { 0.0 }
     }
 
-    /// When the ramp is over.
+    /// End (s) of the ramp.
     pub(super) fn reached(&self) -> f64 {
         self.t + self.whole()
     }
 
-    /// Speed behind the ramp, before slip, signed.
+    /// Speed after the ramp and before slip, signed, r/min.
     pub(super) fn speed(&self, t: f64) -> f64 {
-        // The same sum as the ramp's end, so that at that very time the end speed is exact.
+        // Computed like the ramp's end time, so that the end speed is exact at that time.
         let whole = self.whole();
         if t < self.t + whole {
             self.start + (self.target - self.start) * ((t - self.t) / whole).min(1.0)
@@ -131,7 +131,7 @@ impl Ramp {
         }
     }
 
-    /// Time (s) at which the speed is within a fraction of its target.
+    /// Time (s) from which the speed is within a fraction of its target.
     pub(super) fn within(&self, part: f64) -> f64 {
         let left = (self.target - self.start).abs() - part * self.target.abs();
         if left > 0.0 && self.rate > 0.0 { self.t + left / self.rate } else { self.t }
@@ -144,12 +144,12 @@ impl Ramp {
         }
     }
 
-    /// Speed of the spindle, signed.
+    /// Speed of the spindle, signed, r/min.
     pub(super) fn actual(&self, plant: &SpindlePlant, t: f64) -> f64 {
         self.slip(plant).speed(self.speed(t))
     }
 
-    /// Turns since the run began.
+    /// Turns since the start of the run.
     pub(super) fn turns(&self, plant: &SpindlePlant, t: f64) -> f64 {
         let (slip, whole) = (self.slip(plant), self.whole());
         let part = math::clamp(t - self.t, 0.0, whole);
@@ -165,13 +165,13 @@ impl Ramp {
         self.turns + minutes_rpm / 60.0
     }
 
-    /// Commanded speed without sign.
+    /// Commanded speed without sign, r/min.
     fn commanded(&self, t: f64) -> f64 {
         let SpeedCommand { from, to, span, .. } = self.command;
         if t < self.t + span { from + (to - from) * ((t - self.t) / span) } else { to }
     }
 
-    /// The spindle at `t` (s); `place` gives the position of an axis.
+    /// State of the spindle at `t` (s); `place` gives the position of an axis.
     pub(super) fn state(&self, plant: &SpindlePlant, t: f64, place: impl Fn(usize) -> f64) -> SpindleState {
         let (analog, speed) = (plant.analog(self.command.stage), self.commanded(t));
         let command = speed * f64::from(self.command.sign);
@@ -184,7 +184,7 @@ impl Ramp {
             volts_command: analog.command(out),
             volts: analog.output(out),
             turns,
-            // Whole turns leave no noise behind: 0 and not 359.99….
+            // Rounded, so that whole turns give 0 and not 359.99….
             angle: turn((turns * 360e9).round() / 1e9),
             held: self.control == SpindleMode::Held,
             stage: self.command.stage,

@@ -6,35 +6,35 @@ use crate::drives::speed::SpeedLimit;
 /// Constant surface speed in force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Surface {
-    /// m/min.
+    /// Cutting speed in m/min.
     pub(super) speed: f64,
-    /// The axis that measures the radius.
+    /// Index of the axis that measures the radius.
     pub(super) axis: usize,
-    /// Its position in mm at radius 0.
+    /// Position in mm of the axis at radius 0.
     pub(super) zero: f64,
     /// End (s) of the cut that moves the axis.
     pub(super) until: f64,
-    /// When the next speed is commanded (s).
+    /// Time (s) of the next speed command.
     pub(super) again: f64,
-    /// The moment (s) that was looked at last, and the diameter (mm) then: what is commanded at a moment moves the axis only after it.
+    /// Time (s) of the last computation, and the diameter (mm) then. A command at a time moves the axis only after it.
     pub(super) seen: (f64, f64),
 }
 
 /// Travel of the spindle to an angle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Orienting {
-    /// Target in turns since the run began; a turn back to it comes first.
+    /// Target in turns since the start of the run, possibly after turning back.
     pub(super) goal: f64,
-    /// Direction.
+    /// Direction of rotation: 1 or -1.
     pub(super) way: i8,
     pub(super) travel: Travel,
     pub(super) part: TravelPart,
 }
 
-/// Parts of the way.
+/// Part of the travel to an angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum TravelPart {
-    /// To standstill: the target lies the other way.
+    /// To standstill, because the target is in the other direction.
     TurnsBack(f64, Approach),
     ToPeak,
     Steady,
@@ -43,7 +43,7 @@ pub(super) enum TravelPart {
 }
 
 impl Orienting {
-    /// The spindle is at its angle.
+    /// Whether the spindle is at its angle.
     pub(super) fn is_held(&self) -> bool {
         self.part == TravelPart::Held
     }
@@ -52,7 +52,7 @@ impl Orienting {
 /// Commands to the spindle.
 #[derive(Debug, Clone)]
 pub(super) struct SpindleControl {
-    /// r/min before override and limits.
+    /// Speed in r/min before override and limits.
     pub(super) speed: f64,
     pub(super) direction: i8,
     pub(super) surface: Option<Surface>,
@@ -60,28 +60,28 @@ pub(super) struct SpindleControl {
     pub(super) set: (f64, f64),
     /// Highest speed under constant surface speed in r/min.
     pub(super) surface_high: f64,
-    /// Position of the turning centre on the axis square to the spindle, mm.
+    /// Position of the turning centre on the axis perpendicular to the spindle, mm.
     pub(super) centre: Option<f64>,
     /// Gear stages are selected by S.
     pub(super) automatic: bool,
-    /// The axis square to the spindle, and its position in mm at diameter 0.
+    /// The axis perpendicular to the spindle, and its position in mm at diameter 0.
     pub(super) square: Option<(u8, f64)>,
-    /// End of the ramp, or of a part of a travel to an angle.
+    /// End (s) of the ramp, or of a part of a travel to an angle.
     pub(super) reached_at: f64,
     /// Travel to an angle.
     pub(super) orienting: Option<Orienting>,
-    /// The zero mark of the encoder was seen.
+    /// The encoder's zero mark was found.
     pub(super) synced: bool,
-    /// The builder's lock holds the spindle at its angle.
+    /// The machine builder's lock holds the spindle at its angle.
     pub(super) locked: bool,
     /// A driven tool turns.
     pub(super) driven: bool,
-    /// The program has commanded a speed or a direction, and since then no motion began with the speed reached.
+    /// The program has commanded a speed or a direction since the last motion that began with the speed reached.
     pub(super) commanded: bool,
 }
 
 impl SpindleControl {
-    /// At power-on; the axis that counts diameters is square to the spindle.
+    /// State at power-on; the diameter axis `square` is perpendicular to the spindle.
     pub(super) fn new(square: Option<u8>) -> SpindleControl {
         SpindleControl {
             speed: 0.0,
@@ -101,7 +101,7 @@ impl SpindleControl {
         }
     }
 
-    /// Sets a limit in r/min; NaN removes it.
+    /// Sets a speed limit in r/min; NaN removes it.
     pub(super) fn limit(&mut self, limit: SpeedLimit, rpm: f64) {
         let rpm = if rpm > 0.0 { rpm } else { 0.0 };
         match limit {
@@ -111,7 +111,7 @@ impl SpindleControl {
         }
     }
 
-    /// Time (s) of the spindle's next own event.
+    /// Time (s) of the spindle's next event.
     pub(super) fn next(&self) -> f64 {
         self.surface.map_or(self.reached_at, |surface| surface.again.min(self.reached_at))
     }

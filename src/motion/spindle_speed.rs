@@ -1,4 +1,4 @@
-//! How fast the spindle is commanded to turn: S and override within their limits, gear stages, ramps.
+//! Commanded spindle speed: S and override within their limits, gear stages, ramps.
 
 use super::plc::percent;
 use super::program::RunningProgram;
@@ -7,11 +7,11 @@ use super::spindle::{Ramp, SpeedCommand, SpindleMode};
 use crate::drives::{Bound, SpeedLimits};
 use crate::msg;
 
-/// Cap (r/min) for speeds beyond any spindle.
+/// Cap (r/min) on speeds, above any real spindle.
 pub(super) const FASTEST: f64 = 1e9;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Carries out the spindle's own event.
+    /// Carries out the spindle's next event.
     pub(super) fn spindle(&mut self, t: f64) {
         if self.s.spindle.reached_at <= t {
             self.s.spindle.reached_at = f64::INFINITY;
@@ -26,14 +26,14 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.pace(t);
     }
 
-    /// Brings the spindle's command up to date, and lets the PLC see it.
+    /// Updates the spindle's command and scans the PLC on a change.
     pub(super) fn follow(&mut self, t: f64) {
         if self.turn(t) {
             self.scan(t);
         }
     }
 
-    /// Brings the spindle's command up to date; whether it changed.
+    /// Updates the spindle's command; returns whether it changed.
     pub(super) fn turn(&mut self, t: f64) -> bool {
         if self.s.spindle.orienting.is_some() {
             return false;
@@ -55,7 +55,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let stands = without_current || self.s.plc.io.stops.spindle;
         let sign = if stands { 0 } else { self.s.spindle.direction };
         let last = self.out.timeline.ramps.last();
-        // A drive that has its current again brakes nothing before it is asked to turn.
+        // A drive with its current restored does not brake before its next speed command.
         let coasted = last.is_some_and(|last| last.command.coasts) && sign == 0;
         let command =
             SpeedCommand { from, to, span, sign, stage: self.gear(), bound, coasts: without_current || coasted };
@@ -82,19 +82,19 @@ impl<P: RunningProgram> Sim<'_, P> {
         true
     }
 
-    /// The gear stage that the PLC reports; 1 if the spindle lacks it.
+    /// The gear stage reported by the PLC; 1 if the spindle lacks it.
     fn gear(&self) -> u8 {
         let gear = self.s.plc.io.gear;
         if gear <= self.plant.spindle.stage_count { gear.max(1) } else { 1 }
     }
 
-    /// The override as a factor.
+    /// The spindle override as a factor.
     pub(super) fn override_share(&self) -> f64 {
         let whole = self.s.exec.threads() && !self.plant.spindle.rules.thread_override;
         if whole { 1.0 } else { percent(self.s.plc.io.spindle_override_out) / 100.0 }
     }
 
-    /// Speed (r/min) after override and limits, and the limit that acts.
+    /// Speed (r/min) after override and limits, and the active limit.
     pub(super) fn held(&self, rpm: f64) -> (f64, Bound) {
         let (plant, turning) = (&self.plant.spindle, &self.s.spindle);
         let (stage, analog) = (plant.stage(self.gear()), plant.analog(self.gear()));
@@ -146,7 +146,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.put(ramp);
     }
 
-    /// Records a ramp; its end is an event.
+    /// Records a ramp and schedules its end as an event.
     pub(super) fn put(&mut self, ramp: Ramp) {
         let reached = ramp.reached();
         self.s.spindle.reached_at = if reached > ramp.t { reached } else { f64::INFINITY };

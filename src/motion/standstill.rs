@@ -1,4 +1,4 @@
-//! Standstill: axes and spindle settle after the end of a run.
+//! Standstill: settling of axes and spindle after the end of a run.
 
 use super::path::Path;
 use super::plant::AxisPlant;
@@ -9,15 +9,15 @@ use crate::math;
 /// Longest time (s) planned beyond the end of a run for axes and spindle to settle.
 const SETTLING: f64 = 60.0;
 
-/// The same for a spindle that coasts without current.
+/// Longest time (s) planned beyond the end of a run for a spindle that coasts without current.
 const COASTING: f64 = 3600.0;
 
-/// Tolerance of the lag at standstill, in command increments.
+/// Tolerance of the position lag at standstill, in command increments.
 const SETTLED: f64 = 0.01;
 
 impl Path {
-    /// Time at which an axis has settled after its last change of feed to `v` at `t₀`, where the path is `U`; `e` is the deviation from the
-    /// steady lag `v / K` at `t₀ + τ`. An axis that is `v (τ/2 + 1/K)` behind `U` at `t₀` is settled already.
+    /// Settling time (s) of an axis after its last change of feed to `v` at `t₀` on the path `U`. `e` is the deviation from the steady lag
+    /// `v / K` at `t₀ + τ`. An axis already `v (τ/2 + 1/K)` behind `U` at `t₀` has settled then.
     ///
     /// `t = t₀ + τ + ln(e / tolerance) / K  [s]`
     fn settled(&self, k: usize, plant: &AxisPlant, tolerance: f64) -> f64 {
@@ -51,7 +51,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let ramp = timeline.ramps.last();
         let spindle = ramp.map_or(0.0, |ramp| ramp.reached().max(ramp.t + ramp.command.span));
         let longest = if ramp.is_some_and(|ramp| ramp.command.coasts) { COASTING } else { SETTLING };
-        // The PLC still slows its axes down.
+        // The PLC still slows down its axes.
         let turning = self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let plc = if turning && self.s.plc.next_scan.is_finite() { f64::INFINITY } else { 0.0 };
         let settled = axes.chain(pmc).fold(spindle.max(plc), f64::max);

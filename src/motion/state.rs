@@ -10,22 +10,22 @@ use crate::interp::canon::AXES;
 use crate::interp::{Canon, End};
 use crate::text::{Diagnostic, Place};
 
-/// A command that is read and not yet begun.
+/// A command read and not yet begun.
 #[derive(Debug, Clone)]
 pub(super) struct Queued {
     pub(super) canon: Canon,
     pub(super) place: Place,
-    /// Time (s) at which its block is read.
+    /// Time (s) at which its block was read.
     pub(super) ready: f64,
     /// First command of its block.
     pub(super) first: bool,
-    /// Number of its block, counted as blocks are read.
+    /// Number of its block, in reading order.
     pub(super) block: u64,
     /// Its number in the log.
     pub(super) logged: usize,
 }
 
-/// Reason why reading has ended.
+/// Reason for the end of reading.
 #[derive(Debug, Clone)]
 pub(super) enum Over {
     /// The program has ended.
@@ -48,13 +48,13 @@ impl From<End> for Over {
 /// The reader: commands read and not yet begun, and its next step.
 #[derive(Debug, Clone, Default)]
 pub(super) struct ReaderState {
-    /// When the reader takes the next step (s).
+    /// Time (s) of the reader's next step.
     pub(super) next_step: f64,
-    /// The reader waits until all is executed and the axes are at rest.
+    /// The reader waits until all commands are executed and the axes are at rest.
     pub(super) drains: bool,
     pub(super) over: Option<Over>,
     pub(super) queue: VecDeque<Queued>,
-    /// Number of the block that is executed, counted as blocks are read.
+    /// Number of the executing block, in reading order.
     pub(super) executed: u64,
     /// Blocks in the queue.
     pub(super) ahead: usize,
@@ -63,18 +63,18 @@ pub(super) struct ReaderState {
 /// The commanded path before acceleration.
 #[derive(Debug, Clone)]
 pub(super) struct PathState {
-    /// Position at the end of the last movement, mm or °; exact also where a movement was broken off.
+    /// Position at the end of the last movement, mm or °; exact also after a broken-off movement.
     pub(super) position: [f64; AXES],
-    /// When the path came to rest (s).
+    /// Start (s) of the path's standstill.
     pub(super) rest_since: f64,
     pub(super) moving: bool,
-    /// End (s) of a movement that the next should follow without a stop.
+    /// End (s) of a movement that the next one should follow without a stop.
     pub(super) flow_end: Option<f64>,
-    /// Position at the last preset of coordinates or limit of the speed that takes it for a reference point, mm or °.
+    /// The program's reference point, mm or °: position at the last preset of coordinates, or at the last speed limit that sets it.
     pub(super) reference: Option<[f64; AXES]>,
 }
 
-/// Codes by which a program switches parts of the operator panel and of the PLC off (`#3003`, `#3004`).
+/// Panel and PLC functions switched off by the program (`#3003`, `#3004`).
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Suppressed {
     pub(super) hold: bool,
@@ -102,7 +102,7 @@ pub(super) struct OperatorState {
     pub(super) held: bool,
     /// A block was begun since cycle start, for single block.
     pub(super) stepped: bool,
-    /// Events of the panel that have happened.
+    /// Number of panel events carried out.
     pub(super) events_done: usize,
 }
 
@@ -110,10 +110,10 @@ pub(super) struct OperatorState {
 #[derive(Debug)]
 pub(super) struct PlcState {
     pub(super) program: Box<dyn Plc>,
-    /// When it asked for its next scan (s).
+    /// Time (s) of the next scan requested by the PLC.
     pub(super) next_scan: f64,
     pub(super) io: Io,
-    /// Macro inputs as recorded last.
+    /// Macro inputs as last recorded.
     pub(super) shown: BTreeMap<u32, f64>,
 }
 
@@ -137,16 +137,16 @@ impl core::fmt::Debug for dyn Plc {
 /// The clock of automatic running.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct RunClock {
-    /// Since when the program runs (s).
+    /// Start (s) of the present automatic operation; `None` while the program does not run.
     pub(super) since: Option<f64>,
-    /// Seconds of earlier runs.
+    /// Seconds of earlier automatic operation.
     pub(super) total: f64,
 }
 
 /// State of the simulation; a clone continues exactly like the original.
 #[derive(Debug, Clone)]
 pub(super) struct SimState<P> {
-    /// Time of the newest event (s).
+    /// Time (s) of the newest event.
     pub(super) now: f64,
     pub(super) started: bool,
     /// Time (s) of the end of the run, if only the operator can continue it; axes and spindle settle after it.
@@ -154,7 +154,7 @@ pub(super) struct SimState<P> {
     pub(super) program: P,
     pub(super) reader: ReaderState,
     pub(super) exec: Exec,
-    /// The block that is executed.
+    /// The executing block.
     pub(super) place: Option<Place>,
     pub(super) path: PathState,
     pub(super) operator: OperatorState,
@@ -162,7 +162,7 @@ pub(super) struct SimState<P> {
     pub(super) plc: PlcState,
     pub(super) spindle: SpindleControl,
     pub(super) clock: RunClock,
-    /// Blocks that were read too late to follow without a stop.
+    /// Number of blocks read too late to follow without a stop.
     pub(super) starved: u64,
     /// Bits of [`Once`](super::sim::Once).
     pub(super) said: u32,
@@ -203,7 +203,7 @@ impl<P> SimState<P> {
         self.clock.total + self.clock.since.map_or(0.0, |since| t - since)
     }
 
-    /// Commands behind the one that is executed; `None` where all are done.
+    /// Number of commands waiting behind the executing one; `None` if all are done.
     pub(super) fn waiting(&self) -> Option<usize> {
         let idle = self.reader.queue.is_empty() && matches!(self.exec, Exec::Idle);
         (!idle).then_some(self.reader.queue.len())

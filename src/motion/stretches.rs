@@ -1,4 +1,4 @@
-//! A run as stretches of constant acceleration: what the motors do, without the steps of a sampling.
+//! A run as stretches of constant acceleration: exact motor loads without a sampling step.
 
 use super::path::Path;
 use super::plant::AxisPlant;
@@ -10,33 +10,33 @@ use super::timeline::Timeline;
 pub enum Mover {
     /// The axis with this index in the control's order; speeds in mm/s or °/s.
     Axis(usize),
-    /// The axis with this index among those that the PLC turns; speeds in °/s.
+    /// The axis with this index among the axes moved by the PLC; speeds in °/s.
     Turned(usize),
-    /// The spindle behind its inverter; speeds in r/min.
+    /// The spindle after its inverter; speeds in r/min.
     Spindle,
 }
 
-/// A part of a run in which the speed changes evenly.
+/// A part of a run with a linear change of speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    /// When it begins, s.
+    /// Start, s.
     pub t: f64,
-    /// How long it is, s.
+    /// Duration, s.
     pub seconds: f64,
-    /// Speed at its begin, signed.
+    /// Speed at the start, signed.
     pub from: f64,
-    /// Speed at its end, signed.
+    /// Speed at the end, signed.
     pub to: f64,
 }
 
-/// Seconds below which two moments are one.
+/// Shortest time (s) between two different moments.
 const MOMENT: f64 = 1e-9;
 
 impl Timeline {
     /// The stretches from `from` to `to` seconds, without gaps.
     ///
-    /// Of an axis the speed is the commanded one behind acceleration; the lag of its position loop is left out, but where there is no time
-    /// constant, a time constant of one over the gain stands for it. On an arc the acceleration is the mean of each piece of the path.
+    /// The speed of an axis is the commanded one after acceleration. The lag of its position loop is left out; an axis without time
+    /// constant gets one of 1 / gain instead. On an arc the acceleration is the mean over each piece of the path.
     pub fn stretches(&self, of: Mover, from: f64, to: f64) -> Vec<Stretch> {
         let from = from.max(self.start);
         match of {
@@ -83,22 +83,22 @@ impl Path {
     }
 }
 
-/// Part of a speed below which two speeds are one.
+/// Relative difference below which two speeds are equal.
 const ALIKE: f64 = 1e-9;
 
-/// Whether two speeds differ by rounding alone.
+/// Whether two speeds differ only by rounding.
 fn same(one: f64, other: f64) -> bool {
     (one - other).abs() <= ALIKE * one.abs().max(other.abs())
 }
 
 impl Stretch {
-    /// Whether the speed stays.
+    /// Whether the speed is constant.
     fn is_even(&self) -> bool {
         same(self.from, self.to)
     }
 }
 
-/// Adds the stretches between some moments, in any order.
+/// Adds the stretches between the given moments (s), in any order.
 fn put(out: &mut Vec<Stretch>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64) {
     moments.sort_by(f64::total_cmp);
     let Some(mut t) = moments.first().copied() else { return };
@@ -107,7 +107,7 @@ fn put(out: &mut Vec<Stretch>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64
         if next - t > MOMENT {
             let to = speed(next);
             match out.last_mut() {
-                // Blocks that follow each other at one speed are one stretch.
+                // Consecutive blocks of equal constant speed are one stretch.
                 Some(last) if last.is_even() && same(last.to, from) && same(from, to) => {
                     (last.seconds, last.to) = (next - last.t, to);
                 }
@@ -119,7 +119,7 @@ fn put(out: &mut Vec<Stretch>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64
 }
 
 impl Ramp {
-    /// Moments at which the speed bends: the end of the ramp, and where slip begins or ends to grow with the speed.
+    /// Moments (s) of changes of acceleration: the end of the ramp, and the speeds at which slip starts or stops to grow.
     fn bends(&self, plant: &super::plant::SpindlePlant) -> Vec<f64> {
         let slip = self.slip(plant);
         let edge = if slip.gain > 0.0 { slip.lost.abs() / slip.gain } else { 0.0 };

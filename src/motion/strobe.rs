@@ -8,7 +8,7 @@ use crate::interp::Canon;
 use crate::msg;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Puts out a code, and with it the codes of the same block that are ready.
+    /// Puts out a code, together with the ready codes of the same block.
     pub(super) fn put_out(&mut self, t: f64, canon: Canon) {
         self.strobe(canon);
         // S, M and T of one block are put out together (reference/mitsubishi-e60.md section 5).
@@ -24,7 +24,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.scan(t);
     }
 
-    /// Whether a code can be put out beside those that wait.
+    /// Whether a code can be put out beside the waiting ones.
     fn free(&self, canon: &Canon) -> bool {
         match canon {
             Canon::SpindleSpeed { .. } => self.s.plc.io.s_strobe.is_none(),
@@ -77,7 +77,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             Canon::Auxiliary { code } => {
                 let rules = &self.plant.spindle.rules;
                 let turning = &mut self.s.spindle;
-                // Tool changes and coolant lock nothing.
+                // The M codes of tool change and coolant (M6 to M9) lock nothing.
                 turning.locked |= rules.lock.map_or(!matches!(code, 6..=9), |lock| lock == code);
                 turning.driven |= rules.driven_tool == Some(code);
                 self.s.plc.io.m_strobe = Some(code);

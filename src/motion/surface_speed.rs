@@ -18,13 +18,13 @@ const PART: f64 = 0.05;
 const LEAST: f64 = 1e-4;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Speed (r/min) at the position of the axis of constant surface speed, before override and limits.
+    /// Speed (r/min) for a position of the axis, before override and limits.
     fn surface_rpm(&self, place: f64) -> Option<f64> {
         let surface = self.s.spindle.surface?;
         Some(surface_rpm(surface.speed, 2.0 * (place - surface.zero)).min(FASTEST))
     }
 
-    /// While a cut moves the axis of constant surface speed: speed now and after a step, and the step (s).
+    /// Speed now, speed after a step, and the step (s), while a cut moves the axis of constant surface speed.
     pub(super) fn following(&mut self, t: f64) -> Option<(f64, f64, f64)> {
         let mut surface = self.s.spindle.surface.filter(|surface| t < surface.until)?;
         let plant = self.plant.axes.get(surface.axis)?;
@@ -48,7 +48,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (bound, bound_later) = (self.held(rpm(here)).1, self.held(rpm(there)).1);
         if rate > 0.0 && (bound == Bound::None || bound != bound_later) {
             span = span.min((PART * here / rate).max(LEAST));
-            // Where a limit begins or ends, a step does too.
+            // A step ends at the diameter where a limit begins or ends.
             if bound != bound_later {
                 let share = self.override_share();
                 let edge = self.held(rpm(if bound == Bound::None { there } else { here })).0 / share;
@@ -71,7 +71,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.spindle.surface =
             Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY, seen: (f64::NEG_INFINITY, 0.0) });
         self.s.spindle.square = Some((axis, zero));
-        // Without a known turning centre the first work zero is taken for it.
+        // If the turning centre is unknown, the first work zero is assumed to be it.
         let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
         let offset = (zero - centre).abs();
         if offset > 1e-9 {
@@ -91,7 +91,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.follow(t);
     }
 
-    /// Ends constant surface speed: the spindle keeps its speed.
+    /// Ends constant surface speed; the spindle keeps its speed.
     pub(super) fn end_surface(&mut self, t: f64) {
         let (held, share) = (self.held(self.s.spindle.speed).0, self.override_share());
         if self.s.spindle.surface.take().is_some() && share > 0.0 {
@@ -100,12 +100,12 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.follow(t);
     }
 
-    /// Sets the speed of constant surface speed for a place of its axis.
+    /// Sets the spindle speed for a position of the axis.
     fn aim(&mut self, place: f64) {
         self.s.spindle.speed = self.surface_rpm(place).unwrap_or(self.s.spindle.speed);
     }
 
-    /// Before a cut: takes the surface speed at its start.
+    /// Before a cut: sets the speed for its start.
     pub(super) fn aim_at_cut(&mut self, t: f64) {
         if let Some(surface) = self.s.spindle.surface
             && t >= surface.until
@@ -115,7 +115,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// A block is read during a rapid: if it cuts, the spindle gets the speed of the rapid's end.
+    /// Sets the speed of the rapid's end, if a cutting block has been read during the rapid.
     pub(super) fn aim_ahead(&mut self, t: f64) {
         let rapid = || matches!(&self.s.exec, Exec::Moving(motion) if motion.pace == Pace::Rapid);
         if self.s.spindle.surface.is_some()
@@ -128,11 +128,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// A motion begins: constant surface speed follows its axis.
+    /// Lets constant surface speed follow its axis in a new motion.
     pub(super) fn aim_at_motion(&mut self, t: f64) {
         let (Exec::Moving(motion), Some(surface)) = (&self.s.exec, self.s.spindle.surface) else { return };
         if motion.pace != Pace::Rapid {
-            // A cut that follows a cut goes on from where the axis is on its way.
+            // A cut directly after a cut continues from the present position of the axis.
             let still = t >= surface.until;
             let place = self.s.path.position[surface.axis];
             self.watch(t);
@@ -148,7 +148,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// A cut is read that follows the executed block, as near as the control looks for it.
+    /// Whether a cut that follows the executing block is read, within the control's look-ahead.
     fn cut_follows(&self) -> bool {
         let last = match self.plant.spindle.rules.rapid {
             RapidSpeed::BeforeCutBlock => self.s.reader.executed + 1,
@@ -159,7 +159,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         near.into_iter().find_map(|queued| queued.canon.is_cut()) == Some(true)
     }
 
-    /// A new segment of the path begins: notes until when a cut moves the axis of constant surface speed.
+    /// At a new segment of the path: stores the end of the cut's movement of the axis.
     pub(super) fn watch(&mut self, t: f64) {
         let Some(surface) = &mut self.s.spindle.surface else { return };
         let settles = t + self.plant.axes.get(surface.axis).map_or(0.0, |axis| axis.time_constant);

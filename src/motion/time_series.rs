@@ -1,12 +1,12 @@
 //! Entries in time order: appended and truncated at the end, dropped at the beginning.
 
-/// An entry that is valid from a time until the next entry of its series.
+/// An entry valid from a time until the next entry of its series.
 pub(super) trait Timed {
     /// Seconds.
     fn t(&self) -> f64;
 }
 
-/// Entries are counted from the first that ever was, so that numbers stay right when old ones are forgotten.
+/// Series of entries. Entry numbers count dropped entries too, so that they stay valid.
 #[derive(Debug, Clone)]
 pub(super) struct TimeSeries<T> {
     items: Vec<T>,
@@ -19,16 +19,16 @@ impl<T> Default for TimeSeries<T> {
     }
 }
 
-/// Old entries that are dropped together.
+/// Number of old entries dropped together.
 const SLAB: usize = 4096;
 
 impl<T: Timed> TimeSeries<T> {
-    /// Number of entries that ever were.
+    /// Number of entries, dropped ones included.
     pub(super) fn len(&self) -> usize {
         self.forgotten + self.items.len()
     }
 
-    /// Appends an entry; one of the same time is replaced, as it has held for no time.
+    /// Appends an entry. It replaces an entry of the same time, which was never valid.
     #[inline(always)]
     pub(super) fn put(&mut self, item: T) {
         match self.items.last_mut() {
@@ -42,7 +42,7 @@ impl<T: Timed> TimeSeries<T> {
         self.items.push(item);
     }
 
-    /// Forgets the entries from number `len` on.
+    /// Removes the entries from number `len` on.
     pub(super) fn truncate(&mut self, len: usize) {
         self.items.truncate(len.saturating_sub(self.forgotten));
     }
@@ -52,12 +52,12 @@ impl<T: Timed> TimeSeries<T> {
         self.items.last()
     }
 
-    /// The entry that holds at `t`; before the first one, none.
+    /// The entry valid at `t`; `None` before the first.
     pub(super) fn at(&self, t: f64) -> Option<&T> {
         self.until(t).last()
     }
 
-    /// All entries that begin at `t` or before.
+    /// All entries with a time up to `t`.
     pub(super) fn until(&self, t: f64) -> &[T] {
         &self.items[..self.items.partition_point(|item| item.t() <= t)]
     }
@@ -67,7 +67,7 @@ impl<T: Timed> TimeSeries<T> {
         self.items.get(from.saturating_sub(self.forgotten)..).unwrap_or(&[])
     }
 
-    /// A copy of the entries that hold at `t` or begin later, up to number `len`; they keep their numbers.
+    /// A copy of the entries valid at `t` or later, up to number `len`; they keep their numbers.
     pub(super) fn part(&self, t: f64, len: usize) -> TimeSeries<T>
     where
         T: Clone,
@@ -77,7 +77,7 @@ impl<T: Timed> TimeSeries<T> {
         TimeSeries { items, forgotten: self.forgotten + old }
     }
 
-    /// Forgets entries that no longer hold at `t`, when there are many.
+    /// Drops entries no longer valid at `t`, if there are many.
     pub(super) fn forget(&mut self, t: f64) {
         let old = self.until(t).len().saturating_sub(1);
         if old >= SLAB {

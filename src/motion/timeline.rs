@@ -1,4 +1,4 @@
-//! [`Timeline`]: the machine at any moment of a run, without running it again.
+//! [`Timeline`]: the machine at any time of a run, without running it again.
 
 use core::cell::Cell;
 use std::rc::Rc;
@@ -17,7 +17,7 @@ pub(super) struct Activity {
     pub(super) t: f64,
     pub(super) place: Place,
     pub(super) mode: Mode,
-    /// Whether a block has begun at all.
+    /// Whether a block has begun since the start of the run.
     pub(super) begun: bool,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct MessageChange {
     pub(super) t: f64,
     /// The text; empty for none.
     pub(super) text: Rc<str>,
-    /// Whether the next cycle start takes it away.
+    /// Whether the next cycle start clears the message.
     pub(super) until_start: bool,
 }
 
@@ -57,16 +57,16 @@ impl Timed for VariableChange {
     }
 }
 
-/// A visit of two axes to a region: when it began (s), and how far they went in it, mm.
+/// A visit of two axes to a region: its time (s) and its extreme positions (mm).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Visit {
-    /// When both were in the region.
+    /// Time (s) from which both axes are in the region.
     pub begin: f64,
-    /// When one of them left it, or the time up to which was looked.
+    /// Time (s) at which one axis left it, or the end of the search.
     pub end: f64,
-    /// The least position of the first axis.
+    /// Least position of the first axis.
     pub across: f64,
-    /// The least and the greatest position of the second axis.
+    /// Least and greatest position of the second axis.
     pub along: (f64, f64),
 }
 
@@ -82,14 +82,14 @@ pub(super) struct TimelineLengths {
     pub(super) changes: usize,
 }
 
-/// A run over time. A block of straight cutting feed takes [`Timeline::BLOCK_BYTES`].
+/// A run over time. A block of straight cutting feed uses [`Timeline::BLOCK_BYTES`] of memory.
 #[derive(Debug, Clone)]
 pub struct Timeline {
     pub(super) axes: [AxisPlant; AXES],
     pub(super) pmc_axes: [AxisPlant; PMC_AXES],
     pub(super) spindle: SpindlePlant,
     pub(super) path: Path,
-    /// Commanded angles of the PLC's axes, °.
+    /// Commanded angles of the PMC axes, °.
     pub(super) pmc: Path,
     pub(super) ramps: TimeSeries<Ramp>,
     pub(super) marks: TimeSeries<Activity>,
@@ -100,7 +100,7 @@ pub struct Timeline {
     counted: [Cell<Counted>; 2],
 }
 
-/// How often the block at a place has begun in the first marks: asking for every moment of a run counts only new marks.
+/// Cache: number of starts of the block at `place` in the first `marks` marks, so that repeated queries count only new marks.
 #[derive(Debug, Clone, Copy, Default)]
 struct Counted {
     place: Place,
@@ -109,7 +109,7 @@ struct Counted {
 }
 
 impl Timeline {
-    /// Memory of one block with motion.
+    /// Bytes of memory per block with motion.
     pub const BLOCK_BYTES: usize = size_of::<Segment>() + size_of::<Activity>();
 
     pub(super) fn new(axes: [AxisPlant; AXES], pmc_axes: [AxisPlant; PMC_AXES], spindle: SpindlePlant) -> Timeline {
@@ -129,7 +129,7 @@ impl Timeline {
         }
     }
 
-    /// The machine at time `t`; beyond [`end`](Timeline::end) as it would be if nothing further happened.
+    /// The machine at time `t`; after [`end`](Timeline::end), continued without further events.
     pub fn at(&self, t: f64) -> Snapshot {
         let t = if t > self.start { t } else { self.start };
         let mut now = Snapshot { t, ..Snapshot::default() };
@@ -149,7 +149,7 @@ impl Timeline {
         now
     }
 
-    /// Commanded positions at time `t` as words count them: diameters where an axis is programmed in diameters.
+    /// Commanded positions at time `t` in the unit of words: diameters on a diameter axis.
     pub fn words_at(&self, t: f64) -> [f64; AXES] {
         let now = self.at(t).axes;
         core::array::from_fn(|k| now[k].position * self.axes[k].words_per_unit())
@@ -160,30 +160,30 @@ impl Timeline {
         self.messages.at(t).map(|message| &*message.text).filter(|text| !text.is_empty())
     }
 
-    /// Shows a message from `t` on; an empty text takes the last one away. A loop that repeats a message adds nothing.
+    /// Shows a message from `t` on; an empty text clears the last one. Repeating the shown message adds no entry.
     pub(super) fn show_message(&mut self, t: f64, text: &str, until_start: bool) {
         if self.messages.last().map_or("", |last| &*last.text) != text {
             self.messages.put(MessageChange { t, text: text.into(), until_start });
         }
     }
 
-    /// Takes away a message that waits for cycle start.
+    /// Clears a message that waits for cycle start.
     pub(super) fn started(&mut self, t: f64) {
         if self.messages.last().is_some_and(|last| last.until_start) {
             self.show_message(t, "", false);
         }
     }
 
-    /// The block that is executing at time `t`.
+    /// The executing block at time `t`.
     pub fn block_at(&self, t: f64) -> Option<Place> {
         self.marks.at(t).and_then(|mark| mark.begun.then_some(mark.place))
     }
 
-    /// How often the block at a place has begun until time `t`.
+    /// Number of starts of the block at `place` until time `t`.
     pub fn times(&self, place: Place, t: f64) -> u32 {
         let marks = self.marks.until(t);
         let there = |mark: &Activity| mark.begun && mark.place == place;
-        // A block may have several marks: it waits, then moves.
+        // A block may have several marks, for instance a wait and its motion.
         let begins = |at: usize| there(&marks[at]) && (at == 0 || !there(&marks[at - 1]));
         let [kept, other] = &self.counted;
         let known = |cell: &Cell<Counted>| cell.get().place == place && cell.get().marks <= marks.len();
@@ -192,32 +192,32 @@ impl Timeline {
         }
         let from = if known(kept) { kept.get() } else { Counted { place, ..Counted::default() } };
         let count = |from: usize, to: usize| (from..to).filter(|&at| begins(at)).count() as u32;
-        // The newest mark may be replaced yet.
+        // The newest mark may still be replaced.
         let sure = marks.len().saturating_sub(1).max(from.marks);
         let times = from.times + count(from.marks, sure);
         kept.set(Counted { place, marks: sure, times });
         times + count(sure, marks.len())
     }
 
-    /// Times at which a block within a place begins after another block, as far as the run is planned.
+    /// Times (s) at which a block within a place begins after another block, in the planned part.
     pub fn begins(&self, place: Place) -> impl Iterator<Item = f64> {
         let marks = self.marks.until(f64::INFINITY);
         let span = place.span.start..place.span.end;
         let there =
             move |mark: &Activity| mark.begun && mark.place.file == place.file && span.contains(&mark.place.span.start);
-        // A block may have several marks: it waits, then moves.
+        // A block may have several marks, for instance a wait and its motion.
         let begins = move |at: &usize| there(&marks[*at]) && (*at == 0 || !there(&marks[at - 1]));
         (0..marks.len()).filter(begins).map(move |at| marks[at].t)
     }
 
-    /// Visits of the commands of two axes to the region where both are below their limits, up to `t`; deviations of arcs are left out.
+    /// Visits of two axes, by their commands, to the region where both are below their limits, up to `t`. Deviations of arcs are ignored.
     pub fn visits(&self, [across, along]: [(usize, f64); 2], t: f64) -> Vec<Visit> {
         let segments = self.path.segments.until(t);
         let (mut visits, mut within): (Vec<Visit>, bool) = (Vec::new(), false);
         for (at, segment) in segments.iter().enumerate() {
             let until = segments.get(at + 1).map_or(t, |next| next.t) - segment.t;
             let line = |axis: usize| (segment.from[axis], segment.velocity[axis]);
-            // The part of the segment in which both are below.
+            // The part of the segment in which both axes are below their limits.
             let (mut from, mut to) = (0.0_f64, until);
             for (axis, limit) in [across, along] {
                 let (place, rate) = line(axis);
@@ -229,7 +229,7 @@ impl Timeline {
                     to = to.min((limit - place) / rate);
                 }
             }
-            // Touching the limit is no visit.
+            // Touching the limit does not count.
             if to - from <= 0.0 {
                 within = within && until <= 0.0;
                 continue;
@@ -263,22 +263,22 @@ impl Timeline {
         later.iter().find(|mark| mark.begun && Some(mark.place) != here).map(|mark| mark.t)
     }
 
-    /// Start (s) of the block that executes at `t`, or of the one before if it starts at `t`; 0 before the first.
+    /// Start (s) of the executing block at `t`, or of the preceding one if it starts at `t`; 0 before the first.
     pub fn block_before(&self, t: f64) -> f64 {
         let marks = self.marks.until(t);
         let earlier = &marks[..marks.partition_point(|mark| mark.t < t)];
         let Some(last) = earlier.last() else { return 0.0 };
-        // A block may have several marks: it waits, then moves.
+        // A block may have several marks, for instance a wait and its motion.
         let others = earlier.iter().rev().take_while(|mark| mark.begun && mark.place == last.place);
         others.last().map_or(last.t, |mark| mark.t)
     }
 
-    /// Earliest time that is still kept: 0 unless old parts are forgotten.
+    /// Earliest time (s) kept: 0 unless old parts are dropped.
     pub fn start(&self) -> f64 {
         self.start
     }
 
-    /// The time up to which all is planned.
+    /// End (s) of the planned part.
     pub fn end(&self) -> f64 {
         self.end
     }
@@ -315,12 +315,12 @@ impl Timeline {
         self.changes.truncate(lengths.changes);
     }
 
-    /// Seconds for which a movement acts after it has ended.
+    /// Time (s) for which a movement acts after its end.
     fn memory(&self) -> f64 {
         self.axes.iter().chain(&self.pmc_axes).map(Path::memory).fold(0.0, f64::max)
     }
 
-    /// Segments that act at `t`, up to a state.
+    /// Copy for a second run: the entries that still act at `t`, up to a checkpoint.
     pub(super) fn up_to(&self, lengths: &TimelineLengths, t: f64) -> Timeline {
         let old = t - self.memory();
         Timeline {

@@ -1,4 +1,4 @@
-//! Program zero return: the operator sends the axes back to the program's reference point.
+//! Program zero return: motion of the axes to the program's reference point, started by the operator.
 
 use super::exec::Exec;
 use super::moves::{Move, Pace};
@@ -11,8 +11,8 @@ use crate::msg;
 use crate::text::Diagnostic;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// The keys of all axes are pressed in the mode "program zero return". Nothing moves while a program runs or an alarm stands, nor
-    /// where the way would go through the work.
+    /// Starts the return of all axes in the mode "program zero return". Refused while a program runs, at an alarm, and if the path would go
+    /// through the work.
     pub(super) fn return_to_zero(&mut self, t: f64) {
         let ended = match self.s.exec {
             _ if !self.plant.zero_return => {
@@ -37,7 +37,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.return_on(t, ended);
     }
 
-    /// Goes on to where the next axis arrives; at rest once all have.
+    /// Continues to the arrival of the next axis; ends at rest when all have arrived.
     pub(super) fn return_on(&mut self, t: f64, ended: bool) {
         let (at, axes) = (self.s.path.position, &self.plant.axes);
         let end = self.s.path.reference.and_then(|goal| leg(at, goal, axes));
@@ -51,7 +51,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.put_segment(t);
     }
 
-    /// Whether a straight way (mm) goes through the round work behind Z0, but for a way out: off the centre, and towards the face.
+    /// Whether a straight move (mm) passes through the round work behind Z0. Moves out of the work, away from the centre and towards the
+    /// face, are allowed.
     fn enters_work(&self, from: [f64; AXES], to: [f64; AXES]) -> bool {
         let along = |letter: Address| {
             let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
@@ -64,7 +65,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 }
 
-/// Where the first axis arrives on the way (mm or °) to the goal, each at its own rapid rate; `None` at the goal.
+/// Positions (mm or °) at the arrival of the first axis at the goal, each axis at its own rapid rate; `None` at the goal.
 fn leg(at: [f64; AXES], goal: [f64; AXES], axes: &[AxisPlant; AXES]) -> Option<[f64; AXES]> {
     let time = |k: usize| (goal[k] - at[k]).abs() / axes[k].rapid;
     let first = (0..AXES).map(time).filter(|time| *time > 0.0).reduce(f64::min)?;
@@ -72,7 +73,7 @@ fn leg(at: [f64; AXES], goal: [f64; AXES], axes: &[AxisPlant; AXES]) -> Option<[
     Some(core::array::from_fn(|k| if share(k) == 1.0 { goal[k] } else { at[k] + share(k) * (goal[k] - at[k]) }))
 }
 
-/// From which to which share of a way its place lies between two bounds; the first above the second where nowhere.
+/// Range of fractions of a move in which its coordinate is between two bounds; the first above the second if there is none.
 fn within((from, to): (f64, f64), (low, high): (f64, f64)) -> (f64, f64) {
     let way = to - from;
     if way == 0.0 {
