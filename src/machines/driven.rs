@@ -24,7 +24,7 @@ pub struct DrivenAxis {
     pub hold: f64,
     /// Its interrupted cut.
     pub strikes: Strikes,
-    /// The gear unit between motor and load, where one can be bought.
+    /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// The motor that the form has.
     pub fitted: Fitted,
@@ -80,9 +80,9 @@ pub struct FormGear {
     pub output: Load,
     /// Torque at its output at standstill, Nm.
     pub hold: f64,
-    /// Backlash (minutes of arc) that the machine reckons with; none where it has no effect.
+    /// Backlash (minutes of arc) that the machine's formulas use; none if it has no effect.
     pub backlash: Option<f64>,
-    /// Fields of the form that take another gear unit.
+    /// Fields of the form for another gear unit.
     pub fields: GearFields,
 }
 
@@ -99,7 +99,7 @@ impl FormGear {
 pub struct GearFields {
     /// Its efficiency, %.
     pub efficiency: &'static str,
-    /// Moment of inertia at its input, kg cm²; none where the form has it with others.
+    /// Field of the moment of inertia at its input, kg cm²; none if the form includes it in another one.
     pub inertia: Option<&'static str>,
     /// Backlash, minutes of arc; none where the form has none.
     pub backlash: Option<&'static str>,
@@ -159,17 +159,17 @@ pub struct InverterDrive {
     pub site_share: f64,
     /// Torque of the brake at the motor that closes without current, Nm; 0 without one.
     pub brake: f64,
-    /// Its run-ups and stops, where they count.
+    /// Run-up and stop, if the cycle includes them.
     pub cycle: Option<InverterCycle>,
     /// Radians per second of the motor per r/min of the spindle in a run.
     pub turn: f64,
     /// Load at the motor's shaft, without the rotor: inertia, and torque besides that of the work.
     pub turned: Load,
-    /// Inertia of its rotor, kg m²; 0 where the load has it.
+    /// Inertia of its rotor, kg m²; 0 if the load includes it.
     pub rotor: f64,
-    /// Energy (J) at its shaft that the work of a part takes beyond that torque.
+    /// Energy (J) at its shaft that the work of a part takes besides that torque.
     pub work: f64,
-    /// The gear unit between motor and load, where one can be bought.
+    /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// Fields of the form for maker with model and for the rated torque.
     pub fields: Option<(&'static str, &'static str)>,
@@ -226,7 +226,7 @@ pub struct SpindleEncoder {
     pub speed: f64,
 }
 
-/// A quantity of a machine `M` that is watched while it is operated.
+/// A quantity of a machine `M` that is checked during operation.
 pub struct GaugeRow<M: 'static> {
     /// Id, for instance `loop`.
     pub id: &'static str,
@@ -238,7 +238,7 @@ pub struct GaugeRow<M: 'static> {
     pub decimals: u8,
     /// Its limit.
     pub limit: fn(&M) -> Option<Limit>,
-    /// Field of the form that is the limit, where one is.
+    /// Field of the form with the limit, if there is one.
     pub field: Option<&'static str>,
     /// Its value at a moment of the run.
     pub value: fn(&M, &Snapshot) -> f64,
@@ -257,7 +257,7 @@ pub struct Gauge {
     pub decimals: u8,
     /// Its limit, in `unit`.
     pub limit: Option<Limit>,
-    /// Field of the form that is the limit, where one is.
+    /// Field of the form with the limit, if there is one.
     pub field: Option<&'static str>,
     /// The worst value: the least under a least limit, else the greatest, of either sign where the limit is for both.
     pub value: f64,

@@ -24,7 +24,7 @@ pub enum Provenance {
     Assumed,
 }
 
-/// A value of a field, as it is saved.
+/// A value of a field, as saved.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number in the field's unit.
@@ -140,7 +140,7 @@ pub struct FieldInfo {
     pub symbol: &'static str,
     /// Shown first.
     pub essential: bool,
-    /// A fact of the machine, not a choice: it has a provenance.
+    /// Whether the value is a fact of the machine, not a choice: it has a provenance.
     pub fact: bool,
     /// A fact that is exact: a setting or a count.
     pub setting: bool,

@@ -39,7 +39,7 @@ pub fn lines<M: Machine>(params: &M::Params, control: &Control) -> Vec<String> {
     lines
 }
 
-/// Text as it may stand inside a comment: printable ASCII without brackets and per cent signs.
+/// Text for a comment: printable ASCII without brackets and per cent signs.
 fn plain(text: &str) -> String {
     let keep = |c: char| if c.is_ascii_graphic() && !matches!(c, '(' | ')' | '%') { c } else { ' ' };
     text.chars().map(keep).collect::<String>().split_whitespace().collect::<Vec<_>>().join(" ")

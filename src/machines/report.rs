@@ -172,7 +172,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
     tables.into_iter().filter(|(_, facts)| !facts.is_empty()).map(|(kind, facts)| Open { kind, facts }).collect()
 }
 
-/// A switch as it is set, with its options.
+/// A switch with its setting and its options.
 fn open_switch(row: &Switch, set: &str) -> String {
     let label = row.text();
     if row.is_text() {

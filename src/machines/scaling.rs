@@ -15,7 +15,7 @@ const TERMS: u64 = 32_767;
 /// Greatest term of the gear of a Siemens control: it takes more, but no gear needs more.
 const LONG_TERMS: u64 = 1_000_000;
 
-/// Detection units per motor turn that a FANUC encoder counts as, whatever it has.
+/// Detection units per motor turn to which a FANUC control scales any encoder.
 const FEEDBACK: f64 = 1_000_000.0;
 
 /// Units of a turn of a rotary axis, as controls have it.
@@ -32,18 +32,18 @@ pub struct AxisDrive<'a> {
     pub gear: (f64, f64),
     /// Counts of the encoder per turn of the motor.
     pub encoder: f64,
-    /// The control takes it for a rotary axis: a turn has 360 units, whatever they are.
+    /// Whether the control treats it as a rotary axis: a turn has 360 units.
     pub rotary: bool,
     /// Units of a programmed word per millimetre: 2 for diameters.
     pub words: f64,
 }
 
-/// Scaling of an axis, as the parameters of a control have it.
+/// Scaling of an axis by the parameters of a control.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scaling {
     /// Values by parameter.
     values: Vec<(ParamRole, f64)>,
-    /// Travel per turn of the motor for which the control takes them, in mm or °.
+    /// Travel per turn of the motor by these parameters, in mm or °.
     travel: f64,
 }
 

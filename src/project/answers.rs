@@ -1,4 +1,4 @@
-//! Answers to requests as objects, as both the command line and the package give them.
+//! Answers to requests as objects, for the command line and the package.
 
 use serde_json::{Value as Json, json};
 
@@ -20,7 +20,7 @@ pub fn design(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>
     (told, all)
 }
 
-/// A sizing with its diagnostics, and how often every verdict holds, where that was asked.
+/// A sizing with its diagnostics, and the chance that every verdict holds, if requested.
 pub fn sizing(sizing: &Sizing, chance: Option<&Chance>, all: &[FileFindings]) -> Json {
     let mut told = sizing.json();
     told["chance"] = json!(chance.map(Chance::json));

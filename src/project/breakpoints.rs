@@ -64,7 +64,7 @@ impl Location {
         Some(Location::Line { file: FileId(u16::try_from(file).ok()?), line: line.trim().parse().ok()? })
     }
 
-    /// The block, where there is one.
+    /// The block, if there is one.
     pub fn place(&self, parsed: &Parsed) -> Option<Place> {
         let deck = parsed.deck();
         let find = |fits: &mut dyn FnMut(&nc::Program, &nc::Block) -> bool| {
@@ -130,7 +130,7 @@ impl Line {
 pub struct Breakpoint {
     /// Number, from 1; never reused.
     pub number: u32,
-    /// Its place as it was set.
+    /// Its place as set.
     pub location: Location,
     /// Condition for a stop; empty for none.
     pub condition: String,

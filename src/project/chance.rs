@@ -19,7 +19,7 @@ const OFF: f64 = 0.1;
 /// Draws that a person waits for.
 pub const DRAWS: u32 = 10_000;
 
-/// Seed where none is given.
+/// Default seed.
 pub const SEED: u64 = 1;
 
 /// Result of drawing many machines with random values of the assumed facts.
@@ -46,7 +46,7 @@ pub fn chance(project: &Project, draws: u32, seed: u64) -> Chance {
 /// Draws between two reports of how far they are.
 const TOLD: u32 = 500;
 
-/// The same, and tells the share that is done, 0 to 1, on the way.
+/// Draws machines and reports the share done, 0 to 1.
 pub fn chance_telling(project: &Project, draws: u32, seed: u64, tell: &mut dyn FnMut(f64)) -> Chance {
     let facts = assumed_numbers(project);
     let mut random = fastrand::Rng::with_seed(seed);
@@ -82,7 +82,7 @@ impl Chance {
         if self.draws > 0 { 100.0 * f64::from(count) / f64::from(self.draws) } else { 0.0 }
     }
 
-    /// Share (0 to 1) in which every verdict holds.
+    /// Share (0 to 1) of the machines in which every verdict holds.
     pub fn probability(&self) -> f64 {
         self.share(self.hold) / 100.0
     }

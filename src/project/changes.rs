@@ -7,7 +7,7 @@ use crate::text::Message;
 use crate::text::catalog::{sentence, words};
 use crate::view::ComparedRow;
 
-/// Differences that are told one by one; the rest is counted.
+/// Differences listed one by one; the rest is counted.
 const TOLD: usize = 3;
 
 /// Lists the differences between two projects: the first ones as phrases with semicolons between them, and the count of the others.

@@ -28,13 +28,13 @@ pub enum ProposalKind {
 /// One proposal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proposal {
-    /// Text that takes the place of [`Completion::replaces`].
+    /// Text that replaces [`Completion::replaces`].
     pub text: String,
-    /// ProposalKind.
+    /// Kind of the proposal.
     pub kind: ProposalKind,
     /// Title of a program, text of a block; else empty.
     pub detail: String,
-    /// Its meaning, where it has a row.
+    /// Its meaning, if it has a row.
     pub meaning: Option<Meaning>,
 }
 

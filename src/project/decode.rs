@@ -32,7 +32,7 @@ pub enum Encoding {
     Utf8,
     /// UTF-16, in either byte order.
     Utf16,
-    /// GBK, as the control is set to read it.
+    /// GBK, by the setting of the control.
     Gbk,
     /// None of these: bytes of a national code page.
     Unknown,

@@ -51,7 +51,7 @@ fn others(project: &Project, field: &FieldInfo) -> Vec<Value> {
     }
 }
 
-/// Whether two results tell something else, beyond the last digits of a calculation.
+/// Whether two results differ by more than the last digits of a calculation.
 fn differ(old: &Readout, new: &Readout) -> bool {
     let off = |a: f64, b: f64| (a - b).abs() > 1e-9 * a.abs().max(b.abs());
     let limits = match (old.limit, new.limit) {

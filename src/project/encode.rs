@@ -4,7 +4,7 @@ use encoding_rs::GBK;
 
 use crate::controls::options::CommentCharacters;
 
-/// The bytes of a text: GBK where that is set, else UTF-8. A character that the control does not have becomes `?` in GBK.
+/// Bytes of a text: GBK by the setting, else UTF-8. A character that the control does not have becomes `?` in GBK.
 pub fn bytes(text: &str, characters: CommentCharacters) -> Vec<u8> {
     match characters {
         CommentCharacters::Ascii | CommentCharacters::Utf8 => text.as_bytes().to_vec(),
@@ -15,7 +15,7 @@ pub fn bytes(text: &str, characters: CommentCharacters) -> Vec<u8> {
     }
 }
 
-/// The text of bytes in GBK, where all of them are.
+/// Decodes GBK; `None` unless all bytes are text.
 pub(super) fn from_gbk(bytes: &[u8]) -> Option<String> {
     let text = GBK.decode_without_bom_handling_and_without_replacement(bytes)?;
     text.chars().all(|c| CommentCharacters::Gbk.has(c)).then(|| text.into_owned())

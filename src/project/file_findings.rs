@@ -1,4 +1,4 @@
-//! Diagnostics together with the files that they are about, for the shells that print them.
+//! Diagnostics with their files, for the shells that print them.
 
 use serde_json::Value as Json;
 
@@ -13,9 +13,9 @@ use crate::text::{Diagnostic, Severity};
 pub struct Sources {
     /// The files.
     pub files: Files,
-    /// Names that distinguish them; empty where the files' own names do.
+    /// Names that distinguish the files; empty if their own names do.
     pub names: Vec<String>,
-    /// The files as they were read from a disk; empty where they were not.
+    /// The files as read from a disk; empty for files from elsewhere.
     pub read: Vec<Decoded>,
 }
 

@@ -47,7 +47,7 @@ impl Serialize for Located<'_> {
 #[derive(Debug, Clone)]
 pub(super) struct Entry<'t> {
     pub(super) key: String,
-    /// The key as it is written, with its quotes.
+    /// The key in the text, with its quotes.
     pub(super) source: &'t str,
     pub(super) value: Located<'t>,
 }

@@ -92,7 +92,7 @@ pub fn switch_values(switch: &controls::Switch) -> String {
     switch.options().iter().map(|option| option.id).collect::<Vec<_>>().join(" | ")
 }
 
-/// A verdict as programs read it.
+/// Id of a verdict in JSON.
 pub fn verdict_word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "none",

@@ -52,7 +52,7 @@ pub enum Subject {
 /// Meaning of a word.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Meaning {
-    /// The word as the control writes it.
+    /// The word in the control's spelling.
     pub word: String,
     /// Kind and row.
     pub subject: Subject,
@@ -142,7 +142,7 @@ impl<'a> Words<'a> {
         says.and_then(|meaning| meaning.first()).unwrap_or_else(|| item.detail.clone())
     }
 
-    /// The meaning of a word; `None` where no row knows it.
+    /// Meaning of a word; `None` if no row has it.
     pub fn meaning(&self, word: &str, table: Table) -> Option<Meaning> {
         let (control, word) = (self.control(), word.trim());
         match table {
@@ -400,7 +400,7 @@ impl Meaning {
         self.says.first().map(sentence)
     }
 
-    /// Id of its entry in the help, where that has one.
+    /// Id of its entry in help, if there is one.
     pub fn help(&self) -> Option<String> {
         let kind = match self.subject {
             Subject::Code(_) => "code",

@@ -119,13 +119,13 @@ pub struct Project {
     pub provenance: Origins,
     /// Settings of the control's open points.
     pub switches: Switches,
-    /// Language of the comments of the program, where the control can show it.
+    /// Language of the comments of the program, if the control can show it.
     pub comments: Language,
     /// Message ids of silenced warnings.
     pub silenced: Vec<String>,
     /// Events of the operator panel.
     pub panel: Panel,
-    /// The program files, where the user has edited them: detached from the form.
+    /// The program files, if the user has edited them: detached from the form.
     pub edited: Option<Files>,
     /// Parts that the user has added to the catalogue, by [`Project::add_parts`].
     pub parts: Vec<Part>,
@@ -156,7 +156,7 @@ impl Project {
     fn plain_name(&self) -> String {
         match plain(&self.name, NAME_BYTES) {
             name if name.is_empty() => "macroline".to_owned(),
-            // Windows keeps these names for devices, whatever ending follows.
+            // Windows reserves these names for devices, with any ending.
             name if is_device(&name) => format!("macroline-{name}"),
             name => name,
         }
@@ -283,7 +283,7 @@ impl Project {
         self.parts.extend(parts);
     }
 
-    /// All parts: the user's own, then those of the shipped catalogue that none of them replaces.
+    /// All parts: the user's own, then parts of the shipped catalogue that none of them replaces.
     pub fn catalogue(&self) -> Vec<&Part> {
         let shipped = parts::shipped().iter().filter(|part| !self.parts.iter().any(|own| own.is(part)));
         self.parts.iter().chain(shipped).collect()

@@ -166,7 +166,7 @@ pub fn read_value(action: &Action, text: &str, control: &Control) -> Result<Acti
     })
 }
 
-/// A time (s) as it is typed.
+/// A time (s) as text for its field.
 pub fn typed_time(t: f64) -> String {
     number_text(t, DECIMALS)
 }

@@ -18,9 +18,9 @@ use crate::view::report::Input;
 pub enum Origin {
     /// A choice that differs from that of a new project.
     Entered,
-    /// A choice as a new project has it.
+    /// A choice with the value of a new project.
     Default,
-    /// A choice as the named example has it whose values the project has.
+    /// A choice with the value of the named example whose values the project has.
     Example,
     /// A fact whose source the project does not name.
     Assumed,
@@ -29,7 +29,7 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// The origin as programs read it.
+    /// Id of the origin in JSON.
     fn id(self) -> &'static str {
         match self {
             Origin::Entered => "entered",
@@ -85,7 +85,7 @@ pub fn findings(project: &Project) -> Vec<Diagnostic> {
     list
 }
 
-/// Names of many assumed facts those to measure first, and leads to [`text`] for the others.
+/// Shortens a long list of assumed facts to those to measure first, and refers to [`text`] for the others.
 pub fn shorten(project: &Project, list: &mut [Diagnostic]) {
     let assumed = assumed_facts(project).len();
     let many = |found: &&mut Diagnostic| found.kind == DiagnosticKind::AssumedFacts && assumed > NAMED;

@@ -9,14 +9,14 @@ use crate::nc::{self, Files, Newline, Parsed};
 use crate::text::Diagnostic;
 use crate::text::catalog::Language;
 
-/// The program files of a project, and the programs as the control reads them.
+/// The program files of a project, and the programs parsed from them.
 #[derive(Debug, Clone)]
 pub struct Written {
-    /// The text, as it is exported.
+    /// The text of the export.
     pub files: Files,
     /// The emitted text, parsed again; every run uses it.
     pub parsed: Rc<Parsed>,
-    /// Findings of writing and reading it.
+    /// Findings of emitting and parsing it.
     pub diagnostics: Vec<Diagnostic>,
     /// Whether the text is the user's own and no longer follows the form.
     pub edited: bool,
@@ -27,7 +27,7 @@ pub struct Written {
 }
 
 impl Project {
-    /// Characters that comments can have on the control, as it is set.
+    /// Characters that comments can have on the control, with its settings.
     pub fn characters(&self) -> CommentCharacters {
         CommentCharacters::set(self.control, &self.switches)
     }

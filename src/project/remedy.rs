@@ -1,4 +1,4 @@
-//! Whether the run of a project moves anything, and the remedy where it does not.
+//! Whether the run of a project moves anything, and the remedy if it does not.
 
 use super::Project;
 use super::run::{Run, RunOptions, of_project};

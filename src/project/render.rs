@@ -34,7 +34,7 @@ impl<'f> Renderer<'f> {
         Renderer { files, names, read, indices: files.0.iter().map(|file| LineIndex::new(&file.text)).collect() }
     }
 
-    /// The name of a file as it is shown.
+    /// The shown name of a file.
     fn name(&self, id: FileId) -> Option<&str> {
         let own = &self.files.get(id)?.name;
         Some(self.names.get(usize::from(id.0)).unwrap_or(own))
@@ -199,7 +199,7 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
     headed(severity.to_owned() + &tag, sentence(&diagnostic.message))
 }
 
-/// The severity as programs read it.
+/// Id of the severity in JSON.
 fn word(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "error",
@@ -231,7 +231,7 @@ const TAB: usize = 4;
 const TOUCHED: usize = 1000;
 const LINES: usize = 8;
 
-/// The part of a line around some characters of it, as a terminal shows it.
+/// The part of a line around the marked characters, for a terminal.
 struct Shown {
     text: String,
     /// Columns in front of the characters.

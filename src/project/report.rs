@@ -108,7 +108,7 @@ impl Project {
     }
 }
 
-/// The check sum of a file as it leaves: CRC-32 of its bytes.
+/// Check sum of an exported file: CRC-32 of its bytes.
 fn checksum(bytes: &[u8]) -> String {
     format!("{:08X}", crc32(bytes))
 }

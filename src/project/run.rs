@@ -135,7 +135,7 @@ fn started(mut interp: Interp, plant: &Plant, plc: Box<dyn Plc>, mut panel: Pane
     Planner::new(Setup { program: interp, control, plant, plc, panel, limits: begin.limits, keep: begin.keep })
 }
 
-/// Sets the variables as the project's setup program leaves them, run on a machine at rest.
+/// Sets the variables to the values of the project's setup program, run on a machine at rest.
 fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
     if written.setup == 0 {
         return;
@@ -284,7 +284,7 @@ impl RunSummary {
         self
     }
 
-    /// Reason of the end as programs read it.
+    /// Id of the end's reason in JSON.
     pub fn word(&self) -> &'static str {
         match self.ended {
             RunEnd::ProgramEnd => "program-end",

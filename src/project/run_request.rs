@@ -20,7 +20,7 @@ use crate::msg;
 use crate::nc;
 use crate::text::{Diagnostic, Message};
 
-/// Budget of a run where none is given: blocks, and seconds of machine time.
+/// Default budget of a run: blocks, and seconds of machine time.
 pub const BUDGET: Budget = Budget { blocks: 10_000_000, seconds: 3600.0 };
 
 /// Request of a run.

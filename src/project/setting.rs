@@ -14,7 +14,7 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Reads `#107=8`; `None` where it is no setting.
+    /// Reads `#107=8`; `None` for any other text.
     pub fn read(text: &str) -> Option<Setting> {
         let (name, value) = text.split_once('=')?;
         Setting::new(name, value.trim().parse().ok()?)

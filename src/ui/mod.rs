@@ -1,4 +1,4 @@
-//! The shell: signals and components, not one formula.
+//! The shell: signals and components, without formulas.
 
 #![allow(unreachable_pub, reason = "the macro of components writes `pub` for their properties")]
 
@@ -58,7 +58,7 @@ pub fn open(sentences: String) {
     });
 }
 
-/// Tells in plain DOM that the page has stopped: after a panic no signal works any more.
+/// Shows in plain DOM that the page has stopped: after a panic no signal works any more.
 fn broken(reason: &str) {
     let Some(body) = web_sys::window().and_then(|window| window.document()?.body()) else { return };
     let Ok(told) = document().create_element("p") else { return };

@@ -1,4 +1,4 @@
-//! Test bench of components: a view in an empty element of the page, and the hands and eyes of a person.
+//! Test bench of components: a view in an empty element of the page, with the actions and observations of a user.
 
 use std::any::Any;
 use std::cell::Cell;
@@ -25,7 +25,7 @@ wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
 pub(crate) struct Bench {
     /// The state of the page.
     pub page: Page,
-    /// The client of the worker. No worker answers, but for [`Client::answer_here`].
+    /// The client of the worker. No worker answers, except by [`Client::answer_here`].
     pub worker: Client,
     host: HtmlElement,
     _mounted: Box<dyn Any>,
@@ -233,7 +233,7 @@ impl Bench {
     /// Plans the run and waits until its first seconds are shown.
     pub(crate) async fn run(&self) {
         let page = self.page;
-        // Edits in a row count as dragging, and the whole run follows later: a person does one thing after the other.
+        // Edits in a row count as dragging, and the whole run follows later: wait as between two actions of a user.
         pause(100).await;
         page.player.settle();
         until(move || {
@@ -244,7 +244,7 @@ impl Bench {
         self.drawn().await;
     }
 
-    /// Sets the head and waits until the page shows that time.
+    /// Sets the play head and waits until the page shows that time.
     pub(crate) async fn seek(&self, seconds: f64) {
         let player = self.page.player;
         player.seek(seconds);

@@ -99,7 +99,7 @@ pub(crate) fn day(milliseconds: f64) -> String {
     js_sys::Date::new(&milliseconds.into()).to_locale_string(t("page.locale"), &style).into()
 }
 
-/// A speed of the film as people say it: `1/20 ×`, `2 ×`.
+/// A speed of the film as `1/20 ×`, `2 ×`.
 pub(crate) fn speed_text(speed: f64) -> String {
     if speed < 1.0 { number::filled("1/# ×", &[1.0 / speed]) } else { number::filled("# ×", &[speed]) }
 }
@@ -120,7 +120,7 @@ pub(crate) fn verdict_tone(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The words of a verdict, for those who do not see the sign.
+/// Words of a verdict, for screen readers.
 pub(crate) fn verdict_words(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "",

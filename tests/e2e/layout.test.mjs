@@ -100,7 +100,7 @@ test('a divider is moved by its keys and remembered', () =>
     assert.equal(await width(), before + 48);
   }));
 
-test('chart reads values at the pointer, press sets playhead', () =>
+test('chart reads values at the pointer, press sets play head', () =>
   withPage(app, {}, async ({ page }) => {
     await page.locator('.plot .over').waitFor();
     const { x, y, width } = await box(page, '.plot');

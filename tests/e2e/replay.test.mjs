@@ -52,7 +52,7 @@ const modeAt = async (page, seconds, mode) => {
   await page.waitForFunction((mode) => document.querySelector('.drawing .mode').textContent === mode, mode);
 };
 
-test('action added, edited, removed at the playhead, a step each', () =>
+test('action added, edited, removed at the play head, a step each', () =>
   withPage(app, {}, async ({ page }) => {
     await goTo(page, 5);
     await openList(page);

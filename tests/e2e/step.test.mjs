@@ -85,7 +85,7 @@ test('condition decides the stop; changes, watches are shown', () =>
     await next(page, 'N46');
   }));
 
-test('playhead follows stepping; playing stops at breakpoints', () =>
+test('play head follows stepping; playing stops at breakpoints', () =>
   withPage(app, {}, async ({ page }) => {
     await file(page, 'O9101.nc');
     await line(page, 'N44 G01').click();

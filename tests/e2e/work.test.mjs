@@ -138,7 +138,7 @@ test('run plays, steps by block, marks the running block', () =>
     await page.waitForFunction(() => document.querySelector('#clock').textContent === '00:00.0000');
   }));
 
-test('operator acts at the playhead and is told the change', () =>
+test('operator acts at the play head and is told the change', () =>
   withPage(app, {}, async ({ page }) => {
     await goTo(page, 4);
     await openPanel(page);

@@ -153,7 +153,7 @@ impl<P> Field<P> {
         self
     }
 
-    /// A fact that is set, counted or agreed: exact, once its value is known.
+    /// A fact that is set, counted or agreed: exact once its value is known.
     pub const fn setting(self) -> Field<P> {
         Field { setting: true, ..self.fact() }
     }

@@ -1,10 +1,10 @@
-//! Fields as people see them: lengths in the unit that is shown.
+//! Fields in the units that are shown.
 
 use super::{FieldInfo, KindInfo, Value};
 use crate::text::catalog::number_text;
 use crate::text::{number, units};
 
-/// Decimals of a number that is shown as it was typed.
+/// Decimals of a number that is shown as typed.
 const TYPED: u8 = 6;
 
 impl FieldInfo {
@@ -32,7 +32,7 @@ impl FieldInfo {
         number::read(&number_text(units::metric(shown, unit), decimals))
     }
 
-    /// A value as the field shows it; [`typed`](FieldInfo::typed) takes it back unchanged.
+    /// Text of a value in its field; [`typed`](FieldInfo::typed) reads it back unchanged.
     pub fn text(&self, value: &Value) -> String {
         let (unit, decimals) = self.metric();
         match value {
@@ -48,7 +48,7 @@ impl FieldInfo {
         format!("{} {}", self.text(value), self.unit())
     }
 
-    /// A number with its unit as files and programs have it, where another unit is shown.
+    /// A number with its unit in files and programs, if another unit is shown.
     pub fn metric_text(&self, value: &Value) -> Option<String> {
         let (unit, decimals) = self.metric();
         match value {

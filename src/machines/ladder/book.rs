@@ -92,7 +92,7 @@ impl<'a> Book<'a> {
         if self.has(own) { Bit::Signal(own) } else { Bit::Decoded(code) }
     }
 
-    /// The ladder, with the rungs that others need in front of them.
+    /// The ladder, with the rungs that other rungs depend on before them.
     pub fn finish(mut self) -> Ladder {
         let used: BTreeSet<Bit> = self.rungs.iter().flat_map(Rung::bits).collect();
         let mut first = Vec::new();
@@ -282,7 +282,7 @@ impl Places {
             timers: numbered(|bit| matches!(bit, Bit::Timer(_))),
             inputs: inputs.zip(0..).collect(),
             outputs: outputs.zip(0..).collect(),
-            // The knobs are in front of them.
+            // Numbered from 2: the knobs have the numbers before.
             data: words.iter().copied().filter(|word| matches!(word, PlcNumber::Data(_))).zip(2..).collect(),
             decoders,
         }

@@ -8,7 +8,7 @@ use crate::machines::stops::{Interruption, SpindleReaction};
 
 /// The program is begun and not at its end.
 pub const STARTED: Bit = Bit::Relay("started");
-/// The program is begun and does not run: hold, M00, alarm.
+/// A program has started and is not running: hold, M00, alarm.
 pub const INTERRUPTED: Bit = Bit::Relay("interrupted");
 /// M, S or T has to wait.
 pub const BUSY: Bit = Bit::Relay("busy");
@@ -31,7 +31,7 @@ impl Book<'_> {
         Bit::Signal(if self.has(request) { request } else { SignalRole::Reset })
     }
 
-    /// Emergency stop to the control, and reset where the PLC hands it on.
+    /// Emergency stop to the control, and reset if the PLC passes it on.
     pub fn emergency(&mut self) {
         let reset = self.reset();
         if self.has(SignalRole::ResetRequest) {
@@ -62,7 +62,7 @@ impl Book<'_> {
         self.coil(INTERRUPTED, vec![vec![on(STARTED), off(running)]], "plc.rung.interrupted");
     }
 
-    /// Writes the first signal where the control has it, else the second.
+    /// Writes the first signal if the control has it, else the second.
     fn one_of(&mut self, first: (SignalRole, Branches), second: (SignalRole, Branches), note: &'static str) {
         for (role, when) in [first, second] {
             if self.has(role) {

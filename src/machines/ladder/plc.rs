@@ -12,7 +12,7 @@ use crate::motion::{Io, Plc, ProgramState, Strobes};
 
 /// Time (s) from a code to the end of its block, at the least: strobe, a few scans, and the width of FIN.
 pub const ANSWER: f64 = 0.05;
-/// Time (s) between two looks at the inverter's contact while a rung waits for it.
+/// Interval (s) at which the inverter's contact is read while a rung waits for it.
 const LOOK: f64 = 0.01;
 /// Scans in which a ladder settles; further ones wait for the next moment.
 const SCANS: u32 = 24;
@@ -26,7 +26,7 @@ const FINAL: PlcNumber = PlcNumber::Signal(SignalRole::SpindleFinal);
 pub struct Wiring {
     /// Positions of the spindle override knob.
     pub knob: Steps,
-    /// Share of the commanded speed from which the inverter reports it.
+    /// Share of the commanded speed from which the inverter reports the speed as reached.
     pub at_speed: f64,
     /// Time (s) from the valve of a gear stage to its contact.
     pub meshing: f64,
@@ -282,7 +282,7 @@ impl LadderPlc {
     }
 }
 
-/// The speed (r/min) that the control puts out, as the PLC reads it.
+/// Commanded speed (r/min) of the control, as the PLC reads it.
 fn final_speed(io: &Io) -> f64 {
     io.spindle_command.abs().round()
 }

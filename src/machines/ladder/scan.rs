@@ -10,9 +10,9 @@ use crate::controls::interface::SignalRole;
 pub struct Image {
     on: BTreeSet<Bit>,
     numbers: BTreeMap<PlcNumber, f64>,
-    /// When the condition of a timer began to hold (s).
+    /// Time (s) since which the condition of each timer holds.
     timers: BTreeMap<&'static str, f64>,
-    /// Whether anything has become another since it was asked last.
+    /// Whether any signal or number has changed since the last query.
     changed: bool,
 }
 
@@ -27,7 +27,7 @@ impl Image {
         self.changed |= if on { self.on.insert(bit) } else { self.on.remove(&bit) };
     }
 
-    /// A number; 0 where nothing has written it.
+    /// Value of a number; 0 if nothing has written it.
     pub fn number(&self, word: PlcNumber) -> f64 {
         match word {
             PlcNumber::Constant(value) => f64::from(value),
@@ -40,12 +40,12 @@ impl Image {
         self.changed |= self.numbers.insert(word, value) != Some(value);
     }
 
-    /// Whether anything has become another since this was asked last.
+    /// Whether any signal or number has changed since the last call.
     pub fn take_changed(&mut self) -> bool {
         core::mem::take(&mut self.changed)
     }
 
-    /// Lets a timer run from time `t` (s), or begin anew; returns since when it runs.
+    /// Runs a timer from time `t` (s) on, or resets it unless `runs`; returns the time since which it runs.
     fn time(&mut self, name: &'static str, t: f64, runs: bool) -> Option<f64> {
         let since = self.timers.get(name).copied();
         self.changed |= since.is_some() != runs;

@@ -22,7 +22,7 @@ impl Ladder {
         Sheet { id: "ladder", kind: SheetKind::Plain, title, columns, rows, drawing: ladder::svg(&self.drawn()) }
     }
 
-    /// Rungs as the drawing takes them.
+    /// Rungs in the form that the drawing needs.
     fn drawn(&self) -> Vec<DrawnRung> {
         let contact = |contact: &super::RungContact| DrawnContact {
             device: self.bit(contact.bit).to_owned(),

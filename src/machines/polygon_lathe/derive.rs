@@ -27,7 +27,7 @@ pub(super) struct Derived {
     pub flatness: f64,
     /// Greatest deviation where all inserts are in their places: above 0 the sides are hollow.
     pub hollow: f64,
-    /// Curvature of the sides, 1/mm; positive where they are crowned.
+    /// Curvature of the sides, 1/mm; positive for crowned sides.
     pub curvature: f64,
     pub corner: f64,
     pub across_corners: f64,
@@ -51,7 +51,7 @@ pub(super) struct Derived {
     pub orientation_error: f64,
     /// Start angle A of the work for the wanted orientation.
     pub work_start: f64,
-    /// Phase of the tool against the work, degrees of the tool; negative where it lags.
+    /// Phase of the tool against the work, degrees of the tool; negative for a lag.
     pub phase: f64,
     /// Rotation of the polygon by the phase, degrees of the work.
     pub phase_on_work: f64,

@@ -38,7 +38,7 @@ impl Params {
         self
     }
 
-    /// The further polygons of the part, each as if it were the first. The third needs the second.
+    /// The further polygons of the part, each in the place of the first. The third needs the second.
     pub(super) fn further(&self) -> Vec<Params> {
         let one = |further: &Further| {
             let own = Params {
@@ -70,7 +70,7 @@ impl Params {
     }
 }
 
-/// The field of a further polygon, from 0; none where it has none of its own.
+/// The field of a further polygon, from 0; none if it shares the first one's.
 pub(super) fn field(id: &str, at: usize) -> Option<&'static str> {
     FIELDS.iter().find(|(first, _)| *first == id).and_then(|(_, others)| others.get(at).copied())
 }

@@ -1,4 +1,4 @@
-//! Cutter, ratio and section of the polygon lathe as the form gives them. Lengths in mm, angles in radians.
+//! Cutter, ratio and section of the polygon lathe, from the form. Lengths in mm, angles in radians.
 
 use super::params::Params;
 use crate::drives::polygon::choose::{Cutter, Means, Wanted};

@@ -198,7 +198,7 @@ pub(crate) struct Params {
 const ERRORS: usize = 200;
 
 impl Params {
-    /// The form itself gives inserts and ratio.
+    /// Whether inserts and ratio are typed in the form.
     fn is_own(&self, _: &Control) -> bool {
         self.shape == Shape::Own
     }
@@ -233,12 +233,12 @@ impl Params {
         self.further.iter().all(|further| further.on)
     }
 
-    /// The form itself gives inserts and ratio of the second polygon.
+    /// Whether inserts and ratio of the second polygon are typed in the form.
     fn is_own_second(&self, control: &Control) -> bool {
         self.has_second(control) && self.further[0].shape == Shape::Own
     }
 
-    /// The form itself gives inserts and ratio of the third polygon.
+    /// Whether inserts and ratio of the third polygon are typed in the form.
     fn is_own_third(&self, control: &Control) -> bool {
         self.has_third(control) && self.further[1].shape == Shape::Own
     }
@@ -248,7 +248,7 @@ impl Params {
         self.is_behind_face() || self.further[0].on
     }
 
-    /// The form itself gives the specific cutting force.
+    /// Whether the specific cutting force is typed in the form.
     fn has_own_force(&self, _: &Control) -> bool {
         self.material == Material::None
     }

@@ -64,7 +64,7 @@ impl Axes {
         }
     }
 
-    /// Enters the stage that the rungs ask for.
+    /// Enters the stage that the rungs request.
     fn enter(&mut self, t: f64, image: &Image, io: &mut Io) {
         let asked = |bits: [_; PMC_AXES]| bits.into_iter().any(|bit| image.is_on(bit));
         let coasts = self.coasting.is_some() && io.stops.reset && io.stops.emergency;

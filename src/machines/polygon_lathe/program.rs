@@ -45,7 +45,7 @@ const Q: u32 = 17;
 const OTHERS: [u32; 12] = [3, 9, 11, 13, 19, 20, 21, 22, 23, 24, 25, 26];
 /// Arguments that G512 does not have: I, J, K, R. (L, N, O, P are no arguments.)
 const UNKNOWN: [u32; 4] = [4, 5, 6, 18];
-/// Receives a position: reading it makes the control wait for standstill.
+/// Variable that receives a position: reading one makes the control wait for standstill.
 const STANDS: u32 = 32;
 
 /// Number of the alarm of a cutter that is not clear of the work.
@@ -261,7 +261,7 @@ fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe)
     }
 }
 
-/// Jumps to an alarm where one of the arguments is given.
+/// Jumps to an alarm if one of the arguments is given.
 fn refuse(b: &mut Builder, arguments: &[u32], target: u32) {
     for argument in arguments {
         b.if_goto(v(*argument).ne(v(0)), target);

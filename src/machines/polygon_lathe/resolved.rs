@@ -21,7 +21,7 @@ pub(super) const TOOL: usize = 1;
 /// The polygon lathe on a control.
 #[derive(Debug)]
 pub(crate) struct PolygonLathe {
-    /// The form as it was filled in.
+    /// The form as filled in.
     pub(super) form: Params,
     /// The form, with inserts and ratio of the chosen shape.
     pub(super) p: Params,

@@ -125,7 +125,7 @@ fn is_hollow(lathe: &PolygonLathe) -> bool {
     lathe.d.hollow > NOTHING && !lathe.p.hollow
 }
 
-/// Faults of inserts, ratio and tip circle, in the order of the results that show them.
+/// Faults of inserts, ratio and tip circle, in the order of their results.
 #[derive(Clone, Copy)]
 enum Fault {
     Sides,
@@ -234,7 +234,7 @@ fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.relief_needed > p.relief - 2.0 { warn(limit, [msg!("polygon.scarce-relief").into()]) } else { ok(limit) }
 }
 
-/// The greatest B that the form takes.
+/// The greatest B in the form.
 const MOST_B: f64 = 10_000.0;
 
 /// Advice with a speed B, a whole number, or that no B is a remedy.
@@ -416,7 +416,7 @@ fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     within_clamp("infeed", p.infeed, d.infeed, p.clamp_x)
 }
 
-/// The jaws, where the form says how far they are from the face.
+/// Judges the distance of the jaws, if the form has their distance from the face.
 fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
     let free = lathe.p.free_length;
     if free == 0.0 {
@@ -426,7 +426,7 @@ fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
     if lathe.free_length() <= free {
         return ok(limit);
     }
-    // The finding about the field says it.
+    // The finding about the field has the sentence.
     fail(limit, [])
 }
 

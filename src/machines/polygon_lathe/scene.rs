@@ -92,7 +92,7 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         let text = format!("{} {}", say("polygon.clearance"), mm(p.clearance));
         d.text((RIGHT, ABOVE), "end", &text, Font::Label, Paint::Dim);
     });
-    // Below the slide, wherever it is.
+    // Below the slide at any of its positions.
     side::draw_arrows(d, (646.0, SLIDES));
     d.text((670.0, SLIDES), "start", "", Font::Value, Paint::Ink).id = Some(node::SIZE);
     d.text((670.0, SLIDES + 24.0), "start", "", Font::Value, Paint::Ink).id = Some(node::ALONG);

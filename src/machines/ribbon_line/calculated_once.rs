@@ -1,4 +1,4 @@
-//! The advice to calculate the published listing before its loop, for lines that starve in it.
+//! The advice to calculate the published listing before its loop, for lines on which blocks starve in it.
 
 use super::params::{Params, Variant};
 use crate::msg;

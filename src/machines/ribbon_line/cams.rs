@@ -51,7 +51,7 @@ pub(super) fn chosen(line: &RibbonLine) -> Option<(Cam, Cam)> {
     by(line, line.p.cam_law.law()?)
 }
 
-/// A law is chosen, and the contact leaves no time for it.
+/// Whether a law is chosen, but the contact leaves no time for it.
 pub(super) fn has_no_time(line: &RibbonLine) -> bool {
     line.p.cam_law != CamLaw::Off && chosen(line).is_none()
 }
@@ -67,7 +67,7 @@ impl Cam {
             correction: Correction {
                 pitch: p.pitch / 1e3,
                 contact: p.contact_length / 1e3,
-                // The heads are where they are, whatever π the program has.
+                // The heads have their angles, whatever π the program uses.
                 arc: PI * p.print_roller_diameter / p.heads / 1e3,
                 speed: d.line_speed / 60e3,
             },
@@ -144,7 +144,7 @@ impl Cam {
         60e3 * self.correction.speed_at_effective(self.law, left / self.inertia())
     }
 
-    /// Surface that the roller runs ahead of the ribbon per pitch, mm; negative behind it.
+    /// Lead of the roller's surface over the ribbon per pitch, mm; negative for a lag.
     pub(super) fn travel(&self) -> f64 {
         1e3 * self.correction.travel()
     }
@@ -185,7 +185,7 @@ impl Cam {
 /// Source of the formulas.
 const CAM: Citation = Citation::new("sizing facts 3.3", Grade::Inferred);
 
-/// Source of what short blocks give.
+/// Source of the rules of short blocks.
 const BLOCKS: Citation = Citation::new("sizing facts 3.5", Grade::Inferred);
 
 /// Rows in the order they are shown, behind those of the drives, where a law is chosen.

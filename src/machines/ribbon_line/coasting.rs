@@ -11,12 +11,12 @@ use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
-/// Inertia (kg m²) at the motor's shaft of all that turns, the reel with it.
+/// Moment of inertia (kg m²) of all rotating parts at the motor's shaft, with the reel.
 fn inertia(line: &RibbonLine) -> f64 {
     unwinder_load(&line.p, 0.0).inertia
 }
 
-/// Seconds from `rpm` to rest: web, friction and the motor's brake slow down all that turns. Source: sizing facts 2.2.
+/// Coasting time (s) from `rpm` to rest: web, friction and the motor's brake slow down all rotating parts. Source: sizing facts 2.2.
 pub(super) fn seconds(line: &RibbonLine, rpm: f64) -> f64 {
     load::coasting(inertia(line), rpm * RPM, line.mechanics.unwinder + line.p.unwinding.motor_brake)
 }

@@ -91,7 +91,7 @@ pub(super) struct Derived {
 }
 
 impl Params {
-    /// π as the program writes it.
+    /// π of the program.
     pub(super) fn program_pi(&self) -> f64 {
         match self.pi {
             PiForm::Exact => PI,
@@ -381,7 +381,7 @@ struct Timing {
     needed: f64,
     /// A block with exact stop, whether the line has one or not.
     exact_stop: f64,
-    /// Share of its speed that X has with it.
+    /// Share of its speed that X keeps with exact stops.
     exact_stop_share: f64,
     /// From one block to the next.
     pass: f64,
@@ -391,7 +391,7 @@ struct Timing {
 }
 
 impl Timing {
-    /// Times of a pitch that lasts `pitch_time` as X drives it.
+    /// Times of a pitch that lasts `pitch_time` at the driven speed of X.
     fn new(p: &Params, programmed: f64, pitch_time: f64, y_stroke: f64) -> Timing {
         let (pitches, count) = (p.block_pitches(), p.count());
         let wait = wait(p, pitch_time.is_finite());
@@ -496,7 +496,7 @@ struct Slack {
     stop: f64,
     hold: f64,
     resume: f64,
-    /// The most that a hold and its restart lay together.
+    /// Greatest ribbon laid by a hold and its restart.
     interruption: f64,
     loop_time: f64,
 }

@@ -15,9 +15,9 @@ pub(super) struct DotError {
     pub run_out: f64,
     /// Backlash of the gears whose torque changes its sign.
     pub backlash: f64,
-    /// X runs ahead of the print roller, or behind it.
+    /// Lead or lag of X to the print roller.
     pub lag: f64,
-    /// A pitch that was printed under tension and is shorter without it.
+    /// Shortening of a pitch that was printed under tension.
     pub strain: f64,
 }
 

@@ -90,7 +90,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
     ]
 }
 
-/// Whether a ratio takes a gear unit: at 1 the motor sits on the roller.
+/// Whether there is a gear unit: at ratio 1 the motor is on the roller's shaft.
 fn is_geared(ratio: f64) -> bool {
     ratio != 1.0
 }

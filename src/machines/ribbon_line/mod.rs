@@ -121,7 +121,7 @@ impl Machine for RibbonLine {
         let mut defaults = Defaults::timing(control);
         defaults.number("feed-limit", control.limits.feed_max);
         defaults.keep_common(control);
-        // Axes that wait until the unwinder has its speed let the ribbon pile up meanwhile.
+        // Ribbon would pile up while axes wait for the speed of the unwinder.
         defaults.set(control, SpeedReached::NoWait);
         defaults
     }

@@ -79,7 +79,7 @@ options! {
 options! {
     /// Method that keeps the coordinates of the axes, which run one way for ever, within the range of the control.
     pub(crate) enum Endless {
-        /// The program takes the coordinates back at each start.
+        /// The program shifts the coordinates back at each start.
         Shift = "shift" "ribbon.endless.shift",
         /// Parameters: rotary axes, whose coordinates roll over.
         RollOver = "roll-over" "ribbon.endless.roll-over",
@@ -125,7 +125,7 @@ options! {
     pub(crate) enum Wait {
         /// A dwell behind M3.
         Dwell = "dwell" "ribbon.wait.dwell",
-        /// The PLC answers M3 when the spindle has its speed.
+        /// The PLC answers M3 when the spindle is at speed.
         Fin = "fin" "ribbon.wait.fin",
     }
 }
@@ -351,7 +351,7 @@ fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
 }
 
 impl UnwindingParams {
-    /// Torque (Nm) that its motor gives continuously at its site.
+    /// Continuous torque (Nm) of its motor, derated for the site.
     pub(super) fn continuous(&self) -> f64 {
         self.torque * self.site_share / 100.0
     }
@@ -413,7 +413,7 @@ impl Params {
     }
 }
 
-/// Macro input that carries the override, where the control has one.
+/// Macro input with the override, if the control has one.
 pub(super) fn override_input(control: &Control) -> Option<u32> {
     let word = |kind| matches!(kind, VarKind::InputWord(_));
     let first = || control.vars.iter().find(|row| word(row.kind)).map(|row| row.first);

@@ -17,7 +17,7 @@ pub(super) const ALARM: u32 = 23;
 /// Distance (in heads) up to which the first block takes the rest of the phase along; beyond it the roller is turned.
 const SMALL: f64 = 0.002;
 
-/// Variable of the print roller's position, where the control tells it.
+/// Variable of the print roller's position, if the control has one.
 fn position(line: &RibbonLine) -> Option<u32> {
     Some(writing::work_position(line.control)? + line.print() as u32)
 }

@@ -211,7 +211,7 @@ fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &m
     pose.placements.push(shown(group::LENS_DOTS, (0.3 + 0.7 * clear) * any));
 }
 
-/// Whether the loop holds: neither tight nor beyond its capacity.
+/// Whether the loop is within its range: neither tight nor beyond its capacity.
 fn holds(line: &RibbonLine, state: &State) -> bool {
     state.slack >= TIGHT && (state.slack <= line.p.loop_capacity || line.p.loop_capacity <= 0.0)
 }

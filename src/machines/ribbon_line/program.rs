@@ -34,7 +34,7 @@ const ENTRIES: [Entry; 10] = [
     (121, true),
 ];
 
-/// Variable of the pitches of a product, and of its length where that is given instead.
+/// Variable of the pitches of a product, or of its length.
 const COUNT: u32 = 120;
 const LENGTH: u32 = 106;
 
@@ -50,7 +50,7 @@ const PITCH_COPY: u32 = 134;
 const SHORT_ALARM: u32 = 21;
 const WHOLE_ALARM: u32 = 22;
 
-/// A product is a length, which holds whatever the pitch.
+/// Whether a product is given by its length, independent of the pitch.
 fn is_length(line: &RibbonLine) -> bool {
     line.p.is_length(line.control)
 }
@@ -134,7 +134,7 @@ fn header(b: &mut Builder, line: &RibbonLine) {
     writing::write_header::<RibbonLine>(b, &line.form, line.control);
 }
 
-/// The control's own codes for these functions; those that it lacks are left out.
+/// The control's own codes for these functions, without those that it lacks.
 fn codes(line: &RibbonLine, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
     writing::codes(line.control, wanted)
 }
@@ -175,7 +175,7 @@ fn modes(line: &RibbonLine) -> Vec<NewWord> {
     codes(line, [Code::Incremental, feed, path])
 }
 
-/// Feed override off, where the control has a variable for it.
+/// Turns the feed override off, if the control has a variable for it.
 fn override_off(b: &mut Builder, line: &RibbonLine, number: u32) {
     if overrides_can_be_off(line) {
         b.n(number).assign(3004, 2).note("FEED OVERRIDE OFF");
@@ -187,7 +187,7 @@ pub(super) fn overrides_can_be_off(line: &RibbonLine) -> bool {
     line.control.var(3004).is_some_and(|row| row.kind == VarKind::SuppressOverride)
 }
 
-/// The program takes the coordinates back at each start.
+/// Whether the program shifts the coordinates back at each start.
 fn presets(line: &RibbonLine) -> bool {
     line.p.endless == Endless::Shift
 }
@@ -376,7 +376,7 @@ fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) {
     }
 }
 
-/// The block of the shorter last pitch: both axes in the ratio of the others.
+/// The block of the shorter last pitch: both axes in the same ratio as before.
 fn last_pitch(b: &mut Builder, line: &RibbonLine) {
     if !is_length(line) || line.p.rest != Rest::Shorten {
         return;

@@ -23,7 +23,7 @@ const TYPED: u32 = 103;
 /// The ribbon line on a control.
 #[derive(Debug)]
 pub(crate) struct RibbonLine {
-    /// The form as it was filled in.
+    /// The form as filled in.
     pub(super) form: Params,
     /// The form, with the control's own choice where it lacks the chosen one.
     pub(super) p: Params,
@@ -161,12 +161,12 @@ impl RibbonLine {
         if self.in_step() { limits.revolution_feed_max } else { self.p.feed_limit.min(limits.feed_max) }
     }
 
-    /// Variable of the override: the macro input, or the one in which it is typed.
+    /// Variable of the override: the macro input, or the variable in which it is typed.
     pub(super) fn input(&self) -> u32 {
         self.handed().unwrap_or(TYPED)
     }
 
-    /// Macro input that carries the override, where the control has one.
+    /// Macro input with the override, if the control has one.
     pub(super) fn handed(&self) -> Option<u32> {
         override_input(self.control)
     }

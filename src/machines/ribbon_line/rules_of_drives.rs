@@ -35,10 +35,10 @@ const LOAD: f64 = 5.0;
 /// Short-time torque of a motor behind an inverter as a share of its rated one. Source: parts, FREQROL-E800, 150 % for 60 s.
 pub(super) const SHORT_TIME: f64 = 1.5;
 
-/// Longest time constant that the form takes, ms.
+/// Longest time constant of the form, ms.
 const LONGEST: f64 = 5000.0;
 
-/// Longest ramp of the inverter that the form takes, s.
+/// Longest ramp of the inverter in the form, s.
 pub(super) const LONGEST_RAMP: f64 = 600.0;
 
 /// Limit at the end of the knob, scaled to the present position of the knob.

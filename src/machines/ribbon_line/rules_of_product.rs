@@ -10,7 +10,7 @@ use crate::text::Message;
 use crate::view::Limit::{AtMost, Equal, Within};
 use crate::view::{Advice, Verdict};
 
-/// Green to the allowed smear, amber to four times it, red beyond.
+/// OK up to the allowed smear, a warning up to four times it, a failure beyond.
 fn slip(line: &RibbonLine) -> Verdict {
     let RibbonLine { p, d, .. } = line;
     if d.smear <= p.smear_limit {

@@ -92,7 +92,7 @@ fn products(line: &RibbonLine) -> f64 {
     (1e3 * wound(&line.p).length() / line.d.product_length).floor()
 }
 
-/// Pull (N) of the reel over the inverter's ramp, where it weighs most at the ribbon.
+/// Pull (N) of the reel over the inverter's ramp, at the diameter with the greatest mass at the web.
 fn ramp_pull(p: &Params) -> f64 {
     let reel = wound(p);
     reel.pull(reel.worst(), ramp_acceleration(p))
@@ -118,7 +118,7 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
     warn(limit, [if fits { said.setting(button(), [set.clone()]) } else { said }])
 }
 
-/// Greatest diameter (mm) of a reel that the form takes.
+/// Greatest diameter (mm) of a reel in the form.
 const LARGEST: f64 = 5000.0;
 
 /// The pull at the start against the tension limit of the ribbon.
@@ -157,7 +157,7 @@ fn holds(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let said = || Advice::from(msg!("ribbon.reel-runs-on", needed = (needed, 2), brake = (brake, 2)));
-    // More brake stops the unwinder sooner too: the pull without current grows evenly with it.
+    // More brake also stops the unwinder sooner: the pull without current grows linearly with it.
     let reel = wound(p);
     let with = |brake: f64| reel.pull(reel.worst(), coasting_acceleration(p, brake));
     let (without, growth) = (with(0.0), with(1.0) - with(0.0));

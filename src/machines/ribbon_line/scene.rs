@@ -133,7 +133,7 @@ fn ribbon(drawing: &mut Drawing, line: &RibbonLine) {
         });
         drawing.within_hidden(group::DOTS, |drawing| {
             let look = Look::line(Paint::Black, wide);
-            // Dots that are closer than the eye tells apart are a grey line.
+            // Dots too close for the eye are drawn as a grey line.
             let look = match line.p.pitch > 0.6 * layout.scale {
                 true => look.dashed(long, line.p.pitch - long),
                 false => look.faint(0.5),

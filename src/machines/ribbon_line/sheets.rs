@@ -26,7 +26,7 @@ fn parameters(line: &RibbonLine) -> Sheet {
     let per_axis = |x: f64, y: f64| vec![("X", number(x)), (print, number(y))];
     let one = |setting: ParamValue| vec![("", setting)];
     let both = |on: bool| vec![("X", ParamValue::Answer(on)), (print, ParamValue::Answer(on))];
-    // Axes whose coordinates roll over are rotary ones to the control, whatever their words count.
+    // Axes whose coordinates roll over are rotary axes of the control, in mm too.
     let [pull_rolls, print_rolls] = line.rolls_over();
     let rolling: Vec<&str> = [("X", pull_rolls), (print, print_rolls)].into_iter().filter_map(rolls).collect();
     let each = |value: fn() -> ParamValue| rolling.iter().map(|axis| (*axis, value())).collect::<Vec<_>>();

@@ -10,7 +10,7 @@ use crate::math;
 /// Greatest number of passes.
 pub(super) const PASSES: f64 = 2000.0;
 
-/// The spindle's speed over the diameter, as the control holds it.
+/// Speed of the spindle over the diameter, as the control limits it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Held {
     limits: SpeedLimits,
@@ -229,7 +229,7 @@ impl Derived {
             surface_time,
             fixed_time,
             cutting_time: if fixed { fixed_time } else { surface_time },
-            // 100 % where one speed of 0 never ends the cut.
+            // 100 % if the fixed speed is 0: the cut would never end.
             saved: if fixed_time > 0.0 && surface_time.is_finite() {
                 100.0 * (1.0 - surface_time / fixed_time)
             } else {

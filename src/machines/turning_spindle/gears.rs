@@ -5,7 +5,7 @@ use super::resolved::TurningSpindle;
 /// Times (s) of a gear change.
 #[derive(Clone, Copy)]
 pub(super) struct GearTimes {
-    /// Until the old gear goes out.
+    /// Time until the old gear is out.
     pub(super) before: f64,
     /// Until the new gear is in position.
     pub(super) meshing: f64,

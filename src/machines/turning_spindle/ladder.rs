@@ -8,10 +8,10 @@ use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{BUSY, SpindleWishes};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, RungContact, off, on};
 
-/// Relays for the stages that the control asks for by a number.
+/// Relays of the stages that the control requests by number.
 const WANTED: [Bit; 4] =
     [Bit::Relay("wanted-1"), Bit::Relay("wanted-2"), Bit::Relay("wanted-3"), Bit::Relay("wanted-4")];
-/// The stage that is asked for is in position.
+/// The requested stage is in position.
 const MESHED: Bit = Bit::Relay("meshed");
 
 /// The ladder of the lathe.
@@ -108,7 +108,7 @@ impl Gears<'_, '_> {
         self.report(done);
     }
 
-    /// The number of the stage that the control asks for, as one relay a stage.
+    /// Decodes the number of the requested stage into one relay a stage.
     fn asked(&mut self) {
         for stage in self.all() {
             let mut when = vec![on(Bit::Signal(SignalRole::GearChange))];

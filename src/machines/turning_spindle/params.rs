@@ -171,7 +171,7 @@ impl Params {
         [self.stage_1, self.stage_2, self.stage_3, self.stage_4].into_iter().take_while(|speed| *speed > 0.0)
     }
 
-    /// The control can hold a surface speed.
+    /// Whether the control can hold a constant surface speed.
     pub(super) fn holds_surface_speed(&self, control: &Control) -> bool {
         control.can(Code::SurfaceSpeed)
     }
@@ -181,12 +181,12 @@ impl Params {
         control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
     }
 
-    /// The sign of the control's output can carry the direction.
+    /// Whether the sign of the control's output can set the direction.
     pub(super) fn has_signed_output(&self, control: &Control) -> bool {
         control.spindle.signed_output
     }
 
-    /// A gear change that takes too long is an alarm.
+    /// Whether a gear change that lasts too long is an alarm.
     pub(super) fn has_gear_alarm(&self, control: &Control) -> bool {
         control.raises(Alarm::GearTimeout)
     }

@@ -20,7 +20,7 @@ pub(super) const SETUP: u32 = 9202;
 const LEFT: u32 = 110;
 /// Sequence numbers of the blocks that cut; the second on a taper.
 pub(super) const CUTS: [u32; 2] = [36, 37];
-/// Speed for the largest diameter: kept through the cut, or set after it.
+/// Variable of the speed at the largest diameter: kept through the cut, or set after it.
 const SPEED: u32 = 109;
 
 /// The operator's variables, all above zero.
@@ -93,7 +93,7 @@ pub(super) fn deck(lathe: &TurningSpindle) -> Deck {
     b.finish()
 }
 
-/// A diameter as words of X count it.
+/// A diameter in units of X words.
 fn size(lathe: &TurningSpindle, diameter: Formula) -> Formula {
     if lathe.diameters() { diameter } else { diameter / 2 }
 }
@@ -253,7 +253,7 @@ fn small(lathe: &TurningSpindle) -> u32 {
     if lathe.p.large_diameter < lathe.p.finished_diameter { 104 } else { 103 }
 }
 
-/// The code of the gear stage, where there are several.
+/// The code of the gear stage, if there are several.
 fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
     let stage = lathe.stage();
     let words = codes(lathe, [Code::GearStage(stage)]);

@@ -16,7 +16,7 @@ pub(super) const ALONG: Address = Address::Z;
 /// The turning spindle on a control.
 #[derive(Debug)]
 pub(crate) struct TurningSpindle {
-    /// The form as it was filled in.
+    /// The form as filled in.
     pub(super) form: Params,
     /// The form, with the control's own choice where it lacks the chosen one.
     pub(super) p: Params,
@@ -82,7 +82,7 @@ impl TurningSpindle {
         self.dialect.counts_diameters(self.cross())
     }
 
-    /// The spindle holds the surface speed.
+    /// Whether the spindle has constant surface speed.
     pub(super) fn surface(&self) -> bool {
         self.p.speed_mode == SpeedMode::Surface
     }
@@ -103,7 +103,7 @@ impl TurningSpindle {
         self.p.keyway_diameter().filter(|_| cuts)
     }
 
-    /// How the spindle comes to an angle, by the machine's data.
+    /// Positioning of the spindle, by the machine's data.
     pub(super) fn positioning(&self) -> Positioning {
         Positioning {
             speed: self.p.positioning_speed,

@@ -96,7 +96,7 @@ fn few(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     warn(limit, [advice])
 }
 
-/// An advice to let the program choose the gear stage, where the form has chosen one.
+/// An advice to let the program choose the gear stage instead of the form.
 fn with_best_stage(lathe: &TurningSpindle, message: Message) -> Advice {
     let advice = Advice::from(message);
     match lathe.p.gear {
@@ -220,7 +220,7 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
         return overloaded(lathe, rated);
     }
     let slower = (p.cutting_speed * rated / d.power).floor();
-    // Below base speed a slower cut takes the same torque, and the motor gives no more.
+    // Below base speed a slower cut needs the same torque, and the motor has no more.
     let advice = match slower >= 1.0 && d.torque <= d.torque_most {
         true => {
             let set = down(FIELDS, "cutting-speed", slower);

@@ -97,13 +97,13 @@ pub(super) fn run_up(lathe: &TurningSpindle) -> f64 {
     motor.seconds_to(highest(lathe), turned.inertia, turned.torque)
 }
 
-/// Seconds from there to rest.
+/// Braking time (s) from the highest speed to rest.
 pub(super) fn braking(lathe: &TurningSpindle) -> f64 {
     let (braked, [_, motor]) = (braked(lathe), lathe.p.for_moments(lathe.d.stage_speed));
     motor.seconds_to(highest(lathe), braked.inertia, braked.torque)
 }
 
-/// Seconds from there to rest without current.
+/// Coasting time (s) without current, from the highest speed to rest.
 pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
     lathe.p.coasting(lathe.d.stage_speed, highest(lathe))
 }

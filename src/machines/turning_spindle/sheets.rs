@@ -28,7 +28,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     let yes = |on: bool| vec![("", ParamValue::Answer(on))];
     let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
     let stage = |speed: f64| if speed > 0.0 { number(speed) } else { Vec::new() };
-    // Some controls want a gain here, or units of their own.
+    // Some controls have a gain here, or units of their own.
     let volts = |role: ParamRole, value: f64| {
         let millivolts = lathe.control.param(role).is_some_and(|row| row.unit == "mV");
         if millivolts { number(value) } else { Vec::new() }

@@ -85,7 +85,7 @@ pub struct Page {
     pub id: &'static str,
     /// Title.
     pub title: String,
-    /// The control that variables and codes on it are of.
+    /// The control whose variables and codes the page names.
     pub control: &'static Control,
     /// Sections.
     pub sections: Vec<HelpSection>,
@@ -108,7 +108,7 @@ impl HelpPlace<'_> {
         format!("{}/{}", self.page.id, self.entry.map_or(&self.section.id, |entry| &entry.id))
     }
 
-    /// Name, as links have it.
+    /// Name of the place in links.
     pub fn name(&self) -> String {
         self.entry.map_or_else(|| self.section.title.clone(), HelpEntry::name)
     }

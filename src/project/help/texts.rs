@@ -8,7 +8,7 @@ use crate::text::catalog::{self, Language};
 pub struct Piece {
     /// The words; in a link, the name of its target.
     pub words: String,
-    /// Full id of the section or entry that it leads to; empty for words alone.
+    /// Full id of the link's target; empty for words alone.
     pub to: String,
 }
 
@@ -40,12 +40,12 @@ impl Texts {
         (format!("help-{}.properties", language.code()), "glossary.md")
     }
 
-    /// The words of a key that is there; the key itself where the file lacks it.
+    /// The words of a key; the key itself if the file lacks it.
     pub fn words(&self, key: &'static str) -> &'static str {
         catalog::words_of(self.manual, key).unwrap_or(key)
     }
 
-    /// The text of a key, where there is one.
+    /// The text of a key, if there is one.
     pub(super) fn text(&self, key: &str) -> Option<Text> {
         catalog::words_of(self.manual, key).map(linked)
     }

@@ -37,7 +37,7 @@ fn program(request: &InterpretRequest) -> Result<(Rc<Parsed>, StartProgram, Sour
     Ok((parsed, start, sources))
 }
 
-/// The machine at rest: positions and inputs as the request has them.
+/// The machine at rest, with positions and inputs of the request.
 fn machine(request: &InterpretRequest, control: &Control) -> Result<Still, Refused> {
     let mut positions = [0.0; AXES];
     for (letter, at) in &request.positions {

@@ -1,4 +1,4 @@
-//! The core as other programs ask it: requests and answers are JSON. Total: any text gets an answer, and an error is a sentence in it.
+//! The core for other programs: requests and answers are JSON. Total: any text gets an answer, and an error is a sentence in it.
 
 mod interpret;
 

@@ -1,4 +1,4 @@
-//! Why a request of the package is not carried out, as its answer.
+//! Refused requests of the package, and their answers.
 
 use serde_json::{Value as Json, json};
 
@@ -27,7 +27,7 @@ pub enum Unasked {
 }
 
 impl Unasked {
-    /// The answer; `text` is what was asked for, where the sentence names it.
+    /// The answer; `text` is the request's text that the sentence names.
     pub fn answer(self, text: &str) -> String {
         let message = match self {
             Unasked::Language => msg!("request.no-language", language = text, languages = "en, zh"),

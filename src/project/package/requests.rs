@@ -25,7 +25,7 @@ pub(super) fn read<'t, T: Deserialize<'t>>(text: &'t str) -> Result<T, Refused> 
 
 /// Reads the request of a function: an object.
 pub(super) fn read_request<'t, T: Deserialize<'t>>(text: &'t str) -> Result<T, Refused> {
-    // serde takes a list for a struct.
+    // serde would accept a list in place of a struct.
     read::<BTreeMap<String, IgnoredAny>>(text)?;
     read(text)
 }
@@ -61,7 +61,7 @@ impl Given<'_> {
         })
     }
 
-    /// A project that has no errors which keep it from being one.
+    /// The project, unless its errors leave none.
     fn sound_project(&self) -> Result<(Project, FileFindings), Refused> {
         match self.project() {
             (Some(project), file) => Ok((project, file)),
@@ -150,7 +150,7 @@ impl SizeRequest<'_> {
         self.project.sound_project()
     }
 
-    /// The draws that are asked for.
+    /// Chance by the requested draws.
     pub(super) fn chance(&self, project: &Project) -> Option<Chance> {
         let draws = self.draws.filter(|draws| *draws > 0)?;
         Some(chance(project, draws, self.seed.unwrap_or(SEED)))
@@ -233,7 +233,7 @@ impl RunArguments<'_> {
         if self.goes_on { AtStop::CycleStart } else { AtStop::End }
     }
 
-    /// Whether the answer has the log.
+    /// Whether the request wants the log in the answer.
     pub(super) fn is_logged(&self) -> bool {
         self.canon.unwrap_or(true)
     }

@@ -49,13 +49,13 @@ pub(super) const SHARES: [&str; 1] = ["efficiency"];
 /// Columns of one kind or another that hold text.
 pub(super) const OVERLOAD: &str = "overload";
 
-/// The column of a name; a person's capitals, spaces and dashes are the same to it.
+/// The column of a name; capitals, spaces and dashes do not matter.
 pub(super) fn column(name: &str) -> Option<&'static str> {
     let plain = name.trim().to_ascii_lowercase().replace([' ', '-'], "_");
     COLUMNS.into_iter().find(|column| *column == plain)
 }
 
-/// Ratings of a kind, none of them known yet.
+/// Empty ratings of a kind.
 pub(super) fn ratings(kind: &str) -> Option<Ratings> {
     Some(match kind {
         "servo" => Ratings::Servo(ServoRatings::default()),

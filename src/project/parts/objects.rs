@@ -13,7 +13,7 @@ use crate::project::json::{self, Entries};
 use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 
-/// Unknown names that are told at most.
+/// Greatest number of unknown names that are listed.
 const LISTED: usize = 20;
 
 /// Reads a list of parts.

@@ -147,7 +147,7 @@ impl<'t> Rows<'t> {
         Some(plain.to_owned())
     }
 
-    /// One of the words that a column takes.
+    /// One of the words that a column allows.
     fn word<T: Copy>(&mut self, cell: &Cell<'t>, words: &[(&'static str, T)]) -> Option<T> {
         let plain = cell.text.trim().to_lowercase().replace(['-', '_'], " ");
         let word = words.iter().find(|(word, _)| *word == plain).map(|(_, means)| *means);

@@ -10,7 +10,7 @@ use crate::text::{Diagnostic, listed};
 /// Cells of a row that are looked at.
 const MAX_CELLS: usize = 256;
 
-/// A record with the part of the text that it was read from.
+/// A record with the part of the text it was read from.
 struct Record<'t> {
     cells: Vec<String>,
     source: &'t str,
@@ -115,7 +115,7 @@ fn head_line<'t>(head: &Record<'t>, delimiter: u8, rows: &mut Rows<'t>) -> Optio
     Some(columns)
 }
 
-/// How the table writes its numbers: by all of them.
+/// Decimal signs of the table, from all of its numbers.
 fn decimals(columns: &[Option<&'static str>], records: &[Record], delimiter: u8) -> Decimals {
     let comma = delimiter != b',';
     let is_number: Vec<bool> = columns.iter().map(|column| column.is_some_and(columns::is_number)).collect();

@@ -58,7 +58,7 @@ fn first_sentence(text: &str) -> &str {
     ends.into_iter().flatten().min().and_then(|end| text.get(..end)).unwrap_or(text)
 }
 
-/// A text whose signs mean nothing in Markdown.
+/// Escapes a text for Markdown.
 fn markdown(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

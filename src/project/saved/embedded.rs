@@ -1,4 +1,4 @@
-//! The fragment of a page inside another one: the project that it asks for.
+//! The address fragment of a page inside another one, and its project.
 
 use super::super::Project;
 use super::Loaded;

@@ -56,7 +56,7 @@ impl Project {
         serde_json::to_string_pretty(&self.saved()).unwrap_or_default() + "\n"
     }
 
-    /// The project as the version that is written has it.
+    /// The project in the version that is written.
     fn saved(&self) -> ProjectV1<'static> {
         let program = |file: &crate::nc::File| ProgramV1 { name: file.name.clone(), text: file.text.clone() };
         ProjectV1 {
@@ -123,13 +123,13 @@ fn variant(variant: &Variant) -> VariantV1<'static> {
     }
 }
 
-/// The file as the newest version has it.
+/// The file in the newest version.
 fn newest(text: &str) -> Result<ProjectV1<'_>, Diagnostic> {
     let json = sized(text)?;
     let wrong = |error: serde_json::Error| {
         if error.is_data() { shape(text, json, &error) } else { not_json(text, json, &error) }
     };
-    // serde takes a list for a struct.
+    // serde would accept a list in place of a struct.
     if !json.trim_start().starts_with('{') {
         serde_json::from_str::<IgnoredAny>(json).map_err(wrong)?;
         return Err(Diagnostic::error(msg!("project.not-a-project")));

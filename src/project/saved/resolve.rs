@@ -178,7 +178,7 @@ fn edited(files: Vec<ProgramV1>) -> Files {
     Files(files.into_iter().map(|file| File { name: file_name(&file.name), text: file.text }).collect())
 }
 
-/// A provenance as it is saved.
+/// Saved word of a provenance.
 pub(super) fn provenance_word(from: Provenance) -> &'static str {
     match from {
         Provenance::Measured => "measured",

@@ -34,7 +34,7 @@ struct Check {
     worker: Rc<Running>,
 }
 
-/// The check of a large file, while its dialog is open. A handle: copies mean the same.
+/// The check of a large file, while its dialog is open. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct LargeFile(RwSignal<Option<Check>, LocalStorage>);
 

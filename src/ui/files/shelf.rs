@@ -1,4 +1,4 @@
-//! The shelf: projects and their versions in a database of this browser (IndexedDB), the present one among them, kept while one works.
+//! The shelf: projects and their versions in a database of this browser (IndexedDB), with the present one, kept during work.
 
 use std::time::Duration;
 
@@ -16,15 +16,15 @@ use crate::ui::state::view::Kept;
 use crate::ui::words::{say, t};
 use crate::ui::worker::messages::{OTHER_TAB, ShelfState};
 
-/// How long the project rests before it is put on the shelf; until then the browser's other store has it.
+/// Delay after the last change before the project is put on the shelf; until then the browser's other store has it.
 const REST: Duration = Duration::from_secs(2);
 
-/// A state as the database takes it.
+/// A state as a row of the database.
 pub(super) fn row(state: &ShelfState) -> JsValue {
     serde_wasm_bindgen::to_value(state).unwrap_or_default()
 }
 
-/// Asks the database; the error is the reason in words.
+/// Calls a method of the database; the error is a reason in words.
 pub(super) async fn ask(method: &'static str, values: &[&JsValue]) -> Result<JsValue, String> {
     let asked = async {
         let promise = call(&module().await?, method, values)?;
@@ -33,7 +33,7 @@ pub(super) async fn ask(method: &'static str, values: &[&JsValue]) -> Result<JsV
     asked.await.map_err(|error| reason(&error))
 }
 
-/// Why something was refused, by the name of the error: one of the browser's, or of `shelf.js`.
+/// Reason of an error by its name, one of the browser's or of `shelf.js`.
 fn reason(error: &JsValue) -> String {
     match dom::error_name(error).as_str() {
         "QuotaExceededError" => t("projects.no-room").to_owned(),
@@ -45,7 +45,7 @@ fn reason(error: &JsValue) -> String {
     }
 }
 
-/// Gives the present project an id where it has none.
+/// Gives the present project an id if it has none.
 pub(super) fn identify(page: Page) {
     if page.project.with_untracked(|project| project.id.is_none()) {
         page.project.update_untracked(|project| project.id = Some(dom::fresh_id()));
@@ -63,8 +63,8 @@ pub(super) fn present(page: Page) -> ShelfState {
     })
 }
 
-/// Puts the present project on the shelf. An untouched example is put there only where it has been something else before. A tab that watches
-/// another one puts nothing.
+/// Puts the present project on the shelf; an untouched example only if its id is there already. A tab that watches another one puts
+/// nothing.
 pub(super) async fn keep_present(page: Page) -> Result<(), String> {
     if page.view.kept.try_get_untracked().is_none_or(|kept| kept == Kept::Elsewhere) {
         return Ok(());
@@ -96,14 +96,14 @@ pub(super) async fn states() -> Result<Vec<ShelfState>, String> {
     serde_wasm_bindgen::from_value(ask("all", &[]).await?).map_err(|error| error.to_string())
 }
 
-/// Tells that the shelf does not take a project. It is in the browser's other store, so it is not lost.
+/// Reports that the shelf refuses a project. It is in the browser's other store, so it is not lost.
 pub(super) fn tell(page: Page, reason: &str) {
     if !page.view.kept.is_disposed() {
         page.notices.notify("warn", say(&msg!("projects.refused", reason)));
     }
 }
 
-/// Keeps a version of the present project before something large happens to it.
+/// Keeps a version of the present project before a change of the whole.
 pub(super) fn version_before(page: Page, note: &'static str) {
     let before = present(page);
     spawn_local(async move {
@@ -125,7 +125,7 @@ pub(super) async fn take_in(page: Page) -> Result<(), String> {
         if state.text != now.text {
             let own = state.id.as_deref().filter(|id| *id != now.id);
             let kept = ShelfState {
-                // Two tabs that take the same state in give it the same id.
+                // Two tabs give the same state the same id.
                 id: own.map_or_else(|| format!("a{:x}", state.at as u64), str::to_owned),
                 at: state.at,
                 note: if state.reason == Reason::OtherTab { OTHER_TAB.to_owned() } else { String::new() },
@@ -139,8 +139,7 @@ pub(super) async fn take_in(page: Page) -> Result<(), String> {
     Ok(())
 }
 
-/// Sets a project aside that gave way to the present one, unless it is an untouched example, until the shelf has it; tells where there is no
-/// room for it.
+/// Sets a replaced project aside, unless it is an untouched example, until the shelf has it; reports a lack of room.
 pub(super) fn leave(page: Page, before: &Project) {
     if !set_aside::keep_project(before, Reason::Replaced) {
         page.notices.notify("warn", t("page.aside-full").to_owned());
@@ -164,7 +163,7 @@ thread_local! {
     static WAITS: std::cell::Cell<Option<TimeoutHandle>> = const { std::cell::Cell::new(None) };
 }
 
-/// Puts the project on the shelf once it rests.
+/// Puts the project on the shelf after a pause in the changes.
 pub(super) fn soon(page: Page) {
     let put = move || {
         spawn_local(async move {

@@ -1,4 +1,4 @@
-//! The project in this browser's store, with its steps of undo: kept while one works, set aside when it cannot be read, held by one tab.
+//! The project in this browser's store, with its steps of undo: kept during work, set aside if unreadable, held by one tab.
 
 use std::time::Duration;
 
@@ -32,7 +32,7 @@ const STEPS: &str = "macroline.steps";
 /// Key of the messages between tabs of this browser: a word, and a number that makes each message a change of the store.
 const TABS: &str = "macroline.tab";
 
-/// A tab that has just opened asks who holds the project.
+/// Question of a newly opened tab: which tab holds the project?
 const ASKS: &str = "asks";
 
 /// Answer of a tab that held the project before the asking tab.
@@ -41,16 +41,16 @@ const HOLDS: &str = "holds";
 /// A tab takes the project over.
 const TAKES: &str = "takes";
 
-/// The tab that holds the project closes, or loads its page again.
+/// Message that the tab with the project closes or reloads.
 const LEAVES: &str = "leaves";
 
-/// Least time in ms from that to the moment at which a watching tab takes over, and the most that is added by chance so that one of them is the
-/// first. A page that is loaded again has asked by then.
+/// Least time (ms) from that message until a watching tab takes over, and greatest random time added so that one of them is first. A
+/// reloaded page has asked by then.
 const PATIENCE: (f64, f64) = (4000.0, 1000.0);
 
 /// The state of the last visit.
 pub(crate) struct Visit {
-    /// Its project, or a fresh one. None only where no machine has a control.
+    /// Its project, or a fresh one. `None` only if no machine has a control.
     pub project: Option<Project>,
     /// Notices about it.
     pub notices: Vec<Notice>,
@@ -75,7 +75,7 @@ pub(crate) fn load() -> Visit {
     }
 }
 
-/// The project of a link in the place of the last visit's, which is set aside. A link that does not read changes nothing.
+/// Puts the project of a link in the place of the last visit's, which is set aside. An unreadable link changes nothing.
 fn by_link(last: Visit, linked: Loaded) -> Visit {
     let mut notices = share::notices(&linked);
     notices.extend(last.notices);
@@ -88,13 +88,13 @@ fn by_link(last: Visit, linked: Loaded) -> Visit {
     Visit { project: Some(project), notices, stored }
 }
 
-/// There is no room to set a state aside: it is handed out as a file.
+/// Notice that the store has no room to set a state aside, with the state as a file.
 fn no_room(state: Option<String>) -> Notice {
     let notice = Notice::new("warn", t("page.aside-full").to_owned());
     state.into_iter().fold(notice, |notice, state| notice.with_file(set_aside::FILE, state))
 }
 
-/// The state of the last visit. A text that does not read is set aside; where that has no room, it stays.
+/// The state of the last visit. An unreadable text is set aside; without room for that, it stays.
 fn last_visit() -> Visit {
     let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
     let Some(text) = dom::stored(KEY) else {
@@ -118,15 +118,15 @@ fn last_visit() -> Visit {
     Visit { project: fresh(), notices: vec![notice], stored: Stored { occupied: !aside, replaced: None } }
 }
 
-/// Stores the project now, then its steps, and notes whether the browser has taken the project.
+/// Stores the project now, then its steps, and notes whether the store had room.
 fn store_now(page: Page) {
     let ShelfState { id, text, .. } = shelf::present(page);
-    // The id before the text: a tab that hears of the text has its id. An id without its project would lead to another one.
+    // The id before the text: a tab that is notified of the text reads its id. An id without its project would belong to another one.
     let id_before = dom::stored(ID);
     if !dom::store(ID, &id) {
         dom::forget(ID);
     }
-    // The steps give way to the project where there is no room for both.
+    // Without room for both, the steps are dropped for the project.
     let kept = dom::store(KEY, &text) || make_room(&text);
     if kept {
         dom::store(STEPS, &page.steps());
@@ -142,7 +142,7 @@ fn store_now(page: Page) {
     page.view.kept.set(if kept { Kept::Yes } else { Kept::No });
 }
 
-/// Stores the project in the room of its steps; they stay where that does not help.
+/// Stores the project in the room of its steps; they stay if that does not help.
 fn make_room(text: &str) -> bool {
     let Some(steps) = dom::stored(STEPS) else { return false };
     dom::forget(STEPS);
@@ -153,13 +153,13 @@ fn make_room(text: &str) -> bool {
     kept
 }
 
-/// Says a word to the other tabs.
+/// Sends a word to the other tabs.
 fn say(word: &str) {
-    // Only a text that differs is heard.
+    // Only a changed value notifies other tabs.
     dom::store(TABS, &format!("{word} {}", js_sys::Math::random()));
 }
 
-/// Stores the project of this tab; what another tab has stored is set aside before.
+/// Stores the project of this tab, and sets the other tab's stored project aside.
 pub(crate) fn take_over(page: Page) {
     let own = page.project.with_untracked(Project::to_json);
     if let Some(text) = dom::stored(KEY).filter(|text| *text != own)
@@ -187,13 +187,13 @@ pub(super) fn store_before_reload(page: Page) -> bool {
     page.view.kept.get_untracked() == Kept::Yes
 }
 
-/// This tab watches: nothing is stored from it.
+/// Makes this tab watch: nothing is stored from it.
 fn watch(page: Page, words: &'static str) {
     put(page.view.kept, Kept::Elsewhere);
     page.notices.notify("warn", t(words).to_owned());
 }
 
-/// Takes over from the tab that has closed, unless another tab has said anything since.
+/// Takes over from a closed tab, unless another tab has sent a message since.
 fn follow(page: Page) {
     let wait = PATIENCE.0 + PATIENCE.1 * js_sys::Math::random();
     let take = move || {

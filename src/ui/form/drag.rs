@@ -18,8 +18,8 @@ use crate::ui::state::Page;
 const STEP: f64 = 4.0;
 const SLACK: f64 = 4.0;
 
-/// The change of a number per step: near a fiftieth of it, as 1, 2 or 5 of its power of ten, a tenth of that where it is fine, and no less
-/// than its last decimal.
+/// Change of a number per step: about a fiftieth of it, as 1, 2 or 5 times a power of ten; fine, a tenth of that; at least its last
+/// decimal.
 fn step(value: f64, decimals: u8, fine: bool) -> f64 {
     let least = math::pow(10.0, -f64::from(decimals));
     let wanted = math::clamp(value.abs() / 50.0, least, 1e12) * if fine { 0.1 } else { 1.0 };
@@ -44,7 +44,7 @@ pub(super) struct Drag {
     page: Page,
     info: Arc<FieldInfo>,
     pull: StoredValue<Option<Pull>>,
-    /// A pull has just ended: the click that belongs to it means nothing else.
+    /// A pull has just ended: its click does nothing else.
     ended: StoredValue<bool>,
 }
 
@@ -63,7 +63,7 @@ impl Drag {
 
     pub(super) fn press(&self, event: &PointerEvent) {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-        // In a number that has the focus the pointer chooses text.
+        // In a focused number the pointer selects text.
         let focused = document().active_element();
         let held = target.filter(|target| {
             target.matches("label, label *, .number").unwrap_or(false) && focused.as_ref() != Some(target)
@@ -75,7 +75,7 @@ impl Drag {
         }
     }
 
-    /// A press on a number does not focus it yet, so that a pull chooses no text.
+    /// A press on a number does not focus it yet, so that a pull selects no text.
     pub(super) fn press_mouse(&self, event: &MouseEvent) {
         let number = event.target().and_then(|target| target.dyn_into::<HtmlElement>().ok());
         let number = number.filter(|target| target.matches(".number").unwrap_or(false));

@@ -133,7 +133,7 @@ fn Input(
     }
 }
 
-/// A text that is read while it is typed, and never rewritten while it means the value of the project.
+/// Text input that is read at every key, and not rewritten while it means the project's value.
 #[component]
 fn TypedInput(
     /// The field's row.
@@ -149,7 +149,7 @@ fn TypedInput(
     Effect::new(move |last: Option<u32>| {
         let (value, reread) = (value_of(page, &row), page.entries.reread.get());
         let Some(input) = input.get() else { return reread };
-        // The text stays where it means the value already: `1,5` is not rewritten into 1.5.
+        // Text with the same value stays: `1,5` is not rewritten into 1.5.
         let same = row.typed(&input.value()).is_ok_and(|typed| typed == value);
         let forced = last != Some(reread);
         let kept = untrack(|| page.entries.refused(id)).is_some() && !forced;

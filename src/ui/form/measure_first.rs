@@ -10,7 +10,7 @@ use crate::ui::words::t;
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 
-/// Facts that are listed at most.
+/// Greatest number of facts that are listed.
 const MOST: usize = 5;
 
 /// The facts; each leads to its field.

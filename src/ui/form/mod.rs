@@ -22,7 +22,7 @@ use crate::ui::words::{say, t};
 use field::FormField;
 use measure_first::MeasureFirst;
 
-/// Name and fields of each group that is folded, in the order of the form.
+/// Name and fields of each folded group, in the order of the form.
 fn groups(fields: &[FieldInfo]) -> Vec<(&'static str, Vec<FieldInfo>)> {
     let mut groups: Vec<(&'static str, Vec<FieldInfo>)> = Vec::new();
     for field in fields.iter().filter(|field| !field.essential) {
@@ -39,7 +39,7 @@ fn groups(fields: &[FieldInfo]) -> Vec<(&'static str, Vec<FieldInfo>)> {
 pub(crate) fn Form() -> impl IntoView {
     let page = Page::here();
     let rows = move || {
-        // Another machine is another form; values of the same machine are not.
+        // Another machine has another form; other values of the same machine do not.
         page.machine.track();
         let fields = page.project.with_untracked(|project| project.machine.fields());
         let product = fields.iter().filter(|field| field.essential).cloned();
@@ -114,7 +114,7 @@ fn MachineData(
     }
 }
 
-/// A group of fields; it opens where one of them is wrong.
+/// A group of fields; it opens if one of them is wrong.
 #[component]
 fn Group(
     /// Catalog id of its name.
@@ -138,7 +138,7 @@ fn Group(
     }
 }
 
-/// Wrong fields, counted where they may be out of sight; each leads to its field.
+/// Count of wrong fields, for those out of sight; a press leads to the next one.
 #[component]
 fn WrongFields() -> impl IntoView {
     let page = Page::here();

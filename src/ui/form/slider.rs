@@ -126,7 +126,7 @@ mod tests {
         }
         let player = bench.page.player;
         let end = move || player.ask_planner(|run| run.timeline().end());
-        // Whole again, and told so.
+        // The run is planned whole again, and the page shows it.
         until(move || player.planned.get_untracked().1 && end() == Some(player.planned.get_untracked().0)).await;
     }
 

@@ -37,7 +37,7 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let tag = target.as_ref().map(Element::tag_name).unwrap_or_default();
     let dialog = document().query_selector("dialog[open]").ok().flatten().is_some();
-    // The key that every program has for its help, in text fields too.
+    // The usual key for help, in text fields too.
     if !dialog && event.key() == "F1" {
         page.view.helping.set(true);
         return true;

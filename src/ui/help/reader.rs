@@ -89,7 +89,7 @@ impl Reading {
         self.query.set(String::new());
         self.hits.set(Vec::new());
         let then = move |response| match response {
-            // Only the answer to the last question counts.
+            // Only the answer to the last request counts.
             Some(Response::Help(page)) if self.at.try_get_untracked().as_ref() == Some(&id) => {
                 let anchor = page.anchor.clone();
                 self.silent.set(false);

@@ -22,7 +22,7 @@ const SLACK: f64 = 4.0;
 /// Steps of the arrow keys on an axis; with Shift a tenth of them.
 const STEPS: f64 = 100.0;
 
-/// Marks of all actions at most; of more actions only those on the axis have one, and of these not more than that.
+/// Greatest number of marks; with more actions only those on the axis have one, at most this many.
 const MOST: usize = 1000;
 
 /// A press on a mark that may become a pull.
@@ -35,7 +35,7 @@ struct Pull {
     moved: bool,
 }
 
-/// The marks' state. A handle: copies mean the same.
+/// The marks' state. A handle: copies share its state.
 #[derive(Clone, Copy)]
 struct State {
     page: Page,
@@ -46,7 +46,7 @@ struct State {
     /// The mark that is dragged, and the time (s) that it would have.
     moving: RwSignal<Option<(usize, f64)>>,
     pull: StoredValue<Option<Pull>>,
-    /// A pull has just ended: the click that belongs to it means nothing else.
+    /// A pull has just ended: its click does nothing else.
     ended: StoredValue<bool>,
 }
 
@@ -248,7 +248,7 @@ impl State {
         event.prevent_default();
     }
 
-    /// Goes to another mark; moves of it are a step of the history of their own.
+    /// Moves the focus to another mark; its own moves are a new step of the history.
     fn go(self, to: Option<usize>) {
         self.page.hold(false);
         if let Some(to) = to {

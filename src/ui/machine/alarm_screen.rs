@@ -19,7 +19,7 @@ struct Told {
     tone: &'static str,
     /// Number of the alarm and the text, in the control's own words.
     headline: String,
-    /// The program's text in the language of the page, where macroline wrote it.
+    /// The program's text in the language of the page, if macroline wrote the program.
     translation: Option<String>,
     /// The meaning in a sentence.
     meaning: String,
@@ -27,11 +27,11 @@ struct Told {
     alarm: String,
     /// The block that raises it.
     place: Option<Place>,
-    /// Catalog id of what to do; empty where the meaning says so.
+    /// Catalog id of the instruction; empty if the meaning has it.
     way_out: &'static str,
 }
 
-/// Content of the screen at the playhead; `None` if there is nothing to report.
+/// Content of the screen at the play head; `None` if there is nothing to report.
 fn told(page: Page) -> Option<Told> {
     let player = page.player;
     let at_once = page.outlook.stopped.with(Option::is_some);
@@ -52,7 +52,7 @@ fn told(page: Page) -> Option<Told> {
     }
 }
 
-/// A stop at the end of the run, where the program says something about it.
+/// A stop at the end of the run, with the program's message.
 fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
     let (headline, place) = page.player.ask_planner(|run| {
         let timeline = run.timeline();
@@ -110,7 +110,7 @@ fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
 pub(super) fn AlarmScreen() -> impl IntoView {
     let page = Page::here();
     let told = Memo::new(move |_| told(page));
-    // On a phone it is a bar over the edge of the drawing until it is opened.
+    // On a phone it is a bar over the edge of the drawing until opened.
     let open = RwSignal::new(false);
     move || {
         let Told { tone, headline, translation, meaning, alarm, place, way_out } = told.get()?;

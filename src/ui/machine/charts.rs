@@ -31,8 +31,8 @@ impl Charts {
         self.charts.iter().map(|chart| chart.title).collect()
     }
 
-    /// Shows a moment: draws where plan or axis (some times a second) or choice have changed, moves the cursor, writes the values. Whether
-    /// the charts are others.
+    /// Shows a moment: draws the chart after a change of plan or axis (some times a second) or of the choice, moves the cursor, and writes
+    /// the values some times a second. Returns whether the charts were computed anew.
     pub(super) fn frame(&mut self, host: &Element, moment: &Moment, chosen: usize) -> bool {
         let changed = moment.slow && (self.axis != moment.axis || self.plans != Some(moment.plans));
         if changed {
@@ -96,7 +96,7 @@ impl Charts {
         self.lines().iter().filter_map(text).collect()
     }
 
-    /// Writes the values at the playhead; counting lines have no decimals.
+    /// Writes the values at the play head; counting lines have no decimals.
     fn write_values(&self, head: f64) {
         let unit = self.unit();
         for (line, (place, whole)) in self.lines().iter().zip(&self.values) {

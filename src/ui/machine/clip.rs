@@ -25,8 +25,8 @@ pub(super) fn is_possible() -> bool {
     has(&global, "MediaRecorder") && has(&canvas, "captureStream") && MediaRecorder::is_type_supported(KIND)
 }
 
-/// Plays the film from the head and records it; `progress` holds the recorded part (0 to 1), and `None` ends the recording without a clip.
-/// `None` where the browser cannot record or the user has broken it off.
+/// Plays the film from the play head and records it; `progress` holds the recorded part (0 to 1), and setting it to `None` cancels. Returns
+/// `None` if cancelled or if the browser cannot record.
 pub(super) async fn record(page: Page, progress: RwSignal<Option<f64>>) -> Option<Vec<u8>> {
     let canvas: HtmlCanvasElement = document().create_element("canvas").ok()?.dyn_into().ok()?;
     onto(&canvas, &drawing(page)?, FINE).await?;

@@ -1,4 +1,4 @@
-//! Two projects or variants side by side: both machines at the same time of their runs, what differs in entries and results, and the programs line by line.
+//! Two projects or variants side by side: machines at the same time of their runs, differing entries and results, program lines.
 
 use std::sync::Arc;
 
@@ -93,7 +93,7 @@ pub(crate) fn CompareDialog() -> impl IntoView {
     }
 }
 
-/// The projects and variants that can be compared, each with its name, and the places of the two that are.
+/// The projects and variants for the comparison, each with its name, and the places of the chosen two.
 #[derive(Clone, Copy)]
 struct Pair {
     all: StoredValue<Vec<(String, Project)>>,
@@ -189,7 +189,7 @@ fn Motion(
     let page = Page::here();
     let hosts: [NodeRef<html::Div>; 2] = [NodeRef::new(), NodeRef::new()];
     let sides = StoredValue::new_local(Vec::<Side>::new());
-    // The machine is met where it is on the page.
+    // Starts at the time of the page's play head.
     let head = RwSignal::new(page.player.head().min(SHOWN));
     let (end, playing) = (RwSignal::new(SHOWN), RwSignal::new(false));
     let show = move || {
@@ -217,7 +217,7 @@ fn Motion(
         head.track();
         show();
     });
-    // Counts the times that it was set going: what went before goes no further.
+    // Number of starts: an earlier playback ends when it changes.
     let going = StoredValue::new(0_u32);
     let toggle = move || {
         if head.get_untracked() >= end.get_untracked() {
@@ -318,7 +318,7 @@ fn Programs(
         let Some(file) = now.0.get(at) else { return };
         let same = other.0.iter().find(|one| one.name == file.name).or(other.0.get(at));
         let texts = [same.map(|one| one.text.clone()).unwrap_or_default(), file.text.clone()].map(JsValue::from);
-        // The two may be of controls with other words, so none is coloured.
+        // The two controls may have different words, so nothing is coloured.
         let pieces = Closure::<dyn Fn(JsValue) -> JsValue>::new(|_| js_sys::Array::new().into()).into_js_value();
         let options = object([("label", title().into()), ("pieces", pieces), ("phrases", phrases())]);
         spawn_local(async move {

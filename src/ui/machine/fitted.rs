@@ -9,7 +9,7 @@ use crate::ui::dom::turns::in_turn;
 use crate::ui::state::player::Moment;
 use crate::ui::state::{Page, put};
 
-/// The drawing. A handle: copies mean the same.
+/// The drawing. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(super) struct Fitted {
     page: Page,

@@ -1,5 +1,4 @@
-//! Labels of a drawing that has less room than they were laid out for: each moves a little to the side, or goes, so that none lies on another
-//! nor over a lens.
+//! Labels of a drawing in less room than they were laid out for: each moves aside or is hidden, so that none overlaps another or a lens.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +9,10 @@ use crate::ui::dom;
 
 /// Pixels between two labels.
 const GAP: f64 = 10.0;
-/// Pixels to the side that are tried, the nearest first.
+/// Shifts to the side in pixels, tried in this order.
 const ASIDE: [f64; 13] = [0.0, 8.0, -8.0, 16.0, -16.0, 26.0, -26.0, 38.0, -38.0, 52.0, -52.0, 68.0, -68.0];
 
-/// Pixels that a label without a hairline moves at most: further away it would name another part.
+/// Greatest shift in pixels of a label without a hairline: further away it would seem to name another part.
 const NEAR: f64 = 26.0;
 /// Share of a text's box above and below that its letters leave free.
 const FREE: f64 = 0.12;
@@ -39,7 +38,7 @@ fn area(element: &Element) -> Area {
     [area.left(), area.top(), area.right(), area.bottom()]
 }
 
-/// The room of the letters of a text.
+/// Box of a text without the free space above and below its letters.
 fn letters(text: &Element) -> Area {
     let [left, top, right, bottom] = area(text);
     let free = FREE * (bottom - top);

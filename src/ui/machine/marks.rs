@@ -16,7 +16,7 @@ use crate::ui::words::{clock, t};
 /// Pixels of a letter of a name, and beside the name.
 const LETTER: f64 = 6.5;
 const ROOM: f64 = 8.0;
-/// Pixels between two marks of the same name below which they are one.
+/// Pixels between two marks of the same name below which they are merged.
 const SAME: f64 = 3.0;
 /// Pixels of the symbol of an action or of the end.
 const SYMBOL: f64 = 12.0;
@@ -69,7 +69,7 @@ struct Placed {
     at: f64,
     t: f64,
     words: String,
-    /// On which side of the mark its name has room.
+    /// Side of the mark on which its name has room.
     side: Option<Side>,
 }
 
@@ -161,7 +161,7 @@ pub(super) fn Marks(
         let width = f64::from(width.get().max(1));
         found.with(|found| placed(found, axis.get(), width, &symbols))
     });
-    // A mark changes in place: while a field is dragged, each moves with every step.
+    // A mark changes in place: while a field is dragged, each step moves it.
     let named = move |at: usize| {
         let mark = Memo::new(move |_| shown.with(|shown| shown.get(at).cloned()));
         let of =

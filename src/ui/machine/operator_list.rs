@@ -36,7 +36,7 @@ const TURNS: usize = 8;
 /// Id of the choice of the action to add.
 const KIND: &str = "action-kind";
 
-/// The list's state. A handle: copies mean the same.
+/// The list's state. A handle: copies share its state.
 #[derive(Clone, Copy)]
 struct List {
     page: Page,
@@ -46,7 +46,7 @@ struct List {
     count: Memo<usize>,
     /// The last entry, where it is wrong.
     wrong: RwSignal<Option<Wrong>>,
-    /// The action on whose row the pointer went down: rows may move before it goes up.
+    /// The action of the pressed row: rows may move before the pointer goes up.
     pressed: StoredValue<Option<Event>>,
 }
 
@@ -55,7 +55,7 @@ struct List {
 struct Wrong {
     at: usize,
     column: &'static str,
-    /// The action of its row; the entry is gone as soon as another one is there.
+    /// The action of its row; the entry is dropped when another action is there.
     event: Event,
     /// The values that the column accepts.
     told: String,
@@ -142,7 +142,7 @@ fn AddAction(list: List) -> impl IntoView {
             groups.iter().flat_map(|group| &group.actions).nth(chosen.get_untracked()).cloned()
         };
         let Some(action) = groups.with_untracked(nth) else { return };
-        // A variable begins with the value that it has.
+        // A variable starts with its present value.
         let action = match action {
             Action::Variable(number, _) => {
                 let control = page.project.with_untracked(|project| project.control);
@@ -173,7 +173,7 @@ fn Files(list: List) -> impl IntoView {
             page.project.with_untracked(|project| (project.file_name("panel.json"), panel_to_json(&project.panel)));
         dom::download(&name, "application/json", text.as_bytes());
     };
-    // Opening files of any kind has one door.
+    // The page opens files of any kind in one place.
     let open = move |_| {
         if let Some(input) = dom::by_id("open") {
             input.click();
@@ -240,7 +240,7 @@ fn Row(
             _ => return,
         };
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-        // A list to choose from has a use of its own for these keys.
+        // A list uses these keys itself.
         let column = target.filter(|target| target.tag_name() != "SELECT").and_then(|target| column_of(&target));
         if let (Some(to), Some(column)) = (to, column) {
             event.prevent_default();
@@ -370,14 +370,14 @@ impl List {
         self.wrong.set(None);
         let input: HtmlInputElement = event_target(typed);
         if column == "time" {
-            // The key or the press that confirmed the entry takes the focus elsewhere first: rows move then.
+            // The key or press that confirmed the entry first moves the focus: the rows move afterwards.
             set_timeout(move || self.move_row(at, &present, event, &input), Duration::ZERO);
         } else if change(self.page, at, event, "").is_some() {
             self.write(at, column, &input);
         }
     }
 
-    /// Writes an entry as it is in the list, which has another text or another action at its place now.
+    /// Restores an entry from the list, after another text or another action came to its place.
     fn write(self, at: usize, column: &str, input: &HtmlInputElement) {
         if let Some(shown) = event_at(self.page, at) {
             input.set_value(&if column == "time" { typed_time(shown.t) } else { typed_value(&shown.action) });

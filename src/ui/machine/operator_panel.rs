@@ -19,7 +19,7 @@ const FULL: f64 = 200.0;
 /// Degrees from the first to the last mark of a knob.
 const TURN: f64 = 270.0;
 
-/// A percentage at the head: the last setting before it.
+/// A percentage at the play head: the last setting before it.
 fn setting(page: Page, first: impl Fn() -> f64 + Send + Sync + 'static, of: fn(&Action) -> Option<f64>) -> Memo<f64> {
     Memo::new(move |_| {
         let head = page.player.now.with(|now| now.t);

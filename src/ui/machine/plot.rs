@@ -49,7 +49,7 @@ impl Fingers {
     }
 }
 
-/// Keys zoom where the pointer is over the chart or the focus in the film: about the pointer, or about the head.
+/// Keys zoom where the pointer is over the chart or the focus in the film: about the pointer, or about the play head.
 fn keys(player: Player, film: NodeRef<html::Section>, pointed: impl Fn() -> Option<f64> + 'static) {
     let keys = window_event_listener(leptos::ev::keydown, move |event| {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());

@@ -12,7 +12,7 @@ use crate::ui::dom;
 use crate::view::svg::{paint_name, transform};
 use crate::view::{Paint, Pose, Scene, SceneGroup};
 
-/// The parts of a drawing that move with the head.
+/// The parts of a drawing that move with the play head.
 pub(super) struct Drawn {
     groups: Vec<Group>,
     parts: BTreeMap<u16, Part>,

@@ -26,7 +26,7 @@ pub(crate) fn Stage() -> impl IntoView {
     let section: NodeRef<html::Section> = NodeRef::new();
     let fitted = Fitted::new(page);
     let (host, pans) = (fitted.host, fitted.pans);
-    // The still is this very drawing, which goes on in it.
+    // The still is this drawing, which replaces it in place.
     let still = StoredValue::new_local(Still::take());
     Effect::new(move |shown: Option<Shown>| {
         let shown = shown.unwrap_or_default();
@@ -42,7 +42,7 @@ pub(crate) fn Stage() -> impl IntoView {
     });
     mark_causes(page, host);
     player.paint(move |moment| fitted.show(moment));
-    // A wide drawing is a place that keys scroll.
+    // A wide drawing is focusable, so that keys scroll it.
     let stop = move || pans.get().then_some("0");
     let option = move || page.results.scene.with(|scene| scene.option);
     let strobe = move || {
@@ -60,7 +60,7 @@ pub(crate) fn Stage() -> impl IntoView {
             <div class="stage" class:pans=move || pans.get() tabindex=stop role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
             <Show when=move || pans.get()><Stations drawn=fitted.drawn /></Show>
             <Later>
-                // The labels make room for what lies over the drawing.
+                // The labels make room for the elements over the drawing.
                 {fitted.refit()}
                 <div class="state">
                     <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
@@ -113,7 +113,7 @@ fn shown_state(page: Page) -> (&'static str, &'static str) {
     }
 }
 
-/// The count of wrong fields, where one looks while the form is out of sight; it leads to them.
+/// Count of wrong fields, for a form that is out of sight; a press leads to them.
 #[component]
 fn WrongValues() -> impl IntoView {
     let page = Page::here();

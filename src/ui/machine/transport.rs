@@ -43,7 +43,7 @@ pub(super) fn Transport() -> impl IntoView {
     }
 }
 
-/// The time of the head, written in each frame, and the length of the run.
+/// The time of the play head, written in each frame, and the length of the run.
 #[component]
 fn Clock() -> impl IntoView {
     let player = Page::here().player;

@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use super::icon::{Glyph, IconButton};
 use crate::ui::words::t;
 
-/// A dialog that is open while `open` holds.
+/// A dialog that is open while `open` is true.
 #[component]
 pub(crate) fn Dialog(
     /// Id of its title.
@@ -17,7 +17,7 @@ pub(crate) fn Dialog(
     /// Whether the dialog is open.
     #[prop(into)]
     open: Signal<bool>,
-    /// Makes `open` false: asked for by the button, by Esc and by whatever else closes it.
+    /// Sets `open` to false: called by the button, by Esc and by other ways of closing.
     #[prop(into)]
     close: Callback<()>,
     /// Further classes.

@@ -83,7 +83,7 @@ impl Glyph {
     }
 }
 
-/// A sign. It says nothing to screen readers.
+/// A sign, hidden from screen readers.
 #[component]
 pub(crate) fn Icon(
     /// The icon.
@@ -97,7 +97,7 @@ pub(crate) fn Icon(
     }
 }
 
-/// A button with a sign, and words for those who do not see it.
+/// A button with a sign, and words for screen readers.
 #[component]
 pub(crate) fn IconButton(
     /// The sign.

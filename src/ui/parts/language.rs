@@ -11,7 +11,7 @@ use crate::ui::words::t;
 /// Key in the browser's store of the language; `boot.js` reads it.
 const LANGUAGE: &str = "macroline.language";
 
-/// The other languages, each by its own name. Another language is another file of sentences, which the page takes as it is opened.
+/// Buttons of the other languages, each by its own name. Another language is another catalog, so the page is reloaded.
 #[component]
 pub(crate) fn LanguageButtons() -> impl IntoView {
     let page = Page::here();
@@ -22,7 +22,7 @@ pub(crate) fn LanguageButtons() -> impl IntoView {
     Language::ALL.into_iter().filter(|language| *language != spoken()).map(button).collect_view()
 }
 
-/// Keeps a choice that the page takes as it is opened, and opens it anew: what is kept of the project is there again.
+/// Keeps a choice that the page reads at its start, and reloads the page; the kept project returns.
 pub(super) fn open_anew(page: Page, key: &str, choice: &str) {
     if page.view.kept.get_untracked() == Kept::No || !dom::store(key, choice) {
         return page.notices.notify("warn", t("page.language-unkept").to_owned());

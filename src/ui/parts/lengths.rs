@@ -10,13 +10,13 @@ use crate::ui::words::t;
 /// Key in the browser's store of the unit of length.
 const LENGTHS: &str = "macroline.lengths";
 
-/// Shows lengths as `boot.js` has noted the choice of this browser, or of the page around: millimetres where there is none.
+/// Shows lengths by the choice that `boot.js` has noted, of this browser or of the page around; millimetres by default.
 pub(crate) fn show_chosen() {
     let chosen = document().document_element().and_then(|root| root.get_attribute("data-lengths"));
     units::show(chosen.and_then(|id| Lengths::of_id(&id)).unwrap_or(Lengths::Millimetres));
 }
 
-/// The other system of units. Everything that is drawn and written changes with it, so the page is opened anew.
+/// Button of the other system of units. It changes everything drawn and written, so the page is reloaded.
 #[component]
 pub(crate) fn LengthsButton() -> impl IntoView {
     let page = Page::here();

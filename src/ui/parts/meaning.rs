@@ -20,7 +20,7 @@ use crate::ui::dom::{self, script::call};
 use crate::ui::state::Page;
 use crate::ui::words::{four_digits, say, t, value_of};
 
-/// How long the pointer rests on a word before its meaning appears, and how long it stays away before the meaning goes.
+/// Time that the pointer rests on a word before its meaning appears, and time away from it before the meaning disappears.
 const REST: Duration = Duration::from_millis(350);
 const AWAY: Duration = Duration::from_millis(250);
 
@@ -31,7 +31,7 @@ const GAP: f64 = 6.0;
 const MARKED: &str = "[data-means]";
 /// Lines whose pieces are words.
 const LINE: &str = ".listing [data-l] code";
-/// The editor of a program, which tells its lines itself.
+/// The editor of a program, which provides its lines itself.
 const EDITOR: &str = ".editor";
 /// The button by which the editor asks for the word at its cursor.
 const ASKS: &str = "[data-asks]";
@@ -84,7 +84,7 @@ fn of_editor(project: &Project, editor: &Element, point: Option<(f64, f64)>) -> 
     let line: Array = line.ok()?.dyn_into().ok()?;
     let (text, at, start) = (line.get(0).as_string()?, line.get(1).as_f64()?, line.get(2).as_f64()?);
     let at = utf16::byte(&text, at as u32);
-    // The cursor belongs to the word that it is behind, too.
+    // The cursor belongs to the word before it, too.
     let found = meaning::at(project, &text, at);
     let before = || meaning::at(project, &text, at.checked_sub(1)?);
     let (span, meaning) = found.or_else(|| before().filter(|_| point.is_none()))?;
@@ -149,7 +149,7 @@ impl Shown {
         if target.closest("#meaning").ok().flatten().is_some() {
             return self.later(None);
         }
-        // A press that is held selects.
+        // A held press selects.
         if event.buttons() != 0 {
             return self.put(None);
         }
@@ -163,7 +163,7 @@ impl Shown {
         }
     }
 
-    /// A finger has no place to rest: its tap shows at once. In the editor it sets the cursor, and a button shows the meaning.
+    /// A finger cannot hover: its tap shows the meaning at once. In the editor a tap sets the cursor, and a button shows the meaning.
     fn tap(self, event: &Event) {
         let tap = event.dyn_ref::<PointerEvent>().filter(|event| event.pointer_type() == "touch");
         if let (Some(event), Some(target)) = (tap, element(event)) {

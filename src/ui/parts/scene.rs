@@ -26,7 +26,7 @@ impl Shown {
         Shown { attributes: svg::attributes(scene, t(scene.alt)), parts: svg::parts(scene, None) }
     }
 
-    /// Shows a scene as the one drawing of `host`; parts that stay are where the last pose has left them.
+    /// Shows a scene as the one drawing of `host`; unchanged parts keep their last pose.
     pub(crate) fn change(self, host: &Element, scene: &Scene) -> Shown {
         let next = Shown::of(scene);
         let Some(picture) = host.first_element_child() else {
@@ -42,7 +42,7 @@ impl Shown {
         next
     }
 
-    /// Takes a drawing of this scene that is there already, in whatever pose.
+    /// Uses a drawing of this scene that is there already, in any pose.
     pub(crate) fn adopt(host: &Element, drawing: &Element, scene: &Scene) -> Shown {
         let _ = host.append_child(drawing);
         Shown::of(scene)
@@ -60,8 +60,8 @@ pub(crate) fn fit(picture: &HtmlElement, [_, _, width, height]: [f64; 4], most: 
     }
 }
 
-/// The still of the page's HTML: the drawing of a fresh project before its start, seen until the page is there. A handle: copies mean the
-/// same.
+/// The still of the page's HTML: the drawing of a fresh project before its start, seen until the page is there. A handle: copies share its
+/// state.
 #[derive(Clone, Copy)]
 pub(crate) struct Still(StoredValue<Option<Element>, LocalStorage>);
 
@@ -74,7 +74,7 @@ impl Still {
         provide_context(Still(StoredValue::new_local(drawing)));
     }
 
-    /// The drawing, for the first who asks.
+    /// The drawing, for the first caller.
     pub(crate) fn take() -> Option<Element> {
         use_context::<Still>()?.0.try_update_value(Option::take).flatten()
     }

@@ -33,7 +33,7 @@ pub(crate) fn SheetView(
     let answered = RwSignal::new(false);
     // The sheets are those of the project before its last change.
     let outdated = RwSignal::new(true);
-    // How far the answer is, and the number of its request; none while nothing is asked.
+    // Progress of the answer, and the number of its request; none without a request.
     let far = RwSignal::new(None::<f64>);
     let asked = StoredValue::new(0);
     let is_cancelled = RwSignal::new(false);

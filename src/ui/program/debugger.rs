@@ -13,7 +13,7 @@ use crate::ui::state::stepping::{COMMANDS, press, set_point};
 use crate::ui::state::walk::Walk;
 use crate::ui::words::{clock, say, short, t, tell, value_of};
 
-/// Whether something is stepped, watched or waited for.
+/// Whether the debugger is in use: a stop, a step under way, a watch or a breakpoint.
 fn is_used(walk: &Walk) -> bool {
     walk.at_stop || walk.going || !walk.watches.is_empty() || !walk.points.list().is_empty()
 }

@@ -109,7 +109,7 @@ fn seek(page: Page, editor: &JsValue, file: usize) {
     let _ = call(editor, "go", &[&units(&page.program.text(file), place.span.start).into()]);
 }
 
-/// Whether the editor has a text of a file that is not read yet: it is newer than findings and places, which come again once it is read.
+/// Whether the editor has newer text of a file than findings and places, which are renewed once it is read.
 fn is_typed(page: Page, file: usize) -> bool {
     page.program.typed.with_value(|typed| typed.as_ref().is_some_and(|(of, _)| *of == file))
 }

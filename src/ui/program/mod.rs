@@ -34,7 +34,7 @@ use editor::{Difference, Editor};
 use listing_view::Listing;
 use now::Now;
 
-/// Pixels at the left of a line that are its number.
+/// Width in pixels of the line number at the left of a line.
 const NUMBER: f64 = 46.0;
 
 /// The program tab.
@@ -42,7 +42,7 @@ const NUMBER: f64 = 46.0;
 pub(crate) fn ProgramTab() -> impl IntoView {
     let page = Page::here();
     let follow = RwSignal::new(true);
-    // The file that runs is shown while one follows the run; at a stop of the debugger the file of the next block.
+    // While the listing follows the run, it shows the file of the running block; at a stop of the debugger that of the next block.
     let followed = Memo::new(move |_| page.player.walk.with(Walk::place).or(page.player.running.get()));
     Effect::new(move |_| {
         if let Some(place) = followed.get()
@@ -221,7 +221,7 @@ fn ViewToggle(
     }
 }
 
-/// The bar of a program that the form does not write any more: which text counts, what differs, and the way back to the form's.
+/// The bar of an edited program: which text counts, the differences, and the way back to the form's program.
 #[component]
 fn Detached() -> impl IntoView {
     let page = Page::here();

@@ -30,7 +30,7 @@ enum Choice {
 /// A row of a list: name, text, whether it belongs to the row above.
 type Row = (String, String, bool);
 
-/// The questions of the editor. A handle: copies mean the same.
+/// Requests of the editor. A handle: copies share its state.
 #[derive(Clone, Copy)]
 struct Navigation {
     page: Page,
@@ -45,7 +45,7 @@ impl Navigation {
         Caret { file: self.page.view.file.get_untracked() as u16, units: units.as_f64().unwrap_or_default() as u32 }
     }
 
-    /// Asks the worker for places of the program; `then` gets them unless the text has changed meanwhile.
+    /// Requests places of the program from the worker; `then` gets them unless the text has changed meanwhile.
     fn places(self, request: Request, then: impl FnOnce(Option<Places>) + 'static) {
         let program = self.page.program;
         self.page.take_typed();
@@ -90,7 +90,7 @@ impl Navigation {
         });
     }
 
-    /// Promises a list, by its name; null where it would be empty, undefined where it is to be asked for later.
+    /// Returns a promise of a list, by its name; null if it would be empty, undefined if it has to be requested again later.
     fn list(self, name: &JsValue, units: &JsValue) -> JsValue {
         let (request, title, empty) = match name.as_string().as_deref() {
             Some("uses") => (Request::Uses(self.caret(units)), "page.uses", "page.no-definition"),
@@ -177,7 +177,7 @@ impl Navigation {
     }
 }
 
-/// A promise that `ask` keeps by the function that it gets.
+/// Returns a promise; `ask` gets the function that resolves it.
 fn promise(ask: impl FnOnce(Box<dyn FnOnce(JsValue)>) + 'static) -> JsValue {
     let mut ask = Some(ask);
     let executor = &mut |resolve: Function, _| {

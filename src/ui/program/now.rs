@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::ui::state::Page;
 use crate::ui::words::{figure, t};
 
-/// An axis of the control, and what its words count for each millimetre that it moves.
+/// An axis of the control: its number, its name, and units of its words per millimetre of travel.
 type Counted = (usize, String, f64);
 
 /// The axes of the control that the machine has.

@@ -1,4 +1,4 @@
-//! Everything that follows from the project, as tabs: results, sizing, explorer, variables, parameters, PLC.
+//! Tabs with everything that follows from the project: results, sizing, explorer, variables, parameters, PLC.
 
 mod explore;
 

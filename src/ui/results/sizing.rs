@@ -15,14 +15,14 @@ use crate::ui::state::Page;
 use crate::ui::words::t;
 use crate::ui::worker::messages::Request;
 
-/// How long the project rests before it is sized: a dragged number asks once.
+/// Delay after the last change before the project is sized, so that a dragged number asks once.
 const REST: Duration = Duration::from_millis(400);
 
 /// The sizing tab.
 #[component]
 pub(crate) fn SizingTab() -> impl IntoView {
     let page = Page::here();
-    // Thousands of machines are drawn where they are asked for.
+    // Thousands of machines are drawn only on request.
     let drawn = RwSignal::new(false);
     let choose = move |event: MouseEvent| {
         if let Some(values) = listed(page, &event) {

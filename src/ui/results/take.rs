@@ -22,7 +22,7 @@ pub(super) fn set<'t>(project: &Project, values: &mut Values, sets: impl IntoIte
 
 /// Sets values in the form: a step of the history, merged with steps of the same key that follow at once.
 pub(super) fn take(page: Page, key: &str, values: Values) {
-    // Wrong entries of these fields give way.
+    // Invalid entries of these fields are dropped.
     let changed: Vec<FieldInfo> = page.project.with_untracked(|project| {
         let changed = |field: &FieldInfo| values.get(field.id) != project.values.get(field.id);
         project.machine.fields().into_iter().filter(changed).collect()

@@ -18,7 +18,7 @@ use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 use crate::view::svg::escape;
 
-/// How long the project rests before it is compared: not at every step of a dragged number, and before the sizing.
+/// Delay after the last change before the comparison: longer than a step of a dragged number, and shorter than the delay of the sizing.
 const REST: Duration = Duration::from_millis(100);
 
 /// Id of the field with the name of the next variant.
@@ -38,7 +38,7 @@ pub(super) fn Variants() -> impl IntoView {
     Effect::new(move |_| {
         page.project.with(|project| {
             let present = head_of(&project.variants);
-            // Rows about other columns would be read wrong, and the text of the field was for another choice of names.
+            // Rows with other columns would be misread, and the text of the field belonged to another list of names.
             if head.with_untracked(|head| *head != present) {
                 put(head, present);
                 put(rows, String::new());
@@ -166,7 +166,7 @@ fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
     if target.as_ref().is_some_and(|target| target.has_attribute("data-keep")) {
         keep(page, &typed.get_untracked());
     } else if let Some(at) = place("data-take") {
-        // Wrong entries of the form give way.
+        // Invalid entries of the form are dropped.
         page.entries.invalid.set(Vec::new());
         page.edit("", |project| project.take_variant(at));
         page.entries.show_again();

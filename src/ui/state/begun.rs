@@ -1,4 +1,4 @@
-//! A project with all that follows from it, made in turns before the page is built.
+//! A project with everything that follows from it, made in turns before the page is built.
 
 use std::rc::Rc;
 
@@ -20,7 +20,7 @@ pub(crate) struct Begun {
 }
 
 impl Begun {
-    /// Makes everything in turns, and then does `then`.
+    /// Makes everything in turns, then calls `then`.
     pub(crate) fn in_turns(project: Project, then: impl FnOnce(Begun) + 'static) {
         in_turn(move || {
             let prepared = project.prepared();

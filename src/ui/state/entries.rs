@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use crate::text::Diagnostic;
 
-/// Invalid entries of the form; the project keeps the last valid values. A handle: copies mean the same.
+/// Invalid entries of the form; the project keeps the last valid values. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Entries {
     /// Fields whose text is wrong, with the reason.

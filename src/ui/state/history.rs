@@ -8,10 +8,10 @@ use crate::project::saved::{StepTexts, steps_from_json, steps_to_json};
 /// Steps that are kept.
 const STEPS: usize = 100;
 
-/// Bytes of the steps that the browser's store gets at most, each way: the newest ones.
+/// Greatest size (bytes) of the steps in the browser's store, each way: the newest ones.
 const STORED: usize = 200_000;
 
-/// A project before or after the present one, and its text once that was asked for.
+/// A project before or after the present one, and its text once it was needed.
 struct Step {
     project: Project,
     text: OnceCell<String>,
@@ -57,7 +57,7 @@ impl History {
         self.future.clear();
     }
 
-    /// Holds the step open while a value is dragged, however long that takes; the end of it begins another step.
+    /// Keeps the step open while a value is dragged; the end of the drag begins another step.
     pub(crate) fn hold(&mut self, held: bool) {
         self.key.clear();
         self.held = held;
@@ -71,7 +71,7 @@ impl History {
         Some(back.project)
     }
 
-    /// The project after this one, where a step was taken back.
+    /// The project after this one, if a step was taken back.
     pub(crate) fn forth(&mut self, present: Project) -> Option<Project> {
         self.key.clear();
         let forth = self.future.pop()?;
@@ -94,7 +94,7 @@ impl History {
         [&self.past, &self.future].map(|steps| steps.iter().map(|step| step.texts().1.to_owned()).collect())
     }
 
-    /// The steps of a text that [`to_json`](History::to_json) wrote, or of any other one: then there are none.
+    /// The steps of a text that [`to_json`](History::to_json) wrote; no steps for any other text.
     pub(crate) fn from_json(text: &str) -> History {
         let (past, future) = steps_from_json(text);
         let steps = |projects: Vec<Project>| projects.into_iter().map(Step::from).collect();

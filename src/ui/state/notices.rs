@@ -30,7 +30,7 @@ impl Notice {
     }
 }
 
-/// The messages. A handle: copies mean the same.
+/// The messages. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Notices {
     /// Shown until they are dismissed.

@@ -19,7 +19,7 @@ const EFFECT: f64 = 1.0;
 /// Parts of a second that the clock shows.
 const CLOCK: f64 = 1e4;
 
-/// Does an action at the playhead and says what it changes: compares the run a little later with and without it.
+/// Does an action at the play head and says what it changes: compares the run a little later with and without it.
 pub(crate) fn act(page: Page, action: Action) {
     dom::mark("knob-turned");
     let player = page.player;
@@ -75,7 +75,7 @@ pub(crate) fn clear(page: Page) {
     page.edit("", |project| project.panel = Panel::default());
 }
 
-/// Shows the list of the actions with the focus on the last one before the head, or hides the list.
+/// Shows the list of the actions with the focus on the last one before the play head, or hides the list.
 pub(crate) fn toggle_list(page: Page) {
     page.view.toggle_actions();
     if page.view.actions.get_untracked() {

@@ -12,7 +12,7 @@ use crate::view::Advice;
 /// A run that stops before anything moves.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Stopped {
-    /// Entries of the form with which the run moves; tried.
+    /// Entries of the form that make the run move; tested by a trial run.
     pub remedy: Option<Advice>,
 }
 
@@ -29,7 +29,7 @@ pub(crate) enum CycleStart {
     ComesBack,
 }
 
-/// Outlook on the run. A handle: copies mean the same.
+/// Outlook on the run. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Outlook {
     /// Set where the run stops before anything moves.
@@ -39,7 +39,7 @@ pub(crate) struct Outlook {
 }
 
 impl Outlook {
-    /// Follows a project. A trial run is made only where the run of the page has ended early.
+    /// Follows a project. A trial run is made only if the run of the page has ended early.
     pub(crate) fn new(project: RwSignal<Project, LocalStorage>, program: Program, player: Player) -> Outlook {
         let early = Memo::new(move |_| player.ended.with(|end| matches!(end, Some(RunEnd::Alarm(_) | RunEnd::Stop))));
         let stopped = Memo::new(move |_| {
@@ -56,7 +56,7 @@ impl Outlook {
         Outlook { stopped, comes_back, player }
     }
 
-    /// Effect of cycle start at the playhead.
+    /// Effect of cycle start at the play head.
     pub(crate) fn cycle_start(self) -> CycleStart {
         let (mode, at) = self.player.now.with(|now| (now.mode, now.t));
         match mode {

@@ -35,7 +35,7 @@ type Fields = BTreeMap<&'static str, Vec<&'static str>>;
 pub(crate) struct Results {
     /// Results with verdicts, and remarks.
     pub design: RwSignal<Rc<Design>, LocalStorage>,
-    /// Fields without a meaning on this control with these values.
+    /// Fields that do not apply to this control with these values.
     pub hidden: RwSignal<Vec<&'static str>>,
     /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
     pub variables: RwSignal<Vec<(u32, &'static str, &'static str)>>,
@@ -43,7 +43,7 @@ pub(crate) struct Results {
     pub scene: RwSignal<Rc<Scene>, LocalStorage>,
 }
 
-/// The state of the page. A handle: copies mean the same.
+/// The state of the page. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Page {
     /// The last valid project.
@@ -111,7 +111,7 @@ impl Page {
             put(page.program.silenced, page.project.with(|project| silence(&mut found, &project.silenced)));
             put(page.program.findings, found);
         });
-        // A film that stops at once would restart many times a second; it goes on when the run moves again.
+        // A film that stops at once would restart many times a second; it resumes when the run moves again.
         Effect::new(move |waits: Option<bool>| {
             let waits = waits == Some(true);
             if page.outlook.stopped.with(Option::is_some) {
@@ -212,7 +212,7 @@ impl Page {
         }
     }
 
-    /// Takes the last text out of the editor into the project, which is detached from its form by that.
+    /// Moves the last text of the editor into the project, which detaches it from its form.
     pub(crate) fn take_typed(self) {
         let Some((at, text)) = self.program.typed.try_update_value(Option::take).flatten() else { return };
         if text == self.program.text(at) {
@@ -233,7 +233,7 @@ impl Page {
         });
     }
 
-    /// The project with the text in the editor that it has not taken yet.
+    /// The project with the unsaved text of the editor.
     pub(crate) fn typed_project(self) -> Project {
         let mut project = self.project.get_untracked();
         self.program.typed.with_value(|typed| {
@@ -439,7 +439,7 @@ impl Page {
         found
     }
 
-    /// Whether the results are those before an entry that does not read. A value that the machine cannot have has results of its own.
+    /// Whether an invalid entry makes the results outdated. An impossible value has results of its own.
     pub(crate) fn is_stale(self) -> bool {
         self.entries.invalid.with(|invalid| !invalid.is_empty())
     }

@@ -1,4 +1,4 @@
-//! The run: a planner ahead of the play head, and the head itself. Not reactive, but for the few signals at its edge.
+//! The run: a planner ahead of the play head, and the play head itself. Not reactive, except for the few signals at its edge.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -30,13 +30,13 @@ const WAITING: f64 = 2.0;
 /// Milliseconds of planning in one slice.
 const SLICE: f64 = 6.0;
 
-/// Milliseconds of planning within a frame, when the head has caught up with the plan.
+/// Milliseconds of planning within a frame, when the play head has caught up with the plan.
 const IN_FRAME: f64 = 2.0;
 
-/// Machine seconds that are planned ahead of the head, at least.
+/// Machine seconds that are planned ahead of the play head, at least.
 const AHEAD: f64 = 1.0;
 
-/// Machine seconds that are planned in the background, whatever is shown.
+/// Machine seconds that are always planned in the background.
 const HORIZON: f64 = 60.0;
 
 /// Longest run that is planned: ten hours, which fit the memory.
@@ -57,7 +57,7 @@ pub(crate) struct Moment<'a> {
     pub run: &'a Run,
     /// The machine.
     pub machine: &'a PreparedMachine,
-    /// The machine at the head.
+    /// The machine at the play head.
     pub now: &'a Snapshot,
     /// Ends of the shown time, in seconds.
     pub axis: (f64, f64),
@@ -72,13 +72,13 @@ pub(crate) struct Moment<'a> {
 /// Writes the moment into the page, past the signals: there are 60 a second.
 type Painter = Box<dyn FnMut(&Moment)>;
 
-/// The run of the page. A handle: copies mean the same.
+/// The run of the page. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Player {
     state: StoredValue<State, LocalStorage>,
     painters: StoredValue<Vec<Painter>, LocalStorage>,
     frames: StoredValue<Option<Frames>, LocalStorage>,
-    /// Whether the head moves by itself.
+    /// Whether the play head moves by itself.
     pub playing: RwSignal<bool>,
     /// Machine seconds per second; 0 is automatic.
     pub speed: RwSignal<f64>,
@@ -86,11 +86,11 @@ pub(crate) struct Player {
     pub repeat: RwSignal<bool>,
     /// Whether rollers are shown once per head.
     pub option: RwSignal<bool>,
-    /// The machine at the head, some times a second.
+    /// The machine at the play head, some times a second.
     pub now: RwSignal<Snapshot>,
-    /// The message of the program on the control's screen, at the head.
+    /// The message of the program on the control's screen, at the play head.
     pub message: RwSignal<Option<String>>,
-    /// The block that runs at the head.
+    /// The block that runs at the play head.
     pub running: RwSignal<Option<Place>>,
     /// Seconds that are planned, and whether the run is over there.
     pub planned: RwSignal<(f64, bool)>,
@@ -98,7 +98,7 @@ pub(crate) struct Player {
     pub ended: RwSignal<Option<RunEnd>, LocalStorage>,
     /// Seconds shown by film and charts; 0 is the whole plan.
     pub window: RwSignal<f64>,
-    /// Part of the run that film and charts show in place of `window`, as chosen at a position of the playhead.
+    /// Part of the run that film and charts show in place of `window`, as chosen at a position of the play head.
     pub zoom: RwSignal<Option<Zoom>>,
     /// Counts the plans, for what asks the planner itself.
     pub plans: RwSignal<u32>,
@@ -114,7 +114,7 @@ pub(crate) struct Zoom {
     /// Its begin and length, in seconds.
     from: f64,
     span: f64,
-    /// Position of the playhead at the choice: when it moves, the part follows it.
+    /// Position of the play head at the choice: when it moves, the part follows it.
     head: f64,
 }
 
@@ -132,14 +132,14 @@ struct State {
     slow_at: f64,
     slicing: bool,
     asked: bool,
-    /// Seconds that were planned before the operator changed the past, until they are planned again: so long the time axis stays.
+    /// Length (s) of the plan before the operator changed the past, until it is planned again: the time axis keeps it.
     expected: f64,
     /// Findings of the last plan.
     findings: Vec<Diagnostic>,
     pace: Pace,
 }
 
-/// Pace of edits. While a field is dragged, each step plans only up to the playhead, and the whole run some times a second.
+/// Pace of edits. While a field is dragged, each step plans only up to the play head, and the whole run some times a second.
 #[derive(Default)]
 struct Pace {
     /// When the last edit was shown.
@@ -208,12 +208,12 @@ impl Player {
         player
     }
 
-    /// Begins another run; the head stays at its time.
+    /// Begins another run; the play head stays at its time.
     pub(crate) fn load(self, project: &Project, written: &Written) {
         self.take(begin(project, written), project, written);
     }
 
-    /// Takes a run that has begun; the head stays at its time.
+    /// Takes a run that has begun; the play head stays at its time.
     pub(crate) fn take(self, run: Run, project: &Project, written: &Written) {
         let id = project.machine.id();
         if self.state.with_value(|state| state.id != id) {
@@ -231,7 +231,7 @@ impl Player {
         self.walk.update(|walk| walk.points.resolve(&written.parsed));
     }
 
-    /// Shows the run as it now is: after the effects of a change.
+    /// Shows the changed run after the effects of the change.
     pub(crate) fn settle(self) {
         dom::soon(move || {
             // The page may be gone.
@@ -253,7 +253,7 @@ impl Player {
         });
     }
 
-    /// Shows the run, planned as far as the page shows it, at a time in ms; whether there is more to plan.
+    /// Plans the run up to the end of the shown part, and shows it, at a time in ms; returns whether there is more to plan.
     fn plan_whole(self, now: f64) -> bool {
         self.state.update_value(|state| (state.pace.planned, state.pace.is_due) = (now, false));
         let more = self.plan_far();
@@ -261,7 +261,7 @@ impl Player {
         more
     }
 
-    /// Shows the run at the head, and soon as a whole. Until then charts, time axis and findings are those of the last whole plan.
+    /// Shows the run at the play head, and soon as a whole. Until then charts, time axis and findings are those of the last whole plan.
     fn plan_head(self) {
         self.advance_plan(self.head() + AHEAD, SLICE);
         let was_due = self.state.try_update_value(|state| core::mem::replace(&mut state.pace.is_due, true));
@@ -303,13 +303,13 @@ impl Player {
         self.ask();
     }
 
-    /// Sets the head, away from where the debugger may have stopped.
+    /// Sets the play head, away from where the debugger may have stopped.
     pub(crate) fn seek(self, t: f64) {
         self.walk_away();
         self.set_head(t);
     }
 
-    /// Sets the head.
+    /// Sets the play head.
     pub(crate) fn set_head(self, t: f64) {
         self.state.update_value(|state| {
             state.head = if t > 0.0 { t } else { 0.0 };
@@ -319,12 +319,12 @@ impl Player {
         self.plan_on();
     }
 
-    /// Seconds of the head.
+    /// Seconds of the play head.
     pub(crate) fn head(self) -> f64 {
         self.state.with_value(|state| state.head)
     }
 
-    /// Whether the head is at the end of a finished run.
+    /// Whether the play head is at the end of a finished run.
     pub(crate) fn at_end(self) -> bool {
         let (planned, ended) = self.planned.get_untracked();
         ended && self.head() >= planned
@@ -352,7 +352,7 @@ impl Player {
         }
     }
 
-    /// Does an action of the operator at the playhead.
+    /// Does an action of the operator at the play head.
     pub(crate) fn act(self, action: Action) -> Event {
         let event = Event { t: self.head(), action };
         self.state.update_value(|state| {
@@ -375,7 +375,7 @@ impl Player {
         }
     }
 
-    /// The run has changed: walks again to the block before which it waited.
+    /// After a change of the run: walks again to the block before which the debugger waited.
     fn replanned(self) {
         let planned = self.planned.get_untracked().0;
         self.state.update_value(|state| state.expected = planned.max(state.expected));
@@ -419,7 +419,7 @@ impl Player {
         })
     }
 
-    /// The drawing at the head, as a picture of its own.
+    /// The drawing at the play head, as a picture of its own.
     pub(crate) fn picture(self, theme: Theme) -> Option<String> {
         let frame = Frame { step: 0.0, option: self.option.get_untracked() };
         self.state.with_value(|state| {
@@ -435,7 +435,7 @@ impl Player {
         self.plan(t, SLICE);
     }
 
-    /// Ends of the time that film and charts show, with the head at `head`.
+    /// Ends of the time that film and charts show, with the play head at `head`.
     pub(crate) fn axis(self, head: f64, planned: f64) -> (f64, f64) {
         let window = self.window.get_untracked();
         if let Some(Zoom { from, span, head: chosen }) = self.zoom.get_untracked() {
@@ -463,7 +463,7 @@ impl Player {
         self.ask();
     }
 
-    /// Shows a window of `seconds` around the playhead; 0 shows all that is planned.
+    /// Shows a window of `seconds` around the play head; 0 shows all that is planned.
     pub(crate) fn show_window(self, seconds: f64) {
         self.zoom.set(None);
         self.window.set(seconds);
@@ -507,7 +507,7 @@ impl Player {
         progress.flatten()
     }
 
-    /// Plans on in slices between the frames, until the plan is far enough.
+    /// Plans in slices between the frames, until the plan reaches its goal.
     fn plan_on(self) {
         let slicing = self.state.try_update_value(|state| core::mem::replace(&mut state.slicing, true));
         if slicing != Some(false) {
@@ -519,7 +519,7 @@ impl Player {
                 return;
             }
             let more = self.plan_far();
-            // Charts of the whole plan cost more than a slice of it.
+            // Charts of the whole plan cost more than a slice of planning.
             let due = self.state.with_value(|state| dom::now() - state.slow_at >= SLOW);
             if due || !more {
                 self.ask();
@@ -531,13 +531,13 @@ impl Player {
         set_timeout(slice, Duration::ZERO);
     }
 
-    /// Time (s) up to which the plan is needed now: the end of the charts, and a little ahead of the playhead.
+    /// Time (s) up to which the plan is needed now: the end of the charts, and a little ahead of the play head.
     fn soon(self) -> f64 {
         let head = self.head();
         self.axis(head, 0.0).1.max(head + AHEAD)
     }
 
-    /// Plans for a slice as far as the plan goes in the background; whether there is more to plan.
+    /// Plans a slice in the background; returns whether there is more to plan.
     fn plan_far(self) -> bool {
         let more = self.plan(self.soon().max(HORIZON), SLICE);
         if !more {
@@ -583,7 +583,7 @@ impl Player {
         }
     }
 
-    /// Machine seconds per second at the head. Automatic: as slow as the motion is visible, and fast while the machine only waits.
+    /// Machine seconds per second at the play head. Automatic: as slow as the motion is visible, and fast while the machine only waits.
     fn speed_now(self) -> f64 {
         let chosen = self.speed.get_untracked();
         if chosen > 0.0 {
@@ -593,12 +593,12 @@ impl Player {
         self.state.with_value(|state| if waits { WAITING.max(state.visible) } else { state.visible })
     }
 
-    /// Moves the head by the time since the last frame; says how many seconds are planned ahead of it.
+    /// Moves the play head by the time since the last frame; says how many seconds are planned ahead of it.
     fn advance(self, stamp: f64) -> f64 {
         let speed = self.speed_now();
         let from = self.head();
         let passed = self.state.try_update_value(|state| {
-            // A tab that was hidden does not jump.
+            // A hidden tab does not jump ahead.
             let passed = state.stamp.map_or(0.0, |last| math::clamp(stamp - last, 0.0, 100.0));
             state.stamp = Some(stamp);
             passed
@@ -608,13 +608,14 @@ impl Player {
             self.plan(self.soon(), IN_FRAME);
         }
         let (planned, ended) = self.planned.get_untracked();
-        // At a breakpoint the head may be ahead of the plan.
+        // At a breakpoint the play head may be ahead of the plan.
         let most = if self.playing.get_untracked() { planned.max(from) } else { head };
         self.state.update_value(|state| state.head = head.min(most));
         if ended { f64::INFINITY } else { planned - head }
     }
 
-    /// Writes the moment at the head into the page. Charts and readouts follow some times a second, and not while only the head is planned.
+    /// Writes the moment at the play head into the page. Charts and readouts follow some times a second, and pause while only the play head's
+    /// time is planned.
     fn show(self) {
         let time = dom::now();
         let (planned, _) = self.planned.get_untracked();
@@ -651,7 +652,7 @@ impl Player {
     }
 }
 
-/// The first of some times in order behind the head, and behind the last of them the first again; none of none.
+/// The first of these rising times after the play head, else the first of all; none without times.
 pub(crate) fn next_begin(times: &[f64], head: f64) -> Option<f64> {
     times.get(times.partition_point(|t| *t <= head)).or(times.first()).copied()
 }

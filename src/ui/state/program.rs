@@ -7,7 +7,7 @@ use leptos::prelude::*;
 use crate::project::program::Written;
 use crate::text::{Diagnostic, Severity};
 
-/// The program. A handle: copies mean the same.
+/// The program. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Program {
     /// The files, parsed.

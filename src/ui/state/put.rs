@@ -1,8 +1,8 @@
-//! Setting a signal only where its value differs.
+//! Setting a signal only if its value differs.
 
 use leptos::prelude::*;
 
-/// Sets a signal; nothing that follows it runs where the value is the same.
+/// Sets a signal; an equal value runs no effect.
 pub(crate) fn put<S>(signal: S, value: S::Value)
 where
     S: Update,

@@ -1,4 +1,4 @@
-//! The debugger of the page: a walk of its own through the run, in slices; the head is set where it stops.
+//! The debugger of the page: its own walk through the run, in slices; the play head is set to its stops.
 
 use std::fmt::Write;
 use std::time::Duration;
@@ -35,7 +35,7 @@ impl Player {
         stood
     }
 
-    /// Walks to a goal: from its present block, or from the head.
+    /// Walks to a goal: from its present block, or from the play head.
     pub(crate) fn walk_to(self, goal: Goal) {
         self.playing.set(false);
         self.set_goal(self.head(), goal);
@@ -87,7 +87,7 @@ impl Player {
         }
     }
 
-    /// The head goes where the walk has stopped.
+    /// Sets the play head to the stop of the walk.
     fn arrive(self, stop: Stop) {
         put(self.playing, false);
         self.walk.update(|walk| {
@@ -106,7 +106,7 @@ impl Player {
         self.set_head(self.walk.with_untracked(Walk::t));
     }
 
-    /// How far the head may go on its way while it plays: to the next breakpoint.
+    /// End of the play head's way while it plays: at most the next breakpoint.
     pub(crate) fn play_to(self, from: f64, to: f64) -> f64 {
         let (idle, going) = self.walk.with_untracked(|walk| (walk.points.list().is_empty(), walk.going));
         if idle || going {
@@ -193,7 +193,7 @@ pub(crate) fn show_block(page: Page) {
     }
 }
 
-/// Sets a breakpoint at the cursor or removes it; with a condition it gets that condition. Whether it could be done.
+/// Sets a breakpoint at the cursor or removes it; with a condition, sets the condition. Returns whether that succeeded.
 pub(crate) fn set_point(page: Page, condition: Option<&str>) -> bool {
     let Some((spot, place)) = cursor(page) else { return false };
     let parsed = page.program.written.with_untracked(|written| written.parsed.clone());

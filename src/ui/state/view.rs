@@ -56,7 +56,7 @@ pub(crate) enum Compared {
     Variant(usize),
 }
 
-/// How the page looks: each a choice as its button counts, from 0.
+/// Appearance of the page: each a choice in the order of its button, from 0.
 #[derive(Clone, Copy)]
 pub(crate) struct Appearance {
     /// Light, dark or as the system.
@@ -65,7 +65,7 @@ pub(crate) struct Appearance {
     pub contrast: RwSignal<usize>,
 }
 
-/// State of the view. A handle: copies mean the same.
+/// State of the view. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct View {
     /// The tab at the right.
@@ -76,7 +76,7 @@ pub(crate) struct View {
     pub sought: RwSignal<Option<Place>>,
     /// How the program file is shown.
     pub program: RwSignal<ProgramView>,
-    /// Whether the commands for stepping through the program are shown although nothing is stepped.
+    /// Whether the stepping commands are shown although no stepping is under way.
     pub stepping: RwSignal<bool>,
     /// Whether the operator's panel is open.
     pub panel: RwSignal<bool>,

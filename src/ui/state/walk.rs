@@ -13,7 +13,7 @@ const STEPS: usize = 64;
 pub(crate) struct Walk {
     /// The second run, beside the shown one.
     pub debugger: Option<Debugger>,
-    /// Whether the debugger has stopped at the playhead.
+    /// Whether the debugger has stopped at the play head.
     pub at_stop: bool,
     /// Reason for the stop, and the block before which it stopped.
     pub why: String,

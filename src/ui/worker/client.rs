@@ -1,4 +1,4 @@
-//! The page's end of the line: starts the worker with the first request and passes on its responses.
+//! The page's end of the connection: starts the worker with the first request and passes on its responses.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -22,8 +22,8 @@ pub(crate) struct Running {
 }
 
 impl Running {
-    /// Starts a worker; `None` where the browser has none. Its first message has its module, the page's sentences and the texts of help, for
-    /// worker_boot.js.
+    /// Starts a worker; `None` if the browser has none. Its first message, to worker_boot.js, has its module, the page's sentences and the
+    /// texts of help.
     pub(crate) fn start(mut heard: impl FnMut(Reply) + 'static, failed: impl FnMut() + 'static) -> Option<Running> {
         let script = document().query_selector("script[data-words]").ok().flatten()?;
         let words = script.get_attribute("data-words")?;
@@ -58,7 +58,7 @@ impl Drop for Running {
     }
 }
 
-/// The worker that answers the page. A handle: copies mean the same.
+/// The worker that answers the page. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Client(StoredValue<Rc<RefCell<State>>, LocalStorage>);
 
@@ -137,7 +137,7 @@ impl Client {
         number
     }
 
-    /// Gives up a request, in the middle of its work: its worker ends, and another one answers what else waits.
+    /// Cancels a running request: its worker ends, and another one answers the waiting requests.
     pub(crate) fn cancel(self, number: u32) {
         let Some(state) = self.0.try_get_value() else { return };
         let mut state = state.borrow_mut();
@@ -159,11 +159,11 @@ impl Client {
         self.0.with_value(|state| state.borrow_mut().here = Some(answer));
     }
 
-    /// Gives up the worker; the next request starts another one.
+    /// Drops the worker; the next request starts another one.
     fn fail(self) {
         let Some(state) = self.0.try_get_value() else { return };
         let lost = state.take();
-        // The listener that runs just now is not freed under itself.
+        // A listener must not be freed while it runs.
         if let Some(running) = lost.worker {
             set_timeout(move || drop(running), std::time::Duration::ZERO);
         }

@@ -1,4 +1,4 @@
-//! Diagnostics of the program from the worker: warnings cost too much time for the page to make them with every change.
+//! Diagnostics of the program from the worker: warnings take too long for the page to make them at every change.
 
 use std::cell::Cell;
 use std::rc::Rc;

@@ -39,7 +39,7 @@ pub(in crate::ui) fn parts(mut project: Project, name: &str, text: &str) -> Read
     ReadParts { project: project.to_json(), added, remarks: found.iter().map(remark).collect() }
 }
 
-/// The sheets of a sizing of the project; tells the share that is done.
+/// The sheets of a sizing of the project; reports the share done.
 pub(super) fn sizing(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
     let mut sizing = String::new();
     let sized = size_telling(project, &project.written(), tell);
@@ -47,7 +47,7 @@ pub(super) fn sizing(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
     Sheets { sizing, ..Sheets::default() }
 }
 
-/// The chance that every verdict holds, as a sheet; tells the share that is done.
+/// The chance that every verdict holds, as a sheet; reports the share done.
 pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
     let mut sizing = String::new();
     html(&mut sizing, &chance::chance_telling(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
@@ -104,7 +104,7 @@ fn differences(comparison: &Comparison) -> String {
     out
 }
 
-/// A cell of a comparison: the sign of a verdict that does not hold, for those who see it and those who do not, then the value.
+/// A cell of a comparison: the sign of a failed verdict, with its words for screen readers, then the value.
 fn compared(out: &mut String, cell: Option<&VariantCell>, differs: bool) {
     out.push_str(if differs { "<td class=\"differs\">" } else { "<td>" });
     match cell {
@@ -268,13 +268,13 @@ pub(super) fn tagged(out: &mut String, tag: &str, text: &str) {
     out.push_str(&format!("</{tag}>"));
 }
 
-/// The day on the clock of the person's machine, `2026-11-22`.
+/// The day by the computer's clock, `2026-11-22`.
 fn today() -> String {
     let now = js_sys::Date::new_0();
     format!("{:04}-{:02}-{:02}", now.get_full_year(), now.get_month() + 1, now.get_date())
 }
 
-/// A finding in a sentence; facts that are only assumed are counted, for the results list them by name.
+/// A finding as a sentence; assumed facts are counted, because the results list them by name.
 fn told(found: &Diagnostic) -> String {
     match found.kind {
         DiagnosticKind::AssumedFacts => say(&Message { id: "page.assumed-facts", ..found.message.clone() }),
@@ -282,7 +282,7 @@ fn told(found: &Diagnostic) -> String {
     }
 }
 
-/// The documents of a project's export and the findings that refuse it or go with it.
+/// The documents of a project's export, with the findings that refuse it or accompany it.
 pub(super) fn documents(project: &Project) -> Documents {
     let written = project.written();
     let (advice, date, sizing) = (project.advice(&written), today(), size(project, &written));

@@ -12,7 +12,7 @@ use crate::ui::words::{say, t};
 /// Rows of a list at most.
 const ROWS: usize = 500;
 
-/// The place as the core counts it.
+/// The place as file and byte.
 fn at(written: &Written, caret: Caret) -> (FileId, u32) {
     let file = FileId(caret.file);
     let text = written.files.get(file).map_or("", |file| file.text.as_str());

@@ -1,4 +1,4 @@
-//! Pages of help as HTML, and search in them. The help is made with the first question, and kept while machine and control stay.
+//! Pages of help as HTML, and search in them. Help is made at the first request, and kept for the same machine and control.
 
 use std::cell::RefCell;
 

@@ -10,7 +10,7 @@ use crate::view::drawing::{Drawing, barrel, polar, polygon, polyline};
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, SceneGroup};
 
-/// How bodies lead away: to the right and up.
+/// Direction of depth in the drawing: to the right and up.
 pub(super) const AWAY: (f64, f64) = (22.0, -13.0);
 /// Traces of inserts over the work at most, points of each, and how far they are drawn over the stock.
 const TRACES: usize = 24;

@@ -4,13 +4,13 @@
 pub(in super::super) mod group {
     /// Chuck and work; the origin is their axis.
     pub(in crate::machines::polygon_lathe) const WORK: u16 = 1;
-    /// The cutter on its slide; the origin is its axis where it has finished.
+    /// The cutter on its slide; the origin is its axis at the finished size.
     pub(in crate::machines::polygon_lathe) const DISC: u16 = 2;
     /// Its inserts, which also turn.
     pub(in crate::machines::polygon_lathe) const INSERTS: u16 = 3;
     /// The ring that replaces inserts at high speed.
     pub(in crate::machines::polygon_lathe) const BLUR: u16 = 4;
-    /// The cutter from above; the origin is where it has finished.
+    /// The cutter from above; the origin is its place at the finished size.
     pub(in crate::machines::polygon_lathe) const SIDE: u16 = 5;
     /// The jaws of the chuck, and the ring that replaces them at high speed.
     pub(in crate::machines::polygon_lathe) const JAWS: u16 = 6;
@@ -19,17 +19,17 @@ pub(in super::super) mod group {
     pub(in crate::machines::polygon_lathe) const EDGES: u16 = 8;
     /// The figure at the distance of the axes, which keeps to its middle.
     pub(in crate::machines::polygon_lathe) const DISTANCE: u16 = 9;
-    /// The section as the work sees it.
+    /// The section in the frame of the work.
     pub(in crate::machines::polygon_lathe) const CLOSE: u16 = 10;
     /// The lens.
     pub(in crate::machines::polygon_lathe) const LENS: u16 = 11;
     /// The window of the cutter, which a slide far from the work leaves.
     pub(in crate::machines::polygon_lathe) const WINDOW: u16 = 12;
-    /// First of the tips as the work sees them.
+    /// First of the tips in the frame of the work.
     pub(in crate::machines::polygon_lathe) const TIPS: u16 = 13;
     /// The traces of the inserts on the work.
     pub(in crate::machines::polygon_lathe) const TRACES: u16 = TIPS + super::TIPS;
-    /// The ticks of the passes in the section as the work sees it.
+    /// The ticks of the passes in the section, in the frame of the work.
     pub(in crate::machines::polygon_lathe) const PASSES: u16 = TRACES + 1;
     /// Groups that each polygon has of its own, and the first group of the second polygon.
     const OWN: [u16; 6] = [DISC, INSERTS, BLUR, LENS, TRACES, PASSES];
@@ -62,7 +62,7 @@ pub(in super::super) mod node {
     pub(in crate::machines::polygon_lathe) const LEADER: u16 = 11;
     pub(in crate::machines::polygon_lathe) const DISTANCE: u16 = 12;
     pub(in crate::machines::polygon_lathe) const EDGES: u16 = 13;
-    /// The polygon that is wanted, as the work sees it.
+    /// The wanted polygon, in the frame of the work.
     pub(in crate::machines::polygon_lathe) const IDEAL: u16 = 14;
     /// Form and flatness of the sides below the lens.
     pub(in crate::machines::polygon_lathe) const FORM: u16 = 15;

@@ -10,11 +10,11 @@ pub(super) const UNIT: f64 = 1.3;
 pub(super) const AXIS: f64 = 330.0;
 /// Height of the floor.
 pub(super) const FLOOR: f64 = 560.0;
-/// Right end of the room that the cutter may take.
+/// Right end of the cutter's room.
 pub(super) const RIGHT: f64 = 622.0;
 /// Left end of the chuck.
 const LEFT: f64 = 22.0;
-/// Radii that cutter, work and chuck may take.
+/// Greatest radii of cutter and work, and least and greatest one of the chuck.
 const ROOM: (f64, f64) = (172.0, 92.0);
 const CHUCK: (f64, f64) = (74.0, 134.0);
 /// At most so much smaller for the start of the slide to be in the drawing.
@@ -32,7 +32,7 @@ const FREE: f64 = 140.0;
 /// Room for the slide towards the operator.
 const TOWARDS: f64 = 44.0;
 
-/// How the parts lie in the drawing.
+/// Layout of the parts in the drawing.
 #[derive(Clone, Copy)]
 pub(in super::super) struct View {
     /// Units per mm on the machine.
@@ -41,9 +41,9 @@ pub(in super::super) struct View {
     pub(in super::super) work: (f64, f64),
     /// Radius of the chuck.
     pub(in super::super) chuck: f64,
-    /// Centre of the cutter on the machine where it has finished.
+    /// Centre of the cutter on the machine at the finished size.
     pub(in super::super) cutter: (f64, f64),
-    /// Units per mm as the work sees it.
+    /// Units per mm in the section.
     pub(in super::super) close: f64,
     /// Units per mm from above.
     pub(in super::super) side: f64,

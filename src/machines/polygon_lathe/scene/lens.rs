@@ -22,7 +22,7 @@ const HIGH: f64 = 30.0;
 /// Sides that are shown at most, and points of each.
 const SIDES: u32 = 24;
 const POINTS: u32 = 48;
-/// Height at which the leader goes over the cutter.
+/// Height of the leader over the cutter.
 const OVER: f64 = 46.0;
 
 /// The nearest of 1, 2, 5, 10 … that is not more.
@@ -67,7 +67,7 @@ pub(in super::super) fn form(lathe: &PolygonLathe, view: &View) -> [String; 3] {
     [say(name), units::text(lathe.d.flatness, 4, "mm"), scales.clone()]
 }
 
-/// Deviation of the sides from their planes along them, mm: none where stock is left.
+/// Deviation of the sides from their planes along them, mm; none for a side with stock left.
 fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
     let Some(section) = lathe.p.section().filter(|_| lathe.d.cuts) else { return Vec::new() };
     let count = (lathe.d.sides as u32).max(1);
@@ -154,14 +154,14 @@ fn passes(lathe: &PolygonLathe, view: &View) -> String {
     d
 }
 
-/// The ideal polygon as the work sees it: that of the polygon which is being turned.
+/// The ideal form of the polygon being turned, in the frame of the work.
 pub(in super::super) fn wanted(lathe: &PolygonLathe, view: &View) -> String {
     let p = &lathe.p;
     let Some(section) = p.section().filter(|_| p.sides > 2.0) else { return String::new() };
     closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), (0.0, 0.0), view.close)
 }
 
-/// The section as the work sees it: stock, ideal polygon, tips.
+/// The section in the frame of the work: stock, ideal polygon, tips.
 pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let (x, y, r) = CLOSE;
     let clip = Some(Shape::Circle { x: 0.0, y: 0.0, r: GLASS });

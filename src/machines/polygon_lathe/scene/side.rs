@@ -162,7 +162,7 @@ fn stretches(lathe: &PolygonLathe, passes: &[(f64, f64, f64)]) -> Vec<(f64, f64,
     all
 }
 
-/// The bar from above, as far as it is cut.
+/// The bar from above, as cut so far.
 pub(in super::super) fn bar(lathe: &PolygonLathe, view: &View, progress: &Progress) -> String {
     let (scale, face) = (view.side, view.face);
     let stock = 0.5 * lathe.p.stock_diameter;

@@ -82,7 +82,7 @@ pub(crate) struct Layout {
     pub(crate) view: [f64; 4],
     /// Drawing units per pixel for which the labels are laid out.
     pub(crate) unit: f64,
-    /// Size of everything that no input gives, over the plain one.
+    /// Scale of everything whose size no input sets, over the plain size.
     pub(crate) scale: f64,
     pub(crate) unwinder: Station,
     pub(crate) pull: Station,
@@ -95,7 +95,7 @@ pub(crate) struct Layout {
     pub(crate) slack: SlackLoop,
     /// Depth of the full loop, as drawn.
     pub(crate) full: f64,
-    /// Slack of a loop that lies on the floor, mm.
+    /// Slack of a loop that reaches the floor, mm.
     pub(crate) on_floor: f64,
     pub(crate) floor: f64,
     /// From the near edge to the far edge of a roller.
@@ -140,7 +140,7 @@ impl Layout {
     pub(crate) fn new(p: &Params, letters: [usize; 4]) -> Layout {
         let (r1, r2, r3) = (0.5 * p.press_roller_diameter, 0.5 * p.x_roller_diameter, 0.5 * p.print_roller_diameter);
         let scale = (r1.max(r2) / ROLLER).max(r3 / PRINT_ROLLER).max(supply(p).1 / REEL);
-        // Labels have their size in pixels, and the view grows with the room that they take.
+        // Labels have their size in pixels, and the view grows with their room.
         let mut layout = Layout::with(p, letters, scale, 1.3 * scale);
         for _ in 0..24 {
             layout = Layout::with(p, letters, scale, layout.fitted());

@@ -44,7 +44,7 @@ impl SlackLoop {
         SlackLoop { share: if capacity > most { most / capacity } else { 1.0 }, ..whole }
     }
 
-    /// The angle at which something that rises with it exceeds a limit, rad, by halving.
+    /// Angle (rad) at which a quantity that grows with it exceeds a limit, by bisection.
     fn angle_where(exceeds: impl Fn(f64) -> bool) -> f64 {
         let (mut low, mut high) = (0.0, 0.5 * PI);
         for _ in 0..48 {

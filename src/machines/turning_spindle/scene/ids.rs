@@ -47,7 +47,7 @@ pub(in super::super) mod node {
     pub(in crate::machines::turning_spindle) const ANGLE: u16 = 20;
     /// Speed at 10 V of the gear stage.
     pub(in crate::machines::turning_spindle) const STAGE_SPEED: u16 = 22;
-    /// The keyway as far as it is cut.
+    /// The cut part of the keyway.
     pub(in crate::machines::turning_spindle) const GROOVE: u16 = 21;
     /// First paths of the stretches of the part, and of the jaws.
     pub(in crate::machines::turning_spindle) const STRETCHES: u16 = 30;

@@ -9,7 +9,7 @@ pub(super) const VIEW: [f64; 4] = [-14.0, 0.0, 1030.0, 630.0];
 pub(super) const UNIT: f64 = 1.3;
 /// Height of the ways of the bed.
 pub(super) const BED: f64 = 500.0;
-/// Half the height and the length that the part may take.
+/// Greatest half height and length of the part, in units of the drawing.
 pub(super) const ROOM: (f64, f64) = (98.0, 330.0);
 /// At most so much smaller for the start of the tool to be in the drawing.
 pub(super) const SMALLER: f64 = 0.6;
@@ -18,7 +18,7 @@ const REACH: (f64, f64) = (160.0, 186.0);
 /// Left end of the tailstock's centre, and of its body.
 pub(super) const TAIL: (f64, f64) = (884.0, 944.0);
 
-/// How the part lies in the drawing.
+/// Layout of the part in the drawing.
 pub(in super::super) struct View {
     /// Units of the drawing per millimetre.
     pub(in super::super) scale: f64,

@@ -25,7 +25,7 @@ pub(super) fn circle(x: f64, radius: f64) -> String {
 /// A flat ring about the axis between two radii.
 pub(super) fn ring(x: f64, radius: f64, bore: f64) -> String {
     let mut d = circle(x, radius);
-    // The other way round, so that the bore stays open.
+    // Drawn the other way round, so that the bore stays open.
     let (flat, top) = (SLANT * bore, AXIS - bore);
     fill(&mut d, "M# #a# # 0 1 0 0 #a# # 0 1 0 0 #Z", &[x, top, flat, bore, 2.0 * bore, flat, bore, -2.0 * bore]);
     d

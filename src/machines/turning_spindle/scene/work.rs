@@ -114,7 +114,7 @@ fn slot(view: &View, diameter: f64, depth: f64, [from, to]: [f64; 2]) -> String 
     polygon(&[view.tip(outer, from), view.tip(outer, to), view.tip(inner, to), view.tip(inner, from)])
 }
 
-/// Path of the keyway as far as it is cut: its depth, and its ends.
+/// Path of the cut part of the keyway: its depth, and its ends.
 pub(in super::super) fn pose_groove(lathe: &TurningSpindle, view: &View, cut: Option<(f64, [f64; 2])>) -> String {
     let groove = lathe.keyway().zip(cut);
     groove.map_or_else(String::new, |(diameter, (depth, ends))| slot(view, diameter, depth, ends))
@@ -124,7 +124,7 @@ pub(in super::super) fn pose_groove(lathe: &TurningSpindle, view: &View, cut: Op
 const STRETCHES: u16 = 3;
 const KINDS: u16 = 4;
 
-/// The contour that the program turns, as far as it lies within the stock.
+/// The contour of the program within the stock.
 fn finished(p: &Params, view: &View) -> String {
     let (stock, end) = (0.5 * p.stock_diameter, 0.5 * p.finished_diameter);
     let (face, scale) = (view.face, view.scale);
