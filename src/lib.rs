@@ -13,8 +13,8 @@
 //! Only [`nc::parse`] makes a [`nc::Parsed`], and the interpreter takes nothing else: a generated program reaches the animation
 //! only as text that was emitted and parsed again. A pasted or edited program enters the same arrow at `parse`.
 //!
-//! Two things flow back, both explicit: [`interp::World`] (the program reads positions, PLC inputs, overrides) and places (a time
-//! maps to a block, a block to a text range). The modules below stand in the order of the flow; none names a later one.
+//! Two things flow back, both explicit: [`interp::World`] (the program reads positions, PLC inputs, overrides) and places (a time maps to a
+//! block, a block to a text range). The modules below are in the order of the flow; each uses only earlier ones.
 
 pub mod math;
 

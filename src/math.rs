@@ -1,4 +1,4 @@
-//! The one gate to transcendental functions: libm, so that native and wasm give the same bits.
+//! The only access to transcendental functions: libm, so that native and wasm give the same bits.
 //!
 //! `sqrt`, `abs`, `floor`, `ceil`, `trunc`, `round`, `min` and `max` are exact in IEEE 754 and may be called on `f64`.
 
@@ -19,7 +19,7 @@ pub fn clamp(x: f64, low: f64, high: f64) -> f64 {
     }
 }
 
-/// The next whole number; what rounding leaves beyond a whole number counts as none.
+/// Rounds up to a whole number; an excess within rounding errors (below 5e-10) is ignored.
 pub fn whole_up(x: f64) -> f64 {
     ((x * 1e9).round() / 1e9).ceil()
 }
@@ -89,13 +89,13 @@ pub fn pow(x: f64, y: f64) -> f64 {
     libm::pow(x, y)
 }
 
-/// Radians in a degree: the nearest double, and what it lacks.
+/// Radians per degree: the nearest double and its rounding error.
 const DEGREE: (f64, f64) = (PI / 180.0, 2.948_652_270_870_168_7e-19);
 
-/// Degrees in a radian: the nearest double, and what it lacks.
+/// Degrees per radian: the nearest double and its rounding error.
 const RADIAN: (f64, f64) = (180.0 / PI, -1.987_849_567_057_628_4e-15);
 
-/// The product of two numbers: the nearest double, and what it lacks. (Halves of 26 bits have exact products; T. J. Dekker 1971. `fma`
+/// Product of two numbers: the nearest double and its rounding error. (Halves of 26 bits have exact products; T. J. Dekker 1971. `fma`
 /// would be a slow subroutine in the browser.)
 fn product(x: f64, y: f64) -> (f64, f64) {
     let half = |x: f64| f64::from_bits(x.to_bits() & !0x7ff_ffff);
@@ -105,7 +105,7 @@ fn product(x: f64, y: f64) -> (f64, f64) {
     (nearest, x_half * y_half - nearest + x_half * y_rest + x_rest * y_half + x_rest * y_rest)
 }
 
-/// The sum of a number and a smaller one: the nearest double, and what it lacks.
+/// Sum of a number and a smaller one: the nearest double and its rounding error.
 fn sum(large: f64, small: f64) -> (f64, f64) {
     let nearest = large + small;
     (nearest, small - (nearest - large))
@@ -122,10 +122,10 @@ const SERIES: [(f64, f64); 7] = [
     (1.0 / 120.0, 1.0 / 24.0),
 ];
 
-/// Sine and cosine of an angle in degrees, each the nearest double and what it lacks.
+/// Sine and cosine of an angle in degrees, each the nearest double and its rounding error.
 ///
-/// Degrees are brought into -45 to 45 without an error, and nothing is rounded but the small parts of a sum: what comes out is the
-/// nearest double but for a few hundredths of its last place. So `sin 30` is 0.5.
+/// Degrees are reduced to -45 to 45 without an error, and only the small parts of a sum are rounded: the result is the nearest double,
+/// except for a few hundredths of its last place. So `sin 30` is 0.5.
 fn both_of_degrees(x: f64) -> [(f64, f64); 2] {
     let turn = x % 360.0;
     let quadrant = (turn / 90.0).round();
@@ -154,7 +154,7 @@ pub fn sin_cos_degrees(x: f64) -> (f64, f64) {
     (sin.0, cos.0)
 }
 
-/// Tangent of an angle in degrees; none where the cosine is 0.
+/// Tangent of an angle in degrees; `None` where the cosine is 0.
 pub fn tan_degrees(x: f64) -> Option<f64> {
     let [sin, cos] = both_of_degrees(x);
     let tan = sin.0 / cos.0;
@@ -162,7 +162,7 @@ pub fn tan_degrees(x: f64) -> Option<f64> {
     (cos.0 != 0.0).then(|| tan + (sin.0 - back - error + sin.1 - tan * cos.1) / cos.0)
 }
 
-/// An angle in degrees; the whole degree beside it where that is what the function was taken of.
+/// Converts an angle to degrees; gives the exact whole degree beside it if `of` confirms that angle.
 fn degrees(radians: f64, of: impl Fn(f64) -> bool) -> f64 {
     let (nearest, error) = product(radians, RADIAN.0);
     let angle = nearest + (error + radians * RADIAN.1);
@@ -170,17 +170,17 @@ fn degrees(radians: f64, of: impl Fn(f64) -> bool) -> f64 {
     if (angle - whole).abs() < 1e-9 && of(whole) { whole } else { angle }
 }
 
-/// Arc sine in degrees, -90 to 90: of the sine of a whole angle that angle.
+/// Arc sine in degrees, -90 to 90; exact for the sine of a whole degree.
 pub fn asin_degrees(x: f64) -> f64 {
     degrees(asin(x), |angle| sin_cos_degrees(angle).0 == x)
 }
 
-/// Arc cosine in degrees, 0 to 180: of the cosine of a whole angle that angle.
+/// Arc cosine in degrees, 0 to 180; exact for the cosine of a whole degree.
 pub fn acos_degrees(x: f64) -> f64 {
     degrees(acos(x), |angle| sin_cos_degrees(angle).1 == x)
 }
 
-/// Angle of the point (x, y) in degrees, -180 to 180: of the tangent of a whole angle that angle.
+/// Angle of the point (x, y) in degrees, -180 to 180; exact for the tangent of a whole degree.
 pub fn atan2_degrees(y: f64, x: f64) -> f64 {
     degrees(atan2(y, x), |angle| tan_degrees(angle) == Some(y / x))
 }

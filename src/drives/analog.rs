@@ -1,28 +1,28 @@
-//! The analog spindle output: a speed becomes a voltage through a converter with few bits.
+//! Analog spindle output: conversion of a speed into a voltage by a converter with few bits.
 
-/// An output in steps, on a straight line through two points: standstill and rated speed.
+/// A stepped output on a straight line through two points: standstill and rated speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Analog {
     /// Speed (r/min) at `rated_volts`.
     pub rated_speed: f64,
     /// Volts at rated speed: the gain of the output.
     pub rated_volts: f64,
-    /// Volts that are added at standstill.
+    /// Offset at standstill, V.
     pub offset_zero: f64,
-    /// Volts that are added at rated speed.
+    /// Offset at rated speed, V.
     pub offset_rated: f64,
-    /// Volts beyond which the converter gives no more.
+    /// Maximum output of the converter, V.
     pub volts_max: f64,
     /// Bits of the converter from 0 V to `volts_max` (12: 0 to 4095).
     pub bits: u8,
-    /// The sign of the voltage is the direction (±10 V); else contacts tell the direction and the voltage is never negative.
+    /// The sign of the voltage gives the direction (±10 V); otherwise contacts give it and the voltage is never negative.
     pub bipolar: bool,
-    /// Standstill is 0 V, without the offset.
+    /// The output is 0 V at standstill, without the offset.
     pub rests_at_zero: bool,
 }
 
 impl Analog {
-    /// 0 V to `volts` at `speed` on 12 bits, no offsets, direction by contacts.
+    /// An output of 0 V to `volts` at `speed` on 12 bits, without offsets, with direction by contacts.
     pub const fn unipolar(speed: f64, volts: f64) -> Analog {
         Analog {
             rated_speed: speed,
@@ -36,8 +36,8 @@ impl Analog {
         }
     }
 
-    /// Volts that a speed in r/min asks for, within what the converter gives:
-    /// `V = c₀ + (V_rated + c₁ - c₀) · n / n_rated`, on a bipolar output with the sign of n on the whole line but c₀.
+    /// Commanded volts for a speed in r/min, within the range of the converter:
+    /// `V = c₀ + (V_rated + c₁ - c₀) · n / n_rated`; on a bipolar output everything but c₀ has the sign of n.
     /// At speed 0 it is 0 V where the output [rests at zero](Analog::rests_at_zero).
     ///
     /// Source: `reference/gsk-980tdc.md` section 1.1 (c₀ is No.036, c₁ No.021), `reference/mitsubishi-e60.md` section 3.1 (10 V at
@@ -57,7 +57,7 @@ impl Analog {
         (share * f64::from(self.steps())).round() as i32
     }
 
-    /// Volts as they leave the converter for a speed in r/min.
+    /// Output of the converter in volts for a speed in r/min.
     pub fn output(&self, rpm: f64) -> f64 {
         self.volts_max * f64::from(self.code(rpm)) / f64::from(self.steps())
     }
@@ -67,18 +67,18 @@ impl Analog {
         (1 << self.bits.clamp(1, 24)) - 1
     }
 
-    /// Highest speed that the output can ask for: where the line reaches `volts_max`.
+    /// Highest speed in r/min of the output: the speed at `volts_max`.
     pub fn top_speed(&self) -> f64 {
         self.speed(self.volts_max)
     }
 
-    /// The speed in r/min that a voltage asks for; infinite where no speed changes the voltage.
+    /// Speed in r/min for a voltage; infinite if the voltage does not depend on the speed.
     pub fn speed(&self, volts: f64) -> f64 {
         let slope = self.slope();
         if slope > 0.0 { ((volts - self.offset_zero) / slope).max(0.0) } else { f64::INFINITY }
     }
 
-    /// Volts per r/min; 0 where `rated_speed` is not above 0.
+    /// Volts per r/min; 0 unless `rated_speed` is above 0.
     fn slope(&self) -> f64 {
         let volts = self.rated_volts + self.offset_rated - self.offset_zero;
         if self.rated_speed > 0.0 { volts.max(0.0) / self.rated_speed } else { 0.0 }

@@ -1,11 +1,11 @@
-//! One block of a servo axis alone: linear acceleration behind the interpolation, servo lag, and what an exact stop costs.
+//! One block of a single servo axis: linear acceleration after interpolation, servo lag, and the time of an exact stop.
 
 use crate::math;
 
-/// An isolated block under acceleration with a constant time constant (a moving average behind the interpolation).
+/// A single block under acceleration with a constant time constant (a moving average after interpolation).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisBlock {
-    /// Seconds the interpolation takes: length over speed.
+    /// Interpolation time in seconds: length over speed.
     pub interpolation: f64,
     /// Commanded speed in mm/s.
     pub speed: f64,
@@ -30,13 +30,13 @@ impl AxisBlock {
         }
     }
 
-    /// Millimetres that the axis still lags when its command ends: a first-order servo of gain K behind the trapezoid of
+    /// Lag of the axis in mm at the end of its command: a first-order servo of gain K behind the trapezoid of
     /// [`AxisBlock::duration`], in its three steps. Source: sizing facts, section 4, F3 (there checked against an integration).
     pub fn lag_at_end(&self) -> f64 {
         let (t, tau, gain) = (self.interpolation, self.time_constant, self.position_gain);
         let (flank, flat, peak) = (t.min(tau), (tau - t).abs(), self.peak_speed());
         if flank <= 0.0 {
-            // No acceleration at all: the lag of the constant speed.
+            // Without acceleration: the lag of the constant speed.
             return self.speed / gain * (1.0 - math::exp(-gain * t));
         }
         let fall = math::exp(-gain * flank);
@@ -50,14 +50,14 @@ impl AxisBlock {
         (math::ln(self.lag_at_end() / width) / self.position_gain).max(0.0)
     }
 
-    /// Seconds of a block with exact stop: duration and settling. Source: sizing facts, section 4, F5.
+    /// Time (s) of a block with exact stop: duration and settling. Source: sizing facts, section 4, F5.
     pub fn exact_stop(&self, width: f64) -> f64 {
         self.duration() + self.settling(width)
     }
 }
 
-/// Share (0 to 1) of a motion of so many seconds a period that an axis follows behind a moving average of `time_constant` seconds and a
-/// first-order servo of gain K: `|sin x| / x · K / √(K² + ω²)` with `ω = 2π / T`, `x = ω τ / 2`. Source: sizing facts 3.5.
+/// Amplitude ratio (0 to 1) between an axis and a commanded motion with a period in seconds, after a moving average of `time_constant`
+/// seconds and a first-order servo of gain K: `|sin x| / x · K / √(K² + ω²)` with `ω = 2π / T`, `x = ω τ / 2`. Source: sizing facts 3.5.
 pub fn response(period: f64, time_constant: f64, position_gain: f64) -> f64 {
     let turning = 2.0 * math::PI / period;
     let x = 0.5 * turning * time_constant;

@@ -1,4 +1,4 @@
-//! Electronic cams of a print roller: matched with the web in the contact, corrected between two contacts by a law of motion.
+//! Electronic cams of a print roller: same speed as the web in the contact, correction between two contacts by a law of motion.
 
 use crate::math::PI;
 
@@ -17,7 +17,7 @@ pub enum Law {
     ConstantAcceleration,
 }
 
-/// Peaks of a law for one metre in one second.
+/// Peaks of a law for a travel of one metre in one second.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coefficients {
     /// Highest speed, C_v.
@@ -29,8 +29,8 @@ pub struct Coefficients {
 }
 
 impl Law {
-    /// Its coefficients. The effective acceleration of the modified sine is `4π² / (4 + π) / √2`, for the square of a sine over whole quarters
-    /// is a half. Source: sizing facts 3.3.
+    /// Coefficients of the law. The effective acceleration of the modified sine is `4π² / (4 + π) / √2`, because the mean square of a sine
+    /// over whole quarters is one half. Source: sizing facts 3.3.
     pub fn coefficients(self) -> Coefficients {
         let (speed, acceleration, effective) = match self {
             Law::Polynomial345 => (15.0 / 8.0, 10.0 / 3f64.sqrt(), (120f64 / 7.0).sqrt()),
@@ -49,28 +49,28 @@ impl Law {
 /// One correction per pitch. Metres and seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Correction {
-    /// Length of web from dot to dot.
+    /// Length of web between two dots.
     pub pitch: f64,
-    /// Length of web in which roller and web move alike.
+    /// Length of web over which roller and web have the same speed.
     pub contact: f64,
-    /// Arc of the roller from head to head.
+    /// Arc of the roller between two heads.
     pub arc: f64,
     /// Speed of the web.
     pub speed: f64,
 }
 
 impl Correction {
-    /// Surface that the roller runs ahead of the web (or behind, negative) per pitch, m.
+    /// Lead of the roller's surface over the web per pitch, m; negative for a lag.
     pub fn travel(&self) -> f64 {
         self.arc - self.pitch
     }
 
-    /// Seconds between two contacts: `(p - c) / v`.
+    /// Time between two contacts in seconds: `(p - c) / v`.
     pub fn seconds(&self) -> f64 {
         (self.pitch - self.contact) / self.speed
     }
 
-    /// Highest speed of the roller's surface (the lowest where its arc is shorter than the pitch), m/s: `v + C_v h / T`.
+    /// Highest speed of the roller's surface (lowest if its arc is shorter than the pitch), m/s: `v + C_v h / T`.
     /// Source: sizing facts 3.3.
     pub fn peak_speed(&self, law: Coefficients) -> f64 {
         self.speed + law.speed * self.travel() / self.seconds()
@@ -87,19 +87,20 @@ impl Correction {
         law.effective * self.travel().abs() / (self.seconds() * self.seconds()) * share.sqrt()
     }
 
-    /// Most that an arc may be shorter than the pitch without the roller turning back, m: `(p - c) / C_v`. Source: checked as E6.
+    /// Largest difference by which the arc may be shorter than the pitch without the roller turning back, m: `(p - c) / C_v`. Source:
+    /// checked as E6.
     pub fn longest_lag(&self, law: Coefficients) -> f64 {
         (self.pitch - self.contact) / law.speed
     }
 
-    /// Highest speed of the web in m/s at a highest acceleration of the surface: `(p - c) √(a / (C_a |h|))`; any where nothing is corrected.
+    /// Highest web speed in m/s for a limit of the surface's acceleration: `(p - c) √(a / (C_a |h|))`; infinite without a correction.
     /// Source: sizing facts 3.3, checked as E7.
     pub fn speed_at(&self, law: Coefficients, acceleration: f64) -> f64 {
         self.speed_with(acceleration, law.acceleration)
     }
 
-    /// Highest speed of the web in m/s at a highest effective acceleration of the surface: `(p - c) √(a / (q |h| √((p - c) / p)))`; any where
-    /// nothing is corrected. Source: sizing facts 3.3, checked as E8.
+    /// Highest web speed in m/s for a limit of the surface's effective acceleration: `(p - c) √(a / (q |h| √((p - c) / p)))`; infinite
+    /// without a correction. Source: sizing facts 3.3, checked as E8.
     pub fn speed_at_effective(&self, law: Coefficients, acceleration: f64) -> f64 {
         let share = (self.pitch - self.contact) / self.pitch;
         self.speed_with(acceleration, law.effective * share.sqrt())
@@ -110,8 +111,8 @@ impl Correction {
         if corrected > 0.0 { (self.pitch - self.contact) * (acceleration / corrected).sqrt() } else { f64::INFINITY }
     }
 
-    /// Blocks of constant speed and equal time that come within `error` m of the correction: at least `√(C_a |h| / (8 e))`, for a chord is off
-    /// its curve by an eighth of acceleration times time squared. Source: sizing facts 3.5.
+    /// Number of blocks of constant speed and equal time within `error` m of the correction: at least `√(C_a |h| / (8 e))`, because a chord
+    /// deviates from its curve by an eighth of acceleration times time squared. Source: sizing facts 3.5.
     pub fn blocks(&self, law: Coefficients, error: f64) -> f64 {
         (law.acceleration * self.travel().abs() / (8.0 * error)).sqrt().ceil().max(1.0)
     }

@@ -1,12 +1,12 @@
-//! Turning in closed form: how long a straight cut takes at constant surface speed or constant speed, and what it asks of the motor.
+//! Turning in closed form: time of a straight cut at constant surface speed or constant speed, and its load on the motor.
 
 use super::speed::{limit_diameter, surface_rpm};
 use crate::math::{self, PI};
 
-/// A straight cut: along the part, across its face, or a taper. The diameter changes evenly along the path.
+/// A straight cut: along the part, across its face, or a taper. The diameter changes linearly along the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cut {
-    /// Diameters in mm at begin and end; negative beyond the centre.
+    /// Diameters in mm at start and end; negative beyond the centre.
     pub diameters: (f64, f64),
     /// Length of the path in mm; half the difference of the diameters on a face.
     pub length: f64,
@@ -15,14 +15,13 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// Seconds at a constant speed in r/min: `t = 60 L / (f n)`; without a way none, at standstill without end.
+    /// Time (s) at a constant speed in r/min: `t = 60 L / (f n)`; 0 for a path without length, infinite at standstill.
     pub fn time_at(&self, rpm: f64) -> f64 {
         if self.length > 0.0 { 60.0 * self.length / (self.feed * rpm) } else { 0.0 }
     }
 
-    /// Seconds at a surface speed in m/min whose spindle speed is held within `low` and `high` r/min. Without limits
-    /// `t = 60 π L d / (1000 v f)` with the mean diameter d, on a face `60 π (r₁² - r₂²) / (1000 v f)`; the parts where a limit binds
-    /// take `60 L / (f n)`.
+    /// Time (s) at a surface speed in m/min, with the spindle speed limited to `low` to `high` r/min. Without limits `t = 60 π L d / (1000
+    /// v f)` with the mean diameter d, on a face `60 π (r₁² - r₂²) / (1000 v f)`; the parts under a limit take `60 L / (f n)`.
     ///
     /// Source: `reference/sinumerik-802d.md` section 7 (10.019832 s for the face there).
     pub fn surface_time(&self, speed: f64, (low, high): (f64, f64)) -> f64 {
@@ -60,7 +59,7 @@ pub fn kienzle(unit_force: f64, exponent: f64, (depth, feed): (f64, f64), (edge,
     unit_force * depth / sine * math::pow(feed * sine, 1.0 - exponent) * (1.0 - rake / 100.0)
 }
 
-/// Power in kW that a cutting force in N takes at a surface speed in m/min: `P = F v / 60 000`.
+/// Power in kW of a cutting force in N at a surface speed in m/min: `P = F v / 60 000`.
 pub fn power(force: f64, speed: f64) -> f64 {
     force * speed / 60e3
 }

@@ -1,9 +1,9 @@
-//! Derating of a servo motor by its site: its continuous torque in thin or warm air.
+//! Derating of a servo motor by its site: continuous torque in thin or warm air.
 
-/// Where a motor stands.
+/// Site of a motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Site {
-    /// Height above the sea, m.
+    /// Height above sea level, m.
     pub height: f64,
     /// Temperature of the air, °C.
     pub temperature: f64,
@@ -15,7 +15,7 @@ const HEIGHTS: [f64; 5] = [1000.0, 2000.0, 3000.0, 4000.0, 5000.0];
 /// Temperatures of the columns of [`SHARES`], °C.
 const TEMPERATURES: [f64; 4] = [30.0, 40.0, 45.0, 50.0];
 
-/// Share of its continuous torque that a motor keeps, in percent. Source: sizing facts 2.7.
+/// Remaining continuous torque of a motor, in percent. Source: sizing facts 2.7.
 const SHARES: [[f64; 4]; 5] = [
     [108.0, 100.0, 96.0, 91.0],
     [102.0, 93.0, 89.0, 84.0],
@@ -25,8 +25,8 @@ const SHARES: [[f64; 4]; 5] = [
 ];
 
 impl Site {
-    /// Share of the continuous torque of the data sheet, which holds to 1000 m and 40 °C, that the air leaves: linear between the entries of
-    /// the table, those at its ends beyond them, 1 at most: a cool site gives no more than the data sheet. Source: sizing facts 2.7.
+    /// Remaining share of the data sheet's continuous torque, which is valid to 1000 m and 40 °C. Linear between the entries of the table,
+    /// constant beyond them, and 1 at most: a cool site gives no more than the data sheet. Source: sizing facts 2.7.
     pub fn share(self) -> f64 {
         let (row, up) = place(&HEIGHTS, self.height);
         let (column, right) = place(&TEMPERATURES, self.temperature);
@@ -41,7 +41,7 @@ fn between(from: f64, to: f64, part: f64) -> f64 {
     from + (to - from) * part
 }
 
-/// The stretch between two marks in which a value lies, and how far it is in it, 0 to 1; the ends for values beyond the marks.
+/// Index of the interval of a value between marks, and its position in it, 0 to 1; values beyond the marks are at the ends.
 fn place(marks: &[f64], value: f64) -> (usize, f64) {
     let last = marks.len().saturating_sub(2);
     let found = marks.iter().skip(1).position(|mark| value <= *mark).unwrap_or(last).min(last);

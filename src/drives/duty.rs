@@ -1,4 +1,4 @@
-//! What a motion asks of its motor: torque at the shaft over time for any rotor, and the energy that goes to and fro.
+//! Load of a motion on its motor: torque at the shaft over time for any rotor, and the energy in both directions.
 
 use super::load::{Load, Regeneration, power};
 use super::servo::Servo;
@@ -7,18 +7,18 @@ use crate::math::RPM;
 /// A part of a motion with constant acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
-    /// When it begins, s.
+    /// Start, s.
     pub t: f64,
-    /// How long it is, s.
+    /// Duration, s.
     pub seconds: f64,
-    /// Speed at its begin, rad/s, signed.
+    /// Speed at the start, rad/s, signed.
     pub from: f64,
-    /// Speed at its end, rad/s, signed.
+    /// Speed at the end, rad/s, signed.
     pub to: f64,
 }
 
 impl Turn {
-    /// The turn in two at a time within it.
+    /// Splits the turn at a time within it.
     fn split(self, t: f64) -> [Turn; 2] {
         let first = t - self.t;
         let between = self.from + (self.to - self.from) * first / self.seconds;
@@ -37,97 +37,99 @@ pub struct Motion {
     hold: f64,
     strikes: Strikes,
     pause: f64,
-    /// When the load has its steady torque; at all times where there are none.
+    /// Start and end times (s) of the load's steady torque; `None`: it always acts.
     works: Option<Vec<(f64, f64)>>,
 }
 
-/// An interrupted cut at a steady speed: its torque about the mean, which the steady torque of the load is. All zero where nothing strikes.
+/// An interrupted cut at a steady speed: its torque around the mean, which is the steady torque of the load. All zero without such a cut.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Strikes {
     /// Greatest torque at the shaft, Nm.
     pub peak: f64,
-    /// Mean of the square of the torque, less the square of its mean, (Nm)².
+    /// Mean of the squared torque, minus the square of its mean, (Nm)².
     pub spread: f64,
 }
 
 impl Strikes {
-    /// Strikes of one torque that last for a share of the time, by their greatest and their mean torque, Nm: the mean square of such a torque is
+    /// Strikes of one torque during a share of the time, from their greatest and their mean torque, Nm. The mean square of such a torque is
     /// `T² c` with the share `c`. Source: sizing facts, section 7, polygon add-on.
     pub fn new(peak: f64, mean: f64) -> Strikes {
         Strikes { peak, spread: (peak * mean - mean * mean).max(0.0) }
     }
 }
 
-/// What a motion asks of a motor.
+/// Load of a motion on a motor.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Work {
-    /// Greatest torque, Nm, and when, s.
+    /// Greatest torque, Nm, and its time, s.
     pub peak: (f64, f64),
     /// Effective torque, Nm.
     pub effective: f64,
     /// Greatest speed, rad/s.
     pub speed: f64,
-    /// Energy that the motor gives, J.
+    /// Energy from the motor, J.
     pub given: f64,
-    /// Energy that comes back to it, J.
+    /// Energy back to the motor, J.
     pub returned: f64,
-    /// Seconds of the motion.
+    /// Duration of the motion, s.
     pub seconds: f64,
 }
 
-/// What a brake resistor is asked.
+/// Load on a brake resistor.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ToResistor {
     /// Mean power over a run and its pause, W.
     pub mean: f64,
     /// Greatest energy of a stop, J.
     pub stop: f64,
-    /// Greatest power that comes back, W: the capacitors may be full before it.
+    /// Greatest power back to the amplifier, W. It counts in full, because the capacitors may already be full.
     pub peak: f64,
 }
 
 impl ToResistor {
-    /// The greatest of every figure.
+    /// The greater of each figure.
     pub fn or(self, other: ToResistor) -> ToResistor {
         ToResistor { mean: self.mean.max(other.mean), stop: self.stop.max(other.stop), peak: self.peak.max(other.peak) }
     }
 }
 
-/// Change of speed, as a part of it, up to which a turn counts as steady: rounding leaves a little.
+/// Largest relative change of speed in a turn that counts as steady, for rounding errors.
 const STEADY: f64 = 1e-6;
 
-/// Where a motion asks the most of a motor.
+/// Most demanding operating point of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Hardest {
     /// Torque, Nm.
     pub torque: f64,
-    /// Speed with it, r/min: the highest at which it is asked.
+    /// Highest speed with this torque, r/min.
     pub speed: f64,
-    /// Share of the torque that the motor gives there for a short time; 1 is all of it.
+    /// Torque as a fraction of the motor's short-time torque at this speed.
     pub share: f64,
 }
 
-/// Speed in rad/s below which a shaft stands: rounding leaves a little.
+/// Speed in rad/s below which a shaft counts as at rest, for rounding errors.
 const STANDS: f64 = 1e-9;
 
 impl Motion {
-    /// A motion by its turns, without gaps. The steady torque of the load acts against the motion; at standstill the motor holds `hold` Nm.
+    /// A motion from its turns, without gaps. The steady torque of the load acts against the motion; at standstill the motor holds `hold`
+    /// Nm.
     pub fn new(turns: impl IntoIterator<Item = Turn>, load: Load, hold: f64) -> Motion {
         let turns = turns.into_iter().flat_map(at_reversal).filter(|turn| turn.seconds > 0.0).collect();
         Motion { turns, load, hold, strikes: Strikes::default(), pause: 0.0, works: None }
     }
 
-    /// The same with an interrupted cut wherever it turns at a steady speed.
+    /// The motion, with an interrupted cut during all steady speeds.
     pub fn with_strikes(self, strikes: Strikes) -> Motion {
         Motion { strikes, ..self }
     }
 
-    /// The same with a standstill of `pause` seconds behind it, until the next run.
+    /// The motion, followed by a standstill of `pause` seconds until the next run.
     pub fn with_pause(self, pause: f64) -> Motion {
         Motion { pause, ..self }
     }
 
-    /// The same with the steady torque of the load and its strikes between some times alone, in order and without overlaps: it idles else.
+    /// The motion, with the load's steady torque and strikes only within these times (s), in order and without overlaps; otherwise it
+    /// idles.
     pub fn with_work(self, works: Vec<(f64, f64)>) -> Motion {
         let mut ends = works.iter().flat_map(|(from, to)| [*from, *to]).peekable();
         let mut turns = Vec::with_capacity(self.turns.len());
@@ -145,7 +147,7 @@ impl Motion {
         Motion { turns, works: Some(works), ..self }
     }
 
-    /// Whether the load has its steady torque in a turn.
+    /// Whether the load's steady torque acts during a turn.
     fn works(&self, turn: &Turn) -> bool {
         let middle = turn.t + 0.5 * turn.seconds;
         self.works.as_ref().is_none_or(|works| {
@@ -154,7 +156,7 @@ impl Motion {
         })
     }
 
-    /// Seconds in which it is loaded: it works, or changes its speed.
+    /// Time (s) under load: with the steady torque, or while the speed changes.
     pub fn loaded(&self) -> f64 {
         let is_loaded = |turn: &&Turn| {
             let speed = turn.from.abs().max(turn.to.abs());
@@ -163,13 +165,13 @@ impl Motion {
         self.turns.iter().filter(is_loaded).map(|turn| turn.seconds).sum()
     }
 
-    /// The turns; none changes its direction.
+    /// The turns; none reverses its direction.
     pub fn turns(&self) -> &[Turn] {
         &self.turns
     }
 
-    /// Torque in Nm during a turn, positive where it drives in the positive direction: steady torque and `(J_L / η + J_M) α` while the shaft
-    /// gets faster, `(J_L η + J_M) α` while it gets slower. Source: sizing facts 2.2.
+    /// Torque in Nm during a turn, positive in the positive direction: steady torque and `(J_L / η + J_M) α` while the shaft accelerates,
+    /// `(J_L η + J_M) α` while it decelerates. Source: sizing facts 2.2.
     pub fn torque(&self, turn: &Turn, rotor: f64) -> f64 {
         let Turn { from, to, seconds, .. } = *turn;
         if from.abs() < STANDS && to.abs() < STANDS {
@@ -187,7 +189,7 @@ impl Motion {
         side * along
     }
 
-    /// Greatest torque in Nm during a turn, without sign, and what its strikes add to the square of it in the mean.
+    /// Greatest torque in Nm during a turn, without sign, and the addition of its strikes to the mean square, (Nm)².
     fn greatest(&self, turn: &Turn, torque: f64) -> (f64, f64) {
         let speed = turn.from.abs().max(turn.to.abs());
         let is_steady = speed >= STANDS && (turn.to - turn.from).abs() <= STEADY * speed;
@@ -195,7 +197,7 @@ impl Motion {
         if strikes { (torque.abs().max(self.strikes.peak), self.strikes.spread) } else { (torque.abs(), 0.0) }
     }
 
-    /// The whole motion with a rotor in kg m².
+    /// Load of the whole motion with a rotor in kg m².
     pub fn work(&self, rotor: f64) -> Work {
         let mut work = Work::default();
         let mut square = 0.0;
@@ -218,7 +220,7 @@ impl Motion {
         work
     }
 
-    /// The turn that asks the greatest share of what a motor gives for a short time at its speed.
+    /// The operating point with the largest fraction of the motor's short-time torque at its speed.
     pub fn hardest(&self, motor: &Servo) -> Hardest {
         let mut hardest = Hardest::default();
         for turn in &self.turns {
@@ -242,20 +244,21 @@ impl Motion {
         if seconds > 0.0 { way / seconds / RPM } else { 0.0 }
     }
 
-    /// Seconds of the pause that count for the warmth of its motor.
+    /// Part of the pause (s) that counts for the motor's heating.
     fn counted_pause(&self) -> f64 {
         counted_pause(self.turns.iter().map(|turn| turn.seconds).sum(), self.pause)
     }
 
-    /// Starts from standstill in a minute of the motion.
+    /// Starts from standstill per minute of the motion.
     pub fn starts_per_minute(&self) -> f64 {
         let starts = self.turns.iter().filter(|turn| turn.from.abs() < STANDS && turn.to.abs() >= STANDS).count();
         let seconds = self.turns.iter().map(|turn| turn.seconds).sum::<f64>();
-        // One start is no rhythm.
+        // A single start has no frequency.
         if starts > 1 { 60.0 * starts as f64 / seconds } else { 0.0 }
     }
 
-    /// What a brake resistor takes of what comes back, where capacitors take their part at each stop. Source: sizing facts 2.4.
+    /// Load of the regenerated energy on a brake resistor, after the capacitors have taken their part at each stop. Source: sizing facts
+    /// 2.4.
     pub fn to_resistor(&self, rotor: f64, regeneration: &Regeneration) -> ToResistor {
         let mut taken = ToResistor::default();
         let (mut sum, mut stop, mut seconds) = (0.0, 0.0, self.counted_pause());
@@ -284,10 +287,10 @@ impl Motion {
     }
 }
 
-/// Energy in J that motors on one DC bus take from the supply and give back to it: what one gives back another may take at that moment.
-/// Each is a motion with the rotor of its motor, kg m². Source: sizing facts 2.4, power of all axes added.
+/// Energy in J that motors on one DC bus draw from the supply and return to it; energy returned by one motor may drive another at the same
+/// time. Each motor is a motion with a rotor inertia in kg m². Source: sizing facts 2.4, power of all axes added.
 pub fn on_one_bus(motors: &[(&Motion, f64)]) -> (f64, f64) {
-    // Power is straight within a turn: where one begins or ends, its power and slope come or go.
+    // Power is linear within a turn, so power and slope change only at the start and end of a turn.
     let mut changes: Vec<(f64, f64, f64)> = Vec::new();
     for (motion, rotor) in motors {
         for turn in &motion.turns {
@@ -321,31 +324,32 @@ fn areas(a: f64, b: f64, seconds: f64) -> (f64, f64) {
     (first.max(second), -first.min(second))
 }
 
-/// Duty type of an electric machine by IEC 60034-1, for a drive that turns under load or stands.
+/// Duty type of an electric machine by IEC 60034-1, for a drive that turns under load or is at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DutyType {
     /// S1: continuous duty.
     Continuous,
     /// S3: periodic duty with standstill; cyclic duration factor, %: 15, 25, 40 or 60.
     Intermittent(u8),
-    /// S6: periodic duty without standstill, loaded and idle by turns; cyclic duration factor, %: 15, 25, 40 or 60.
+    /// S6: periodic duty without standstill, alternately loaded and idle; cyclic duration factor, %: 15, 25, 40 or 60.
     Periodic(u8),
 }
 
-/// Share of the time from which a drive counts as turning without standstill. Our choice.
+/// Share of turning time from which a drive counts as turning without standstill. Chosen here, without a source.
 const WITHOUT_STANDSTILL: f64 = 0.98;
 
 /// Longest cycle of S3 and S6, seconds.
 const LONGEST_CYCLE: f64 = 600.0;
 
-/// Seconds of a pause behind a run that count for the warmth of a motor: a cycle has 10 min at most, for in a longer run a motor gets as warm as
-/// it gets, whatever the pause behind it. Source: sizing facts 2.8.
+/// Part of a pause (s) after a run that counts for the heating of a motor: a cycle has at most 10 min, because in a longer run the motor
+/// reaches its final temperature whatever the pause. Source: sizing facts 2.8.
 pub fn counted_pause(run: f64, pause: f64) -> f64 {
     pause.min((LONGEST_CYCLE - run).max(0.0))
 }
 
-/// Effective torque in Nm of a run and the pause behind it: `√((T² t + T_hold² t_pause) / (t + t_pause))`, with the torque of the run, its
-/// seconds, and what the motor holds at standstill; that alone where the pause is so long that it is a duty of its own.
+/// Effective torque in Nm of a run and the following pause: `√((T² t + T_hold² t_pause) / (t + t_pause))`, from the effective torque and
+/// the duration (s) of the run and the holding torque at standstill. For a pause of 10 min or more, a duty of its own, the result is at
+/// least the holding torque.
 /// Source: sizing facts 2.2 (7-9) and 2.8.
 pub fn with_pause(effective: f64, run: f64, pause: f64, hold: f64) -> f64 {
     let counted = counted_pause(run, pause);
@@ -356,8 +360,8 @@ pub fn with_pause(effective: f64, run: f64, pause: f64, hold: f64) -> f64 {
     if pause >= LONGEST_CYCLE { over_both.max(hold.abs()) } else { over_both }
 }
 
-/// The duty type of a drive that turns for `turning` of a cycle and is loaded for `loaded` of it, both 0 to 1: the least cyclic duration factor
-/// of the standard that covers it. Source: sizing facts 2.8, from memory.
+/// Duty type of a drive that turns for the share `turning` of a cycle and is loaded for the share `loaded`, both 0 to 1: the smallest
+/// cyclic duration factor of the standard that covers it. Source: sizing facts 2.8, from memory.
 pub fn duty_type(turning: f64, loaded: f64, cycle: f64) -> DutyType {
     if cycle > LONGEST_CYCLE {
         return DutyType::Continuous;
@@ -370,7 +374,7 @@ pub fn duty_type(turning: f64, loaded: f64, cycle: f64) -> DutyType {
     }
 }
 
-/// A turn in two where it changes its direction.
+/// Splits a turn where its direction reverses.
 fn at_reversal(turn: Turn) -> impl Iterator<Item = Turn> {
     let Turn { t, seconds, from, to } = turn;
     let part = if from * to < 0.0 { from / (from - to) } else { 1.0 };

@@ -1,24 +1,24 @@
-//! What a gear unit is asked by the motion behind it, and whether its ratings do: torque at its output, speed at its input.
+//! Load of a motion on a gear unit, and the check against its ratings: torque at the output, speed at the input.
 
 use super::duty::Motion;
 use super::parts::GearRatings;
 use crate::math::{self, RPM};
 
-/// What a gear unit is asked.
+/// Load on a gear unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GearDuty {
-    /// Greatest torque at its output, Nm.
+    /// Greatest torque at the output, Nm.
     pub peak: f64,
-    /// Mean torque at its output by which teeth and bearings last, Nm.
+    /// Mean torque at the output for the life of teeth and bearings, Nm.
     pub mean: f64,
-    /// Greatest speed of its input, r/min.
+    /// Greatest speed at the input, r/min.
     pub speed: f64,
-    /// Mean speed of its input, standstill with it, r/min.
+    /// Mean speed at the input, including standstill, r/min.
     pub mean_speed: f64,
 }
 
 impl GearDuty {
-    /// What a motion of the output asks of a gear of this ratio.
+    /// Load of a motion of the output on a gear of this ratio.
     pub fn new(output: &Motion, ratio: f64) -> GearDuty {
         let work = output.work(0.0);
         GearDuty {
@@ -29,7 +29,7 @@ impl GearDuty {
         }
     }
 
-    /// The greater of every figure.
+    /// The greater of each figure.
     pub fn or(self, other: GearDuty) -> GearDuty {
         GearDuty {
             peak: self.peak.max(other.peak),
@@ -40,8 +40,8 @@ impl GearDuty {
     }
 }
 
-/// Mean torque in Nm that wears a gear unit as much as the motion: `∛(Σ |n| t |T|³ / Σ |n| t)`, by which the makers of planetary gear units
-/// choose; 0 at standstill. Source: their catalogues, from memory.
+/// Mean torque in Nm with the same wear of a gear unit as the motion: `∛(Σ |n| t |T|³ / Σ |n| t)`, the selection criterion of makers of
+/// planetary gear units; 0 at standstill. Source: their catalogues, from memory.
 fn lasting(output: &Motion) -> f64 {
     let (mut sum, mut way) = (0.0, 0.0);
     for turn in output.turns() {
@@ -53,26 +53,26 @@ fn lasting(output: &Motion) -> f64 {
     if way > 0.0 { math::pow(sum / way, 1.0 / 3.0) } else { 0.0 }
 }
 
-/// Why a gear unit does not go, with what is asked and what is allowed.
+/// Reason for rejecting a gear unit, with the required and the allowed value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GearReason {
-    /// Backlash that it has and that is reckoned with, minutes of arc.
+    /// Backlash of the unit, and the largest assumed one, minutes of arc.
     Backlash(f64, f64),
-    /// Mean speed of its input, r/min.
+    /// Mean speed at the input, r/min.
     MeanSpeed(f64, f64),
-    /// Greatest speed of its input, r/min.
+    /// Greatest speed at the input, r/min.
     Speed(f64, f64),
-    /// Mean torque at its output, Nm.
+    /// Mean torque at the output, Nm.
     Mean(f64, f64),
-    /// Greatest torque at its output, Nm.
+    /// Greatest torque at the output, Nm.
     Peak(f64, f64),
-    /// Torque or speed that it is made for is not known.
+    /// Torque or speed rating is unknown.
     Unknown,
 }
 
 impl GearRatings {
-    /// The first reason why it does not go, with a backlash (minutes of arc) at most where one is reckoned with; none where it goes. A rating
-    /// that the source lacks refuses where nothing stands for it.
+    /// The first reason for rejecting the unit, `None` if it is suitable. `backlash` (minutes of arc) is the largest assumed one, if any. A
+    /// missing rating rejects the unit if no other rating replaces it.
     pub fn refuses(&self, asked: &GearDuty, backlash: Option<f64>) -> Option<GearReason> {
         let highest = self.peak_torque.or(self.rated_torque);
         let fastest = self.top_speed.or(self.rated_speed);

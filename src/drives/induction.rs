@@ -1,6 +1,6 @@
 //! An induction motor on an open-loop inverter that follows an analog speed command.
 
-/// A motor and how its inverter is set.
+/// A motor and its inverter settings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Induction {
     /// Speed commanded by the full analog signal, r/min.
@@ -19,13 +19,13 @@ impl Induction {
         self.no_load / self.full_command
     }
 
-    /// Speed lost under the load, r/min: proportional to torque and, at constant V/f, the same at any frequency.
+    /// Speed loss under the load, r/min: proportional to torque and, at constant V/f, the same at any frequency.
     /// Source: sizing facts 2.6, checked as D4.
     pub fn slip(&self) -> f64 {
         (self.no_load - self.rated) * self.load
     }
 
-    /// Speed that a command in r/min gives: `command · gain - slip`. Source: sizing facts 2.6, checked as D5.
+    /// Speed for a command in r/min: `command · gain - slip`. Source: sizing facts 2.6, checked as D5.
     pub fn speed(&self, command: f64) -> f64 {
         command * self.gain() - self.slip()
     }

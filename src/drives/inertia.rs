@@ -1,19 +1,19 @@
-//! Masses and moments of inertia of what turns. Kilograms, metres, kg m².
+//! Masses and moments of inertia of rotating parts. Kilograms, metres, kg m².
 
 use crate::math::PI;
 
-/// Square metres in a square centimetre: moments of inertia stand in kg cm² on data sheets and in forms.
+/// Square metres per square centimetre: data sheets and forms give moments of inertia in kg cm².
 pub const CM2: f64 = 1e-4;
 
 /// Density of steel, kg/m³. Source: sizing facts 2.1.
 pub const STEEL: f64 = 7850.0;
 
-/// A cylinder that turns about its axis, solid or hollow.
+/// A cylinder rotating about its axis, solid or hollow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cylinder {
     /// Outer diameter, m.
     pub outer: f64,
-    /// Inner diameter, m; 0 where it is solid.
+    /// Inner diameter, m; 0 if solid.
     pub inner: f64,
     /// Length, m.
     pub length: f64,
@@ -38,24 +38,25 @@ pub fn solid(mass: f64, diameter: f64) -> f64 {
     mass * diameter * diameter / 8.0
 }
 
-/// Moment of inertia of a mass that moves on a circle, or with the web around a roller: `m R²`. Source: sizing facts 2.1, checked as C3.
+/// Moment of inertia of a mass on a circle, or of a mass moving with the web around a roller: `m R²`. Source: sizing facts 2.1, checked as
+/// C3.
 pub fn at_radius(mass: f64, radius: f64) -> f64 {
     mass * radius * radius
 }
 
-/// Moment of inertia of a roller as another one on the same web sees it: `J (D / d)²`, `own` being its own diameter and `seen` that of the
-/// other. Source: sizing facts 2.1, checked as B3.
+/// Moment of inertia of a roller, reduced to another roller on the same web: `J (D / d)²`, with its diameter `own` (d) and the other
+/// roller's diameter `seen` (D). Source: sizing facts 2.1, checked as B3.
 pub fn across_web(inertia: f64, own: f64, seen: f64) -> f64 {
     let ratio = seen / own;
     inertia * ratio * ratio
 }
 
-/// Moment of inertia behind a gear as the motor sees it: `J / i²`, `i` being motor speed over load speed. Source: sizing facts 2.1.
+/// Moment of inertia behind a gear, reduced to the motor shaft: `J / i²`, with i = motor speed / load speed. Source: sizing facts 2.1.
 pub fn through_gear(inertia: f64, ratio: f64) -> f64 {
     inertia / (ratio * ratio)
 }
 
-/// The gear ratio at which a motor accelerates a load fastest: `√(J / J_M)`, with the rotor and what turns with it.
+/// Gear ratio for the fastest acceleration of a load: `√(J / J_M)`, with J_M of the rotor and all parts turning with it.
 /// Source: sizing facts 2.1, checked as C20.
 pub fn best_ratio(inertia: f64, rotor: f64) -> f64 {
     (inertia / rotor).sqrt()

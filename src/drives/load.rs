@@ -1,4 +1,4 @@
-//! What a motor drives, seen at its shaft: torque of a ramp, of a cycle, and the energy that comes back. Newton metres, kg m², rad/s, seconds.
+//! Load of a motor, reduced to its shaft: torque of a ramp, of a cycle, and the returned energy. Newton metres, kg m², rad/s, seconds.
 
 /// A load behind its gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,7 +11,7 @@ pub struct Load {
     pub efficiency: f64,
 }
 
-/// A stretch of one torque.
+/// A time with one torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Phase {
     /// Torque at the shaft, Nm.
@@ -25,30 +25,30 @@ pub struct Phase {
 pub struct Move {
     /// Top speed, rad/s.
     pub speed: f64,
-    /// Seconds of each of the two linear ramps.
+    /// Duration of each of the two linear ramps, s.
     pub ramp: f64,
-    /// Seconds at top speed.
+    /// Time at top speed, s.
     pub run: f64,
-    /// Seconds of the pause behind it.
+    /// Pause after the move, s.
     pub pause: f64,
-    /// Torque in the pause, Nm: what the web pulls at a motor that stands.
+    /// Torque in the pause, Nm: pull of the web on a motor at rest.
     pub hold: f64,
 }
 
 impl Move {
-    /// Seconds from one start to the next.
+    /// Time from one start to the next, s.
     pub fn cycle(&self) -> f64 {
         2.0 * self.ramp + self.run + self.pause
     }
 }
 
-/// Seconds in which a drive without current coasts to rest from `speed` rad/s: `J ω / T`, with all that turns; infinite where nothing slows it.
-/// Source: sizing facts 2.2, the fall without a torque of the motor.
+/// Coasting time in seconds of a drive without current from `speed` rad/s to rest: `J ω / T`, with the inertia of all rotating parts;
+/// infinite without a braking torque. Source: sizing facts 2.2, the fall without a torque of the motor.
 pub fn coasting(inertia: f64, speed: f64, torque: f64) -> f64 {
     if torque > 0.0 { inertia * speed / torque } else { f64::INFINITY }
 }
 
-/// Torque in Nm that brings a drive from `speed` rad/s to rest in `seconds`: `J ω / t`. Source: sizing facts 2.2.
+/// Torque in Nm for braking a drive from `speed` rad/s to rest in `seconds`: `J ω / t`. Source: sizing facts 2.2.
 pub fn braking(inertia: f64, speed: f64, seconds: f64) -> f64 {
     inertia * speed / seconds
 }
@@ -58,27 +58,27 @@ pub fn power(torque: f64, speed: f64) -> f64 {
     torque * speed
 }
 
-/// Steady torque in Nm at the shaft of a motor that drives `torque` Nm behind a gear: `T / (i η)`. A load that drives the motor gives
-/// `T η / i`. Source: sizing facts 2.2, checked as B7, C6 and D1.
+/// Steady torque in Nm at the shaft of a motor for `torque` Nm behind a gear: `T / (i η)`; `T η / i` if the load drives the motor. Source:
+/// sizing facts 2.2, checked as B7, C6 and D1.
 pub fn through_gear(torque: f64, ratio: f64, efficiency: f64) -> f64 {
     if torque < 0.0 { torque * efficiency / ratio } else { torque / (ratio * efficiency) }
 }
 
 impl Load {
-    /// Torque in Nm that a linear rise to `speed` in `seconds` takes besides the steady one: `(J_L / η + J_M) ω / t`.
+    /// Torque in Nm of a linear acceleration to `speed` in `seconds`, added to the steady torque: `(J_L / η + J_M) ω / t`.
     /// Source: sizing facts 2.2, checked as B8 and C7.
     pub fn accelerating(&self, rotor: f64, speed: f64, seconds: f64) -> f64 {
         (self.inertia / self.efficiency + rotor) * speed / seconds
     }
 
-    /// Torque in Nm that a linear fall from `speed` in `seconds` gives back before the steady one: `(J_L η + J_M) ω / t`.
+    /// Torque in Nm returned by a linear deceleration from `speed` in `seconds`, before the steady torque: `(J_L η + J_M) ω / t`.
     /// Source: sizing facts 2.2.
     pub fn braking(&self, rotor: f64, speed: f64, seconds: f64) -> f64 {
         (self.inertia * self.efficiency + rotor) * speed / seconds
     }
 
-    /// Shortest linear rise to `speed` in seconds with a torque in Nm: `(J_L / η + J_M) ω / (T - T_L)`; infinite where the steady torque
-    /// takes all of it. Source: sizing facts 2.2 (7-2), checked as B11 and C10.
+    /// Shortest linear ramp to `speed` in seconds with a torque in Nm: `(J_L / η + J_M) ω / (T - T_L)`; infinite if the steady torque uses
+    /// all of it. Source: sizing facts 2.2 (7-2), checked as B11 and C10.
     pub fn shortest_ramp(&self, rotor: f64, speed: f64, torque: f64) -> f64 {
         let left = torque - self.torque;
         if left > 0.0 { self.accelerating(rotor, speed, 1.0) / left } else { f64::INFINITY }
@@ -92,38 +92,38 @@ impl Load {
             .map(|(torque, seconds)| Phase { torque, seconds })
     }
 
-    /// Energy in J that a stop from `speed` in `seconds` gives back at the shaft, less what the steady torque takes of it:
-    /// `½ (J_L η + J_M) ω² - ½ T_L ω t`; negative where it takes more. Source: sizing facts 2.4, checked as C15.
+    /// Energy in J returned at the shaft by a stop from `speed` in `seconds`, minus the energy used by the steady torque: `½ (J_L η + J_M)
+    /// ω² - ½ T_L ω t`; negative if the steady torque uses more. Source: sizing facts 2.4, checked as C15.
     pub fn stop_energy(&self, rotor: f64, speed: f64, seconds: f64) -> f64 {
         0.5 * (self.inertia * self.efficiency + rotor) * speed * speed - 0.5 * self.torque * speed * seconds
     }
 }
 
-/// Effective torque of a cycle in Nm, by which a motor gets warm: `√(Σ T² t / Σ t)`. Source: sizing facts 2.2 (7-9), checked as B16 and C13.
+/// Effective torque of a cycle in Nm, for the motor's heating: `√(Σ T² t / Σ t)`. Source: sizing facts 2.2 (7-9), checked as B16 and C13.
 pub fn effective(phases: &[Phase]) -> f64 {
     let seconds: f64 = phases.iter().map(|phase| phase.seconds).sum();
     let square: f64 = phases.iter().map(|phase| phase.torque * phase.torque * phase.seconds).sum();
     if seconds > 0.0 { (square / seconds).sqrt() } else { 0.0 }
 }
 
-/// How a servo amplifier takes energy back.
+/// Regeneration data of a servo amplifier.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Regeneration {
-    /// Efficiency of the way back, 0 to 1.
+    /// Efficiency of regeneration, 0 to 1.
     pub efficiency: f64,
-    /// Energy in J that its capacitors take.
+    /// Energy in J that the amplifier's capacitors can store.
     pub capacitor: f64,
 }
 
 impl Regeneration {
-    /// Energy in J of a cycle that its brake resistor takes, of `returned` J at the shaft: `η E - E_c`, at least 0.
+    /// Energy in J per cycle to the brake resistor, of `returned` J at the shaft: `η E - E_c`, at least 0.
     /// Source: sizing facts 2.4, checked as C18; divided by the cycle time it is the power, C19.
     pub fn to_resistor(&self, returned: f64) -> f64 {
         (self.efficiency * returned - self.capacitor).max(0.0)
     }
 }
 
-/// Energy in J that comes back to the motor in a linear fall to standstill at one torque: `½ · -T ω t`; 0 where the motor drives.
+/// Energy in J returned to the motor by a linear deceleration to standstill at one torque: `½ · -T ω t`; 0 if the motor drives.
 /// Source: sizing facts 2.4, checked as C17.
 pub fn returned(fall: Phase, speed: f64) -> f64 {
     0.5 * (-fall.torque).max(0.0) * speed * fall.seconds

@@ -1,19 +1,19 @@
 //! Positioning a spindle: direction of travel to an angle, and the speed profile.
 
-/// How a spindle comes to an angle.
+/// Direction of approach to a spindle angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Approach {
-    /// Turning it keeps its direction, from standstill it takes the shortest way (`SPOS=`, `DC`).
+    /// A turning spindle keeps its direction; from standstill it takes the shortest way (`SPOS=`, `DC`).
     Direct,
-    /// Clockwise, the sense of M3 (`ACP`).
+    /// Clockwise, the direction of M3 (`ACP`).
     Clockwise,
     /// Counter-clockwise (`ACN`).
     CounterClockwise,
-    /// By an angle from where it is, whose sign is the direction (`IC`).
+    /// By a signed angle from the present position; the sign is the direction (`IC`).
     Incremental,
 }
 
-/// Degrees from the angle `from` to the target, positive in the sense of M3, by less than a whole turn (but for
+/// Degrees from the angle `from` to the target, positive in the direction of M3, less than a whole turn (except for
 /// [`Approach::Incremental`]). `sense` is the sign of the speed, 0 at standstill. Half a turn from standstill goes clockwise.
 ///
 /// Source: `reference/sinumerik-802d.md` section 3.6.
@@ -36,18 +36,18 @@ pub fn travel(from: f64, target: f64, approach: Approach, sense: i8) -> f64 {
     }
 }
 
-/// An angle within 0 to 360 degrees.
+/// Reduces an angle to the range 0 to 360 degrees.
 pub fn turn(degrees: f64) -> f64 {
     let rest = degrees % 360.0;
     if rest < 0.0 { rest + 360.0 } else { rest + 0.0 }
 }
 
-/// A travel that ends at rest: the speed goes straight to `peak`, stays, and goes straight to 0.
+/// A travel that ends at rest: linear change of speed to `peak`, constant speed, linear change to 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Travel {
     /// Speed in r/min, never negative.
     pub peak: f64,
-    /// Whole turns that are added to the way, to leave room for the slowing down.
+    /// Whole turns added to the travel, for enough deceleration distance.
     pub more: f64,
     /// Seconds from the present speed to `peak`.
     pub to_peak: f64,
@@ -58,11 +58,11 @@ pub struct Travel {
 }
 
 impl Travel {
-    /// Over `turns` from the speed `rpm` (along the way, not negative) with at most `top`; `faster` and `slower` are the accelerations in
-    /// r/min per second to `peak`, and from there. From standstill the way is as long as told; else whole turns are added where it is
-    /// too short to slow down.
+    /// Travel over `turns` from the speed `rpm` (in the direction of travel, not negative) with at most `top`. `faster` and `slower` are
+    /// the accelerations in r/min per second to `peak` and from there. From standstill the travel is exactly `turns`; otherwise whole turns
+    /// are added if it is too short for deceleration.
     pub fn new(turns: f64, rpm: f64, top: f64, faster: f64, slower: f64) -> Travel {
-        // v t / 2 of a straight change of speed, in turns.
+        // Turns of a linear change of speed: v t / 2.
         let change = |from: f64, to: f64, rate: f64| (from + to) * 0.5 / 60.0 * ((to - from).abs() / rate);
         let least = change(rpm, top, faster) + change(top, 0.0, slower);
         if rpm <= 0.0 && turns < least {
@@ -76,18 +76,18 @@ impl Travel {
     }
 }
 
-/// What a spindle needs to be positioned.
+/// Data of spindle positioning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Positioning {
     /// Speed of the positioning motion in r/min (MD35300).
     pub speed: f64,
     /// Acceleration in position control in r/min per second (MD35210).
     pub acceleration: f64,
-    /// Which way the first motion after power-on turns to find the zero mark (MD35350): clockwise.
+    /// Direction of the first motion after power-on, in search of the zero mark (MD35350): clockwise.
     pub clockwise: bool,
 }
 
-/// Degrees of the first positioning after power-on: in one direction over the zero mark, and on to the target.
+/// Degrees of the first positioning after power-on: in one direction past the zero mark, and on to the target.
 pub fn first_travel(from: f64, target: f64, clockwise: bool) -> f64 {
     let sense = if clockwise { 1.0 } else { -1.0 };
     let mark = turn(-sense * from);

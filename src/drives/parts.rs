@@ -1,64 +1,64 @@
-//! Parts as data: servo and induction motors, amplifiers, inverters, gear units, brake resistors and encoders with their ratings and the evidence for them.
+//! Parts as data: servo and induction motors, amplifiers, inverters, gear units, brake resistors and encoders with ratings and evidence.
 
 use super::duty::ToResistor;
 use super::servo::{Acceptance, Servo};
 use crate::text::{Citation, Grade};
 
-/// A part that can be ordered.
+/// A part for ordering.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
-    /// Maker, as its data sheets write it.
+    /// Maker, as on its data sheets.
     pub maker: String,
-    /// Series, for instance `HG-KN`; empty where unknown. Acceptance limits and the drive systems of a control go by it.
+    /// Series, for instance `HG-KN`; empty if unknown. It selects acceptance limits and the drive systems of a control.
     pub series: String,
     /// Order number or type: with the maker, the key of a part.
     pub model: String,
-    /// Whether it is still made; `None` where no dated statement is known.
+    /// Production status; `None` without a dated statement.
     pub status: Option<Status>,
-    /// Ratings of its kind.
+    /// Ratings for its kind.
     pub ratings: Ratings,
-    /// Models that the source pairs with it: the motors of an amplifier. Empty: no pairing is known.
+    /// Models paired with it by the source, for instance the motors of an amplifier; empty if no pairing is known.
     pub fits: Vec<String>,
-    /// Where the ratings come from.
+    /// Source of the ratings.
     pub evidence: Evidence,
 }
 
-/// Whether a part is still made.
+/// Production status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// In the maker's current programme.
     Current,
-    /// Going or gone out of production; new machines take its successor.
+    /// Being phased out or out of production; new machines use its successor.
     PhasedOut,
-    /// Made for repair alone.
+    /// Made only for repair.
     SparePart,
 }
 
 impl Status {
-    /// All of them with their words in a table.
+    /// All values with their words in tables.
     pub const WORDS: [(&'static str, Status); 3] =
         [("current", Status::Current), ("phased out", Status::PhasedOut), ("spare part", Status::SparePart)];
 }
 
-/// Where the ratings of a part come from.
+/// Source and quality of a part's ratings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Evidence {
-    /// Source; those of the shipped catalogue are keys of `docs/reference/parts.md`.
+    /// Source; for parts of the shipped catalogue a key of `docs/reference/parts.md`.
     pub source: String,
-    /// How far it carries.
+    /// Quality of the source.
     pub grade: PartGrade,
-    /// What has to be known beside the ratings: conditions, contradictions, what was left out.
+    /// Remarks besides the ratings: conditions, contradictions, omissions.
     pub note: String,
 }
 
-/// How well the ratings of a part are known.
+/// Quality of the source of a part's ratings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PartGrade {
     /// A page of the maker's manual.
     Manual,
     /// The maker's data sheet, catalogue page or web specification.
     DataSheet,
-    /// A transcription by others: to be confirmed with the maker's sheet before an order.
+    /// A transcription by others, to be confirmed with the maker's data sheet before an order.
     Secondary,
     /// The user's own entry.
     Entered,
@@ -67,7 +67,7 @@ pub enum PartGrade {
 }
 
 impl PartGrade {
-    /// All of them with their words in a table.
+    /// All values with their words in tables.
     pub const WORDS: [(&'static str, PartGrade); 5] = [
         ("manual", PartGrade::Manual),
         ("data sheet", PartGrade::DataSheet),
@@ -77,7 +77,7 @@ impl PartGrade {
     ];
 }
 
-/// The ratings of a part by its kind; `None` where the source has none.
+/// Ratings by kind of part; `None` for a rating missing in the source.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ratings {
     /// A servo motor.
@@ -109,7 +109,7 @@ pub struct ServoRatings {
     pub rated_torque: Option<f64>,
     /// Continuous torque at standstill, Nm.
     pub stall_torque: Option<f64>,
-    /// Torque for a short time, Nm. It belongs to the pair of motor and amplifier.
+    /// Short-time torque, Nm, of the combination of motor and amplifier.
     pub peak_torque: Option<f64>,
     /// Moment of inertia of the rotor, kg m².
     pub inertia: Option<f64>,
@@ -122,7 +122,7 @@ pub struct ServoRatings {
 }
 
 impl ServoRatings {
-    /// Current in A for a torque of 1 Nm, by the rated point: the torque of a permanent-magnet motor is proportional to its current.
+    /// Current in A per Nm of torque at the rated point; in a permanent-magnet motor torque is proportional to current.
     pub fn ampere_per_torque(&self) -> Option<f64> {
         let (current, torque) = self.rated_current.zip(self.rated_torque.or(self.stall_torque))?;
         (torque > 0.0).then(|| current / torque)
@@ -134,7 +134,7 @@ impl ServoRatings {
 pub struct InductionRatings {
     /// Rated power, W.
     pub rated_power: Option<f64>,
-    /// Rated voltage between its phases, V.
+    /// Rated phase-to-phase voltage, V.
     pub voltage: Option<f64>,
     /// Rated speed, r/min.
     pub rated_speed: Option<f64>,
@@ -144,7 +144,7 @@ pub struct InductionRatings {
     pub inertia: Option<f64>,
     /// Rated current, A.
     pub rated_current: Option<f64>,
-    /// Efficiency, share.
+    /// Efficiency, 0 to 1.
     pub efficiency: Option<f64>,
 }
 
@@ -157,15 +157,15 @@ pub struct AmplifierRatings {
     pub rated_current: Option<f64>,
     /// Highest output current, A.
     pub peak_current: Option<f64>,
-    /// Share of the energy that comes back at the shaft and reaches its bus (inverse efficiency).
+    /// Efficiency of regeneration, 0 to 1: energy at the bus per energy returned at the shaft.
     pub regeneration_efficiency: Option<f64>,
-    /// Energy that its capacitors take, J.
+    /// Energy that its capacitors can store, J.
     pub capacitor_energy: Option<f64>,
     /// Continuous power of its built-in brake resistor, W.
     pub brake_power: Option<f64>,
     /// Peak power of its built-in brake resistor, W.
     pub brake_peak_power: Option<f64>,
-    /// Overload as its maker writes it; may be empty.
+    /// Overload in the maker's words; may be empty.
     pub overload: String,
 }
 
@@ -174,16 +174,17 @@ pub struct AmplifierRatings {
 pub struct InverterRatings {
     /// Rated power of its motor, W.
     pub rated_power: Option<f64>,
-    /// Rated voltage of its motor, V: that of its supply.
+    /// Rated voltage of its motor and of its supply, V.
     pub voltage: Option<f64>,
     /// Rated output current, A.
     pub rated_current: Option<f64>,
-    /// Overload as its maker writes it; may be empty.
+    /// Overload in the maker's words; may be empty.
     pub overload: String,
 }
 
 impl InverterRatings {
-    /// Whether it feeds a motor, as far as power, current and voltage of both are known. 380 to 440 V are one class, 200 to 240 V another.
+    /// Whether the inverter can feed a motor, by all known values of power, current and voltage. 380 to 440 V are one class, 200 to 240 V
+    /// another.
     pub fn feeds(&self, motor: &InductionRatings) -> bool {
         let known = |own: Option<f64>, its: Option<f64>, does: fn(f64, f64) -> bool| {
             own.zip(its).is_none_or(|(own, its)| does(own, its))
@@ -194,27 +195,27 @@ impl InverterRatings {
     }
 }
 
-/// Voltages that differ by such a part at most are of one class.
+/// Largest relative difference of voltages of one class.
 const SAME_CLASS: f64 = 0.2;
 
-/// Ratings of a gear unit. A motor's speed over the ratio is the speed of its output.
+/// Ratings of a gear unit. The output speed is the motor speed divided by the ratio.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct GearRatings {
     /// Input speed over output speed.
     pub ratio: Option<f64>,
-    /// Rated torque at its output, Nm.
+    /// Rated torque at the output, Nm.
     pub rated_torque: Option<f64>,
-    /// Highest torque at its output, Nm.
+    /// Highest torque at the output, Nm.
     pub peak_torque: Option<f64>,
-    /// Rated speed of its input, r/min.
+    /// Rated speed at the input, r/min.
     pub rated_speed: Option<f64>,
-    /// Highest speed of its input, r/min.
+    /// Highest speed at the input, r/min.
     pub top_speed: Option<f64>,
-    /// Moment of inertia at its input, kg m².
+    /// Moment of inertia at the input, kg m².
     pub inertia: Option<f64>,
-    /// Efficiency, share.
+    /// Efficiency, 0 to 1.
     pub efficiency: Option<f64>,
-    /// Backlash at its output, minutes of arc.
+    /// Backlash at the output, minutes of arc.
     pub backlash: Option<f64>,
 }
 
@@ -230,7 +231,7 @@ pub struct ResistorRatings {
 }
 
 impl ResistorRatings {
-    /// Whether it takes what it is asked: its continuous power has to be known, peak power and the energy of a stop count where they are.
+    /// Whether the resistor can take a load. Its continuous power has to be known; peak power and stop energy are checked if known.
     pub fn takes(&self, asked: &ToResistor) -> bool {
         let keeps = |most: Option<f64>, value: f64| most.is_none_or(|most| value <= most);
         self.brake_power.is_some_and(|most| asked.mean <= most)
@@ -251,7 +252,7 @@ pub struct EncoderRatings {
 /// Limits of a series of motors, with their source.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeriesLimits {
-    /// What the name of the series begins with; empty for all others.
+    /// Beginning of the series name; empty for all others.
     pub series: &'static str,
     /// The limits.
     pub limits: Acceptance,
@@ -262,7 +263,7 @@ pub struct SeriesLimits {
 const FEED_AXIS: Citation =
     Citation::new("feed axis manual B-65262EN/03, p.60: inertia up to 3, 70 % of stall torque", Grade::Manual);
 
-/// Limits by series; the last row holds for all others. Source: sizing facts 2.3.
+/// Limits by series; the last row is for all others. Source: sizing facts 2.3.
 pub static ACCEPTANCE: [SeriesLimits; 6] = [
     row("MELDAS HC", 5.0, 0.8, Citation::new("MELDAS HC series manual, p.13 to 15: inertia up to 5", Grade::Manual)),
     row("HG-KN", 15.0, 0.8, Citation::new("web specification of the HG-KN motors: inertia up to 15", Grade::Manual)),
@@ -282,18 +283,18 @@ const fn row(series: &'static str, inertia_ratio: f64, effective: f64, cite: Cit
 }
 
 impl Part {
-    /// Maker and model, as people name it.
+    /// Maker and model, for display.
     pub fn name(&self) -> String {
         format!("{} {}", self.maker, self.model)
     }
 
-    /// Whether both have the same maker and model: two rows of one part.
+    /// Whether both rows are the same part, by maker and model.
     pub fn is(&self, other: &Part) -> bool {
         self.maker == other.maker && self.model == other.model
     }
 
-    /// The ratings as they are judged. Stall torque stands in for rated torque and the other way round, rated speed for the highest speed;
-    /// `None` for other kinds, and where peak torque, rotor or speed is unknown.
+    /// Ratings for checking a servo motor. Stall torque and rated torque replace each other, rated speed replaces the highest speed; `None`
+    /// for other kinds, and if peak torque, rotor or speed is unknown.
     pub fn servo(&self) -> Option<Servo> {
         let Ratings::Servo(of) = &self.ratings else { return None };
         let rated_speed = of.rated_speed.or(of.top_speed)?;
@@ -313,7 +314,7 @@ impl Part {
         own.iter().find(|row| self.series.starts_with(row.series)).unwrap_or(others)
     }
 
-    /// The limits that its series keeps.
+    /// The acceptance limits of its series.
     pub fn acceptance(&self) -> Acceptance {
         self.limits().limits
     }

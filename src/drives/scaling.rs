@@ -1,4 +1,4 @@
-//! Axis scaling: the ratio of gears and leads as a fraction of whole numbers, as the parameters of a control take it.
+//! Axis scaling: the ratio of gears and leads as a fraction of whole numbers, for the parameters of a control.
 
 /// A fraction of two whole numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,10 +15,9 @@ impl Fraction {
         self.over as f64 / self.under as f64
     }
 
-    /// The fraction nearest to a ratio whose terms are 1 to `limit`; `None` where no such fraction comes near (a ratio beyond `limit` or below
-    /// its reciprocal).
+    /// The fraction nearest to a ratio, with terms from 1 to `limit`; `None` for a ratio beyond `limit` or below its reciprocal.
     ///
-    /// By continued fractions: of the last convergent within the limit and the semiconvergent behind it, the nearer one.
+    /// By continued fractions: the nearer of the last convergent within the limit and the semiconvergent after it.
     pub fn nearest(ratio: f64, limit: u64) -> Option<Fraction> {
         let most = limit as f64;
         if !ratio.is_finite() || ratio < 1.0 / most || ratio > most {
@@ -26,7 +25,7 @@ impl Fraction {
         }
         let (mut before, mut last) = ((0u64, 1u64), (1u64, 0u64));
         let mut rest = ratio;
-        // Each step at least doubles every other denominator.
+        // The denominators at least double every two steps.
         for _ in 0..64 {
             let whole = rest.floor() as u64;
             let next = |times: u64| {
@@ -42,7 +41,7 @@ impl Fraction {
             }
             (before, last) = (last, next(whole));
             let left = rest - rest.floor();
-            // What is left is rounding of the ratio itself.
+            // The remainder is the rounding error of the ratio itself.
             if (last.0 as f64 / last.1 as f64 - ratio).abs() <= 4.0 * f64::EPSILON * ratio || left <= 0.0 {
                 break;
             }
@@ -52,7 +51,7 @@ impl Fraction {
     }
 }
 
-/// The one of two fractions that is nearer to a ratio; one without a denominator is none.
+/// The one of two fractions nearer to a ratio; a zero term excludes a fraction.
 fn nearer(ratio: f64, one: (u64, u64), other: (u64, u64)) -> (u64, u64) {
     let error = |(over, under): (u64, u64)| match over > 0 && under > 0 {
         true => (over as f64 / under as f64 - ratio).abs(),

@@ -1,4 +1,4 @@
-//! A servo motor against its load: the four ratios that a drive displays in operation, and the limits that they keep.
+//! A servo motor compared with its load: the four ratios that a drive displays in operation, and their limits.
 
 use super::load::Load;
 
@@ -7,9 +7,9 @@ use super::load::Load;
 pub struct Servo {
     /// Rated torque.
     pub rated: f64,
-    /// Torque that it holds at standstill for ever.
+    /// Continuous torque at standstill.
     pub stall: f64,
-    /// Torque that it gives for a short time.
+    /// Short-time torque.
     pub peak: f64,
     /// Rated speed.
     pub rated_speed: f64,
@@ -19,7 +19,7 @@ pub struct Servo {
     pub rotor: f64,
 }
 
-/// What is asked of a motor. Nm, r/min.
+/// Load on a motor. Nm, r/min.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Duty {
     /// Highest torque.
@@ -37,21 +37,21 @@ pub struct Duty {
 pub struct Acceptance {
     /// Highest load inertia over rotor inertia.
     pub inertia_ratio: f64,
-    /// Highest share of the peak torque: the rest is for the control and for friction when cold.
+    /// Highest fraction of the peak torque; the rest is reserved for control and for friction when cold.
     pub peak: f64,
-    /// Highest share of the stall torque, as effective torque.
+    /// Highest effective torque as a fraction of the stall torque.
     pub effective: f64,
 }
 
 impl Acceptance {
-    /// Mitsubishi's rules for the servos of its CNCs: 0.8 of the peak torque, 0.8 of the stall torque, with the ratio of inertias of the
-    /// series. Source: sizing facts 2.3.
+    /// Mitsubishi's rules for its CNC servos: 0.8 of the peak torque, 0.8 of the stall torque, and the series' ratio of inertias. Source:
+    /// sizing facts 2.3.
     pub fn mitsubishi(inertia_ratio: f64) -> Acceptance {
         Acceptance { inertia_ratio, peak: 0.8, effective: 0.8 }
     }
 
-    /// The limits of a motor that starts so often in a minute: a stiff coupling of its speed to the load asks for a ratio of inertias of 3 at
-    /// most above 100 starts, of 5 above 60. Source: sizing facts 2.3, MELSERVO J2S.
+    /// Limits for a number of starts per minute. A stiff coupling of motor speed and load needs a ratio of inertias of at most 3 above 100
+    /// starts, and of 5 above 60. Source: sizing facts 2.3, MELSERVO J2S.
     pub fn at_starts(self, per_minute: f64) -> Acceptance {
         let most = match per_minute {
             often if often > 100.0 => 3.0,
@@ -61,42 +61,42 @@ impl Acceptance {
         Acceptance { inertia_ratio: self.inertia_ratio.min(most), ..self }
     }
 
-    /// The limits where the air leaves a share of the continuous torque: the peak torque stays, for it warms the motor too briefly.
+    /// Limits at a site that reduces the continuous torque to a share. The peak torque stays, because it heats the motor too briefly.
     pub fn derated(self, share: f64) -> Acceptance {
         Acceptance { effective: self.effective * share, ..self }
     }
 }
 
-/// A motor with its load, as shares of what it has: 1 is all of it.
+/// Utilization of a motor by its load: 1 is full utilization.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shares {
     /// Load inertia over rotor inertia.
     pub inertia_ratio: f64,
-    /// Highest torque of the peak torque.
+    /// Highest torque over peak torque.
     pub peak: f64,
-    /// Effective torque of the stall torque.
+    /// Effective torque over stall torque.
     pub effective: f64,
-    /// Highest speed of the highest speed.
+    /// Highest speed over the motor's highest speed.
     pub speed: f64,
 }
 
-/// Why a motor does not go, in the order in which it is asked.
+/// Reason for rejecting a motor, in the order of the checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reason {
-    /// It does not turn so fast.
+    /// Its highest speed is too low.
     Speed,
-    /// Its peak torque does not do.
+    /// Its peak torque is too small.
     Peak,
-    /// It gets too warm.
+    /// It overheats.
     Effective,
-    /// Its rotor is too light for the load.
+    /// Its rotor inertia is too small for the load.
     Inertia,
 }
 
 impl Servo {
-    /// Continuous torque in Nm at a speed in r/min: from the stall torque evenly to the rated one at rated speed, at rated power above.
+    /// Continuous torque in Nm at a speed in r/min: linear from stall torque to rated torque at rated speed, rated power above.
     ///
-    /// Data sheets draw these lines; their figures give standstill and rated speed alone.
+    /// Data sheets draw these curves and give figures only for standstill and rated speed.
     pub fn continuous(&self, speed: f64) -> f64 {
         if speed <= self.rated_speed {
             self.stall + (self.rated - self.stall) * speed / self.rated_speed
@@ -105,17 +105,17 @@ impl Servo {
         }
     }
 
-    /// The same where the site leaves a share x of it: `x · M(n / x)`. Source: sizing facts 2.7.
+    /// Continuous torque in Nm at a site with the remaining share x: `x · M(n / x)`. Source: sizing facts 2.7.
     pub fn continuous_at(&self, share: f64, speed: f64) -> f64 {
         share * self.continuous(speed / share)
     }
 
-    /// Torque in Nm for a short time at a speed in r/min: the peak torque up to rated speed, at constant power above.
+    /// Short-time torque in Nm at a speed in r/min: the peak torque up to rated speed, constant power above.
     pub fn most(&self, speed: f64) -> f64 {
         self.peak * (self.rated_speed / speed).min(1.0)
     }
 
-    /// The shares of a load and a duty.
+    /// Utilization by a load and a duty.
     pub fn shares(&self, load: &Load, duty: &Duty) -> Shares {
         Shares {
             inertia_ratio: load.inertia / self.rotor,
@@ -127,9 +127,9 @@ impl Servo {
 }
 
 impl Shares {
-    /// The first reason why the motor does not go; none where it does.
+    /// The first reason for rejecting the motor; `None` if it is suitable.
     pub fn fails(&self, limits: &Acceptance) -> Option<Reason> {
-        // A share that is no number fails too.
+        // A NaN fails too.
         let over = |share: f64, most: f64| share.is_nan() || share > most;
         [
             (Reason::Speed, over(self.speed, 1.0)),

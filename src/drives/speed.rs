@@ -1,4 +1,4 @@
-//! The speed of a spindle: constant surface speed, gear stages, limits, and which limit binds.
+//! Spindle speed: constant surface speed, gear stages, limits, and the active limit.
 
 use crate::math::PI;
 
@@ -14,27 +14,27 @@ pub fn surface_speed(rpm: f64, diameter: f64) -> f64 {
     PI * diameter.abs() * rpm.abs() / 1000.0
 }
 
-/// Diameter in mm at which a surface speed in m/min needs just this spindle speed: `d = 1000 v / (π n)`; beyond it a limit of that speed
-/// does not bind. 22.918 mm for 180 m/min and 2500 r/min.
+/// Diameter in mm at which a surface speed in m/min needs exactly this spindle speed: `d = 1000 v / (π n)`; a limit of that speed is
+/// inactive at larger diameters. 22.918 mm for 180 m/min and 2500 r/min.
 pub fn limit_diameter(speed: f64, rpm: f64) -> f64 {
     if speed > 0.0 { 1000.0 * speed / (PI * rpm) } else { 0.0 }
 }
 
-/// What sets the speed of a spindle where it is not what was asked for.
+/// Active limit of a spindle speed that differs from the requested one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Bound {
-    /// It is what was asked for.
+    /// The requested speed is in force.
     #[default]
     None,
     /// The highest speed of spindle or chuck.
     Machine,
     /// The highest speed of the gear stage.
     Gear,
-    /// The programmed upper limit, which is setting data (G26).
+    /// The programmed upper limit, setting data (G26).
     Upper,
     /// The upper limit of constant surface speed (G50 S, G92 S, LIMS).
     Surface,
-    /// The programmed lower limit, which is setting data (G25).
+    /// The programmed lower limit, setting data (G25).
     Lower,
     /// The lowest speed of the gear stage.
     GearLow,
@@ -42,18 +42,18 @@ pub enum Bound {
     SurfaceLow,
     /// The converter is at its full voltage.
     Output,
-    /// The PLC shifts gears.
+    /// A gear change by the PLC.
     Shift,
 }
 
 impl Bound {
-    /// Whether the speed would be higher without it.
+    /// Whether the limit reduces the speed.
     pub fn is_upper(self) -> bool {
         matches!(self, Bound::Machine | Bound::Gear | Bound::Upper | Bound::Surface | Bound::Output)
     }
 }
 
-/// A limit that a program or the operator sets.
+/// A limit set by program or operator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpeedLimit {
     /// Lowest speed: setting data, kept (G25).
@@ -64,16 +64,16 @@ pub enum SpeedLimit {
     Surface,
 }
 
-/// Every limit of a speed in r/min. Upper ones that do not exist are infinite, lower ones 0.
+/// All limits of a speed in r/min. Missing upper limits are infinite, missing lower ones 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpeedLimits {
-    /// Of spindle or chuck.
+    /// Highest speed of spindle or chuck.
     pub machine: f64,
-    /// Of the gear stage: lowest and highest.
+    /// Lowest and highest speed of the gear stage.
     pub gear: (f64, f64),
-    /// Setting data: lowest and highest.
+    /// Lowest and highest speed of the setting data.
     pub set: (f64, f64),
-    /// Of constant surface speed, where that counts: lowest and highest.
+    /// Lowest and highest speed under constant surface speed, while it is on.
     pub surface: (f64, f64),
 }
 
@@ -84,8 +84,8 @@ impl SpeedLimits {
         SpeedLimits { machine: f64::INFINITY, gear: any, set: any, surface: any }
     };
 
-    /// A speed within the limits and what holds it there: the smallest of the upper limits, the largest of the lower ones; where both
-    /// cannot be, the upper. Standstill is below no limit.
+    /// Limited speed and the active limit: the smallest of the upper limits, the largest of the lower ones; if they cross, the upper limit.
+    /// Standstill is below no limit.
     ///
     /// Source: `reference/sinumerik-802d.md` section 3.4, `reference/gsk-980tdc.md` section 1.3 (the upper one wins).
     pub fn hold(&self, rpm: f64) -> (f64, Bound) {
@@ -120,7 +120,7 @@ impl Default for SpeedLimits {
     }
 }
 
-/// Gear stages that a spindle can have at most (M41 to M45).
+/// Maximum gear stages of a spindle (M41 to M45).
 pub const STAGES: usize = 5;
 
 /// A gear stage. Speeds in r/min of the spindle.
@@ -130,19 +130,19 @@ pub struct Stage {
     pub rated: f64,
     /// Lowest and highest speed of the stage.
     pub range: (f64, f64),
-    /// Speeds between which automatic gear selection (M40) takes the stage.
+    /// Speed range of the stage in automatic gear selection (M40).
     pub automatic: (f64, f64),
 }
 
 impl Stage {
-    /// A stage without limits of its own; automatic gear selection takes it up to its rated speed.
+    /// A stage without speed limits; automatic gear selection uses it up to its rated speed.
     pub const fn new(rated: f64) -> Stage {
         Stage { rated, range: (0.0, f64::INFINITY), automatic: (0.0, rated) }
     }
 }
 
-/// The stage, counted from 1, that automatic gear selection takes for a speed: the present one where it fits, else the first that does.
-/// `None` where none fits, and nothing is changed.
+/// Stage, from 1, of automatic gear selection for a speed: the present one if it fits, otherwise the first that does. `None` if no stage
+/// fits; the present one stays engaged.
 ///
 /// Source: `reference/sinumerik-802d.md` sections 3.4 and 4.
 pub fn stage_for(stages: &[Stage], present: u8, rpm: f64) -> Option<u8> {

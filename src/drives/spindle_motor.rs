@@ -1,11 +1,11 @@
-//! The motor of a main spindle behind a gear: torque constant up to base speed, power constant above.
+//! Motor of a main spindle with a gear: constant torque up to base speed, constant power above.
 
 use crate::math::{self, RPM};
 
 /// Newton metres times r/min per kilowatt: `60 000 / 2π`.
 const TORQUE: f64 = 9_549.296_585_513_72;
 
-/// Share of the power that a load takes, below which it is small.
+/// Share of the power below which a load counts as small.
 const SMALL: f64 = 1e-3;
 
 /// Torque and power at the spindle in one gear stage.
@@ -18,8 +18,8 @@ pub struct MotorCurve {
 }
 
 impl MotorCurve {
-    /// A motor of `power` kW with base speed `base` r/min, whose top speed `top` r/min turns the spindle at `stage` r/min, by an efficiency
-    /// of the gear: `P = P_m η`, `n_b = n_bm · stage / top`.
+    /// Curve of a motor of `power` kW with base speed `base` r/min, whose top speed `top` r/min turns the spindle at `stage` r/min, with
+    /// the efficiency of the gear: `P = P_m η`, `n_b = n_bm · stage / top`.
     ///
     /// Source: `reference/turning-spindle.md` section 4.
     pub fn new(power: f64, efficiency: f64, (base, top): (f64, f64), stage: f64) -> MotorCurve {
@@ -36,9 +36,9 @@ impl MotorCurve {
         MotorCurve { power: self.power * share, ..*self }
     }
 
-    /// Seconds from standstill to a speed in r/min with all of its torque, of an inertia in kg m² against a steady torque `load` in Nm, which
-    /// is negative where it helps, as in braking: `J ω_b / (M - T)` up to base speed, above it `J ∫ ω / (P - T ω) dω`
-    /// `= J / T² · (P ln((P - T ω_b) / (P - T ω)) - T (ω - ω_b))`. Infinite where the load takes all of the torque.
+    /// Run-up time (s) from standstill to a speed in r/min with full torque, for an inertia in kg m² against a steady torque `load` in Nm
+    /// (negative if it helps, as in braking): `J ω_b / (M - T)` up to base speed, above it `J ∫ ω / (P - T ω) dω` = `J / T² · (P ln((P - T
+    /// ω_b) / (P - T ω)) - T (ω - ω_b))`. Infinite if the load uses the full torque.
     ///
     /// Source: `reference/turning-spindle.md` section 5.
     pub fn seconds_to(&self, rpm: f64, inertia: f64, load: f64) -> f64 {
@@ -53,7 +53,7 @@ impl MotorCurve {
         }
         let part = load / power;
         let above = if (part * speed).abs() < SMALL {
-            // The first terms of the series in T: the logarithm would lose digits.
+            // First terms of the series in T; the logarithm would lose digits.
             let term = |power: f64| (math::pow(speed, power) - math::pow(base, power)) / power;
             (term(2.0) + part * term(3.0) + part * part * term(4.0)) / power
         } else {
@@ -68,20 +68,20 @@ pub fn power(torque: f64, rpm: f64) -> f64 {
     torque * rpm.abs() / TORQUE
 }
 
-/// Torque in Nm that accelerates an inertia in kg·m² to a speed in r/min by a ramp of `tau` s behind a position loop of gain `gain` 1/s:
-/// `M = J · 2π n / 60 · (1 - e^(-K τ)) / τ`, without a ramp `J · 2π n / 60 · K`.
+/// Torque in Nm for accelerating an inertia in kg·m² to a speed in r/min by a ramp of `tau` s with a position loop of gain `gain` 1/s: `M =
+/// J · 2π n / 60 · (1 - e^(-K τ)) / τ`, without a ramp `J · 2π n / 60 · K`.
 ///
 /// Source: `reference/turning-spindle.md` section 5, run-up by a ramp; the gain by the servo lag of first order.
 pub fn run_up(inertia: f64, rpm: f64, tau: f64, gain: f64) -> f64 {
     inertia * rpm.abs() * RPM * if tau > 0.0 { -math::expm1(-gain * tau) / tau } else { gain }
 }
 
-/// The shortest ramp in s whose run-up takes a torque at most; 0 where none is needed.
+/// Shortest ramp in s with a run-up torque of at most `torque` Nm; 0 if none is needed.
 pub fn shortest_ramp(inertia: f64, rpm: f64, gain: f64, torque: f64) -> f64 {
     let plain = inertia * rpm.abs() * RPM / torque;
     if plain * gain <= 1.0 {
         return 0.0;
     }
-    // From above: each round is nearer to τ = plain · (1 - e^(-K τ)), and none is below it.
+    // Fixed-point iteration from above, toward τ = plain · (1 - e^(-K τ)).
     (0..64).fold(plain, |tau, _| plain * -math::expm1(-gain * tau))
 }

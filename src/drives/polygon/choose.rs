@@ -1,4 +1,4 @@
-//! From the polygon to the cutter: inserts, ratio and tip circle, their form error, and the limit that rules others out.
+//! Selection of cutters for a polygon: inserts, ratio and tip circle, their form error, and the limits that exclude choices.
 
 use super::cut::{self, InsertLoad};
 use super::ratio::Ratio;
@@ -6,41 +6,41 @@ use super::section::Section;
 use super::setup::CutterSetup;
 use crate::math::{self, PI};
 
-/// The polygon that is wanted. Lengths in mm.
+/// The required polygon. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wanted<'a> {
     /// Number of sides.
     pub sides: u32,
-    /// Distance across flats of every pass of the slide, the last one being the finished one; twice the distance of a side from the centre
-    /// where the number of sides is odd.
+    /// Distance across flats of each pass of the slide, the last being the finished one; for an odd number of sides, twice the distance of
+    /// a side from the centre.
     pub sizes: &'a [f64],
     /// Radius of the stock.
     pub stock: f64,
     /// Greatest flatness error of a side.
     pub flatness: f64,
-    /// Whether a side may be hollow.
+    /// Whether a side may be concave.
     pub hollow: bool,
 }
 
-/// A cutter that the machine takes.
+/// A cutter that fits the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cutter {
     /// Number of inserts, evenly spaced.
     pub inserts: u32,
-    /// Least and greatest radius of the tip circle in mm, the same where it cannot be set.
+    /// Least and greatest radius of the tip circle in mm; equal if it is fixed.
     pub radius: (f64, f64),
     /// Relief angle of the inserts in radians.
     pub relief: f64,
 }
 
-/// What the machine allows.
+/// Cutters and limits of the machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Means {
     /// Its cutters.
     pub cutters: Vec<Cutter>,
     /// Greatest term of the ratio for the tool, and for the work.
     pub terms: (u32, u32),
-    /// Whether tool and work may turn against each other.
+    /// Whether tool and work may turn in opposite directions.
     pub against: bool,
     /// Greatest speed of the work in r/min.
     pub work_speed: f64,
@@ -52,51 +52,51 @@ pub struct Means {
     pub cutting_speed: (f64, f64),
 }
 
-/// What excludes a choice.
+/// Reason for excluding a choice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChoiceLimit {
-    /// Tool and work would turn against each other.
+    /// Tool and work would turn in opposite directions.
     Sense,
-    /// The axes do not come so near or go so far apart.
+    /// The distance of the axes is outside its range.
     Distance,
-    /// The stock is large enough for corners, but the sides do not meet in it.
+    /// The stock is large enough for corners, but adjacent sides do not meet in it.
     Gap,
-    /// The sides are hollow.
+    /// The sides are concave.
     Hollow,
     /// The flatness error is too great.
     Flatness,
     /// The inserts have too little relief.
     Relief,
-    /// The greatest speed of the work is too slow a cut.
+    /// The cutting speed is too low at the greatest speed of the work.
     WorkSpeed,
-    /// The greatest speed of the tool is too slow a cut.
+    /// The cutting speed is too low at the greatest speed of the tool.
     ToolSpeed,
-    /// The cutting speed varies more along a side than it may.
+    /// The cutting speed along a side varies more than its range allows.
     CuttingSpeed,
 }
 
-/// One way to turn the polygon.
+/// A combination of cutter, ratio and tip circle for the polygon.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
     /// Index of the cutter in the means.
     pub cutter: usize,
     /// Tool to work speed.
     pub ratio: Ratio,
-    /// Radius of the tip circle in whole µm, as a form holds it: the flattest possible one where the cutter can be set.
+    /// Radius of the tip circle in whole µm, as in the form: the radius with the flattest sides if the cutter is adjustable.
     pub radius: f64,
     /// Least and greatest deviation of a side from its plane in mm.
     pub deviation: (f64, f64),
-    /// Relief angle in radians that the inserts need more than in the pass that asks most of them.
+    /// Relief angle in radians that the inserts have to exceed, in the most demanding pass.
     pub relief: f64,
-    /// Speed that the terms of the ratio multiply, a whole number of r/min as a program has it: as fast as every limit allows.
+    /// Speed that the terms of the ratio multiply, in whole r/min as in a program: the highest within all limits.
     pub speed: f64,
     /// Speed of the work in r/min.
     pub work_speed: f64,
-    /// Speed of the tool in r/min; negative against the work.
+    /// Speed of the tool in r/min; negative if opposite to the work.
     pub tool_speed: f64,
     /// Least and greatest cutting speed in m/min.
     pub cutting_speed: (f64, f64),
-    /// What excludes it; nothing where it is possible.
+    /// Reasons for excluding it; empty if it is possible.
     pub limits: Vec<ChoiceLimit>,
 }
 
@@ -106,13 +106,13 @@ impl Choice {
         self.deviation.1 - self.deviation.0
     }
 
-    /// Lower is better. Numbers that are not negative have bits in their own order; what is excluded has the top bit.
+    /// Sort key, lower is better. The bits of a non-negative number sort like the number; excluded choices have the top bit set.
     fn rank(&self) -> u64 {
         self.flatness().max(0.0).to_bits() | u64::from(!self.limits.is_empty()) << 63
     }
 }
 
-/// Every way to turn a polygon with the means of a machine: the possible ones first, the flattest first among them and among the others.
+/// All choices for a polygon on a machine, possible ones first, by flatness within each group.
 pub fn choices(wanted: &Wanted, means: &Means) -> Vec<Choice> {
     let mut found = Vec::new();
     for cutter in 0..means.cutters.len() {
@@ -129,14 +129,14 @@ pub fn choices(wanted: &Wanted, means: &Means) -> Vec<Choice> {
     found
 }
 
-/// The most turns of the work in which a pattern may close.
+/// Maximum turns of the work until a pattern closes.
 const MOST_TURNS: u32 = 100;
 
-/// A cutter at a ratio, its tip circle set to the best radius. (At ratio 2 that is the greatest one; above 2 there is one in between where crown and
-/// hollow balance.)
+/// A cutter at a ratio, with the best radius of its tip circle. (At ratio 2 that is the greatest radius; above 2 it is a radius in between,
+/// where convex and concave deviation balance.)
 fn choice(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio) -> Option<Choice> {
     let (low, high) = means.cutters.get(cutter)?.radius;
-    // What is found has to stay as it is found once it is typed: beside a radius at which a side breaks off, the next digit counts.
+    // Rounded to the digits of the form, because the next digit matters beside a radius at which a side breaks off.
     let set = |radius: f64| set(wanted, means, cutter, ratio, (radius * 1000.0).round() / 1000.0);
     let rank = |choice: &Option<Choice>| choice.as_ref().map_or(u64::MAX, Choice::rank);
     let mut best = set(high);
@@ -152,7 +152,7 @@ fn choice(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio) -> Option
         let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(STEPS);
         let ranks: Vec<u64> = (0..=STEPS).map(|i| put(at(i))).collect();
         let least = (0..=STEPS).zip(ranks).min_by_key(|(_, rank)| *rank).map_or(STEPS, |(i, _)| i);
-        // Between the neighbours of the best step, by thirds.
+        // Ternary search between the neighbours of the best step.
         let (mut from, mut to) = (at(least.saturating_sub(1)), at((least + 1).min(STEPS)));
         for _ in 0..30 {
             let third = (to - from) / 3.0;
@@ -162,7 +162,7 @@ fn choice(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio) -> Option
     best
 }
 
-/// In how many steps the radii of a cutter are looked through.
+/// Number of steps in the search over the radii of a cutter.
 const STEPS: u32 = 24;
 
 /// A cutter at a ratio and a radius of its tip circle.
@@ -209,5 +209,5 @@ fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64)
     })
 }
 
-/// A deviation in mm that is none.
+/// Largest deviation in mm that counts as 0.
 const NOTHING: f64 = 1e-9;

@@ -1,9 +1,9 @@
-//! The exact curve of one insert tip over the work in one pass, about the normal of its side.
+//! Exact curve of one insert tip over the work in one pass, relative to the normal of its side.
 
 use crate::math::{self, PI};
 
-/// One pass in the frame of its side. Along it the tool angle σ goes from -π to π; at σ = 0 the tip points at the centre of the work.
-/// Angles in radians, lengths in mm. The curve is symmetric to the normal, so that its formulas are for σ ≥ 0.
+/// One pass in the frame of its side. The tool angle σ goes from -π to π; at σ = 0 the tip points at the centre of the work. Angles in
+/// radians, lengths in mm. The curve is symmetric to the normal, so its formulas are for σ ≥ 0.
 ///
 /// In the work frame `P(σ) = e^(-iσ/k) (a - r e^(iσ))`, turned by the angle of the normal. Source: polygon turning facts 3.1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,26 +13,26 @@ pub struct Curve {
     ratio: f64,
 }
 
-/// A stretch of a pass along which the angle from the normal rises with σ, and the radius with it.
+/// A part of a pass in which the angle from the normal rises with σ, and the radius with it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Branch {
-    /// +1 or -1: what makes [`Curve::turn`] rise.
+    /// +1 or -1: the factor that makes [`Curve::turn`] rise.
     sign: f64,
-    /// σ at its begin and end.
+    /// σ at the start and end.
     pub(super) sigma: (f64, f64),
-    /// Angle from the normal there.
+    /// Angle from the normal at the start and end.
     pub(super) angle: (f64, f64),
 }
 
 impl Curve {
-    /// The pass of a tip at `radius` about a tool axis at `distance` from the work's, tool speed over work speed being `ratio`. None where the
-    /// tip reaches the centre of the work or something does not turn.
+    /// The pass of a tip at `radius` about a tool axis at `distance` from the work axis; `ratio` is tool speed over work speed. `None` if
+    /// the tip reaches the centre of the work, or if work or tool does not turn.
     pub fn new(distance: f64, radius: f64, ratio: f64) -> Option<Curve> {
         let sound = radius > 0.0 && distance > radius && distance < 1e6 && ratio.abs() > 1e-6 && ratio.abs() < 1e6;
         sound.then_some(Curve { distance, radius, ratio })
     }
 
-    /// Distance from the axes of the work to that of the tool, a.
+    /// Distance of the tool axis from the work axis, a.
     pub fn distance(&self) -> f64 {
         self.distance
     }
@@ -47,31 +47,33 @@ impl Curve {
         self.ratio
     }
 
-    /// The nearest that the tip comes to the centre of the work, for any ratio: `d = a - r`, half of the distance across flats. Source: polygon turning facts 3.1.
+    /// Least distance of the tip from the centre of the work, for any ratio: `d = a - r`, half of the distance across flats. Source:
+    /// polygon turning facts 3.1.
     pub fn apothem(&self) -> f64 {
         self.distance - self.radius
     }
 
-    /// Distance of the tip from the centre of the work: `ρ² = a² + r² - 2 a r cos σ = d² + 4 a r sin²(σ/2)`. Source: polygon turning facts 3.1.
+    /// Distance of the tip from the centre of the work: `ρ² = a² + r² - 2 a r cos σ = d² + 4 a r sin²(σ/2)`.
+    /// Source: polygon turning facts 3.1.
     pub fn reach(&self, sigma: f64) -> f64 {
         let half = math::sin(0.5 * sigma);
         let d = self.apothem();
         (d * d + 4.0 * self.distance * self.radius * half * half).sqrt()
     }
 
-    /// The σ at which the tip is so far from the centre of the work, 0 to π.
+    /// The σ (0 to π) for a distance of the tip from the centre of the work.
     pub fn sigma_at(&self, reach: f64) -> f64 {
         let d = self.apothem();
         let square = (reach - d) * (reach + d) / (4.0 * self.distance * self.radius);
         if reach > d { 2.0 * math::asin(square.min(1.0).sqrt()) } else { 0.0 }
     }
 
-    /// Angle of the tip from the normal as the work turns it past: `b = σ/k + atan2(r sin σ, a - r cos σ)`, from polygon turning facts 3.1.
+    /// Angle of the tip from the normal, in the frame of the work: `b = σ/k + atan2(r sin σ, a - r cos σ)`, from polygon turning facts 3.1.
     pub fn turn(&self, sigma: f64) -> f64 {
         self.turning(sigma).0
     }
 
-    /// The same with db/dσ, which is `1/k - 1/2 + (a² - r²) / (2 ρ²)`: it changes its sign at one radius at most.
+    /// [`Curve::turn`] and db/dσ = `1/k - 1/2 + (a² - r²) / (2 ρ²)`, which changes its sign at one radius at most.
     fn turning(&self, sigma: f64) -> (f64, f64) {
         let (sin, cos) = math::sin_cos(sigma);
         let (x, y) = (self.distance - self.radius * cos, self.radius * sin);
@@ -79,7 +81,7 @@ impl Curve {
         (sigma / self.ratio + math::atan2(y, x), slope)
     }
 
-    /// dρ/dσ, which is `a r sin σ / ρ`.
+    /// dρ/dσ = `a r sin σ / ρ`.
     pub(super) fn climb(&self, sigma: f64) -> f64 {
         self.distance * self.radius * math::sin(sigma) / self.reach(sigma)
     }
@@ -88,28 +90,28 @@ impl Curve {
         (self.distance - self.radius) * (self.distance + self.radius)
     }
 
-    /// Area between the centre of the work and the curve from the normal to σ, negative where b falls: `½ ∫ ρ² b' dσ`, thus
-    /// `½ [(1/k - 1/2) ((a² + r²) σ - 2 a r sin σ) + (a² - r²) σ / 2]`.
+    /// Area between the centre of the work and the curve from the normal to σ, negative where b falls: `½ ∫ ρ² b' dσ` = `½ [(1/k - 1/2)
+    /// ((a² + r²) σ - 2 a r sin σ) + (a² - r²) σ / 2]`.
     pub(super) fn area(&self, sigma: f64) -> f64 {
         let (a, r) = (self.distance, self.radius);
         let squares = (a * a + r * r) * sigma - 2.0 * a * r * math::sin(sigma);
         0.5 * ((1.0 / self.ratio - 0.5) * squares + 0.5 * self.squares() * sigma)
     }
 
-    /// Curvature at the middle of the side in 1/mm: `κ = [a - r (k-1)²] / [a + r (k-1)]²`; positive where the side is crowned, negative where it is
-    /// hollow. Infinite where the tip stands still on the work. Source: polygon turning facts 3.3.
+    /// Curvature at the middle of the side in 1/mm: `κ = [a - r (k-1)²] / [a + r (k-1)]²`; positive if the side is convex, negative if
+    /// concave. Infinite if the tip is at rest on the work. Source: polygon turning facts 3.3.
     pub fn curvature(&self) -> f64 {
         let k = self.ratio - 1.0;
         let (speed, bend) = (self.distance + self.radius * k, self.distance - self.radius * k * k);
-        // Rounding makes no stillness a motion.
+        // A speed within rounding errors counts as rest.
         if speed.abs() < 1e-9 * self.distance { f64::INFINITY.copysign(bend) } else { bend / (speed * speed) }
     }
 
-    /// The stretches of the pass within a radius of the work and half a turn from the normal. The second one is empty but where the path
-    /// turns back and its far end, on the other side of the normal, goes beyond the point of return.
+    /// The branches of the pass within a radius of the work and half a turn from the normal. The second is empty unless the path turns back
+    /// and its far end, on the other side of the normal, passes the turning point.
     pub(super) fn branches(&self, within: f64) -> [Branch; 2] {
         let last = self.sigma_at(within);
-        // ρ² = (a² - r²) / (1 - 2/k), where b turns back.
+        // ρ² = (a² - r²) / (1 - 2/k) at the turning point of b.
         let square = self.squares() / (1.0 - 2.0 / self.ratio);
         let apothem = self.apothem();
         let back = if square > apothem * apothem { self.sigma_at(square.sqrt()) } else { PI };
@@ -119,7 +121,7 @@ impl Curve {
         [near, far]
     }
 
-    /// The part of a stretch at angles from `begin` to half a turn.
+    /// The part of a branch at angles from `begin` to half a turn.
     fn branch(&self, sign: f64, sigma: (f64, f64), begin: f64) -> Branch {
         let whole = Branch { sign, sigma, angle: (sign * self.turn(sigma.0), sign * self.turn(sigma.1)) };
         let (from, to) = (begin.max(whole.angle.0), whole.angle.1.min(PI));
@@ -127,7 +129,7 @@ impl Curve {
         Branch { sigma: (self.sigma(&whole, angle.0, sigma.0), self.sigma(&whole, angle.1, sigma.1)), angle, ..whole }
     }
 
-    /// The σ at an angle from the normal; `guess` makes it quick where it is near.
+    /// The σ at an angle from the normal. A close `guess` makes the search short.
     pub(super) fn sigma(&self, branch: &Branch, angle: f64, guess: f64) -> f64 {
         let (mut low, mut high) = branch.sigma;
         if angle <= branch.angle.0 || angle >= branch.angle.1 {
@@ -140,7 +142,7 @@ impl Curve {
             let off = branch.sign * turn - angle;
             *(if off > 0.0 { &mut high } else { &mut low }) = sigma;
             let step = off / (branch.sign * slope);
-            // Newton's step where it stays in the bracket: it squares the error, so that one this small is the last.
+            // Newton's step if it stays in the bracket. It squares the error, so a step this small is the last.
             if !inside(sigma - step, low, high) {
                 if off == 0.0 || high - low <= 1e-15 {
                     break;
@@ -161,20 +163,20 @@ impl Curve {
         branch.sign * self.turn(sigma)
     }
 
-    /// How fast that angle rises with σ.
+    /// Derivative of that angle with respect to σ.
     pub(super) fn angle_slope(&self, branch: &Branch, sigma: f64) -> f64 {
         branch.sign * self.turning(sigma).1
     }
 }
 
 impl Branch {
-    /// Whether it holds no angle.
+    /// Whether the branch is empty.
     pub(super) fn is_empty(&self) -> bool {
         self.angle.1 <= self.angle.0
     }
 }
 
-/// The ratio that is flat at the middle of the sides for a distance of the axes and a tip circle: `k = 1 + √(a/r)`. Source: polygon turning facts 3.3.
+/// Ratio with flat middles of the sides, for a distance of the axes and a tip circle: `k = 1 + √(a/r)`. Source: polygon turning facts 3.3.
 pub fn flat_ratio(distance: f64, radius: f64) -> f64 {
     1.0 + (distance / radius).sqrt()
 }

@@ -1,21 +1,21 @@
-//! How the inserts cut: speed over the work, the angle at which they meet it, the relief they need, and twisted polygons.
+//! Cutting by the inserts: speed over the work, angle of engagement, required relief, and twisted polygons.
 
 use super::curve::Curve;
 use super::ratio::Ratio;
 use crate::math::{self, PI};
 
-/// What a pass of the slide, or all of them, asks of the inserts.
+/// Load of one pass of the slide, or of all passes, on the inserts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InsertLoad {
-    /// Relief angle in radians that they need more than.
+    /// Relief angle in radians that the inserts have to exceed.
     pub relief: f64,
-    /// Least and greatest cutting speed in m/min for each r/min of the work.
+    /// Least and greatest cutting speed in m/min per r/min of the work.
     pub speeds: (f64, f64),
 }
 
-/// Every pass of the slide, each to its distance across flats, the first one into round stock of a radius. An insert meets
-/// no more than the pass before has left. So all passes ask for less than the whole depth at once would, where sides meet in the stock before
-/// the last pass.
+/// Load of every pass of the slide, each to its distance across flats, the first one into round stock of a radius. An insert meets no more
+/// material than the preceding pass has left, so the passes together need less relief than the whole depth at once, if adjacent sides meet
+/// in the stock before the last pass.
 pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, sides: u32, stock: f64) -> impl Iterator<Item = InsertLoad> {
     let curve = move |size: f64| Curve::new(0.5 * size + radius, radius, ratio.value());
     let pitch = 2.0 * PI / f64::from(sides.max(1));
@@ -28,7 +28,7 @@ pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, sides: u32, stock: f64) 
 }
 
 impl InsertLoad {
-    /// What both ask together.
+    /// The greater load of both.
     pub fn worst(self, other: InsertLoad) -> InsertLoad {
         let speeds = (self.speeds.0.min(other.speeds.0), self.speeds.1.max(other.speeds.1));
         InsertLoad { relief: self.relief.max(other.relief), speeds }
@@ -36,13 +36,13 @@ impl InsertLoad {
 }
 
 impl Curve {
-    /// The arm of the relative motion along the tool, `m = (k - 1) r`.
+    /// Lever of the relative motion along the tool, `m = (k - 1) r`.
     fn arm(&self) -> f64 {
         (self.ratio() - 1.0) * self.radius()
     }
 
-    /// How far from the middle of its side, as σ, the insert meets work at most where `before` has passed on every side, one each `pitch`: as
-    /// far out as the corners that are left, or stock where sides do not meet in it.
+    /// Largest σ from the middle of its side at which the insert meets material, after `before` has passed on all sides, `pitch` apart: at
+    /// the remaining corners, or at the stock's surface if adjacent sides do not meet in it.
     pub(super) fn edge(&self, before: &Curve, pitch: f64, stock: f64) -> f64 {
         let [near, _] = before.branches(stock);
         let meets = near.angle.1 > 0.5 * pitch;
@@ -57,29 +57,29 @@ impl Curve {
         2.0 * PI * rpm.abs() * math::hypot(along, self.distance() * sin) / 1000.0
     }
 
-    /// Least and greatest cutting speed in m/min from the middle of the side to σ: it rises or falls all the way.
+    /// Least and greatest cutting speed in m/min from the middle of the side to σ; the speed is monotonic in between.
     pub fn speeds(&self, rpm: f64, sigma: f64) -> (f64, f64) {
         let (middle, edge) = (self.speed(rpm, 0.0), self.speed(rpm, sigma));
         (middle.min(edge), middle.max(edge))
     }
 
-    /// Whether the inserts cut as those of a cutter that turns in the sense of the work; else they have to face the other way.
-    /// The tip moves over the middle of the side by `a + (k-1) r = d + k r` for each radian of the work.
+    /// Whether the inserts face as on a cutter that turns in the direction of the work; otherwise they have to face the other way. The tip
+    /// moves over the middle of the side by `a + (k-1) r = d + k r` per radian of the work.
     pub fn faces_forward(&self) -> bool {
         self.distance() + self.arm() > 0.0
     }
 
-    /// Angle by which the motion of the tip over the work leaves the tangent of the cutter at σ: `ψ = atan[a sin σ / (a cos σ + (k-1) r)]`. At
-    /// positive σ (behind the middle where the tool turns as angles count) it takes ψ from the relief and adds it to the rake, at negative σ
-    /// the other way round. A right angle or more: the insert cannot cut. Source: polygon turning facts 3.4.
+    /// Angle between the motion of the tip over the work and the tangent of the cutter at σ: `ψ = atan[a sin σ / (a cos σ + (k-1) r)]`. At
+    /// positive σ (after the middle if the tool turns in the positive direction) it reduces the relief and increases the rake by ψ, at
+    /// negative σ the reverse. At a right angle or more the insert cannot cut. Source: polygon turning facts 3.4.
     pub fn engagement(&self, sigma: f64) -> f64 {
         let (sin, cos) = math::sin_cos(sigma);
         let along = self.distance() * cos + self.arm();
         math::atan2(self.distance() * sin, if self.faces_forward() { along } else { -along })
     }
 
-    /// What relief an insert has to have more than, where the cut reaches to σ on both sides of the middle: the greatest [`Curve::engagement`]. It
-    /// rises with σ, but where `|m| > a` it is greatest at `cos σ = -a/m`.
+    /// Relief angle that an insert has to exceed for a cut that reaches to σ on both sides of the middle: the greatest
+    /// [`Curve::engagement`]. It rises with σ; for `|m| > a` it is greatest at `cos σ = -a/m`.
     pub fn relief_needed(&self, sigma: f64) -> f64 {
         let (a, m) = (self.distance(), self.arm());
         let peak = if m.abs() > a { math::acos(-a / m) } else { PI };
@@ -87,19 +87,19 @@ impl Curve {
     }
 }
 
-/// Tool speed in r/min for a polygon that twists by a turn in `lead` mm, while the slide moves by `feed` mm/min along the work's axis:
-/// `n_tool = k (n_work + F/K)`. A positive lead turns the section counter-clockwise on the way of positive `feed`; it is right-handed where
-/// the angles are seen from the end that positive `feed` leads to. Source: polygon turning facts 3.5.
+/// Tool speed in r/min for a polygon with one turn of twist in `lead` mm, while the slide moves at `feed` mm/min along the work axis:
+/// `n_tool = k (n_work + F/K)`. A positive lead turns the section counter-clockwise in the direction of positive `feed`; the twist is
+/// right-handed if angles are seen from the end that positive `feed` leads to. Source: polygon turning facts 3.5.
 pub fn helical_tool_speed(ratio: Ratio, work: f64, feed: f64, lead: f64) -> f64 {
     ratio.value() * (work + feed / lead)
 }
 
-/// Angle in radians by which the section at a place is turned against that at its origin: `2π z / K`.
+/// Twist in radians of the section at `z` against the section at the origin: `2π z / K`.
 pub fn twist(z: f64, lead: f64) -> f64 {
     2.0 * PI * z / lead
 }
 
-/// Distance in mm between the marks of two cuts on the same flat at a feed in mm per turn of the work. Source: polygon turning facts 3.2.
+/// Distance in mm between the marks of two cuts on the same flat, at a feed in mm per turn of the work. Source: polygon turning facts 3.2.
 pub fn mark_pitch(ratio: Ratio, inserts: u32, feed_per_turn: f64) -> f64 {
     feed_per_turn / ratio.passes_per_turn(inserts)
 }

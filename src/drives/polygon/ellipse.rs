@@ -2,7 +2,7 @@
 
 use crate::math::{self, PI};
 
-/// Half axes of the ellipse over each other: `ε = (a - r) / (a + r) = d / (2 r + d)`.
+/// Ratio of the half axes of the ellipse: `ε = (a - r) / (a + r) = d / (2 r + d)`.
 fn flattening(apothem: f64, radius: f64) -> f64 {
     apothem / (2.0 * radius + apothem)
 }
@@ -17,7 +17,7 @@ pub fn reach(apothem: f64, radius: f64, angle: f64) -> f64 {
     apothem / math::hypot(cos, flattening(apothem, radius) * sin)
 }
 
-/// How far the corners lie below the ideal side, with `T = tan(π/N)`: `δ = d [1 - 1/√(1 + ε² T²)]`. For 3 sides or more.
+/// Depth of the corners below the ideal side, with `T = tan(π/N)`: `δ = d [1 - 1/√(1 + ε² T²)]`. For 3 sides or more.
 pub fn sag(apothem: f64, radius: f64, sides: u32) -> f64 {
     // 1 - 1/h is (h² - 1) / (h² + h), without the loss of digits.
     let rise = flattening(apothem, radius) * half_angle_tangent(sides);
@@ -36,7 +36,7 @@ pub fn area(apothem: f64, radius: f64, sides: u32) -> f64 {
     f64::from(sides) * apothem * apothem / e * math::atan(e * half_angle_tangent(sides))
 }
 
-/// The least tip circle whose corners lie no more than `sag` below the ideal side: the formula of [`sag`] for r. 0 where any does.
+/// Least tip circle with corners at most `sag` below the ideal side: the formula of [`sag`] solved for r. 0 if every radius does.
 pub fn radius_for(apothem: f64, sides: u32, sag: f64) -> f64 {
     let root = apothem / (apothem - sag);
     let e = (root * root - 1.0).sqrt() / half_angle_tangent(sides);

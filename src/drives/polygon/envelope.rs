@@ -1,22 +1,22 @@
-//! The section as arcs: what every pass leaves of the stock, found arc by arc, each to the last digits.
+//! The section as arcs: remainder of the stock after all passes, found arc by arc, each exact to rounding.
 
 use super::curve::{Branch, Curve};
 use super::setup::{CutterSetup, Pass};
 use crate::math::PI;
 
-/// Half of a pass, on one side of its normal, as far as one branch goes.
+/// Half of a pass on one side of its normal, over one branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Piece {
     pub(super) curve: Curve,
     pub(super) branch: Branch,
     pub(super) pass: Pass,
-    /// The normal as the section counts its angles.
+    /// Angle of the normal on the section.
     normal: f64,
     /// +1 counter-clockwise of the normal, -1 clockwise.
     hand: f64,
 }
 
-/// A part of the outline between two angles: cut by one piece, or left of the stock. Its radius rises or falls all the way.
+/// A part of the outline between two angles: cut by one piece, or remaining stock. Its radius is monotonic.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Arc {
     pub(super) from: f64,
@@ -35,18 +35,18 @@ impl Piece {
         self.normal + self.hand * self.curve.angle(&self.branch, sigma)
     }
 
-    /// How fast that angle changes with σ.
+    /// Derivative of that angle with respect to σ.
     pub(super) fn angle_slope(&self, sigma: f64) -> f64 {
         self.hand * self.curve.angle_slope(&self.branch, sigma)
     }
 
-    /// The arc that it would cut out of the stock alone.
+    /// The arc cut out of uncut stock.
     fn arc(self) -> Arc {
         let ends = [self.branch.angle.0, self.branch.angle.1].map(|angle| self.normal + self.hand * angle);
         Arc { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), cut: Some(self) }
     }
 
-    /// The same cut by another side.
+    /// The piece, turned to another side.
     fn moved(self, by: f64) -> Piece {
         Piece { normal: self.normal + by, ..self }
     }
@@ -59,10 +59,10 @@ impl Arc {
     }
 }
 
-/// Smaller differences of two radii in mm are none, nor are shorter arcs in radians.
+/// Largest difference of two radii in mm, and largest length of an arc in radians, that count as 0.
 const NOTHING: f64 = 1e-12;
 
-/// Puts an arc to the end of the outline.
+/// Appends an arc to the outline.
 fn push(arcs: &mut Vec<Arc>, arc: Arc) {
     let sliver = arc.to - arc.from <= NOTHING;
     match arcs.last_mut() {
@@ -72,8 +72,8 @@ fn push(arcs: &mut Vec<Arc>, arc: Arc) {
     }
 }
 
-/// Takes away what a new arc cuts deeper. Within one arc both radii rise or fall all the way, so that they cross once at most where they go
-/// against each other, and where they go the same way their ends tell which is deeper.
+/// Removes the material that a new arc cuts deeper. Within one arc both radii are monotonic: in opposite directions they cross once at
+/// most, and in the same direction their ends show which one is deeper.
 fn lower(arcs: Vec<Arc>, new: Arc, stock: f64) -> Vec<Arc> {
     let mut out = Vec::with_capacity(arcs.len() + 2);
     for arc in arcs {
@@ -94,7 +94,7 @@ fn lower(arcs: Vec<Arc>, new: Arc, stock: f64) -> Vec<Arc> {
     out
 }
 
-/// Where what holds at `from` ends to hold.
+/// Bisection for the boundary between `from`, where `holds` is true, and `to`, where it is false.
 pub(super) fn halve(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..60 {
         let middle = 0.5 * (from + to);
@@ -103,25 +103,25 @@ pub(super) fn halve(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> 
     0.5 * (from + to)
 }
 
-/// Both halves of a pass, in the order of their angles: what it cuts of stock.
+/// Both halves of a pass within the stock, in the order of their angles.
 fn pieces(curve: Curve, pass: Pass, stock: f64) -> impl Iterator<Item = Piece> {
     let halves = curve.branches(stock).into_iter().filter(|branch| !branch.is_empty());
     halves.flat_map(move |branch| [-1.0, 1.0].map(|hand| Piece { curve, branch, pass, normal: pass.normal, hand }))
 }
 
-/// The outline from the normal of side 0 once round.
+/// The outline over one turn, from the normal of side 0.
 pub(super) fn outline(setup: &CutterSetup, stock: f64) -> Option<Vec<Arc>> {
     let begin = setup.normal(0.0);
     let whole = Arc { from: begin, to: begin + 2.0 * PI, cut: None };
     if setup.is_even() { even(setup, whole, stock) } else { uneven(setup, whole, stock) }
 }
 
-/// Evenly spaced inserts on one circle: the half of one side, repeated.
+/// Outline for evenly spaced inserts on one circle: half of one side, mirrored and repeated.
 fn even(setup: &CutterSetup, whole: Arc, stock: f64) -> Option<Vec<Arc>> {
     let (sides, curve) = (setup.sides(), setup.curve(0)?);
     let pitch = 2.0 * PI / f64::from(sides);
     let pass = Pass { insert: 0, side: 0, normal: whole.from };
-    // Away from the normal up to the corner, where the next side begins.
+    // From the normal to the corner, where the next side begins.
     let mut half = vec![Arc { from: whole.from, to: whole.from + 0.5 * pitch, cut: None }];
     for piece in pieces(curve, pass, stock).filter(|piece| piece.hand > 0.0) {
         half = lower(half, piece.arc(), stock);
@@ -156,12 +156,12 @@ fn cutters(setup: &CutterSetup) -> Vec<usize> {
     owner
 }
 
-/// Inserts that are not all in their places: the passes one after another.
+/// Outline for inserts off their places: all passes in turn.
 fn uneven(setup: &CutterSetup, whole: Arc, stock: f64) -> Option<Vec<Arc>> {
     let mut arcs = vec![whole];
     for pass in setup.passes() {
         for piece in pieces(setup.curve(pass.insert)?, pass, stock) {
-            // Into the turn that the outline counts, and over its end where the piece reaches over it.
+            // Reduced to the outline's turn, with copies one turn before and after for pieces across its ends.
             let turns = ((pass.normal - whole.from) / (2.0 * PI)).floor();
             for turn in [-1.0, 0.0, 1.0] {
                 let new = piece.moved((turn - turns) * 2.0 * PI).arc();

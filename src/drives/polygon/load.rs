@@ -1,19 +1,19 @@
-//! Interrupted cut of a pass: depth of the layer that an insert meets, and the levers of its force about work and tool.
+//! Interrupted cut of a pass: depth of the layer at an insert, and the levers of its force about work and tool.
 
 use super::curve::Curve;
 use super::ratio::Ratio;
 use crate::math::{self, PI};
 
-/// Depth of the layer times the lever of the cutting force about an axis, mm²: times a force per mm of depth it is a torque.
+/// Depth of the layer times the lever of the cutting force about an axis, mm². Times a force per mm of depth it is a torque.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Moment {
-    /// Greatest of all moments of the pass, all inserts in the cut together.
+    /// Greatest moment of the pass, the sum over all inserts in the cut.
     pub peak: f64,
     /// Mean over a turn of the tool.
     pub mean: f64,
 }
 
-/// What a pass asks of work and tool for each newton of force per mm of depth.
+/// Load of a pass on work and tool per newton of force per mm of depth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PassLoad {
     /// Moment about the axis of the work.
@@ -22,9 +22,9 @@ pub struct PassLoad {
     pub tool: Moment,
     /// Greatest depth of the layer across the motion of the tip, mm.
     pub depth: f64,
-    /// Inserts in the cut at once, at most.
+    /// Greatest number of inserts in the cut at once.
     pub at_once: u32,
-    /// Inserts in the cut on average: less than 1 where the cut is interrupted.
+    /// Mean number of inserts in the cut: less than 1 for an interrupted cut.
     pub engaged: f64,
 }
 
@@ -33,9 +33,9 @@ const INTERVALS: u32 = 48;
 
 /// The load of every pass of the slide, each to its distance across flats, the first one into round stock of a radius; tips at `radius`.
 ///
-/// The layer at an angle of the work is as deep as the surface that the pass before left is higher, `a_p = (ρ_before - ρ) cos ψ`, ψ between
-/// the motion of the tip and the circle about the work. Inserts `2π/n` apart on the tool, each in the cut from -σ to σ: at most
-/// `1 + ⌊n σ / π⌋` at once. The mean is over the part of the pass up to half of the pitch, since beyond it the neighbour cuts.
+/// The depth of the layer at an angle of the work is the height left by the preceding pass, `a_p = (ρ_before - ρ) cos ψ`, with ψ between
+/// the motion of the tip and the circle about the work. Inserts are `2π/n` apart on the tool, each in the cut from -σ to σ, so at most `1 +
+/// ⌊n σ / π⌋` at once. The mean is over the pass up to half of the pitch; beyond it the neighbour cuts.
 pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, inserts: u32, stock: f64) -> impl Iterator<Item = PassLoad> {
     let curve = move |size: f64| Curve::new(0.5 * size + radius, radius, ratio.value());
     let pitch = 2.0 * PI / f64::from(ratio.sides(inserts).max(1));
@@ -47,10 +47,11 @@ pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, inserts: u32, stock: f64
 }
 
 impl Curve {
-    /// Levers in mm of the cutting force about the work and about the tool, where the tip is at σ: with `m = (k - 1) r` and
-    /// `V = √(a² + m² + 2 a m cos σ)`, `l_w = [a (a + (m - r) cos σ) - r m] / V`, `l_t = r (m + a cos σ) / V`. At σ = 0 they are a - r and r.
+    /// Levers in mm of the cutting force about the work and about the tool, with the tip at σ, `m = (k - 1) r` and `V = √(a² + m² + 2 a m
+    /// cos σ)`: `l_w = [a (a + (m - r) cos σ) - r m] / V`, `l_t = r (m + a cos σ) / V`. At σ = 0 they are a - r and r.
     ///
-    /// The force is against the motion of the tip over the work, so that `l_w + k l_t = V` (power of both axes). Source: polygon turning facts 3.9.
+    /// The force is opposite to the motion of the tip over the work, so `l_w + k l_t = V` (power of both axes). Source: polygon turning
+    /// facts 3.9.
     pub fn levers(&self, sigma: f64) -> (f64, f64) {
         let (sin, cos) = math::sin_cos(sigma);
         let (a, r) = (self.distance(), self.radius());
@@ -74,7 +75,7 @@ impl Curve {
             }
             _ => stock,
         };
-        // Ends and middles of the intervals: the peak is of all, the mean of the middles, for the layer may end at once.
+        // Ends and middles of the intervals: the peak is over all, the mean over the middles, because the layer may end abruptly.
         let step = 0.5 * last / f64::from(INTERVALS);
         let (mut peak, mut sum, mut depth) = ((0.0_f64, 0.0_f64), (0.0, 0.0), 0.0_f64);
         for at in 0..=2 * INTERVALS {

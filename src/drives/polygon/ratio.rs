@@ -1,6 +1,6 @@
-//! The ratio of tool to work speed as two integers, and how many sides it turns.
+//! Ratio of tool to work speed as two integers, and its number of sides.
 
-/// Turns of the tool to turns of the work, in lowest terms. A negative ratio turns the two against each other, both seen from one side.
+/// Turns of the tool to turns of the work, in lowest terms. A negative ratio means opposite directions, seen from one side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ratio {
     tool: i32,
@@ -11,7 +11,7 @@ pub struct Ratio {
 const MOST: u32 = 9999;
 
 impl Ratio {
-    /// The ratio of two integers of either sign, each up to 9999; none where one of them is 0.
+    /// The ratio of two integers of either sign, each up to 9999; `None` if one of them is 0 or larger.
     pub fn new(tool: i32, work: i32) -> Option<Ratio> {
         let terms = 1..=MOST;
         if !terms.contains(&tool.unsigned_abs()) || !terms.contains(&work.unsigned_abs()) {
@@ -21,28 +21,28 @@ impl Ratio {
         Some(Ratio { tool: tool / common, work: work / common })
     }
 
-    /// Turns of the tool in which the pattern closes; it has the sign of the ratio.
+    /// Turns of the tool until the pattern closes, with the sign of the ratio.
     pub fn tool(self) -> i32 {
         self.tool
     }
 
-    /// Turns of the work in which the pattern closes, 1 or more.
+    /// Turns of the work until the pattern closes, at least 1.
     pub fn work(self) -> i32 {
         self.work
     }
 
-    /// k, the tool's speed over the work's.
+    /// Tool speed over work speed, k.
     pub fn value(self) -> f64 {
         f64::from(self.tool) / f64::from(self.work)
     }
 
-    /// The sides that evenly spaced inserts turn: `N = n |p| / gcd(n, q)` for k = p/q, of either sign. Source: polygon turning facts 3.2.
+    /// Number of sides with evenly spaced inserts: `N = n |p| / gcd(n, q)` for k = p/q, of either sign. Source: polygon turning facts 3.2.
     pub fn sides(self, inserts: u32) -> u32 {
         (inserts / gcd(inserts, self.work.unsigned_abs()).max(1)).saturating_mul(self.tool.unsigned_abs())
     }
 
-    /// The ratio that turns so many sides with so many inserts where the pattern closes in `work` turns of the work: there is one at most,
-    /// `|p| = N gcd(n, q) / n`, and its negative.
+    /// The ratio for a number of sides and of inserts with a pattern that closes in `work` turns of the work. There is at most one, `|p| =
+    /// N gcd(n, q) / n`, and its negative.
     pub fn for_sides(sides: u32, inserts: u32, work: u32) -> Option<Ratio> {
         let tool = u64::from(sides) * u64::from(gcd(inserts, work));
         let tool = tool.checked_div(u64::from(inserts)).and_then(|turns| i32::try_from(turns).ok())?;
@@ -50,8 +50,8 @@ impl Ratio {
         (ratio.work.unsigned_abs() == work && ratio.sides(inserts) == sides).then_some(ratio)
     }
 
-    /// How often a side is cut in one turn of the work: `gcd(n, q) / q`. The marks of the feed on a flat are the feed per turn over it
-    /// apart. Source: polygon turning facts 3.2.
+    /// Cuts of a side per turn of the work: `gcd(n, q) / q`. The distance of the feed marks on a flat is the feed per turn divided by it.
+    /// Source: polygon turning facts 3.2.
     pub fn passes_per_turn(self, inserts: u32) -> f64 {
         f64::from(gcd(inserts, self.work.unsigned_abs())) / f64::from(self.work)
     }

@@ -1,10 +1,10 @@
-//! What is left of the stock when all inserts have passed: the exact section, and what there is to measure on it.
+//! Remainder of the stock after all inserts have passed: the exact section, and its measures.
 
 use super::envelope::{self, Arc, Piece, halve};
 use super::setup::CutterSetup;
 use crate::math::{self, PI};
 
-/// A section of the work in mm: the stock less all that the tips have passed. What the body of an insert may cut beside its tip is not in it.
+/// A section of the work in mm: the stock minus the paths of all tips. Material cut by the body of an insert beside its tip is not removed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
     stock: f64,
@@ -15,18 +15,18 @@ pub struct Section {
     arcs: Vec<Arc>,
 }
 
-/// A side against the ideal plane it is meant to be. Deviations are positive outside of the plane.
+/// A side compared with its ideal plane. Deviations are positive outside of the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Side {
-    /// Angle of its normal as it is meant to be.
+    /// Nominal angle of its normal.
     pub normal: f64,
-    /// Angle of the deepest pass from it.
+    /// Angle of the deepest pass from the nominal normal.
     pub turned: f64,
     /// Deviation on the normal.
     pub middle: f64,
-    /// Least deviation of what was cut.
+    /// Least deviation of the cut surface.
     pub low: f64,
-    /// Greatest deviation of what was cut.
+    /// Greatest deviation of the cut surface.
     pub high: f64,
 }
 
@@ -37,23 +37,23 @@ impl Side {
     }
 }
 
-/// What is between two sides.
+/// The corner between two sides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
-    /// Its angle; the middle of it where it is of the stock.
+    /// Angle of the corner; of its middle if it is stock.
     pub angle: f64,
     /// Distance from the centre.
     pub radius: f64,
-    /// Whether the two sides meet; else stock is left between them.
+    /// Whether the two sides meet; otherwise stock is left between them.
     pub meets: bool,
 }
 
-/// The most sides of a section, and the most passes.
+/// Maximum number of sides of a section, and of passes.
 pub const MOST_SIDES: u32 = 1000;
 
 impl Section {
-    /// The section that a cutter leaves of round stock of a radius. None where a tip reaches the centre of the work, or where there
-    /// are more than [`MOST_SIDES`] sides or passes.
+    /// The section that a cutter leaves of round stock of a radius. `None` if a tip reaches the centre of the work, or with more than
+    /// [`MOST_SIDES`] sides or passes.
     pub fn new(setup: &CutterSetup, stock: f64) -> Option<Section> {
         let sides = setup.sides();
         let passes = setup.inserts().saturating_mul(setup.ratio.tool().unsigned_abs());
@@ -86,7 +86,7 @@ impl Section {
         2.0 * PI / f64::from(self.sides)
     }
 
-    /// Where on the outline an angle is, from the first normal.
+    /// Reduces an angle to the outline's turn, from the first normal.
     fn place(&self, angle: f64) -> f64 {
         let turns = (angle - self.begin) / (2.0 * PI);
         self.begin + 2.0 * PI * (turns - turns.floor())
@@ -99,10 +99,10 @@ impl Section {
         self.arcs.get(arc).map_or(self.stock, |arc| arc.radius(self.stock, angle))
     }
 
-    /// The distances at `count` angles, evenly from the first normal once round.
+    /// Distances of the outline from the centre at `count` even angles over one turn, from the first normal.
     pub fn radii(&self, count: usize) -> Vec<f64> {
         let sides = self.sides as usize;
-        // A side that is repeated is computed once, and of it the half that is mirrored.
+        // For equal sides, half of one side is computed, mirrored and repeated.
         if self.even && count.is_multiple_of(sides) {
             let each = count / sides;
             let half = self.walk(count, each / 2 + 1);
@@ -123,7 +123,7 @@ impl Section {
                 at += 1;
             }
             radii.push(match self.arcs.get(at).and_then(|arc| arc.cut) {
-                // The next σ is about as far from the last one as that is from the one before.
+                // Guess for the next σ: the same step as the last one.
                 Some(piece) => {
                     (before, last) = (last, piece.sigma(angle, 2.0 * last - before));
                     piece.curve.reach(last)
@@ -134,7 +134,7 @@ impl Section {
         radii
     }
 
-    /// A point of the outline at a part of an arc, 0 to 1, evenly in the tool's angle.
+    /// A point of the outline at a fraction of an arc, 0 to 1, linear in the tool angle.
     fn on(&self, arc: &Arc, part: f64) -> (f64, f64) {
         let (angle, radius) = match arc.cut {
             Some(piece) => {
@@ -148,7 +148,7 @@ impl Section {
         (radius * cos, radius * sin)
     }
 
-    /// The outline as points once round: `each` steps along every arc, evenly in the tool's angle. Where the radius jumps, both ends of the jump.
+    /// The outline as points over one turn: `each` steps along every arc, linear in the tool angle. A jump of the radius has two points.
     pub fn points(&self, each: u32) -> Vec<(f64, f64)> {
         let each = each.max(1);
         let mut points: Vec<(f64, f64)> = Vec::with_capacity(self.arcs.len() * (each as usize + 1));
@@ -163,8 +163,8 @@ impl Section {
         points
     }
 
-    /// The outline as spans once round, counter-clockwise, each with its first, middle and last point in mm: `each` along what a tip has cut, two
-    /// along the stock. Where the radius jumps, a span ends before the next begins.
+    /// The outline as spans over one turn, counter-clockwise, each with its first, middle and last point in mm: `each` along a cut surface,
+    /// two along the stock. At a jump of the radius there is a gap between two spans.
     pub fn spans(&self, each: u32) -> Vec<[(f64, f64); 3]> {
         let of = |arc: &Arc| {
             let count = if arc.cut.is_some() { each.max(1) } else { 2 };
@@ -213,8 +213,7 @@ impl Section {
         corners
     }
 
-    /// A side, counter-clockwise from the first. One of which nothing is left, or that others have cut away, is as far out as the section is on
-    /// its normal.
+    /// A side, counter-clockwise from the first. A side cut away completely has the distance of the section on its normal.
     pub fn side(&self, index: usize) -> Option<Side> {
         if index >= self.sides as usize {
             return None;
@@ -260,7 +259,7 @@ impl Section {
         let mut at = from;
         for i in 1..=STEPS {
             let next = from + (to - from) * f64::from(i) / f64::from(STEPS);
-            // At the normal itself the curve neither rises nor falls: look a little beside it.
+            // At the normal itself the slope is 0, so the direction is tested slightly beside it.
             let before = rises(at + 1e-6 * (next - at));
             if before != rises(next - 1e-6 * (next - at)) {
                 let turns = off(halve(at, next, |sigma| rises(sigma) == before));
@@ -271,13 +270,13 @@ impl Section {
         (low, high)
     }
 
-    /// Distances over opposite sides as a micrometer measures them, the least and the greatest; twice the distance of a side from the centre where
-    /// the number of sides is odd.
+    /// Distance over opposite sides as measured by a micrometer, least and greatest; for an odd number of sides, twice the distance of a
+    /// side from the centre.
     pub fn across_flats(&self) -> (f64, f64) {
         across(&self.sides().iter().map(|side| self.apothem + side.high).collect::<Vec<f64>>())
     }
 
-    /// Distances over opposite corners, the least and the greatest; twice the radius of a corner where the number of sides is odd.
+    /// Distance over opposite corners, least and greatest; for an odd number of sides, twice the radius of a corner.
     pub fn across_corners(&self) -> (f64, f64) {
         across(&self.corners().iter().map(|corner| corner.radius).collect::<Vec<f64>>())
     }
@@ -289,10 +288,10 @@ fn ends(arc: &Arc, piece: &Piece) -> (f64, f64) {
     (piece.sigma(arc.from, guess), piece.sigma(arc.to, guess))
 }
 
-/// Points nearer to each other in mm are one.
+/// Points nearer to each other (mm) are equal.
 const NOTHING: f64 = 1e-9;
 
-/// In how many steps an arc is searched for places where its deviation turns; it has one at most where the ratio is a usual one.
+/// Number of steps in the search of an arc for extremes of its deviation; at usual ratios an arc has one at most.
 const STEPS: u32 = 16;
 
 /// Least and greatest distance of opposite sides.
