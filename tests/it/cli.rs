@@ -370,7 +370,7 @@ fn run_json_reports_gear_angle_and_speed_limits() {
         near(&out["spindle"]["rpm"], rpm, 1e-9);
         near(&out["spindle"]["volts_command"], 10.0 * rpm / 2000.0, 1e-9);
         assert_eq!((&out["spindle"]["gear"], &out["spindle"]["angle_deg"]), (&json!(2), &json!(null)));
-        // The standard ladder takes its time: 5 s, the gear, 5 s.
+        // Times of the standard ladder: 5 s, the gear, 5 s.
         assert!(out["time_s"].as_f64().unwrap() > 15.0);
     }
 }
@@ -501,7 +501,7 @@ fn last_command_is_logged_once() {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     let (_, out, _) = step(&args, "continue\ninto\nover\n");
     assert_eq!((out.matches("gives end").count(), out.matches("the program is over").count()), (1, 3), "{out}");
-    // From an earlier block on it is news again.
+    // Reached again from an earlier block, it is reported again.
     let (_, out, _) = step(&args, "continue\nback\ncontinue\n");
     assert_eq!(out.matches("gives end").count(), 2, "{out}");
 }
@@ -525,7 +525,7 @@ fn stopped_run_omits_the_warning_that_foresaw_it() {
         ("#2=5/#1", "lint.zero-divisor", "P283"),
         ("G01 X1. F0", "lint.feed-zero-digit", "P62"),
     ] {
-        // The warning stays where the run does not reach it.
+        // The warning stays if the run does not reach its block.
         for (jump, told) in [("", json!([alarm])), ("#3=1\nIF[#3 EQ 1]GOTO9", json!([null]))] {
             std::fs::write(&path, format!("%\nO1\n#1=0\n{jump}\n{block}\nN9 M30\n%\n")).unwrap();
             let out = run(&[&path, "--control", "mitsubishi-e60"], i32::from(jump.is_empty()));

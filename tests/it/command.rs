@@ -1,4 +1,4 @@
-//! The command line as tests run it: in English, whatever the language of the machine.
+//! The command line for tests: in English, whatever the language of the machine.
 
 use std::process::Command;
 
@@ -10,7 +10,7 @@ pub(crate) fn macroline() -> Command {
     in_english(MACROLINE)
 }
 
-/// A call of a program that takes the locale for English.
+/// A call of a program with an English locale.
 pub(crate) fn in_english(program: &str) -> Command {
     let mut command = Command::new(program);
     command.env("LC_ALL", "C").env("LANGUAGE", "");

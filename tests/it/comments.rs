@@ -1,4 +1,4 @@
-//! Comments of programs in English and Chinese, and the bytes that carry them to a control.
+//! Comments of programs in English and Chinese, and their bytes in the control's encoding.
 
 use std::collections::BTreeSet;
 

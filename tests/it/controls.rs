@@ -21,7 +21,7 @@ fn knd() -> &'static Control {
     find("knd-k2000t").unwrap()
 }
 
-/// Every citation of a control, with the row that it belongs to.
+/// Every citation of a control, with its row.
 fn citations(control: &'static Control) -> Vec<(String, Citation)> {
     let mut all = vec![
         ("syntax".to_owned(), control.syntax.cite),

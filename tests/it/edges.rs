@@ -205,7 +205,7 @@ fn closed_and_full_outputs_end_without_a_panic() {
         let silent = shell(&format!("\"$0\" {command} 2> /dev/full > /dev/null"), text(&project));
         assert!(matches!(silent.status.code(), Some(0 | 1)), "{command}");
     }
-    // The files of the export are whole, whatever became of their list.
+    // The files of the export are whole although their list could not be printed.
     assert!(contents(&out).iter().any(|(name, text)| name == "O9100.nc" && text.ends_with("%\n")));
 }
 
@@ -320,7 +320,7 @@ fn error_in_a_branch_never_taken_is_no_failure() {
         assert!(told.contains("warning[P") && told.contains("did not come to this block"), "{told}");
         let (code, told) = status(&format!("%\nO1\n{block}\nN10M30\n%\n"));
         assert_eq!(code, Some(1), "{told}");
-        // Checked alone it is an error.
+        // Checked without a run it is an error.
         assert_eq!(macroline(&["check", text(&path), "--control", "mitsubishi-e60"]).status.code(), Some(1));
     }
 }

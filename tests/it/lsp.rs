@@ -119,7 +119,7 @@ fn definition_and_references_lead_to_other_open_files() {
     assert_eq!(places, [(main, 1), (main, 2), (part, 1)]);
     let here = client.at("textDocument/documentHighlight", main, 1, 2);
     assert_eq!(here.as_array().unwrap().iter().map(|row| row["kind"].as_u64().unwrap()).collect::<Vec<_>>(), [3, 2]);
-    // Closed, it is a program of the folder no more.
+    // A closed file is no longer a program of the folder.
     client.close(part);
     assert_eq!(client.at("textDocument/definition", main, 2, 6), Json::Null);
     client.end();
@@ -195,7 +195,7 @@ fn control_is_that_of_the_folder_or_of_the_settings() {
     let mut client = Client::start(&[]);
     client.open(&uri, text);
     assert!(lathe(&mut client, &uri));
-    // Elsewhere nothing tells the control: the one remark says how to.
+    // In another folder no file names the control: the one remark says how to.
     let other = "file:///nowhere/O1.nc";
     let found = client.open(other, text);
     assert!(found[0]["message"].as_str().unwrap().contains("--control") && found[1] == Json::Null, "{found}");
@@ -206,7 +206,7 @@ fn control_is_that_of_the_folder_or_of_the_settings() {
     client.tell("workspace/didChangeConfiguration", json!({ "settings": { "macroline": { "control": "nothing" } } }));
     assert!(client.next("window/showMessage")["message"].as_str().unwrap().contains("nothing"));
     client.end();
-    // A program that macroline wrote tells it itself.
+    // A program that macroline wrote names its control itself.
     let written =
         std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/machines/turning-spindle/gsk-980tdc"));
     let program = written.unwrap().map(|entry| entry.unwrap().path()).find(|path| {

@@ -90,7 +90,7 @@ fn series(x: f64) -> (Long, Long) {
     }
 }
 
-/// How many steps between neighbouring doubles a number lies off.
+/// Error of a number in steps between neighbouring doubles.
 fn steps(x: f64, is: Long) -> f64 {
     ((x - is.0) - is.1).abs() / (is.0.abs().next_up() - is.0.abs())
 }

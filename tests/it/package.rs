@@ -71,7 +71,7 @@ fn export_has_the_files_of_the_command_line() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
-/// A session, its first stop, and what commands answer.
+/// A session, its first stop, and the answers to commands.
 fn stepped(commands: &[Json]) -> (Json, Vec<Json>) {
     let (steps, first) = StepAnswers::new(&json!({ "subject": programs() }).to_string());
     let mut steps = steps.unwrap();

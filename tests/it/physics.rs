@@ -152,7 +152,7 @@ fn close(found: f64, wanted: f64, relative: f64) {
     assert!(off <= relative * wanted.abs().max(1e-9), "found {found}, wanted {wanted}, off {off:e}");
 }
 
-/// First time at which something holds, to a microsecond, looking every millisecond.
+/// First time (s) at which a condition holds, to a microsecond, sampled every millisecond.
 #[track_caller]
 fn first(planner: &Planner<Script>, from: f64, holds: impl Fn(&Snapshot) -> bool) -> f64 {
     let end = planner.timeline().end() + 10.0;

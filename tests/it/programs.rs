@@ -48,7 +48,7 @@ fn settings(source: &str) -> Vec<(&str, &str)> {
     settings.collect()
 }
 
-/// A fixture, with the switches that it sets.
+/// Interpreter of a fixture, with the switches that the fixture sets.
 fn start_fixture(control: &'static Control, source: &str) -> Interp {
     let settings = settings(source);
     for (id, value) in &settings {

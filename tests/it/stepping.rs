@@ -1,4 +1,4 @@
-//! Stepping through programs: commands in, answers out, and a walk that is the run itself.
+//! Stepping through programs: commands and their answers; the stepped run equals the run itself.
 
 mod values;
 mod walks;
@@ -138,7 +138,7 @@ fn arrive(debugger: &mut Debugger, points: &mut Breakpoints) -> Stop {
 /// The ribbon line with an operator who turns a knob, holds and starts again, planned for a time.
 fn ribbon(seconds: f64) -> Run {
     let mut project = Project::named("ribbon-line", None, Some("paper")).unwrap();
-    // After the hold the axes wait as long as behind M3.
+    // After the hold the axes wait as long as after M3.
     project.values.insert("dwell".to_owned(), Value::Number(0.2));
     for (t, action) in [(0.4, Action::SpindleOverride(60.0)), (0.9, Action::Hold), (1.3, Action::Start)] {
         project.panel.add(Event { t, action });
@@ -193,7 +193,7 @@ fn stepping_back_restores_the_state() {
     let look = |debugger: &Debugger| {
         let values = ["#100", "#105", "#115", "#5021", "#3001"].map(|text| debugger.evaluate(text));
         let levels = debugger.levels();
-        // Vacant is no number, so all of it is compared as text.
+        // A vacant value is not equal to itself, so the state is compared as text.
         format!("{:?}", (debugger.t(), debugger.place(), debugger.executing(), levels, debugger.changes(), values))
     };
     let mut been = Vec::new();
@@ -249,7 +249,7 @@ fn expression_errors_have_no_place_in_the_program() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
 
-    /// Whatever is typed, there is an answer.
+    /// Any input gets an answer.
     #[test]
     fn any_console_line_gets_an_answer(lines in prop::collection::vec("(into|over|out|to|break|watch|print|set|back|start|c|clear|on)?[ #\\[\\]NOI0-9A-Z+*/.=-]{0,12}", 1..20)) {
         let files = Files::one("a.nc", CALLS);

@@ -19,7 +19,7 @@ use source::{Source, TokenKind};
 const ORDER: [&str; 11] =
     ["math", "text", "drives", "controls", "nc", "interp", "motion", "view", "machines", "project", "ui"];
 
-/// Fails with every place that breaks a law, and with what to do about it.
+/// Fails with every place that breaks a law, and with the way to mend it.
 #[track_caller]
 fn hold(law: &str, mend: &str, broken: Vec<String>) {
     assert!(broken.is_empty(), "\n{law}\nTo mend: {mend}\n  {}\n", broken.join("\n  "));

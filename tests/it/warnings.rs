@@ -90,7 +90,7 @@ fn feed_of_the_other_unit_is_a_warning() {
     GSK.quiet(&slow.replace("T0101", "G99 T0101"));
     GSK.quiet(&slow.replace("F.2", "F100"));
     fast.quiet("O1\nM03 S800\nG01 Z-20. F0.2\nM30");
-    // A lead is per revolution whatever is in force.
+    // A lead is always per revolution.
     GSK.quiet("O1\nM03 S800\nG32 Z-20. F1.5\nM30");
 }
 
@@ -663,12 +663,12 @@ fn duplicate_sequence_numbers_are_a_warning() {
         5:1 “N5” warning lint.number-twice
             N5 is there twice, here and in line 4: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
     "#]]);
-    // By a calculated number it may be meant.
+    // A jump to a calculated number may lead to the duplicate.
     GSK.check("O1\n#100=#1033\nGOTO#100\nN7 M5\nN7 M30", expect![[r#"
         6:1 “N7” warning lint.number-twice
             N7 is there twice, here and in line 5: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
     "#]]);
-    // Nothing jumps to it; each program has its own.
+    // No jump to the number; numbers of different programs.
     E60.quiet("O1\nN5 G00 X1.\nN5 G00 X2.\nM30");
     E60.quiet("O1\nGOTO5\nN5 M98 P2\nM30\nO2\nGOTO5\nN5 M99");
 }

@@ -1,6 +1,6 @@
 //! Choices made from bytes: few bytes make a small program, other bytes another one.
 
-/// Bytes that are thrown one after the other; when none are left, every throw is 0.
+/// Dice from bytes, one for each throw; without bytes left, every throw is 0.
 pub(crate) struct Dice<'a>(pub(crate) &'a [u8]);
 
 impl Dice<'_> {

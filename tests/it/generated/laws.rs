@@ -101,7 +101,7 @@ fn written(parsed: &Parsed) {
     assert!(refused || read.deck().same_as(&low), "{old}\nis written\n{}\n{:?}", anew.concat(), read.diagnostics());
 }
 
-/// A machine that answers anything.
+/// A machine with arbitrary answers.
 struct AnyWorld<'a>(Dice<'a>);
 
 impl AnyWorld<'_> {
@@ -140,7 +140,7 @@ impl World for AnyWorld<'_> {
 const STEPS: u32 = 2000;
 const BLOCKS: u64 = 300;
 
-/// Running: it ends or goes on block by block, and all that it commands are numbers.
+/// Law of running: the run ends or goes on block by block, and all commands are finite numbers.
 pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
     let parsed = Rc::new(nc::parse(&Files::one("O1.nc", text), control));
     let mut interp = Interp::new(Rc::clone(&parsed), StartProgram::First);

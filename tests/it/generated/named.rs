@@ -188,7 +188,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A block as it may be written.
+    /// Writes a block in one of its possible spellings.
     fn line(&mut self, text: &str) {
         self.blocks += 1;
         if self.dice.rarely(8) {

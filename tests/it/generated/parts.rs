@@ -11,7 +11,7 @@ pub(crate) struct Arc {
     pub(crate) axes: [(Address, i32, i32); 2],
     pub(crate) clockwise: bool,
     pub(crate) radius: i32,
-    /// Quarters of the circle, 0 for all of it.
+    /// Quarters of the circle, 0 for the full circle.
     pub(crate) quarters: usize,
 }
 
@@ -58,7 +58,7 @@ pub(crate) fn center(axis: Address) -> Address {
     }
 }
 
-/// A modal code, with the feed that it asks for.
+/// A modal code, with the feed word that it needs.
 pub(crate) fn mode(dice: &mut Dice) -> (Code, &'static str) {
     use Code::{
         Absolute, Cutting, ExactStop, FeedPerMinute, FeedPerRevolution, Inch, Incremental, Metric, PlaneXy, PlaneZx,

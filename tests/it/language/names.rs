@@ -94,7 +94,7 @@ fn program_names_outside_the_rules_are_errors() {
         let deck = parsed.deck();
         deck.programs.iter().map(|row| (deck.text(row.name).to_owned(), row.sub, row.number)).collect()
     };
-    // Without a head the file tells.
+    // Without a head the name of the file counts.
     assert_eq!(heads("M17\n"), [("L12".to_owned(), true, 12)]);
     let text = "%_N_KEY_MPF\nM30\n%_N_L0012_SPF\nM17\n%MPF3\nM30\n%L7\nM17\n%spf9\nM17\n";
     let named = [("KEY", false, 0), ("L0012", true, 0), ("MPF3", false, 3), ("L7", true, 7), ("SPF9", true, 9)];
@@ -400,7 +400,7 @@ fn letter_o_in_m30_is_one_finding() {
         let parsed = read_on(control(), &format!("G0 X1\n{end}\n"));
         let said: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
         match mended {
-            // No end of a program, whatever is mended.
+            // The program has no end, whatever fix is made.
             "M107" => assert_eq!(said, ["nc.no-program-end", "nc.letter-o"]),
             _ => assert_eq!(said, ["nc.letter-o"], "{end}"),
         }

@@ -56,7 +56,7 @@ impl Client {
         self.introduce_with(json!({}));
     }
 
-    /// Introduces a client that says more about itself.
+    /// Initializes the session with further parameters.
     pub(super) fn introduce_with(&mut self, more: Json) {
         let mut about = json!({ "processId": null, "rootUri": null, "capabilities": {} });
         about.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
@@ -184,7 +184,7 @@ impl Client {
         assert_eq!(self.diagnostics(uri), json!([]));
     }
 
-    /// Ends the session as the protocol has it.
+    /// Ends the session as the protocol requires.
     #[track_caller]
     pub(super) fn end(mut self) {
         assert_eq!(self.ask("shutdown", Json::Null), Json::Null);

@@ -29,7 +29,7 @@ impl Samples for Still {
 
 pub(super) const FRAME: Frame = Frame { step: 0.001, option: false };
 
-/// At rest, and with figures as long as they come.
+/// At rest, and with the longest figures.
 fn moments() -> [Snapshot; 2] {
     let mut far = Snapshot { t: 3.3, ..Snapshot::default() };
     for axis in &mut far.axes {

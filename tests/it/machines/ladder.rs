@@ -139,7 +139,7 @@ fn every_instruction_is_one_of_the_plc() {
     }
 }
 
-/// Scans a ladder until it rests.
+/// Scans a ladder until it settles.
 fn settle(ladder: &Ladder, image: &mut Image, t: f64) {
     (0..12).for_each(|_| ladder.scan(t, image));
 }

@@ -111,7 +111,7 @@ fn run_tells_speed_and_angle_of_work_and_tool() {
     // Other machines have no such axes.
     let ribbon = Project::of("ribbon-line", None).unwrap();
     assert!(ribbon.prepared().turned_axes().is_empty() && machines::find("ribbon-line").is_some());
-    // The command says the same.
+    // The command line prints the same.
     let folder = std::env::temp_dir().join(format!("macroline-turned-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let file = folder.join("lathe.json");

@@ -141,7 +141,7 @@ fn feed_that_the_drive_holds_is_offered_to_the_last_digit() {
     // 9549.3 · 5.5 · 0.9 / 1500 Nm up to base speed, and 250 % of it for a moment.
     near(torque.limit.unwrap().value(), 9549.3 * 5.5 * 0.9 / 1500.0 * 2.5, 1e-4);
     assert_eq!(torque.verdict, Verdict::Fail);
-    // The last pass takes nothing: its feed stays.
+    // The last pass cuts nothing: its feed stays.
     let [("feed", feed)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
     let after = square.with_entries(&torque.advice[0].sets).unwrap();
     assert_eq!(row(&after, "tool-torque").verdict, Verdict::Ok);

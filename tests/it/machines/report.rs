@@ -206,7 +206,7 @@ fn printed_ladder_ends_a_sheet_between_two_rungs() {
         let figure = of_class(&page, "sketch rungs")[0];
         let drawings: Vec<Node> = figure.children().filter(|node| node.attribute("class") == Some("ladder")).collect();
         assert!(rungs > 5 && drawings.len() == rungs, "{}: {}", machine.id(), drawings.len());
-        // One below the other they are the whole.
+        // The parts, one below the other, are the whole drawing.
         let view = |node: &Node| -> Vec<f64> {
             node.attribute("viewBox").unwrap().split(' ').map(|number| number.parse().unwrap()).collect()
         };

@@ -427,12 +427,12 @@ fn listing_calculated_before_its_loop_reaches_its_speed() {
             near(variable, figure, 1e-3);
         }
     }
-    // The verdict says it before, and what would do.
+    // The verdict reports it before the run, with a remedy.
     let verdict = |variant: &str| {
         let design = machine().prepare(&values(&[("variant", variant), ("pi", "3.14")]), on()).results();
         design.readouts.into_iter().find(|row| row.id == "block-time").unwrap()
     };
-    // Turning the knob calculates again, which takes longer than a pitch.
+    // A turn of the knob starts the calculation again, which takes longer than a pitch.
     assert_eq!(verdict("precomputed").verdict, Verdict::Warn);
     let starved = verdict("published");
     assert_eq!(starved.verdict, Verdict::Fail);
@@ -585,7 +585,7 @@ fn s_changed_during_the_run_is_commanded_again() {
     near(now.axes[0].feed, 900.0 * 12.566370614, 0.3);
 }
 
-/// Any value that a field takes; numbers evenly over their orders of magnitude.
+/// Any valid value of a field; numbers evenly over their orders of magnitude.
 fn any_value(field: FieldInfo) -> BoxedStrategy<(String, Value)> {
     let id = field.id.to_owned();
     let value = match field.kind {

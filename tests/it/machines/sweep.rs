@@ -105,7 +105,7 @@ fn english(message: &Message) -> String {
     sentence(message)
 }
 
-/// A sentence with a number that is none, or that asks for nothing.
+/// Whether a sentence has a number with an exponent, one that is not finite, or a limit of 0 r/min or 0 m/min.
 fn is_absurd(text: &str) -> bool {
     let exponent =
         text.as_bytes().windows(3).any(|at| at[0].is_ascii_digit() && at[1] == b'e' && at[2].is_ascii_digit());

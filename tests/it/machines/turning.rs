@@ -456,7 +456,7 @@ fn values_that_a_control_refuses_are_findings() {
         Error finished-diameter: Turned down to 0 mm nothing is left of the part: take a larger diameter.
     "#]]
     .assert_eq(&findings("sinumerik-802d", &[("path", "turning"), ("finished-diameter", "0")]));
-    // Less than S can say, where the spindle keeps one speed.
+    // A speed below 1 r/min, too low for S in whole numbers, with one speed for the whole cut.
     expect![[r#"
         Error cutting-speed: 0.2 m/min at the 80 mm of the stock is less than 1 r/min, which S in whole numbers makes S0: the spindle would stand. Take a higher cutting speed.
     "#]]

@@ -179,7 +179,7 @@ fn red(readouts: &[Readout]) -> BTreeSet<&'static str> {
     readouts.iter().filter(|row| row.verdict == Verdict::Fail).map(|row| row.label).collect()
 }
 
-/// Results that the notes behind an advice say it makes fail.
+/// Results that fail after an advice, by the notes after it.
 fn said_red(notes: &[Advice]) -> BTreeSet<&'static str> {
     let notes = notes.iter().take_while(|note| note.message.id == "advice.turns-red");
     notes

@@ -178,7 +178,7 @@ fn g50_s_takes_the_reference_point() {
     let [x, _, z, ..] = run.planner.reference_point().unwrap();
     assert_eq!((x, z), (60.0, 40.0));
     assert_eq!(blocks("G00 X60. Z40.").planner.reference_point(), None);
-    // Program zero return goes there.
+    // Target of the program zero return.
     for (setting, place) in [("reference-point", [60.0, 40.0]), ("work-zero", [60.0, 40.0]), ("nothing", [20.0, 5.0])] {
         let text = "O0001\nG00 X60. Z40.\nG50 S2000\nG00 U-40. W-35.\nM30\n%\n";
         let press = vec![event(20.0, Action::ProgramZeroReturn)];

@@ -104,7 +104,7 @@ fn limits_need_their_own_block() {
 }
 
 fn programmed_s_stays_under_limits() {
-    // Opened at the panel, the limit gives back the S of before.
+    // A limit raised at the panel restores the programmed S.
     let events = vec![event(4.0, Action::SpeedLimit(SpeedLimit::Upper, 3000.0))];
     let run = program_with(SIEMENS, &[], &text("S2000 M3\nG4 F1\nG26 S1200\nG4 F9"), events);
     near(run.at(3.0).spindle.command, 1200.0, 1e-9);

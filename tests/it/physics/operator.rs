@@ -11,7 +11,7 @@ fn unanswered_stop_ends_the_run_with_spindle_unchanged() {
     assert_eq!(end, RunEnd::Stop);
     assert_eq!(planner.timeline().at(t).mode, Mode::Stopped);
     assert!((planner.timeline().at(t).spindle.volts - 8.107).abs() < 0.0005);
-    // Answered at that very moment it goes on.
+    // Cycle start at that very moment continues the run.
     planner.event(at(t, Action::Start));
     assert_eq!(finish(&mut planner).1, RunEnd::ProgramEnd);
     assert_eq!(planner.timeline().at(ended_at(&planner)).axes[0].position, 20.0);

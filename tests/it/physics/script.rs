@@ -16,7 +16,7 @@ pub(super) enum Line {
     Input(u32, u32),
     /// A macro block: variable = variable + number.
     Add(u32, f64),
-    /// A macro block that goes to a line.
+    /// A macro block that jumps to a line.
     Goto(usize),
     /// A relative straight block, in increments; the feed is the value of a variable in mm/min.
     Step([i64; 2], u32),

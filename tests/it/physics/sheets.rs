@@ -346,7 +346,7 @@ fn cutting_at_an_angle_without_lock_is_a_finding() {
     assert_eq!(told(&[], "M2=3\nSPOS=0\nM81\nM2=5\nG1 X10 F100"), ["motion.no-driven-tool"]);
     // A tap in the work's own centre turns the spindle from its angle.
     assert_eq!(told(&[], "SPOS=0\nG331 Z-5 K1 S100\nG332 Z5 K1"), [""; 0]);
-    // The next angle wants its lock again.
+    // The next angle needs the lock again.
     assert_eq!(told(&[], "M2=3\nSPOS=0\nM81\nG1 X10 F100\nSPOS=90\nG1 X20"), ["motion.not-locked"]);
     let known = [("spindle-lock", "M81"), ("driven-tool", "M24")];
     assert_eq!(told(&known, "SPOS=0\nM80\nM24\nG1 X10 F100"), ["motion.not-locked"]);

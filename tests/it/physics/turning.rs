@@ -55,7 +55,7 @@ fn facing_time_matches_the_fact_sheet() {
         let now = planner.timeline().at(t);
         let diameter = 2.0 * now.axes[0].position;
         if diameter > 22.918312 * 1.0001 {
-            // 0.1 % is asked for.
+            // Required: 0.1 %.
             close(now.spindle.surface_speed.unwrap(), 180.0, 2e-4);
             close(diameter, surface_diameter(&cut, 180.0, t - begin), 2e-5);
             assert_eq!(now.spindle.bound, Bound::None);
@@ -89,7 +89,7 @@ fn any_straight_cut_matches_closed_forms() {
         let planner = run_on(&plant, vec![], lines);
         let cut = Cut { diameters: (from, to), length: math::hypot((to - from) / 2.0, along), feed: 0.3 };
         let time = begins(&planner, 6) - begins(&planner, 5);
-        // 0.01 % is asked for.
+        // Required: 0.01 %.
         close(time, cut.surface_time(speed, limits), 5e-5);
     }
 }

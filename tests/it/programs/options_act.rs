@@ -14,7 +14,7 @@ use macroline::text::{Citation, Grade};
 
 use super::{fixtures, log_of, settings, start_on};
 
-/// Switches that no program tells apart: control, switch, and why. An entry that a program does tell apart fails the test.
+/// Switches whose options no program distinguishes: control, switch, and reason. An entry that a program does distinguish fails the test.
 const UNTOLD: &[(&str, &str, &str)] = &[
     ("fanuc-0i-tf", "pmc-override", "no machine turns PMC axes on this control"),
     ("fanuc-0i-mf", "pmc-override", "no machine turns PMC axes on this control"),
@@ -184,7 +184,7 @@ fn programs(control: &Control, row: &Switch, fixtures: &[String]) -> Vec<(&'stat
     own.chain(machines).chain(set.map(|source| ("", source.clone()))).collect()
 }
 
-/// The pairs of options of a switch that no program tells apart.
+/// The pairs of options of a switch that no program distinguishes.
 fn alike(control: &'static Control, row: &Switch, fixtures: &[String]) -> Vec<String> {
     let pairs: Vec<(usize, usize)> = pairs(options(row, "").len()).collect();
     let mut told = vec![false; pairs.len()];

@@ -212,7 +212,7 @@ fn motor_of_a_lathe_is_billed_without_a_known_cut() {
     let entered = "as entered: rated power 7.5 kW, rated speed 1500 r/min, highest speed 1500 r/min, rotor 0.03 kg m²; to be chosen";
     let open = ("Inverter", "open, to be chosen with the motor".to_owned());
     assert_eq!(billed(&project, "Spindle"), [("Motor", entered.to_owned()), open.clone()]);
-    // Known, and no motor of the catalogue passes.
+    // The demand is known, and no motor of the catalogue passes.
     let heavy = Project::named("turning-spindle", None, Some("shaft")).unwrap();
     let heavy = heavy.with_entries(&[("cutting-force", "90000".to_owned())]).unwrap();
     assert!(heavy.prepared().inverter_drive().is_some() && sized(&heavy).axes[0].least().is_none());
@@ -323,7 +323,7 @@ fn no_smaller_motor_than_the_least_passes() {
         _ => None,
     };
     let mut heavy = line();
-    // A web that is held back so much that small motors do not unwind it.
+    // A brake of the reel too strong for small motors.
     heavy.values.insert("reel-brake".to_owned(), Value::Number(3000.0));
     for axis in &sized(&heavy).axes {
         let least = power(axis.least().unwrap()).unwrap();
@@ -426,7 +426,7 @@ fn least_motor_of_a_light_axis_is_small() {
     for control in ["gsk-980tdc", "knd-k2000t", "mitsubishi-e60"] {
         let sizing = sized(&Project::named("ribbon-line", Some(control), None).unwrap());
         let motor = sizing.axes[0].least().and_then(Part::servo).unwrap();
-        // 0.16 Nm at most are asked.
+        // The demand is at most 0.16 Nm.
         assert!(motor.rated < 1.0, "{control}: {motor:?}");
     }
 }
@@ -512,7 +512,7 @@ fn spindle_encoder_is_an_open_row_or_one_of_the_users_table() {
     lathe.add_parts(parts);
     let proposed = row(&lathe).unwrap();
     assert_eq!((proposed.proposed, proposed.model.as_str()), (true, "E8"));
-    // The unwinder has one where the form says so.
+    // The unwinder has a brake if the form says so.
     let mut line = line();
     line.values.insert("spindle-encoder".to_owned(), Value::Flag(false));
     assert_eq!(row(&line), None);

@@ -42,7 +42,7 @@ fn entries_of_the_table_are_met_and_joined_by_lines() {
         // Cold air makes up for thin air, as far as the data sheet goes.
         (2000.0, 30.0, 1.0),
         (2000.0, 10.0, 1.0),
-        // Beyond the table its ends hold.
+        // Beyond the table the values of its ends apply.
         (9000.0, 90.0, 0.55),
     ] {
         near(share(height, temperature), wanted);

@@ -107,7 +107,7 @@ fn duty_type_is_the_least_factor_that_covers() {
         (1.0, 1.0, DutyType::Continuous),
     ] {
         assert_eq!(duty_type(turning, loaded, 600.0), wanted, "{turning} turning, {loaded} loaded");
-        // A longer cycle lets the motor get as warm as it gets.
+        // In a longer cycle the motor reaches its final temperature.
         assert_eq!(duty_type(turning, loaded, 600.1), DutyType::Continuous);
     }
 }

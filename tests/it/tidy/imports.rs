@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::source::Source;
 
-/// The names that one file takes from another, each with its line.
+/// The names that one file imports from another, each with its line.
 type Ties = BTreeMap<(usize, usize), BTreeSet<String>>;
 
 /// A module: its crate, and the path from that crate's root.

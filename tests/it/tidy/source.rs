@@ -30,7 +30,7 @@ pub(super) struct Import {
     pub(super) path: Vec<String>,
     /// The name in this file; `*` for all names.
     pub(super) name: String,
-    /// `pub use`, which hands a name on and does not use it.
+    /// Whether it is a `pub use`, which re-exports a name without using it.
     pub(super) is_public: bool,
     pub(super) line: usize,
 }

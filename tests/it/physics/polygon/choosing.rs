@@ -94,7 +94,7 @@ fn speeds_reach_the_binding_limit() {
 
 #[test]
 fn adjustable_cutter_balances_crown_and_hollow() {
-    // Nothing else shall hold it back: every radius is possible.
+    // No other limit: every radius is possible.
     let range = |inserts| Cutter { radius: (5.0, 60.0), relief: 1.5, ..cutter(inserts, 0.0) };
     let free =
         Means { distance: (10.0, 120.0), cutting_speed: (1.0, 200.0), ..means(vec![range(3), range(2), range(5)]) };
