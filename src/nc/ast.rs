@@ -1,6 +1,6 @@
-//! Syntax tree of programs as written, in small rows in arenas.
+//! Syntax tree of programs as written, stored in arenas of small rows.
 //!
-//! A parsed deck keeps the bytes of every block; a block changed by an edit or a rewrite loses them and is written again.
+//! A parsed deck keeps the bytes of every block; a block changed by an edit or a rewrite loses its bytes and is written again.
 
 use crate::controls::{Address, Alarm};
 use core::num::NonZeroU32;
@@ -13,7 +13,7 @@ use crate::text::{FileId, Span};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct ExprId(pub u32);
 
-/// A text of a deck: a comment, a message, a name.
+/// A text of a deck: comment, message or name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct TextId(NonZeroU32);
 
@@ -39,11 +39,11 @@ pub struct Deck {
 pub struct Program {
     /// File that contains it.
     pub file: FileId,
-    /// Number behind `O`, or in a name such as `L9100`; 0 for none.
+    /// Number behind `O`, or in a name such as `L9100`; 0 without one.
     pub number: u32,
-    /// Name, where programs have names.
+    /// Name, in a language with names.
     pub name: Option<TextId>,
-    /// Marked as a subprogram, where names come with such a mark.
+    /// Marked as a subprogram by its name.
     pub sub: bool,
     /// Comment behind the number.
     pub title: Option<TextId>,
@@ -58,7 +58,7 @@ pub struct Program {
 /// One block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {
-    /// Bytes of the block without the line end; empty for a block that was built.
+    /// Bytes of the block without the line end; empty for a built block.
     pub span: Span,
     /// Sequence number.
     pub number: Option<u32>,
@@ -66,7 +66,7 @@ pub struct Block {
     pub stmt: Stmt,
     /// First comment in the block.
     pub comment: Option<TextId>,
-    /// Label, where blocks are jumped to by names.
+    /// Label, in a language with labels.
     pub label: Option<TextId>,
     /// Optional block skip: 0 none, 1 `/` or `/1`, 2 `/2` ….
     pub skip: u8,
@@ -77,13 +77,13 @@ pub struct Block {
 /// Statement of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stmt {
-    /// Nothing but a number or a comment.
+    /// Only a number or a comment.
     Empty,
     /// NC words `words[first..first + count]`.
     Words {
         /// First word.
         first: u32,
-        /// How many.
+        /// Number of words.
         count: u16,
     },
     /// `to = value`; `to` is [`Expr::Var`] or [`Expr::Indirect`].
@@ -93,11 +93,11 @@ pub enum Stmt {
         /// Its new value.
         value: ExprId,
     },
-    /// Several assignments `pairs[first..first + count]`, done from left to right.
+    /// Several assignments `pairs[first..first + count]`, executed from left to right.
     Assigns {
         /// First assignment.
         first: u32,
-        /// How many.
+        /// Number of assignments.
         count: u16,
     },
     /// `IF [cond] GOTO target`.
@@ -106,14 +106,14 @@ pub enum Stmt {
         cond: ExprId,
         /// Sequence number or [`Expr::Label`] to go to.
         target: ExprId,
-        /// Where it is looked for.
+        /// Direction of the search for the target.
         way: JumpDirection,
     },
-    /// Several conditions with jumps `pairs[first..first + count]`; the first condition that holds jumps.
+    /// Several conditions with jumps `pairs[first..first + count]`; the first true condition jumps.
     Ifs {
         /// First jump.
         first: u32,
-        /// How many.
+        /// Number of jumps.
         count: u16,
     },
     /// `IF [cond] THEN to = value`.
@@ -129,21 +129,21 @@ pub enum Stmt {
     Goto {
         /// Sequence number or [`Expr::Label`] to go to.
         target: ExprId,
-        /// Where it is looked for.
+        /// Direction of the search for the target.
         way: JumpDirection,
     },
     /// A call of a program by its name.
     Call {
         /// The name.
         name: TextId,
-        /// How often it runs; once where nothing is said.
+        /// Number of runs; `None` is one.
         repeats: Option<ExprId>,
     },
-    /// A message to the operator while the program goes on; none takes the last one away.
+    /// A message to the operator without a stop; `None` clears the last message.
     Message(Option<TextId>),
     /// `WHILE [cond] DO label`, or `DO label` without a condition.
     While {
-        /// The condition; `None` loops without end.
+        /// The condition; `None` is an endless loop.
         cond: Option<ExprId>,
         /// Number of the loop.
         label: u16,
@@ -153,34 +153,34 @@ pub enum Stmt {
         /// Number of the loop.
         label: u16,
     },
-    /// A block with an error; running into it is its alarm.
+    /// A block with an error; executing it raises its alarm.
     Bad(BadBlock),
 }
 
 /// The first error of a block that does not parse.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BadBlock {
-    /// Its alarm.
+    /// The alarm of the error.
     pub alarm: Alarm,
-    /// Bytes of the file that the reader's finding of it is about; empty for a block that was built.
+    /// Bytes of the file marked by the reader's finding; empty for a built block.
     pub finding: Span,
 }
 
 impl BadBlock {
-    /// An error of a block that was built: no finding reports it.
+    /// An error of a built block, without a finding.
     pub(super) fn built(alarm: Alarm) -> BadBlock {
         BadBlock { alarm, finding: Span::default() }
     }
 }
 
-/// Where a jump looks for its target.
+/// Direction of a jump's search for its target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum JumpDirection {
-    /// From here to the end of the program, then from its head.
+    /// To the end of the program, then from its start.
     Around,
     /// Toward the end of the program only.
     Forward,
-    /// Toward its head only.
+    /// Toward the start of the program only.
     Backward,
 }
 
@@ -194,7 +194,7 @@ impl JumpDirection {
         }
     }
 
-    /// Where a jump in block `from` goes, of the blocks `places` of one name in rising order: the nearest one in its direction.
+    /// Target of a jump in block `from`, among the blocks `places` of one name in rising order: the nearest one in its direction.
     pub(crate) fn nearest(self, from: usize, places: &[usize]) -> Option<usize> {
         let behind = places.partition_point(|to| *to <= from);
         let at = match self {
@@ -211,23 +211,23 @@ impl JumpDirection {
 pub struct Pair {
     /// The variable, or the condition.
     pub left: ExprId,
-    /// Its new value, or the target.
+    /// New value of the variable, or target of the jump.
     pub right: ExprId,
-    /// Where a target is looked for.
+    /// Direction of the search for the target.
     pub way: JumpDirection,
 }
 
-/// How the value of a word counts, where the word says so itself: `X=IC(5)`.
+/// Dimensioning of a word's value by its own notation: `X=IC(5)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Dimensioning {
-    /// As the codes in force have it.
+    /// By the codes in force.
     #[default]
     Plain,
     /// `AC( )`: absolute.
     Absolute,
     /// `IC( )`: incremental.
     Incremental,
-    /// `DC( )`: absolute on the shortest way.
+    /// `DC( )`: absolute, by the shortest way.
     Shortest,
     /// `ACP( )`: absolute, turning in the positive direction.
     Positive,
@@ -240,13 +240,13 @@ pub enum Dimensioning {
 pub struct Word {
     /// The address.
     pub letter: Address,
-    /// Bytes of the word.
+    /// Length of the word in bytes.
     pub len: u8,
-    /// Where the word starts, in bytes behind the start of its block.
+    /// Start of the word, in bytes from the start of its block.
     pub offset: u16,
-    /// Number that belongs to the address: `S1=500`, `SPOS[1]=0`.
+    /// Index of the address: 1 in `S1=500` and `SPOS[1]=0`.
     pub index: Option<u8>,
-    /// How the value counts.
+    /// Dimensioning of the value.
     pub form: Dimensioning,
     /// Value behind the letter.
     pub value: WordValue,
@@ -266,7 +266,7 @@ pub enum WordValue {
 pub enum Expr {
     /// A constant.
     Number(Dec),
-    /// A label that is jumped to; it has no value.
+    /// A label as a jump target, without a value.
     Label(TextId),
     /// `#n` or `Rn`.
     Var(u32),
@@ -318,7 +318,7 @@ pub enum Op {
 }
 
 impl Op {
-    /// The comparison that holds exactly where this one does not, with vacant variables too; other operators stay.
+    /// The comparison that is true exactly when this one is false, vacant variables included; other operators are unchanged.
     pub fn opposite(self) -> Op {
         match self {
             Op::Equal => Op::NotEqual,
@@ -332,13 +332,13 @@ impl Op {
     }
 }
 
-/// Sequence numbers that are given out to jump to, where a program does not have them: the high ones first.
+/// Candidates for new sequence numbers of jump targets, high numbers first.
 pub(super) fn fresh_numbers() -> impl Iterator<Item = u32> {
     (9001..=9999).chain(1..=9000)
 }
 
 impl Word {
-    /// A word that was built, without a place.
+    /// A built word, without a place.
     pub const fn new(letter: Address, value: WordValue) -> Word {
         Word { letter, len: 0, offset: 0, index: None, form: Dimensioning::Plain, value }
     }
@@ -351,7 +351,7 @@ impl Word {
 }
 
 impl Deck {
-    /// Gives back the room that reading reserved and did not need.
+    /// Releases unused memory reserved for reading.
     pub(crate) fn shrink(&mut self) {
         self.programs.shrink_to_fit();
         self.blocks.shrink_to_fit();
@@ -361,7 +361,7 @@ impl Deck {
         self.texts.shrink_to_fit();
     }
 
-    /// The words of a block; none where it has other text.
+    /// Words of a block; empty for other statements.
     #[inline]
     pub fn words_of(&self, block: &Block) -> &[Word] {
         match block.stmt {
@@ -381,7 +381,7 @@ impl Deck {
         self.exprs[id.0 as usize]
     }
 
-    /// Whether a comparison of two constants holds; `None` where it is of anything else.
+    /// Whether a comparison of two constants is true; `None` for other conditions.
     pub(super) fn holds(&self, cond: ExprId) -> Option<bool> {
         let Expr::Binary(op, left, right) = self.expr(cond) else { return None };
         let (Expr::Number(left), Expr::Number(right)) = (self.expr(left), self.expr(right)) else { return None };
@@ -397,7 +397,7 @@ impl Deck {
         }
     }
 
-    /// The value of a formula of constants, sums and products; `None` where it is anything else.
+    /// Value of a formula of constants, sums and products; `None` for other formulas.
     pub(super) fn constant(&self, id: ExprId) -> Option<f64> {
         match self.expr(id) {
             Expr::Number(number) => Some(number.to_f64()),
@@ -416,12 +416,12 @@ impl Deck {
         }
     }
 
-    /// A text; empty where there is none.
+    /// A text; empty for `None`.
     pub fn text(&self, id: Option<TextId>) -> &str {
         id.and_then(|id| self.texts.get(id.0.get() as usize - 1)).map_or("", |text| text)
     }
 
-    /// A text to change.
+    /// Mutable access to a text.
     pub fn text_mut(&mut self, id: TextId) -> Option<&mut Box<str>> {
         self.texts.get_mut(id.0.get() as usize - 1)
     }
@@ -432,7 +432,7 @@ impl Deck {
         TextId(NonZeroU32::new(self.texts.len() as u32).unwrap_or(NonZeroU32::MIN))
     }
 
-    /// Assignments or jumps of a block that has several.
+    /// Assignments or jumps of a block with several of them.
     pub fn pairs_of(&self, first: u32, count: u16) -> &[Pair] {
         self.pairs.get(first as usize..first as usize + count as usize).unwrap_or_default()
     }
@@ -464,7 +464,7 @@ impl Deck {
         one.into_iter().chain(several.iter().map(|pair| (pair.left, pair.right)))
     }
 
-    /// The first program with a name, in capitals or not.
+    /// Index of the first program with a name, ignoring case.
     pub fn program_named(&self, name: &str) -> Option<u32> {
         let at =
             self.programs.iter().position(|row| row.name.is_some() && self.text(row.name).eq_ignore_ascii_case(name));

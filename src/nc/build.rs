@@ -1,4 +1,4 @@
-//! Writing a program in Rust: formulas with operators, blocks one after the other, a [`Deck`] at the end.
+//! Building a program in Rust: formulas with operators, blocks in order, a [`Deck`] at the end.
 //!
 //! ```
 //! use macroline::nc::build::*;
@@ -19,7 +19,7 @@ use crate::controls::Address;
 use crate::controls::syntax::Function;
 use crate::text::{FileId, Span};
 
-/// An expression that is being built.
+/// An expression under construction.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Formula {
     /// A constant.
@@ -45,19 +45,19 @@ pub fn v(number: u32) -> Formula {
     Formula::Var(number)
 }
 
-/// The variable whose number is calculated: `#[formula]`.
+/// The variable with a calculated number: `#[formula]`.
 pub fn v_at(number: impl Into<Formula>) -> Formula {
     Formula::Indirect(Box::new(number.into()))
 }
 
-/// A constant with its point: the decimal nearest to `value` with at most `decimals` decimals. 0 where that has more than 18
-/// digits or is no number.
+/// A constant with a decimal point: the decimal nearest to `value`, with at most `decimals` decimals. 0 for NaN, infinity, and more than 18
+/// digits.
 pub fn real(value: f64, decimals: u8) -> Formula {
     Formula::Number(Dec::from_f64(value, decimals).unwrap_or(Dec::new(0, 0)))
 }
 
 impl From<i32> for Formula {
-    /// A whole number without a point. Behind an axis letter that is command units: write [`real`] there.
+    /// A whole number without a point. Behind an axis letter it counts command units; use [`real`] there.
     fn from(value: i32) -> Formula {
         Formula::Number(Dec::int(value.into()))
     }
@@ -156,7 +156,7 @@ impl Formula {
         self.call(Function::Round)
     }
 
-    /// Toward zero.
+    /// Rounded toward zero.
     pub fn fix(self) -> Formula {
         self.call(Function::Fix)
     }
@@ -167,7 +167,7 @@ impl Formula {
     }
 }
 
-/// A word that is being built: letter, value, and a number that belongs to the letter.
+/// A word under construction: letter, value, and an index of the letter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewWord(Address, Formula, Option<u8>);
 
@@ -176,7 +176,7 @@ pub fn word(letter: Address, value: impl Into<Formula>) -> NewWord {
     NewWord(letter, value.into(), None)
 }
 
-/// A word whose address has a number: `S2=800`.
+/// A word with an indexed address: `S2=800`.
 pub fn indexed(letter: Address, index: u8, value: impl Into<Formula>) -> NewWord {
     NewWord(letter, value.into(), Some(index))
 }
@@ -211,12 +211,12 @@ pub struct Builder {
 }
 
 impl Builder {
-    /// Nothing yet.
+    /// An empty builder.
     pub fn new() -> Builder {
         Builder::default()
     }
 
-    /// Starts a program in a file of its own; an empty title is none.
+    /// Starts a program in its own file; an empty title is omitted.
     pub fn program(&mut self, number: u32, title: &str) -> &mut Builder {
         let title = (!title.is_empty()).then(|| self.text(title));
         let file = FileId(self.deck.programs.len().min(u16::MAX as usize) as u16);
@@ -303,14 +303,14 @@ impl Builder {
         self.push(Stmt::End { label })
     }
 
-    /// Calls a program by its number, so many times: `M98 P`, or a call by name.
+    /// Calls a program by its number, with an optional number of repeats: `M98 P`, or a call by name.
     pub fn call(&mut self, program: u32, repeats: Option<u32>) -> &mut Builder {
         let name = self.text(&format!("L{program}"));
         let repeats = repeats.map(|times| self.intern(times.into()));
         self.push(Stmt::Call { name, repeats })
     }
 
-    /// A message to the operator while the program goes on; a comment where a control has no such messages.
+    /// A message to the operator without a stop; a comment on controls without such messages.
     pub fn show(&mut self, text: &str) -> &mut Builder {
         let text = self.text(text);
         self.push(Stmt::Message(Some(text)))
@@ -326,12 +326,12 @@ impl Builder {
         self.assign(3006, number).note(text)
     }
 
-    /// A block that is a comment.
+    /// A comment block.
     pub fn comment(&mut self, text: &str) -> &mut Builder {
         self.push(Stmt::Empty).note(text)
     }
 
-    /// A comment behind the block that was written last.
+    /// A comment behind the last block.
     pub fn note(&mut self, text: &str) -> &mut Builder {
         let comment = self.text(text);
         if let Some(block) = self.deck.blocks.last_mut() {
@@ -340,7 +340,7 @@ impl Builder {
         self
     }
 
-    /// The programs.
+    /// The finished deck.
     pub fn finish(self) -> Deck {
         self.deck
     }

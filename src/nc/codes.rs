@@ -1,4 +1,4 @@
-//! Look-up of codes, shared by parser, checks and interpreter: the row and the program call of a code.
+//! Look-up of codes for parser, checks and interpreter: row and program call of a code.
 
 use super::ast::{Word, WordValue};
 use super::dec::Dec;
@@ -12,24 +12,24 @@ const G_SLOTS: usize = 1000;
 /// Table size for M codes: M0 to M99.
 const M_SLOTS: usize = 100;
 
-/// Flag of a table entry: a parameter makes the code call a program.
+/// Flag of a table entry: a parameter binds the code to a program.
 const CALLS: u16 = 1 << 15;
 
-/// The codes of a control as its switches have them.
+/// Codes of a control under its switch settings.
 #[derive(Debug, Clone)]
 pub struct Codes {
     control: &'static Control,
-    /// Index + 1 into the control's rows, 0 for none, with [`CALLS`].
+    /// Index + 1 into the control's rows, 0 for none, combined with [`CALLS`].
     g: Box<[u16; G_SLOTS]>,
-    /// As `g`, by the M number.
+    /// Like `g`, by M number.
     m: Box<[u16; M_SLOTS]>,
     calls: Vec<CodeCall>,
-    /// Codes that a switch keeps off.
+    /// Codes disabled by a switch.
     off: &'static [CodeId],
 }
 
 impl Codes {
-    /// The codes of a control whose open points are set.
+    /// Builds the tables for a control and its settings.
     pub(super) fn new(control: &'static Control, dialect: &Dialect) -> Codes {
         let mut codes = Codes {
             control,
@@ -62,7 +62,7 @@ impl Codes {
         }
     }
 
-    /// The table entry of a code; `None` where no table has it.
+    /// Table entry of a code; `None` for a code outside the tables.
     #[inline]
     fn slot(&self, id: CodeId) -> Option<u16> {
         match id {
@@ -72,7 +72,7 @@ impl Codes {
         }
     }
 
-    /// Index of a code's row in [`Control::codes`]; `None` where the control lacks the code or a switch keeps it off.
+    /// Index of a code's row in [`Control::codes`]; `None` if the control lacks the code or a switch disables it.
     #[inline(always)]
     pub fn index(&self, id: CodeId) -> Option<usize> {
         match self.slot(id) {
@@ -81,38 +81,38 @@ impl Codes {
         }
     }
 
-    /// A code that is in no table.
+    /// Row index of a code outside the tables.
     #[cold]
     fn search(&self, id: CodeId) -> Option<usize> {
         let at = self.control.codes.binary_search_by_key(&id, |row| row.id).ok()?;
         (!self.off.contains(&id)).then_some(at)
     }
 
-    /// The row of a code; `None` where the control lacks the code or a switch keeps it off.
+    /// Row of a code; `None` if the control lacks the code or a switch disables it.
     #[inline(always)]
     pub fn row(&self, id: CodeId) -> Option<&'static CodeDef> {
         self.control.codes.get(self.index(id)?)
     }
 
-    /// The program call that a parameter binds to a code. It comes before the code's own row.
+    /// Program call bound to a code by a parameter. It precedes the code's own row.
     #[inline(always)]
     pub fn call(&self, id: CodeId) -> Option<&CodeCall> {
         let none = self.calls.is_empty() || self.slot(id).is_some_and(|slot| slot & CALLS == 0);
         if none { None } else { self.calls.iter().find(|call| call.code == id) }
     }
 
-    /// All codes that call programs by parameter.
+    /// All codes bound to programs by parameters.
     pub fn calls(&self) -> &[CodeCall] {
         &self.calls
     }
 
-    /// The row of a word that is a code with a constant number.
+    /// Row of a code word with a constant number.
     #[inline]
     pub(crate) fn row_of(&self, word: &Word) -> Option<&'static CodeDef> {
         self.row(code_of(word)?)
     }
 
-    /// The program call of a word that is a code with a constant number.
+    /// Program call of a code word with a constant number.
     #[inline]
     pub(crate) fn call_of(&self, word: &Word) -> Option<&CodeCall> {
         if self.calls.is_empty() { None } else { self.call(code_of(word)?) }
@@ -126,7 +126,7 @@ fn g_slot(number: CodeNumber) -> Option<usize> {
     (whole < G_SLOTS / 10).then(|| 10 * whole + usize::from(number.tenth()))
 }
 
-/// The code that a word with a constant number names; `None` where its number is calculated or no code can have it.
+/// The code of a word with a constant number; `None` for a calculated number, or one outside the range of codes.
 #[inline]
 pub(crate) fn code_of(word: &Word) -> Option<CodeId> {
     let WordValue::Number(number) = word.value else { return None };
@@ -144,7 +144,7 @@ pub(super) fn g_number(number: Dec) -> Option<CodeNumber> {
     CodeNumber::from_decimal(number.mantissa, number.scale)
 }
 
-/// A constant as the number of an M code; its decimals are zeros.
+/// A constant as the number of an M code; its decimals have to be zeros.
 #[inline]
 pub(super) fn m_number(number: Dec) -> Option<u32> {
     match number.scale {

@@ -1,8 +1,8 @@
-//! An exact decimal number that remembers whether its point was written: `X8` and `X8.` differ on real controls.
+//! An exact decimal number that keeps whether its point was written: `X8` and `X8.` differ on real controls.
 
 use core::fmt;
 
-/// `mantissa / 10^scale`; `scale` is the number of decimals that were written.
+/// `mantissa / 10^scale`; `scale` is the number of written decimals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Dec {
     /// All digits as one signed integer.
@@ -35,8 +35,8 @@ impl Dec {
         Dec { mantissa, scale, point: true }
     }
 
-    /// The decimal nearest to a float with at most `decimals` decimals, trailing zeros dropped, with a point; `None` where it does
-    /// not fit 18 digits or is not finite.
+    /// The decimal nearest to a float, with a point and at most `decimals` decimals, without trailing zeros; `None` for more than 18
+    /// digits, NaN or infinity.
     pub fn from_f64(value: f64, decimals: u8) -> Option<Dec> {
         let scaled = (value * POW10[decimals.min(18) as usize] as f64).round();
         if !scaled.is_finite() || scaled.abs() >= 1e18 {
@@ -63,7 +63,7 @@ impl Dec {
 }
 
 impl fmt::Display for Dec {
-    /// As it is written in a program: `8`, `8.`, `-0.05`, `1.50`.
+    /// Writes the number as in a program: `8`, `8.`, `-0.05`, `1.50`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = self.mantissa.unsigned_abs();
         let unit = POW10[self.scale.min(18) as usize] as u64;

@@ -1,9 +1,9 @@
-//! Equality of decks, apart from places, the order in the arenas, and blank blocks.
+//! Equality of decks, ignoring places, the order in the arenas, and blank blocks.
 
 use super::ast::{Block, Deck, Expr, ExprId, Pair, Stmt, TextId, WordValue};
 
 impl Deck {
-    /// Whether both hold the same programs, block by block.
+    /// Whether both contain the same programs, block by block.
     pub fn same_as(&self, other: &Deck) -> bool {
         self.programs.len() == other.programs.len()
             && self.programs.iter().zip(&other.programs).all(|(a, b)| {
@@ -100,7 +100,7 @@ impl Deck {
     }
 }
 
-/// A block without text is not written, and so not read again.
+/// Whether a block has text. A block without text is not written, and so not read again.
 fn says_something(block: &Block) -> bool {
     block.stmt != Stmt::Empty
         || block.number.is_some()

@@ -1,4 +1,4 @@
-//! Tree to text, as the control takes it: one program a file, capitals, brackets only where precedence needs them.
+//! Tree to text in the control's form: one program per file, capitals, brackets only if precedence needs them.
 
 use crate::controls::Control;
 use crate::controls::options::CommentCharacters;
@@ -12,7 +12,7 @@ use crate::nc::write::{DEPTH, Writer};
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, FileId, Place, Span};
 
-/// What ends a line.
+/// Line end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Newline {
     /// LF.
@@ -39,16 +39,16 @@ pub struct Emitted {
     pub files: Files,
     /// Place of each block of the deck.
     pub places: Vec<Place>,
-    /// What could not be written as it was meant.
+    /// Findings about blocks that could not be written as intended.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Writes a deck with LF line ends. Forms that the control lacks are rewritten first, see [`lower`](super::lower()). Total.
+/// Writes a deck with LF line ends. Forms missing on the control are rewritten first, see [`lower`](super::lower()). Total.
 pub fn emit(deck: &Deck, control: &Control) -> Emitted {
     emit_with(deck, control, Newline::Lf, CommentCharacters::Ascii)
 }
 
-/// Writes a deck, with these characters in comments. Total.
+/// Writes a deck with a line end and the characters allowed in comments. Total.
 pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: CommentCharacters) -> Emitted {
     let (low, origins) = lowered(deck, control, characters);
     let mut out = Emitted { places: vec![Place::default(); deck.blocks.len()], ..Emitted::default() };
@@ -74,7 +74,7 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: C
             w.block(block);
             let first = w.text.as_bytes().get(body).filter(|_| w.start == body && program.number != 0);
             if first.is_some_and(|letter| control.syntax.program_letters.contains(letter)) {
-                // At the head of a line of its own it would begin another program: `O2L1` of the E60.
+                // At the start of its own line it would start another program: `O2L1` on the E60.
                 w.start = body - eol.len();
                 w.text.replace_range(w.start..body, "");
             }
@@ -98,7 +98,7 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: C
             out.diagnostics.extend(block_diagnostic.map(|d| d.at(place)));
             let origin = origins.get(index).map_or(index, |&origin| origin as usize);
             if let Some(slot) = out.places.get_mut(origin) {
-                // A block that became several goes from the first to the last of them.
+                // A block rewritten as several extends from the first to the last of them.
                 let start = if *slot == Place::default() { place.span.start } else { slot.span.start };
                 *slot = Place { span: Span::new(start, place.span.end), ..place };
             }
@@ -116,12 +116,12 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: C
     out
 }
 
-/// Whether lowering cut the comment of a block; it keeps the indices of comments.
+/// Whether lowering shortened the comment of a block. Lowering keeps the indices of comments.
 fn shortened(before: &Deck, after: &Deck, block: &Block) -> bool {
     before.text(block.comment).chars().count() > after.text(block.comment).chars().count()
 }
 
-/// `O9100.nc`, `L9100.SPF`; a second program of a name becomes `O9100-2.nc`.
+/// `O9100.nc`, `L9100.SPF`; a second program of the same name becomes `O9100-2.nc`.
 fn file_name(deck: &Deck, program: &Program, control: &Control, files: &Files) -> String {
     let extension = match &control.syntax.names() {
         Some(names) => names.endings[usize::from(program.sub)],
@@ -142,8 +142,8 @@ fn file_name(deck: &Deck, program: &Program, control: &Control, files: &Files) -
     name
 }
 
-/// Writes parsed files with some blocks changed: `deck` is the parsed deck in which every changed block has the span
-/// `Span::default()`. All other bytes stay as they were. Total.
+/// Writes parsed files with some blocks changed. In `deck`, a copy of the parsed deck, every changed block has the span `Span::default()`.
+/// All other bytes are unchanged. Total.
 pub fn emit_parsed(parsed: &Parsed, deck: &Deck) -> Emitted {
     let mut files = parsed.files().clone();
     let (low, origins) = lowered(deck, parsed.control(), parsed.dialect().comment_characters());

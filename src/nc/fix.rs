@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::files::Files;
 use crate::text::{FileId, Fix, Place};
 
-/// The files with the edits of a fix made. Edits whose place does not fit the text, or that overlap one before, are left out.
+/// Applies the edits of a fix to files. Edits outside the text, or overlapping an earlier one, are left out.
 pub fn fix(files: &Files, fix: &Fix) -> Files {
     edited(files, &fix.edits)
 }
@@ -32,11 +32,10 @@ fn edited(files: &Files, edits: &[(Place, String)]) -> Files {
     files
 }
 
-/// The files with the edits of several fixes made, and how many were made: one that meets the edits of a fix before it is left out.
+/// Applies several fixes to files and returns the number applied. A fix that touches edits of an earlier one is left out.
 pub fn fix_all<'f>(files: &Files, fixes: impl IntoIterator<Item = &'f Fix>) -> (Files, usize) {
     let (mut made, mut count) = (Vec::<(Place, String)>::new(), 0);
-    // Ends of the edits that are made, by file and start. None touches another, so that the last one that starts before an end is the only
-    // one that can reach it.
+    // Ends of the applied edits, by file and start. None touches another, so only the last edit that starts before an end can reach it.
     let mut ends = BTreeMap::<(FileId, u32), u32>::new();
     for one in fixes {
         let meets = |(at, _): &(Place, String)| {

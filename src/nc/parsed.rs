@@ -1,4 +1,4 @@
-//! A read program: files, tree and findings together; only the parser makes one.
+//! A parsed program: files, tree and findings; only the parser makes one.
 
 use std::rc::Rc;
 
@@ -8,7 +8,7 @@ use super::files::Files;
 use crate::controls::{Control, Dialect, Switches};
 use crate::text::{Diagnostic, Place, Severity, Span};
 
-/// Place of an expression in its file, with the blanks around it.
+/// Place of an expression in its file, blanks around it included.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::nc) struct ExprSpan {
     /// First byte.
@@ -18,7 +18,7 @@ pub(in crate::nc) struct ExprSpan {
 }
 
 impl ExprSpan {
-    /// The bytes of the expression in the text of its file, without the blanks around it.
+    /// Span of the expression in the text of its file, without blanks around it.
     pub(in crate::nc) fn trimmed(self, file: &str) -> Option<Span> {
         let text = file.get(self.start as usize..self.start as usize + usize::from(self.len))?;
         let start = self.start + (text.len() - text.trim_ascii_start().len()) as u32;
@@ -26,7 +26,7 @@ impl ExprSpan {
     }
 }
 
-/// Programs that a control has read; the only input of the interpreter.
+/// Programs parsed for a control; the only input of the interpreter.
 #[derive(Debug, Clone)]
 pub struct Parsed {
     pub(in crate::nc) files: Files,
@@ -40,42 +40,42 @@ pub struct Parsed {
 }
 
 impl Parsed {
-    /// The text.
+    /// The program files.
     pub fn files(&self) -> &Files {
         &self.files
     }
 
-    /// The tree. Its places point into [`files`](Parsed::files).
+    /// The tree. Its places refer to [`files`](Parsed::files).
     pub fn deck(&self) -> &Deck {
         &self.deck
     }
 
-    /// Alarms of the control and remarks, in the order of the text.
+    /// Alarms of the control and warnings, in text order.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }
 
-    /// The control that read it.
+    /// The control.
     pub fn control(&self) -> &'static Control {
         self.control
     }
 
-    /// The settings of the control when it read.
+    /// Switch settings of the control.
     pub fn switches(&self) -> &Switches {
         &self.switches
     }
 
-    /// The control as it was set when it read.
+    /// The control's dialect under these settings.
     pub fn dialect(&self) -> &Rc<Dialect> {
         &self.dialect
     }
 
-    /// The codes of the control as its switches have them, with those that call programs by parameter.
+    /// Codes of the control under these settings, including codes bound to programs by parameters.
     pub fn codes(&self) -> &Codes {
         &self.codes
     }
 
-    /// Whether the control would refuse or misread any of it.
+    /// Whether the control would refuse or misread a part of the program.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
@@ -85,14 +85,14 @@ impl Parsed {
         self.files.get(place.file).map_or("", |file| place.span.of(&file.text))
     }
 
-    /// The bytes of an expression in the block at a place; `None` where the expression is not part of that block.
+    /// Span of an expression in the block at a place; `None` if the expression is not part of that block.
     pub fn expr_span(&self, block: Place, expr: ExprId) -> Option<Span> {
         let raw = self.expr_spans.get(expr.0 as usize)?;
         let span = raw.trimmed(&self.files.get(block.file)?.text)?;
         (block.span.start <= span.start && span.end <= block.span.end).then_some(span)
     }
 
-    /// The place of a block of a program, both by index.
+    /// Place of a block, in the program with this index.
     pub fn place(&self, program: usize, block: &Block) -> Place {
         let file = self.deck.programs.get(program).map_or_else(Default::default, |p| p.file);
         Place { file, span: block.span }

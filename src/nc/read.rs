@@ -1,4 +1,4 @@
-//! Text to tree: every file of a program, one block after the other.
+//! Text to tree: every file of a program, block by block.
 
 use std::rc::Rc;
 
@@ -13,12 +13,12 @@ use crate::controls::{Control, Dialect, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId};
 
-/// Reads files as a control would whose open points are at their defaults. Total: any text gives a value.
+/// Parses files as on a control with default settings. Total: any text gives a value.
 pub fn parse(files: &Files, control: &'static Control) -> Parsed {
     parse_with(files, control, &Switches::default())
 }
 
-/// Reads files as a control would with its open points as they are set. Total: any text gives a value.
+/// Parses files as on a control with these settings. Total: any text gives a value.
 pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
     let dialect = Rc::new(Dialect::resolve(control, switches));
     let codes = Codes::new(control, &dialect);

@@ -1,4 +1,4 @@
-//! Where programs, blocks and variables are named in a program: what an editor goes to, lists and outlines.
+//! Occurrences of programs, blocks and variables in a program, for definitions, references and outlines in an editor.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,16 +11,16 @@ use crate::controls::syntax::Operation;
 use crate::controls::{Address, Code, Control, VarKind};
 use crate::text::{FileId, Place, Span};
 
-/// A thing that programs name.
+/// A named object of programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Symbol {
     /// A program, by its index in the deck.
     Program(u32),
     /// A block with a number or a label, by its index in the deck.
     Block(u32),
-    /// A variable of all programs.
+    /// A variable common to all programs.
     Variable(u32),
-    /// A local variable of the programs that share a level.
+    /// A local variable of programs that share a level.
     Local {
         /// Index of the first of these programs.
         program: u32,
@@ -29,38 +29,38 @@ pub enum Symbol {
     },
 }
 
-/// What a program does where it names a symbol.
+/// Role of an occurrence of a symbol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// It is the program's head, the block's number or its label.
+    /// Program header, block number or label.
     Definition,
-    /// It sets the variable.
+    /// Assignment of the variable.
     Write,
-    /// It reads the variable.
+    /// Reading of the variable.
     Read,
-    /// It jumps to the block, or names it otherwise.
+    /// Jump to the block, or another use of its number.
     Jump,
-    /// It calls the program.
+    /// Call of the program.
     Call,
 }
 
-/// One place where a symbol is named.
+/// One occurrence of a symbol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Occurrence {
     /// The bytes of the name.
     pub place: Place,
     /// The symbol.
     pub symbol: Symbol,
-    /// What is done there.
+    /// Role of the occurrence.
     pub role: Role,
 }
 
 /// A program, a block or a variable in the outline of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutlineItem {
-    /// What it is.
+    /// The symbol.
     pub symbol: Symbol,
-    /// Name as the program has it.
+    /// Name as written in the program.
     pub name: String,
     /// Title of the program, or text of the block.
     pub detail: String,
@@ -72,17 +72,17 @@ pub struct OutlineItem {
     pub children: Vec<OutlineItem>,
 }
 
-/// All places where the programs of a set of files name their symbols.
+/// All occurrences of symbols in a set of files.
 #[derive(Debug, Clone)]
 pub struct Symbols {
     /// In the order of the text.
     all: Vec<Occurrence>,
-    /// Head of a program, number or label of a block, first assignment of a variable.
+    /// Definition of each symbol: header of a program, number or label of a block, first assignment of a variable.
     defined: BTreeMap<Symbol, Place>,
 }
 
 impl Symbols {
-    /// Reads a deck once.
+    /// Collects the occurrences of a deck.
     pub fn new(parsed: &Parsed) -> Symbols {
         let mut reader = Reader::new(parsed);
         for (index, program) in parsed.deck.programs.iter().enumerate() {
@@ -98,7 +98,7 @@ impl Symbols {
         Symbols { all, defined }
     }
 
-    /// The name at a byte of a file, the narrowest one; behind its last byte too.
+    /// The narrowest occurrence at a byte of a file; the position directly after a name counts too.
     pub fn at(&self, file: FileId, byte: u32) -> Option<Occurrence> {
         let here = self.all.iter().filter(|row| {
             let Span { start, end } = row.place.span;
@@ -108,17 +108,17 @@ impl Symbols {
         here.min_by_key(|row| (row.place.span.end == byte, row.place.span.end - row.place.span.start)).copied()
     }
 
-    /// All places of a symbol, in the order of the text.
+    /// All occurrences of a symbol, in text order.
     pub fn of(&self, symbol: Symbol) -> impl Iterator<Item = &Occurrence> {
         self.all.iter().filter(move |row| row.symbol == symbol)
     }
 
-    /// Head of a program, number or label of a block, first assignment of a variable.
+    /// Definition of a symbol: header of a program, number or label of a block, first assignment of a variable.
     pub fn definition(&self, symbol: Symbol) -> Option<Place> {
         self.defined.get(&symbol).copied()
     }
 
-    /// Numbers of all variables that are named.
+    /// Numbers of all variables that occur.
     pub fn variables(&self) -> BTreeSet<u32> {
         let number = |row: &Occurrence| match row.symbol {
             Symbol::Variable(number) | Symbol::Local { number, .. } => Some(number),
@@ -127,8 +127,8 @@ impl Symbols {
         self.all.iter().filter_map(number).collect()
     }
 
-    /// Programs of a file; below each of them the blocks with labels, with calls and those that something jumps to, and each variable where it is
-    /// first assigned.
+    /// Outline of a file: programs, and below each of them the blocks with labels, calls or jumps to them, and the first assignment of each
+    /// variable.
     pub fn outline(&self, parsed: &Parsed, file: FileId) -> Vec<OutlineItem> {
         let deck = &parsed.deck;
         let targets: BTreeSet<Symbol> =
@@ -174,11 +174,11 @@ impl Symbols {
     }
 }
 
-/// A block number that is looked for in a program once all calls are known.
+/// A block number that is resolved when all calls are known.
 struct Return {
     place: Place,
     number: u32,
-    /// The program that returns: the number is one of its callers'.
+    /// The returning program: the number belongs to one of its callers.
     from: u32,
 }
 
@@ -192,13 +192,13 @@ struct Reader<'a> {
     labels: BTreeMap<(u32, &'a str), Vec<usize>>,
     found: Vec<Occurrence>,
     returns: Vec<Return>,
-    /// Called program and its caller.
+    /// Called programs and their callers.
     calls: Vec<(u32, u32)>,
-    /// First program of those that share local variables, by program.
+    /// First of the programs that share local variables, by program.
     level: Vec<u32>,
 }
 
-/// A block of a program that is read.
+/// The block being read.
 #[derive(Clone, Copy)]
 struct Here<'a> {
     program: u32,
@@ -285,7 +285,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Number and label of a block.
+    /// Records number and label of a block.
     fn own_name(&mut self, here: Here, at: u32) {
         if here.block.number.is_none() && here.block.label.is_none() {
             return;
@@ -299,7 +299,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The pieces of a block, with their places in the file.
+    /// Tokens of a block, with their places in the file.
     fn pieces(&self, here: Here) -> Vec<(Span, TokenKind)> {
         let start = here.block.span.start;
         let text = self.parsed.text(Place { file: here.file, span: here.block.span });
@@ -320,7 +320,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The variables of a formula.
+    /// Records the variables of a formula.
     fn read(&mut self, here: Here, id: ExprId) {
         match self.deck.expr(id) {
             Expr::Var(number) => {
@@ -344,7 +344,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The variables of a block that does not read.
+    /// Records the variables of a block that does not parse.
     fn unread(&mut self, here: Here) {
         for (span, kind) in self.pieces(here) {
             let place = Place { file: here.file, span };
@@ -361,7 +361,7 @@ impl<'a> Reader<'a> {
         let name = deck.text(Some(name));
         let Some(to) = self.names.name(name).or_else(|| deck.program_named(name)) else { return };
         let text = self.parsed.text(Place { file: here.file, span: here.block.span });
-        // The number and the label of the block are in front of the name.
+        // Number and label of the block precede the name.
         let Some(at) = text.to_ascii_uppercase().rfind(&name.to_ascii_uppercase()) else { return };
         let start = here.block.span.start + at as u32;
         let span = Span::new(start, start + name.len() as u32);
@@ -375,7 +375,7 @@ impl<'a> Reader<'a> {
         self.numbers.get(&(program, number as u32)).filter(|_| whole).map(Vec::as_slice)
     }
 
-    /// Notes that a word names a block of a program by its number.
+    /// Records a word that refers to a block of a program by its number.
     fn names_block(&mut self, here: Here, word: &Word, program: u32, from: usize) {
         let WordValue::Number(number) = word.value else { return };
         let to = self.numbered(program, number.to_f64()).and_then(|places| nearest(from, places));
@@ -386,7 +386,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// NC words: variables, calls, and words that name blocks.
+    /// Records the variables, calls and references to blocks of NC words.
     fn words(&mut self, here: Here, words: &[Word]) {
         let word = |letter: Address| words.iter().rfind(|word| word.letter == letter);
         let codes = &self.parsed.codes;
@@ -434,7 +434,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The program whose number is behind P; repeats may precede the number.
+    /// Index of the program with the number behind P; repeats may precede the number.
     fn program_of(&self, word: &Word, sub: bool) -> Option<u32> {
         let WordValue::Number(number) = word.value else { return None };
         let number = number.to_f64();
@@ -443,7 +443,7 @@ impl<'a> Reader<'a> {
         self.names.number(whole).or_else(|| self.names.number(whole % 10_000).filter(|_| repeats))
     }
 
-    /// A call of a program by a word.
+    /// Records a call of a program by a word.
     fn call(&mut self, here: Here, words: &[Word], by: &Word, to: Option<u32>, with_locals: bool) {
         let Some(to) = to else { return };
         self.add(Place { file: here.file, span: by.span(here.block) }, Symbol::Program(to), Role::Call);
@@ -468,7 +468,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The first program of those that share local variables with a program; halves the way to it.
+    /// First of the programs that share local variables with a program, with path halving.
     fn level_of(&mut self, program: u32) -> u32 {
         let mut at = program as usize;
         while let Some(&next) = self.level.get(at).filter(|next| **next as usize != at) {
@@ -481,7 +481,7 @@ impl<'a> Reader<'a> {
         at as u32
     }
 
-    /// All occurrences, in the order of the text.
+    /// All occurrences, in text order.
     fn finish(mut self) -> Vec<Occurrence> {
         self.calls.sort_unstable();
         self.calls.dedup();
@@ -507,7 +507,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The block that a jump by number from a block finds: looked for toward the end of the program, then from its head.
+/// Target of a jump by number from a block: searched toward the end of the program, then from its start.
 fn nearest(from: usize, places: &[usize]) -> Option<usize> {
     places.iter().find(|to| **to > from).or(places.first()).copied()
 }

@@ -1,4 +1,4 @@
-//! Findings about a whole file, with fixes: `%`, small letters, line ends, variables that the control lacks.
+//! Findings about a whole file, with fixes: `%`, small letters, line ends, variables missing on the control.
 
 use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind};
@@ -8,11 +8,11 @@ use crate::nc::parse::reader::{BYTE_ORDER_MARK, FINDINGS, Reader};
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Span};
 
-/// Fixes that reach through the whole text are offered up to this size.
+/// Size limit (bytes) of files for fixes of the whole text.
 const WHOLE: usize = 1 << 20;
 
 impl Reader<'_> {
-    /// Findings about the whole file: `%`, small letters, variables that do not exist.
+    /// Reports findings about the whole file: `%`, small letters, missing variables.
     pub(in crate::nc) fn mend_file(&mut self, opened: bool, closed: bool) {
         if self.foreign_bytes() {
             return;
@@ -49,7 +49,8 @@ impl Reader<'_> {
         }
     }
 
-    /// A byte order mark, and lines that end as on no control: true for these, as then there is but one line.
+    /// Reports a byte order mark, and line ends that no control reads. Returns whether such line ends were found; the text is one line
+    /// then.
     fn foreign_bytes(&mut self) -> bool {
         if self.file.text.starts_with(BYTE_ORDER_MARK) {
             let place = self.place(Span::new(0, BYTE_ORDER_MARK.len_utf8() as u32));
@@ -93,7 +94,7 @@ impl Reader<'_> {
         self.findings.list.push(finding.fix(msg!("nc.fix.percent"), edits));
     }
 
-    /// Variables written as on other controls, the first of them.
+    /// Finding for variables in the spelling of other controls, at the first of them.
     fn hash_misuse(&self, at: u32) -> Diagnostic {
         let letter = self.control.syntax.variable.to_string();
         let name: String = self.file.text.get(at as usize..).unwrap_or("").chars().take(1).collect();
@@ -102,7 +103,7 @@ impl Reader<'_> {
         Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(Alarm::Format))
     }
 
-    /// Variables written as on other controls, with a fix for all of them.
+    /// Reports variables in the spelling of other controls, with a fix for all of them.
     fn hashes(&mut self, at: u32) {
         let letter = self.control.syntax.variable.to_string();
         let mut finding = self.hash_misuse(at);
@@ -118,7 +119,7 @@ impl Reader<'_> {
                     _ => {}
                 }
             }
-            // Quotes within a foreign remark hide what the parser has seen.
+            // Quotes within a foreign remark hide variables seen by the parser.
             if !edits.is_empty() {
                 finding = finding.fix(msg!("nc.fix.variables", letter), edits);
             }
@@ -126,7 +127,7 @@ impl Reader<'_> {
         self.add_finding(finding);
     }
 
-    /// A variable that the control lacks or does not let write.
+    /// Finding for a variable that is missing or read-only on the control.
     fn misuse(&self, row: &Misused) -> Diagnostic {
         let name = row.span.of(self.file.text).trim();
         let message = match (row.alarm, self.control.var(row.number)) {
@@ -140,7 +141,7 @@ impl Reader<'_> {
         Diagnostic::error(message).at(self.place(row.span)).alarm(self.control.alarm_shown(row.alarm))
     }
 
-    /// Variables that the control lacks or does not let write, each once, with a free one in their place.
+    /// Reports variables that are missing or read-only on the control, each once, with a free variable as replacement.
     fn variables(&mut self) {
         let misused = core::mem::take(&mut self.findings.misused);
         if misused.is_empty() {
@@ -151,10 +152,10 @@ impl Reader<'_> {
         let mut taken = Vec::new();
         for row in &misused {
             let mut finding = self.misuse(row);
-            // Variables of the PLC, clock or screen of another control are no scratch variables, nor are those only read.
+            // Only written variables are replaced as scratch variables; variables of another control's PLC, clock or screen are not.
             let written = |span: &Span| {
                 let behind = self.file.text.get(span.end as usize..).unwrap_or("");
-                // Functions by number name their result behind P.
+                // P of a `G65 H` function is its result.
                 let result =
                     || self.file.text.get(..span.start as usize).is_some_and(|before| before.ends_with(['P', 'p']));
                 behind.trim_start_matches(' ').starts_with('=') || result()
@@ -180,7 +181,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A common variable that the file does not name: the one before the first that it computes, else the lowest.
+    /// A common variable unused in the file: the one before the first computed one, else the lowest.
     fn free_variable(&self, named: &[(u32, Span)], taken: &[u32]) -> Option<u32> {
         let range = self.control.vars.iter().find(|row| row.kind == VarKind::Common)?;
         let free = |number: &u32| {
@@ -220,7 +221,7 @@ fn variables_of(text: &str) -> Vec<(u32, Span)> {
     found
 }
 
-/// Whether a round bracket holds arithmetic, so that its variables count.
+/// Whether a round bracket contains arithmetic, so that its variables count.
 fn arithmetic(inner: &[u8]) -> bool {
     let inner = inner.iter().take_while(|b| !matches!(b, b')' | b'\n'));
     !inner.clone().any(u8::is_ascii_alphabetic)

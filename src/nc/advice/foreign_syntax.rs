@@ -1,4 +1,4 @@
-//! Words, signs and forms of other languages and of paper, each with its replacement on this control.
+//! Words, signs and forms of other languages and of printed formulas, each with its replacement on this control.
 
 use crate::msg;
 use crate::nc::lex::spelling::prose;
@@ -6,7 +6,7 @@ use crate::nc::parse::failure::{Failure, Mend};
 use crate::nc::parse::reader::Reader;
 use crate::text::{Diagnostic, Message};
 
-/// Words of other languages, and the sentence that helps.
+/// Words of other languages, and the catalog id of the hint for them.
 const WORDS: [(&[&str], &str); 5] = [
     (&["ELSE", "ELSEIF", "ELIF", "ENDIF"], "nc.hint.else"),
     (
@@ -18,11 +18,11 @@ const WORDS: [(&[&str], &str); 5] = [
     (&["POW", "POWER"], "nc.hint.power"),
 ];
 
-/// As many digits as a word takes.
+/// π with as many digits as a word allows.
 const PI: &str = "3.14159265";
 
 impl Reader<'_> {
-    /// The finding that replaces a failure which foreign syntax explains; the alarm stays.
+    /// The finding that replaces a failure caused by foreign syntax; the alarm stays.
     pub(in crate::nc) fn foreign_syntax(&self, failure: &Failure) -> Option<Diagnostic> {
         if self.names().is_some() {
             return None;
@@ -31,11 +31,11 @@ impl Reader<'_> {
         word.or_else(|| self.foreign_form(failure, failure.from))
     }
 
-    /// Behind an optional block skip and a sequence number.
+    /// Start of the statement, after an optional block skip and a sequence number.
     fn statement_start(&self) -> usize {
         let lead = |b: &u8| matches!(b, b'/' | b'N' | b'n' | b'0'..=b'9' | b' ' | b'\t');
         let letters = self.cursor.line.iter().take_while(|b| lead(b)).count();
-        // `NEXT` begins with no sequence number.
+        // `NEXT` does not begin with a sequence number.
         match self.cursor.line.get(letters) {
             Some(b)
                 if b.is_ascii_alphabetic() && letters > 0 && self.cursor.line[letters - 1].is_ascii_alphabetic() =>
@@ -57,7 +57,7 @@ impl Reader<'_> {
         let word = self.letters_at(at);
         let end = at + word.len();
         if prose(self.cursor.line.get(end..).unwrap_or_default().trim_ascii()) {
-            // `RETURN TO START` is a remark.
+            // `RETURN TO START` is an unbracketed comment.
             return None;
         }
         if word == "PI" {
@@ -72,7 +72,7 @@ impl Reader<'_> {
         Some(self.finding(failure.alarm, at, end, message).hint(Message { id, values: Vec::new() }))
     }
 
-    /// A sign or a number at an impossible position.
+    /// Finding for a sign or number in an impossible position.
     fn foreign_form(&self, failure: &Failure, at: usize) -> Option<Diagnostic> {
         let byte = *self.cursor.line.get(at)?;
         let before = self.cursor.line.get(..at).unwrap_or_default().trim_ascii_end();
@@ -84,7 +84,7 @@ impl Reader<'_> {
             return Some(finding.hint(msg!("nc.hint.power")));
         }
         if digits > 0 && before.is_empty() {
-            // `100=5`, and a program number without its letter.
+            // `100=5`, or a program number without its letter.
             let letter = match behind.first() {
                 Some(b'=') => self.control.syntax.variable.to_string(),
                 None if self.only_comments() => self.program_letter(),

@@ -1,20 +1,20 @@
-//! Index of the blocks of one program that jumps can name: labels, block numbers, and names in blocks that do not parse.
+//! Index of the possible jump targets of one program: labels, block numbers, and names in blocks that do not parse.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::nc::ast::{Block, Deck, JumpDirection, Stmt};
 use crate::nc::dec::Dec;
 
-/// Each part is made when it is first asked for; a look-up takes logarithmic time.
+/// Jump targets of one program. Each part is built on first use; a look-up takes logarithmic time.
 pub(super) struct JumpTargets<'a> {
     deck: &'a Deck,
     blocks: &'a [Block],
-    /// The program's file.
+    /// Text of the program's file.
     text: &'a str,
     /// (block number, index of the block in the program), sorted.
     numbers: Option<Vec<(u32, usize)>>,
     labels: Option<BTreeMap<&'a str, Vec<usize>>>,
-    /// In capitals.
+    /// Names in blocks that do not parse, in capitals.
     unread: Option<BTreeSet<String>>,
 }
 
@@ -49,7 +49,7 @@ impl<'a> JumpTargets<'a> {
         ends.first().into_iter().chain(ends.last()).any(|row| way.reaches(from, row.1))
     }
 
-    /// All labels, each with the blocks that it is written in front of.
+    /// All labels, each with its blocks.
     pub(super) fn labels(&mut self) -> &BTreeMap<&'a str, Vec<usize>> {
         self.labels.get_or_insert_with(|| {
             let mut labels: BTreeMap<&'a str, Vec<usize>> = BTreeMap::new();
@@ -67,7 +67,7 @@ impl<'a> JumpTargets<'a> {
         (!places.is_empty(), reached)
     }
 
-    /// Whether a block that does not parse holds this name, in capitals.
+    /// Whether a block that does not parse contains this name, in capitals.
     pub(super) fn is_in_unread_block(&mut self, name: &str) -> bool {
         let unread = self.unread.get_or_insert_with(|| {
             let mut names = BTreeSet::new();

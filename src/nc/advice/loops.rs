@@ -1,4 +1,4 @@
-//! Checks of loops: DO and END in pairs, not crossing, not nested too deep.
+//! Checks of loops: DO and END paired, not crossing, not nested too deep.
 
 use super::programs::Check;
 use crate::controls::Alarm;
@@ -7,20 +7,20 @@ use crate::nc::ast::{Block, Stmt};
 use crate::nc::parse::reader::FINDINGS;
 use crate::text::{DiagnosticKind, Fix, Message, Place, Span};
 
-/// Blocks that are searched for the end of a loop.
+/// Maximum blocks searched for the end of a loop.
 const SEARCHED: usize = 10_000;
 
-/// Number of a loop in a block that does not parse.
+/// Loop number in a block that does not parse.
 const ANY: u16 = 0;
 
-/// A loop that has begun and not ended.
+/// A loop without its END so far.
 struct OpenLoop<'a> {
     label: u16,
     /// Block of its DO.
     head: &'a Block,
 }
 
-/// Whether an open loop ends in these blocks, before another loop of its number begins.
+/// Whether an open loop ends in these blocks, before another loop of the same number begins.
 fn ends_in(blocks: &[Block], label: u16) -> bool {
     let found = blocks.iter().take(SEARCHED).find_map(|block| match block.stmt {
         Stmt::End { label: other } if other == label => Some(true),
@@ -30,7 +30,7 @@ fn ends_in(blocks: &[Block], label: u16) -> bool {
     found == Some(true)
 }
 
-/// Whether the block does not parse: its error is reported already.
+/// Whether the block does not parse, so that its error is already reported.
 fn is_unread(block: &Block) -> bool {
     matches!(block.stmt, Stmt::Bad(_))
 }
@@ -57,7 +57,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Reports an alarm of a loop; a run that meets the loop repeats it.
+    /// Reports an alarm of a loop, which a run through the loop raises too.
     fn report_loop(&mut self, alarm: Alarm, span: Span, message: Message) {
         self.report(alarm, span, message);
         if let Some(finding) = self.found.last_mut() {
@@ -65,7 +65,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Opens a loop; false where the check ends because loops are nested too deep.
+    /// Opens a loop; returns false to end the check because loops are nested too deep.
     fn begin_loop(&mut self, open: &mut Vec<OpenLoop<'a>>, inner: OpenLoop<'a>) -> bool {
         let (label, head, deepest) = (inner.label, inner.head, self.control.syntax.do_depth as usize);
         let span = self.keyword_span(head, "DO");
@@ -82,7 +82,7 @@ impl<'a> Check<'a> {
         true
     }
 
-    /// Ends a loop at `block`, in front of the blocks `rest`; false where there are too many findings to go on.
+    /// Ends a loop at `block`, before the blocks `rest`; returns false to end the check because of too many findings.
     fn end_loop(&mut self, open: &mut Vec<OpenLoop<'a>>, label: u16, block: &'a Block, rest: &[Block]) -> bool {
         match open.iter().rposition(|outer| outer.label == label || label == ANY || outer.label == ANY) {
             Some(at) if at + 1 == open.len() => drop(open.pop()),
@@ -94,7 +94,7 @@ impl<'a> Check<'a> {
         true
     }
 
-    /// An END inside the loops behind `open[at]`, which it ends: inner loops that end later cross it, others have no END.
+    /// Handles an END that closes `open[at]` from within inner loops: inner loops that end later cross it, others have no END.
     fn crossing_end(&mut self, open: &mut Vec<OpenLoop<'a>>, at: usize, (label, block): (u16, &Block), rest: &[Block]) {
         for inner in open.split_off(at + 1) {
             if ends_in(rest, inner.label) {
@@ -111,7 +111,7 @@ impl<'a> Check<'a> {
         open.remove(at);
     }
 
-    /// An END without its DO. Where the innermost loop has no END, the fix makes this one its END.
+    /// Handles an END without its DO. If the innermost loop has no END, the fix gives this one its number.
     fn end_without_do(&mut self, open: &mut Vec<OpenLoop<'a>>, (label, block): (u16, &Block), rest: &[Block]) {
         let span = self.keyword_span(block, "END");
         self.report_loop(Alarm::MissingDo, span, msg!("nc.end-without-do", number = u32::from(label)));
@@ -130,11 +130,11 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// The loop statement that the text of a block that does not parse shows; the block's own statement where it shows none.
+    /// The loop statement in the text of a block that does not parse; otherwise the block's own statement.
     fn unread_loop(&self, block: &Block) -> Stmt {
         let text = block.span.of(self.text).to_ascii_uppercase();
         let text = text.split('(').next().unwrap_or("");
-        // The number behind the keyword; `ANY` where it is missing or out of range.
+        // Number behind the keyword; `ANY` if missing or out of range.
         let label = |keyword: &str| {
             let behind = text.get(text.rfind(keyword)? + keyword.len()..).unwrap_or("").trim_start();
             let digits = behind.bytes().take_while(u8::is_ascii_digit).count();
@@ -142,7 +142,7 @@ impl<'a> Check<'a> {
             Some(label.filter(|&label| (1..=self.control.syntax.do_max).contains(&label.into())).unwrap_or(ANY))
         };
         let head = label("DO").or_else(|| text.contains("WHILE").then_some(ANY));
-        // `ENDWHILE` and `ENDDO` are ends.
+        // `ENDWHILE` and `ENDDO` are ends of loops.
         let end = text.contains("ENDW") || text.contains("ENDD");
         match (head.filter(|_| !end), label("END")) {
             (Some(label), _) => Stmt::While { cond: None, label },

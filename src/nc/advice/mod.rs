@@ -1,4 +1,4 @@
-//! Advice on mistakes: known patterns of mistakes, with their fixes.
+//! Advice on mistakes: known patterns, with their fixes.
 
 pub(super) mod programs;
 

@@ -1,4 +1,4 @@
-//! Checks of whole programs: jump targets, calls, the last block, programs of one number.
+//! Checks of whole programs: jump targets, calls, the last block, several programs of one number.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ use crate::nc::program_names::ProgramNames;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message, Place, Span};
 
-/// Checks every program. `spans` are the places of the deck's expressions, `later` its blocks with calls and jumps in words.
+/// Checks every program. `spans` are the places of the deck's expressions, `later` the blocks with calls and jumps in words.
 pub(in crate::nc) fn programs(
     (deck, spans): (&Deck, &[ExprSpan]),
     control: &Control,
@@ -54,7 +54,7 @@ pub(in crate::nc) fn programs(
     }
 }
 
-/// For each program in the order of the deck: whether an earlier one has its number, or its name where programs have names.
+/// For each program of the deck in order: whether an earlier one has the same number, or the same name in a language with names.
 fn repeated(deck: &Deck) -> Vec<bool> {
     let mut known = BTreeSet::new();
     let repeats = |program: &Program| {
@@ -80,7 +80,7 @@ pub(super) struct Check<'a> {
 }
 
 impl Check<'_> {
-    /// The bytes of an expression of the block; the block where they are not known.
+    /// Span of an expression of the block; the block's span if unknown.
     pub(super) fn expr_span(&self, block: &Block, expr: ExprId) -> Span {
         let span = self.spans.get(expr.0 as usize).and_then(|span| span.trimmed(self.text));
         span.unwrap_or(block.span)
@@ -103,7 +103,7 @@ impl Check<'_> {
         Span::new(block.span.start + at, block.span.start + at + len)
     }
 
-    /// Jumps to a constant number that is not in the program.
+    /// Checks jumps to constant numbers that are missing in the program.
     fn numbered_jumps(&mut self) {
         for block in self.blocks {
             let (Stmt::If { target, .. } | Stmt::Goto { target, .. }) = block.stmt else { continue };
@@ -116,14 +116,14 @@ impl Check<'_> {
 
     fn no_target(&mut self, missing: Alarm, number: Dec, span: Span) {
         if self.found.len() <= 2 * FINDINGS {
-            // Some numbers no block can have.
+            // Numbers outside the range of sequence numbers.
             let such = self.control.syntax.sequence_numbers().contains(&number.to_f64());
             let alarm = if such { missing } else { Alarm::JumpNumber };
             self.report(alarm, span, msg!("nc.no-such-sequence", block = format!("N{number}")));
         }
     }
 
-    /// The word of a letter with a number, and its bytes.
+    /// The last word with this letter and a constant number, and its span.
     fn number_word(&self, block: &Block, letter: Address) -> Option<(Dec, Span)> {
         let word = self.deck.words_of(block).iter().rfind(|word| word.letter == letter)?;
         let start = block.span.start + u32::from(word.offset);
@@ -158,7 +158,7 @@ impl Check<'_> {
         self.found.push(finding.fix(msg!("nc.fix.write", text = right.as_str()), vec![(place, right.clone())]));
     }
 
-    /// `G65 H80 P` and the like to a number that is not in the program.
+    /// Checks `G65 H80 P` and the like for a number that is missing in the program.
     fn function_jump(&mut self, block: &Block) {
         let Some((function, (number, span))) =
             self.number_word(block, Address::H).zip(self.number_word(block, Address::P))
@@ -171,13 +171,13 @@ impl Check<'_> {
         }
     }
 
-    /// Whether an M code of this number does this.
+    /// Whether the M code with this number has this meaning.
     fn is_code(&self, number: Dec, code: Code) -> bool {
         let id = m_number(number).filter(|_| number.scale == 0).map(CodeId::M);
         id.and_then(|id| self.control.code(id)).is_some_and(|row| row.code == code)
     }
 
-    /// A program must not run out of blocks.
+    /// Reports a program that runs out of blocks.
     fn end(&mut self) {
         let blocks = self.blocks;
         let remark = |block: &&Block| block.stmt == Stmt::Empty && block.number.is_none();
@@ -196,7 +196,7 @@ impl Check<'_> {
         let shown = self.control.alarm_shown(Alarm::NoProgramEnd);
         let mut finding =
             Diagnostic::error(msg!("nc.no-program-end", code = self.control.program_ends())).at(place).alarm(shown);
-        // The builder's and the user's standard programs are called: there the return is the likelier end.
+        // Standard programs of machine builder and user are subprograms: a return is their more likely end.
         let called = self.program.number >= 8000 || self.program.sub;
         let ends = if called { [Code::SubEnd, Code::EndRewind] } else { [Code::EndRewind, Code::SubEnd] };
         for end in ends {
@@ -211,7 +211,7 @@ impl Check<'_> {
         self.found.push(finding);
     }
 
-    /// Whether the program goes on behind a block.
+    /// Whether the program continues after a block.
     fn falls_through(&self, blocks: &[Block], block: &Block) -> bool {
         match block.stmt {
             Stmt::Words { .. } => !self.deck.words_of(block).iter().any(|word| match word.value {
@@ -225,7 +225,7 @@ impl Check<'_> {
                 _ => false,
             }),
             Stmt::Goto { .. } => false,
-            // The end of a loop without a condition is never passed.
+            // A loop without a condition never continues after its END.
             Stmt::End { label } => {
                 let heads = blocks.iter().rev().find_map(|block| match block.stmt {
                     Stmt::While { cond, label: other } if other == label => Some(cond),
@@ -239,7 +239,7 @@ impl Check<'_> {
                 row.is_none_or(|row| row.kind != VarKind::AlarmMessage)
             }
             Stmt::Bad(_) => {
-                // Letters O in place of zeros may be the error.
+                // The error may be letters O in place of zeros.
                 let text = block.span.of(self.text).to_ascii_uppercase().replace('O', "0");
                 !["M99", "M30", "M2", "M02", "M17", "RET"].iter().any(|end| text.contains(end))
             }

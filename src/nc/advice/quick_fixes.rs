@@ -12,32 +12,32 @@ use crate::nc::parse::reader::Reader;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message};
 
-/// Longer files get no fixes that need unused sequence numbers.
+/// Size limit (bytes) of files for fixes that need unused sequence numbers.
 const NUMBERED: usize = 1 << 20;
 
-/// Lines that are searched for the other end of a loop.
+/// Maximum lines searched for the other end of a loop.
 const SEARCHED: usize = 1000;
 
 impl Reader<'_> {
-    /// Reports a finding, mended by other text in place of some bytes of the line.
+    /// Reports a finding, with a fix that replaces some bytes of the line.
     pub(in crate::nc) fn replace(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize, new: &str) {
         let finding = self.mend(finding, Mend::Write(from, to, new));
         self.report_as(alarm, finding);
     }
 
-    /// Reports bytes of the line that should be other text.
+    /// Reports some bytes of the line, with a fix that replaces them.
     pub(in crate::nc) fn slip(&mut self, alarm: Alarm, from: usize, to: usize, message: Message, new: &str) {
         let finding = self.finding(alarm, from, to, message);
         self.replace(alarm, finding, from, to, new);
     }
 
-    /// Reports a finding, mended by square brackets around some bytes of the line.
+    /// Reports a finding, with a fix that puts some bytes of the line in square brackets.
     pub(in crate::nc) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
         let finding = self.mend(finding, Mend::Enclose(from, to));
         self.report_as(alarm, finding);
     }
 
-    /// A finding with what mends it.
+    /// Adds a fix to a finding.
     pub(in crate::nc) fn mend(&self, finding: Diagnostic, mend: Mend) -> Diagnostic {
         let place = |from, to| self.place(self.span(from, to));
         match mend {
@@ -80,12 +80,12 @@ impl Reader<'_> {
         }
     }
 
-    /// End of the text read so far, without the blanks behind it.
+    /// End of the text read so far, without trailing blanks.
     pub(in crate::nc) fn ended_at(&self) -> usize {
         self.cursor.line.get(..self.cursor.at).unwrap_or_default().trim_ascii_end().len()
     }
 
-    /// A word with spaces around it where the text has none.
+    /// A word, with spaces around it if the text has none.
     pub(in crate::nc) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
         let blank =
             |at: Option<usize>| at.and_then(|at| self.cursor.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
@@ -98,7 +98,7 @@ impl Reader<'_> {
         line_end(self.file.text)
     }
 
-    /// The optional block skip of the block, as it is written.
+    /// The optional block skip of the block, as written.
     pub(in crate::nc) fn skip_mark(&self) -> String {
         match self.block.skip_switch {
             0 => String::new(),
@@ -107,7 +107,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A sequence number that is neither in the file nor in another fix.
+    /// A sequence number that is unused in the file and in other fixes.
     fn fresh_number(&mut self) -> Option<u32> {
         if self.file.text.len() > NUMBERED {
             return None;
@@ -123,7 +123,7 @@ impl Reader<'_> {
         found.map(|(_, number)| number)
     }
 
-    /// `IF … THEN`, from `then` to `behind`, mended by a jump over what depends on the condition.
+    /// Adds a fix for `IF … THEN`, from `then` to `behind`: a jump over the conditional part.
     pub(in crate::nc) fn jump_instead(&mut self, finding: Diagnostic, then: usize, behind: usize) -> Diagnostic {
         let rest = self.cursor.line.get(behind..).unwrap_or_default();
         let behind = behind + rest.len() - rest.trim_ascii_start().len();
@@ -142,7 +142,7 @@ impl Reader<'_> {
         finding.fix(msg!("nc.fix.jump"), edits)
     }
 
-    /// The failure of a `WHILE` without its `DO`; the number of the `END` that has no other is the one that was meant.
+    /// Failure of a `WHILE` without `DO`. The fix uses the loop number of the next unpaired `END`.
     pub(in crate::nc) fn while_without_do(&self, start: usize) -> Box<Failure> {
         let at = self.ended_at().max(start + 5);
         let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
@@ -150,7 +150,7 @@ impl Reader<'_> {
         failure
     }
 
-    /// The number of the next `END` in the file that no `DO` behind this line belongs to.
+    /// Number of the next `END` in the file without a `DO` after this line.
     fn next_end(&self) -> Option<&str> {
         let behind = self.file.text.get(self.cursor.base as usize + self.cursor.line.len()..)?;
         let mut open = 0_u32;
@@ -172,7 +172,7 @@ impl Reader<'_> {
         None
     }
 
-    /// Signs `=` behind an address, which is none on these controls; skips them.
+    /// Reports and skips `=` behind an address, which these controls do not have.
     pub(in crate::nc) fn equals_in_word(&mut self) {
         let at = self.cursor.at;
         while self.skip() == b'=' {
@@ -182,7 +182,7 @@ impl Reader<'_> {
         self.slip(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
     }
 
-    /// Whether a letter O directly behind an address is meant as 0; it is read so.
+    /// Whether a letter O directly behind an address stands for 0; it is read as 0.
     pub(in crate::nc) fn zero_behind_letter(&mut self, start: usize) -> bool {
         let at = core::mem::replace(&mut self.cursor.at, start);
         let other = self.keyword_ahead() || prose(self.cursor.line.get(start..).unwrap_or_default());
@@ -190,11 +190,11 @@ impl Reader<'_> {
         at == start + 1 && !other && self.zero_for_o()
     }
 
-    /// A comma or a letter O in a number, which is at hand.
+    /// Reports a comma or a letter O in a number, at the cursor.
     #[cold]
     pub(in crate::nc) fn odd_digit(&mut self) {
         self.zero_for_o();
-        // In brackets a comma parts two numbers.
+        // In brackets a comma separates two numbers.
         let parts = self.names().is_some() || self.control.syntax.has(Function::Power);
         if self.cursor.peek() != b',' || parts && self.formulas.depth > 0 {
             return;
@@ -208,7 +208,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads `EX-3` behind a number that starts at `start`, if present: a power of ten; the result has at most 18 digits.
+    /// Reads an exponent `EX-3` behind a number that starts at `start`, if present; the result has at most 18 digits.
     #[cold]
     pub(in crate::nc) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
         if !self.cursor.ahead("EX") {
@@ -236,7 +236,7 @@ impl Reader<'_> {
         Dec { point: true, ..raised.unwrap_or_default() }
     }
 
-    /// Skips letters O in place of zeros in a number, with the digits behind them; returns whether there were any.
+    /// Skips letters O in place of zeros in a number, with the following digits; returns whether there were any.
     #[cold]
     pub(in crate::nc) fn zero_for_o(&mut self) -> bool {
         let from = self.cursor.at;
@@ -251,7 +251,7 @@ impl Reader<'_> {
         true
     }
 
-    /// `a**b`, which no control has; `a` is from `start` to `end`, the second `*` is at hand.
+    /// Reports `a**b`, which no control has; `a` is from `start` to `end`, the cursor is at the second `*`.
     #[cold]
     pub(in crate::nc) fn power(&mut self, base: ExprId, start: usize, end: usize) -> Read<ExprId> {
         self.cursor.at += 1;
@@ -269,7 +269,7 @@ impl Reader<'_> {
     }
 }
 
-/// A character in the shape that controls have: full-width forms, signs of arithmetic, blanks that do not break.
+/// Plain form of a character: for full-width characters, mathematical signs and non-breaking blanks.
 fn plain(c: char) -> char {
     match c {
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(c) - 0xfee0).unwrap_or(c),
@@ -281,5 +281,5 @@ fn plain(c: char) -> char {
     }
 }
 
-/// Letters of the Cyrillic and the Greek alphabet, and those that they are taken for.
+/// Cyrillic and Greek letters, and the Latin letters they look like.
 const LIKE: (&str, &str) = ("АВЕКМНОРСТУХЅІЈаеорсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "ABEKMHOPCTYXSIJAEOPCYXABEZHIKMNOPTYX");

@@ -1,7 +1,7 @@
-//! Blocks that do not parse: mistakes of known shapes, each reported once with its fix.
+//! Blocks that do not parse: known mistakes, each reported once with its fix.
 //!
-//! Tried in this order: a comment with brackets in it; a remark without brackets or behind `//`, in front of which a block may stand; round brackets used for arithmetic; else the
-//! failure as the control would meet it. In each case the block is bad: the control would stop there.
+//! Tried in this order: a comment with brackets in it; an unbracketed comment, or one behind `//`, after which a block may stand in front;
+//! round brackets for arithmetic; else the failure as the control meets it. In each case the block is bad: the control would stop there.
 
 use crate::controls::Alarm;
 use crate::msg;
@@ -11,20 +11,20 @@ use crate::nc::parse::reader::Mark;
 use crate::nc::parse::reader::{FINDINGS, Reader};
 use crate::text::{DiagnosticKind, Place};
 
-/// Words in arithmetic besides functions.
+/// Operators that are words, for recognizing arithmetic.
 const OPERATORS: [&[u8]; 10] = [b"AND", b"OR", b"XOR", b"MOD", b"EQ", b"NE", b"GT", b"GE", b"LT", b"LE"];
 
-/// Longer lines get their failure and no more: looking for shapes is not free.
+/// Length limit of lines for the search for known mistakes, because of its cost. Longer lines get their plain failure.
 const LOOKED_AT: usize = 1000;
 
 impl Reader<'_> {
-    /// Reports why the present line does not parse.
+    /// Reports the reason why the present line does not parse.
     pub(in crate::nc) fn recover(&mut self, mark: Mark, first: Box<Failure>) {
         let (alarm, whole) = (first.alarm, self.cursor.line);
         if whole.len() > LOOKED_AT || self.findings.list.len() > FINDINGS {
             return self.add_finding(first.finding);
         }
-        // A comment that is not closed was reported, and it hides the rest.
+        // An unclosed comment is already reported and hides the rest.
         if self.findings.list.iter().skip(mark.found).any(|finding| finding.kind == DiagnosticKind::OpenComment) {
             return;
         }
@@ -39,7 +39,7 @@ impl Reader<'_> {
         let Some(remark) = self.remark(&first) else { return self.try_rounds(&mark, *first) };
         self.rollback(&mark);
         let head = whole.get(..remark).unwrap_or_default().trim_ascii_end();
-        // `#101-----Spindle reduction ratio` is a remark from its start: there is no statement in front of it.
+        // `#101-----Spindle reduction ratio` is a comment from its start, without a statement in front.
         let from = variable_alone(head).unwrap_or(remark);
         let head = head.get(..from.min(head.len())).unwrap_or_default().trim_ascii_end();
         let before = mark;
@@ -48,7 +48,7 @@ impl Reader<'_> {
         self.cursor.line = head;
         self.rewind();
         match self.statement() {
-            // The apparent remark is in place of a value.
+            // The apparent comment is in place of a value.
             Err(failure) if failure.finding.kind == DiagnosticKind::EndsEarly => {
                 self.rollback(&before);
                 self.add_finding(first.finding);
@@ -59,7 +59,7 @@ impl Reader<'_> {
         self.cursor.line = whole;
     }
 
-    /// Reads the line again with round brackets that group: if it reads then, they are the mistake.
+    /// Reads the line again with round brackets that group. If it parses then, they are the mistake.
     fn try_rounds(&mut self, mark: &Mark, failure: Failure) {
         if !self.cursor.line.contains(&b'(') {
             return self.add_finding(failure.finding);
@@ -84,7 +84,7 @@ impl Reader<'_> {
         self.add_finding(finding.hint(msg!("nc.hint.round-brackets")).fix(msg!("nc.fix.square"), edits));
     }
 
-    /// Start of a remark without brackets: a run of dashes, or prose in place of a word.
+    /// Start of an unbracketed comment: a run of dashes, or prose in place of a word.
     fn remark(&self, failure: &Failure) -> Option<usize> {
         let mut at = 0;
         let mut comment = false;
@@ -109,7 +109,7 @@ impl Reader<'_> {
         (failure.at_word && !condition && (prose(rest) || other_script(rest))).then_some(failure.from)
     }
 
-    /// Reports a remark from `from` on, with the fix that puts it in brackets; the kept part of the block ends at `cut`.
+    /// Reports an unbracketed comment from `from` on, with a fix that puts it in brackets; the kept part of the block ends at `cut`.
     fn report_remark(&mut self, alarm: Alarm, cut: usize, from: usize) {
         let end = self.cursor.line.len();
         let start = self.cursor.base as usize;
@@ -124,7 +124,7 @@ impl Reader<'_> {
                 vec![(self.place(self.span(0, end)), edit)],
             );
         }
-        // A `;` in front of it was meant to begin it.
+        // A `;` in front was meant to start the comment.
         let before = self.file.text.get(..start + cut).unwrap_or("").trim_end_matches([' ', '\t']);
         let semicolon = self.notes.semicolon.filter(|&at| cut == 0 && before.len() == at as usize + 1);
         let mut place = self.place(self.span(cut, end));
@@ -145,8 +145,7 @@ impl Reader<'_> {
         self.report_as(alarm, finding);
     }
 
-    /// A comment with brackets in it, so that it ends before it should: where it opens, the brackets inside, where it was
-    /// meant to close.
+    /// A comment with brackets in it, which ends too early: its opening byte, the brackets inside, and its intended closing byte.
     fn nested_comment(&self) -> Option<(usize, Vec<usize>, usize)> {
         let mut from = 0;
         loop {
@@ -186,7 +185,7 @@ impl Reader<'_> {
         self.report_as(alarm, finding.fix(msg!("nc.fix.nested-comment"), edits));
     }
 
-    /// A `)` without its `(`; reported with its fix, and skipped. Fails where it ends a comment with brackets in it.
+    /// Reports a `)` without its `(`, with its fix, and skips it. Fails if it ends a comment with brackets in it.
     pub(in crate::nc) fn stray_round(&mut self) -> Read<()> {
         let close = self.cursor.at;
         let short = self.cursor.line.len() <= LOOKED_AT;
@@ -198,7 +197,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Whether the round bracket at hand holds arithmetic and no prose.
+    /// Whether the round bracket at the cursor contains arithmetic and no prose.
     pub(in crate::nc) fn arithmetic_ahead(&self) -> bool {
         self.arithmetic(self.cursor.at)
     }
@@ -230,26 +229,26 @@ fn dashes(line: &[u8], at: usize) -> usize {
     if wide > 0 && ascii == 0 { wide * 3 } else { ascii }
 }
 
-/// Whether a run of dashes opens a remark: no formula has two signs in a row before a letter.
+/// Whether a run of dashes starts a comment: no formula has two signs in a row before a letter.
 fn is_remark(line: &[u8], at: usize, run: usize) -> bool {
     let wide = line.get(at).is_some_and(|b| !b.is_ascii());
     let mut behind = line.get(at + run..).unwrap_or_default().iter().skip_while(|b| **b == b' ');
     let letter = behind.next().is_none_or(|b| b.is_ascii_alphabetic() || !b.is_ascii());
-    // A wide dash directly in front of a value is a sign.
+    // A wide dash directly in front of a value is a minus sign.
     let value = line.get(at + run).is_some_and(|b| b.is_ascii_digit() || matches!(b, b'.' | b'#' | b'['));
     let sign = value && at.checked_sub(1).and_then(|at| line.get(at)).is_some_and(|b| !b.is_ascii_whitespace());
     run > 0 && (wide && !sign || run >= 2 && letter)
 }
 
-/// Whether a text is in a script that no address is taken for (Chinese, Japanese, Korean), or the dots that leave something out: no word of the
-/// control is in it.
+/// Whether a text is in a script without look-alikes of addresses (Chinese, Japanese, Korean), or an ellipsis, so that it contains no words
+/// of the control.
 fn other_script(rest: &[u8]) -> bool {
     let text = core::str::from_utf8(rest).unwrap_or_default();
     let begins = text.chars().next().is_some_and(|c| matches!(c, '\u{3040}'..='\u{d7a3}' | '\u{2026}'));
     begins && !text.contains(|c: char| c.is_ascii_alphanumeric())
 }
 
-/// Start of a variable that is alone in front of a remark, behind at most a sequence number.
+/// Start of a variable alone in front of a comment, after at most a sequence number.
 fn variable_alone(head: &[u8]) -> Option<usize> {
     let at = head.iter().position(|&b| b == b'#')?;
     let (number, variable) = head.split_at_checked(at)?;
@@ -265,7 +264,7 @@ fn program_in(text: &str) -> Option<(&str, u32)> {
     (number > 0).then_some((title.trim_end().trim_end_matches(':'), number))
 }
 
-/// A remark as the control takes it: capitals, one pair of round brackets; `None` where nothing is left of it.
+/// A comment in the control's form: capitals, one pair of round brackets; `None` if nothing is left.
 fn comment(text: &str) -> Option<String> {
     let mut out = String::from("(");
     let mut depth = 0_u32;
@@ -286,7 +285,7 @@ fn comment(text: &str) -> Option<String> {
         }
     }
     if out.trim_end().len() == 1 {
-        // Nothing that the control can show: the text is kept all the same.
+        // The control can show none of it; the text is kept all the same.
         let kept = text.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '\u{2026}'));
         out.extend(kept.map(|c| if c == '\u{2026}' { '.' } else { c }));
     }
@@ -294,7 +293,7 @@ fn comment(text: &str) -> Option<String> {
     (text.len() > 1).then_some(text + ")")
 }
 
-/// The beginning of a text, for a sentence.
+/// Beginning of a text, for a message.
 fn short(text: &str) -> String {
     let text = text.trim();
     match text.char_indices().nth(24) {

@@ -9,7 +9,7 @@ use crate::nc::parse::reader::FINDINGS;
 use crate::text::{Diagnostic, Place, Span};
 
 impl Check<'_> {
-    /// Labels, the jumps to them, calls and messages.
+    /// Checks labels, jumps to labels, calls and messages.
     pub(super) fn named(&mut self) {
         if self.control.raises(Alarm::LabelTwice) {
             self.labels_twice();
@@ -32,7 +32,7 @@ impl Check<'_> {
         }
     }
 
-    /// Labels in front of several blocks.
+    /// Reports labels in front of several blocks.
     fn labels_twice(&mut self) {
         let labels = self.targets.labels().iter();
         let again: Vec<(&str, usize)> =
@@ -43,11 +43,11 @@ impl Check<'_> {
         }
     }
 
-    /// A jump to a label, which has to lie on its way.
+    /// Checks a jump to a label, which has to be in the jump's direction.
     fn label(&mut self, (at, block): (usize, &Block), (target, label): (ExprId, TextId), way: JumpDirection) {
         let name = self.deck.text(Some(label));
         let (exists, reached) = self.targets.label_on_way(name, at, way);
-        // The error of an unread block is reported, and the label may be in it.
+        // The error of a block that does not parse is already reported, and the label may be in it.
         if reached || self.found.len() > 2 * FINDINGS || !exists && self.targets.is_in_unread_block(name) {
             return;
         }
@@ -72,7 +72,7 @@ impl Check<'_> {
         });
     }
 
-    /// Calls of programs that are not here, where a code of nearly the same name is.
+    /// Reports calls of missing programs with a name close to a code.
     fn calls(&mut self) {
         for block in self.blocks {
             let Stmt::Call { name, .. } = block.stmt else { continue };
@@ -89,14 +89,14 @@ impl Check<'_> {
         }
     }
 
-    /// A jump to a block number, where there are such.
+    /// Checks a jump to a block number, on controls with such jumps.
     fn block_number(&mut self, (at, block): (usize, &Block), number: i64, way: JumpDirection) {
         if self.found.len() <= 2 * FINDINGS && !self.targets.number_on_way(number, at, way) {
             self.report(Alarm::NoSequence, block.span, msg!("nc.no-such-sequence", block = format!("N{number}")));
         }
     }
 
-    /// Two messages without an executable block between them.
+    /// Reports two messages without an executable block between them.
     fn messages(&mut self) {
         let mut message = false;
         for block in self.blocks {
@@ -110,7 +110,7 @@ impl Check<'_> {
         }
     }
 
-    /// The bytes of a name at the head of its block: a label or a called program.
+    /// Span of a name at the start of its block: a label or a called program.
     fn name_span(&self, block: &Block, name: &str) -> Span {
         let text = block.span.of(self.text).to_ascii_uppercase();
         let at = text.as_bytes().windows(name.len().max(1)).position(|w| w == name.as_bytes()).unwrap_or(0) as u32;

@@ -1,26 +1,26 @@
-//! [`Cursor`]: the lexer. A position in the bytes of a block, and the lexical elements ahead of it.
+//! [`Cursor`]: the lexer. A position in the bytes of a block, and functions for the lexical elements after it.
 
 use crate::nc::dec::Dec;
 
-/// Below it one more digit fits an `i64`.
+/// Mantissa below which one more digit fits an `i64`.
 const FULL: i64 = 100_000_000_000_000_000;
 
-/// A line of a file, or one block of it, and the byte at hand.
+/// A line of a file, or one block of it, and a position in it.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::nc) struct Cursor<'a> {
     /// Bytes of the block.
     pub(in crate::nc) line: &'a [u8],
-    /// Byte of the file that the block starts at.
+    /// Start of the block in the file, in bytes.
     pub(in crate::nc) base: u32,
-    /// Byte at hand, from the start of the block.
+    /// Position from the start of the block, in bytes.
     pub(in crate::nc) at: usize,
 }
 
-/// An unsigned decimal as it is written.
+/// An unsigned decimal as written.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::nc) struct Digits {
     pub(in crate::nc) value: Dec,
-    /// Bytes, the point among them.
+    /// Length in bytes, the point included.
     pub(in crate::nc) length: usize,
     /// More digits than `value` can hold.
     pub(in crate::nc) full: bool,
@@ -29,19 +29,19 @@ pub(in crate::nc) struct Digits {
 }
 
 impl<'a> Cursor<'a> {
-    /// The byte at hand; 0 at the end of the block.
+    /// The byte at the cursor; 0 at the end of the block.
     #[inline]
     pub(in crate::nc) fn peek(&self) -> u8 {
         self.line.get(self.at).copied().unwrap_or(0)
     }
 
-    /// A byte behind the byte at hand; 0 beyond the end of the block.
+    /// A byte after the cursor; 0 beyond the end of the block.
     #[inline]
     pub(in crate::nc) fn byte(&self, behind: usize) -> u8 {
         self.line.get(self.at + behind).copied().unwrap_or(0)
     }
 
-    /// The bytes from here on.
+    /// The bytes from the cursor on.
     #[inline]
     pub(in crate::nc) fn rest(&self) -> &'a [u8] {
         self.line.get(self.at..).unwrap_or_default()
@@ -59,34 +59,34 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Whether a word is ahead, in capitals or not.
+    /// Whether a word is at the cursor, ignoring case.
     pub(in crate::nc) fn ahead(&self, word: &str) -> bool {
         let rest = self.line.get(self.at..self.at + word.len());
         rest.is_some_and(|rest| rest.eq_ignore_ascii_case(word.as_bytes()))
     }
 
-    /// The longest of some words that is ahead.
+    /// The longest of some words at the cursor.
     pub(in crate::nc) fn longest<T: Copy>(&self, words: &[(&'static str, T)]) -> Option<(&'static str, T)> {
         words.iter().filter(|(word, _)| self.ahead(word)).max_by_key(|(word, _)| word.len()).copied()
     }
 
-    /// Bytes ahead that are all of one kind.
+    /// Number of consecutive bytes of one kind at the cursor.
     pub(in crate::nc) fn run(&self, kind: impl Fn(u8) -> bool) -> usize {
         self.rest().iter().take_while(|byte| kind(**byte)).count()
     }
 
-    /// Digits ahead.
+    /// Number of digits at the cursor.
     pub(in crate::nc) fn digits(&self) -> usize {
         self.run(|byte| byte.is_ascii_digit())
     }
 
-    /// The name ahead: letters, digits and `_`; empty where there is none.
+    /// The name at the cursor: letters, digits and `_`; empty if there is none.
     pub(in crate::nc) fn name(&self) -> &'a str {
         let len = self.run(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
         core::str::from_utf8(self.rest().get(..len).unwrap_or_default()).unwrap_or("")
     }
 
-    /// Bytes of the comment or text at hand, from its opening byte to its closing byte, and whether it is closed in this line.
+    /// Length in bytes of the comment or text at the cursor, opening and closing byte included, and whether it is closed in this line.
     pub(in crate::nc) fn enclosed(&self, close: u8) -> (usize, bool) {
         let rest = self.rest();
         match rest.iter().skip(1).position(|byte| *byte == close) {
@@ -95,7 +95,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Takes an unsigned number: digits with at most one point.
+    /// Reads an unsigned number: digits with at most one point.
     #[inline]
     pub(in crate::nc) fn take_digits(&mut self) -> Digits {
         let (mut mantissa, mut scale, mut point, mut full) = (0_i64, 0_u8, false, false);

@@ -12,7 +12,7 @@ pub(in crate::nc) const COMPARISONS: [(&str, Op); 6] = [
     ("LE", Op::LessEqual),
 ];
 
-/// Comparisons as signs, the longer ones first; whether a control that takes signs takes this one.
+/// Comparisons as signs, longer ones first, and whether controls with comparison signs have this one.
 pub(in crate::nc) const SIGNS: [(&str, Op, bool); 13] = [
     ("==", Op::Equal, true),
     ("<>", Op::NotEqual, true),
@@ -29,10 +29,10 @@ pub(in crate::nc) const SIGNS: [(&str, Op, bool); 13] = [
     ("≤", Op::LessEqual, false),
 ];
 
-/// Words that open a macro statement.
+/// Keywords that start a macro statement.
 pub(in crate::nc) const KEYWORDS: [&str; 5] = ["IF", "GOTO", "WHILE", "DO", "END"];
 
-/// Statements that the control has and the simulation does not act on.
+/// Statements of the control that the simulation ignores.
 pub(in crate::nc) const OUTSIDE: [&str; 4] = ["POPEN", "PCLOS", "DPRNT", "SETVN"];
 
 /// The spelling of a comparison.
@@ -44,10 +44,10 @@ pub(in crate::nc) fn letters_of(op: Op) -> &'static str {
 pub(in crate::nc) const OPERATORS: [(&str, Op); 4] =
     [("AND", Op::And), ("MOD", Op::Modulo), ("OR", Op::Or), ("XOR", Op::Xor)];
 
-/// In a language with names: operators between truths, from the loosest to the closest.
+/// In a language with names: logic operators, from the weakest to the strongest binding.
 pub(in crate::nc) const LOGIC: [(&str, Op); 3] = [("OR", Op::Or), ("XOR", Op::Xor), ("AND", Op::And)];
 
-/// In a language with names: words that open statements.
+/// In a language with names: words that start a statement.
 pub(in crate::nc) const NAMED_STATEMENTS: [&str; 4] = ["IF", "GOTOF", "GOTOB", "MSG"];
 
 /// In a language with names: statements of the macro languages of other controls.

@@ -1,21 +1,21 @@
-//! Program names and their numbers, where programs have names.
+//! Program names and their numbers, in a language with names.
 
 use crate::controls::syntax::Names;
 
-/// The number in a numbered name: 9100 in `L9100`; 0 for none. Leading zeros make another name.
+/// The number in a numbered name: 9100 in `L9100`; 0 without one. Leading zeros make a different name.
 pub(in crate::nc) fn number_in(names: &Names, name: &str) -> u32 {
     let digits = names.numbered.iter().find_map(|letters| name.strip_prefix(letters));
     let digits = digits.filter(|digits| !digits.starts_with('0') && digits.bytes().all(|b| b.is_ascii_digit()));
     digits.and_then(|digits| digits.parse().ok()).unwrap_or(0)
 }
 
-/// Whether a name is a numbered one, also with leading zeros.
+/// Whether a name is a numbered one, leading zeros included.
 pub(in crate::nc) fn is_numbered(names: &Names, name: &str) -> bool {
     let digits = |digits: &str| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
     names.numbered.iter().any(|letters| name.strip_prefix(letters).is_some_and(digits))
 }
 
-/// Whether a name begins as names do: two letters, or `_` and a letter or another `_`.
+/// Whether a name has a valid start: two letters, or `_` and a letter or another `_`.
 pub(in crate::nc) fn begins_as_name(name: &str) -> bool {
     let mut first = name.bytes();
     let letter = |b: Option<u8>| b.is_some_and(|b| b.is_ascii_alphabetic() || b == b'_');

@@ -1,13 +1,13 @@
-//! Misspelt names and plain language: the known name that a name is closest to, and whether a text is prose.
+//! Misspelt names and prose: the known name closest to a name, and whether a text is prose.
 
-/// Which of some names was meant by a name: one letter wrong, missing, too many or exchanged, or two in a long name.
+/// Index of the name closest to a misspelt one: at most one wrong, missing, extra or exchanged letter, two in a long name.
 pub(in crate::nc) fn meant<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<usize> {
     let most = if name.len() > 4 { 2 } else { 1 };
     let near = names.enumerate().map(|(at, known)| (distance(name.as_bytes(), known.as_bytes()), at));
     near.filter(|&(distance, _)| distance <= most).min().map(|(_, at)| at)
 }
 
-/// How many letters are to be put in, left out, changed or exchanged with the next to get from one name to another.
+/// Edit distance between two names: letters to insert, delete, change, or exchange with the next.
 fn distance(a: &[u8], b: &[u8]) -> usize {
     let mut before: Vec<usize> = Vec::new();
     let mut row: Vec<usize> = (0..=b.len()).collect();
@@ -26,7 +26,7 @@ fn distance(a: &[u8], b: &[u8]) -> usize {
     row.last().copied().unwrap_or(0)
 }
 
-/// Whether the text reads like words of a language: two or more runs of letters, one of them long.
+/// Whether the text looks like prose: two or more runs of letters, one of them long.
 pub(in crate::nc) fn prose(rest: &[u8]) -> bool {
     let runs = rest.split(|b| !b.is_ascii_alphabetic()).filter(|run| run.len() >= 2);
     let (count, longest) = runs.fold((0, 0), |(count, longest), run| (count + 1, longest.max(run.len())));

@@ -1,4 +1,4 @@
-//! Pieces of a line for colouring: the kind of each, without checks.
+//! Tokens of a line for syntax colouring, without checks.
 
 use super::cursor::Cursor;
 use super::keywords::{COMPARISONS, KEYWORDS, NAMED_STATEMENTS, OPERATORS, OUTSIDE};
@@ -6,7 +6,7 @@ use crate::controls::Control;
 use crate::controls::syntax::Names;
 use crate::text::Span;
 
-/// Kind of a piece.
+/// Kind of a token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum TokenKind {
     /// `( … )`.
@@ -27,7 +27,7 @@ pub enum TokenKind {
     Operator,
     /// `%`.
     Percent,
-    /// A character that the control lacks.
+    /// A character missing on the control.
     Error,
 }
 
@@ -45,7 +45,7 @@ pub fn keywords(control: &Control) -> Vec<&'static str> {
     KEYWORDS.iter().copied().chain(then).chain(COMPARISONS.map(|(word, _)| word)).chain(operators).collect()
 }
 
-/// The pieces of a line (or of several lines), without white space, in order.
+/// The tokens of a line (or of several lines), without white space, in order.
 pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
     let mut out = Vec::new();
     let mut base = 0;
@@ -66,12 +66,12 @@ pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
     out
 }
 
-/// Bytes of a number as it is coloured: digits and points.
+/// Number of bytes of a number for colouring: digits and points.
 fn number(cursor: &Cursor, from: usize) -> usize {
     Cursor { at: cursor.at + from, ..*cursor }.run(|byte| byte.is_ascii_digit() || byte == b'.')
 }
 
-/// Length and kind of the piece at hand.
+/// Length and kind of the token at the cursor.
 fn piece(cursor: &Cursor, control: &Control) -> (usize, TokenKind) {
     match cursor.peek() {
         b'(' => (cursor.enclosed(b')').0, TokenKind::Comment),
@@ -89,12 +89,12 @@ fn piece(cursor: &Cursor, control: &Control) -> (usize, TokenKind) {
             (None, digits @ 1..) if matches!(byte | 0x20, b'n' | b'o') => (1 + digits, TokenKind::Sequence),
             _ => (1, TokenKind::Address),
         },
-        // A character of several bytes goes to its last byte.
+        // A character of several bytes is one token.
         _ => (1 + (Cursor { at: cursor.at + 1, ..*cursor }).run(|byte| byte & 0xC0 == 0x80), TokenKind::Error),
     }
 }
 
-/// Length of the keyword or function name at hand.
+/// Length of the keyword or function name at the cursor.
 fn keyword(cursor: &Cursor, control: &Control) -> Option<usize> {
     let words = KEYWORDS.iter().chain(&["THEN"]).chain(&OUTSIDE).copied();
     let operators = OPERATORS.iter().chain(&COMPARISONS).map(|(word, _)| *word);
@@ -102,7 +102,7 @@ fn keyword(cursor: &Cursor, control: &Control) -> Option<usize> {
     words.chain(operators).chain(functions).filter(|word| cursor.ahead(word)).map(str::len).max()
 }
 
-/// Length and kind of a piece that only languages with names have.
+/// Length and kind of a token that only languages with names have.
 fn named_piece(cursor: &Cursor, names: &Names, control: &Control) -> Option<(usize, TokenKind)> {
     match cursor.peek() {
         b';' => Some((cursor.rest().len(), TokenKind::Comment)),
@@ -114,7 +114,7 @@ fn named_piece(cursor: &Cursor, names: &Names, control: &Control) -> Option<(usi
     }
 }
 
-/// Length and kind of the name or word at hand.
+/// Length and kind of the name or word at the cursor.
 fn name(cursor: &Cursor, names: &Names, control: &Control) -> (usize, TokenKind) {
     let name = cursor.name();
     let letters = cursor.run(|byte| byte.is_ascii_alphabetic());

@@ -8,10 +8,10 @@ use crate::controls::syntax::RoundBrackets;
 use crate::controls::{Address, AddressSet, Control};
 use crate::text::{Diagnostic, FileId, Fix, LineIndex, Message, Place, Span};
 
-/// No index, no number.
+/// Missing index or number.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Findings that are listed, those of the reader among them.
+/// Maximum findings in the list, the reader's included.
 const FINDINGS: usize = 1000;
 
 /// The programs under check and the warnings so far.
@@ -19,22 +19,22 @@ pub(super) struct Lint<'a> {
     pub(super) parsed: &'a Parsed,
     pub(super) deck: &'a Deck,
     pub(super) control: &'static Control,
-    /// Number of the program that is started, where it is known.
+    /// Number of the started program, if known.
     pub(super) start: Option<u32>,
-    /// Variables that the operator sets.
+    /// Variables set by the operator.
     pub(super) set: &'a [u32],
     pub(super) programs: ProgramNames<'a>,
-    /// Warnings that are listed at most.
+    /// Maximum warnings in the list.
     most: usize,
-    /// Words that were reported to overwrite others.
+    /// Number of words reported for overwriting others.
     pub(super) again: usize,
     pub(super) found: Vec<Diagnostic>,
-    /// Cache: the lines of the file that was asked for last.
+    /// Cache: the lines of the last requested file.
     lines: Option<(FileId, LineIndex)>,
 }
 
 impl<'a> Lint<'a> {
-    /// No warnings yet.
+    /// Context without warnings.
     pub(super) fn new(parsed: &'a Parsed, start: Option<u32>, set: &'a [u32]) -> Lint<'a> {
         let deck = parsed.deck();
         Lint {
@@ -53,16 +53,16 @@ impl<'a> Lint<'a> {
 }
 
 impl<'a> Lint<'a> {
-    /// Whether no more warnings are listed.
+    /// Whether the list of warnings is full.
     pub(super) fn is_full(&self) -> bool {
         self.found.len() >= self.most
     }
 
-    /// The place of bytes of a block, an index in the deck, and the text there: without the space and the remark behind it, and without
-    /// square brackets around it.
+    /// Place and text of bytes of a block (by index in the deck), without trailing space and comment, and without enclosing square
+    /// brackets.
     pub(super) fn written(&self, block: u32, span: Span) -> (Place, &'a str) {
         let mut place = self.place(block, span);
-        // A formula may end in space.
+        // The span of a formula may include trailing space.
         let mut text = self.parsed.text(place);
         if self.control.syntax.round == RoundBrackets::Comment {
             text = text.split('(').next().unwrap_or(text);
@@ -72,7 +72,7 @@ impl<'a> Lint<'a> {
         (place, text.trim_matches(['[', ']']))
     }
 
-    /// The place and the text of the word with a letter in a block, or of the block.
+    /// Place and text of the word with a letter in a block; of the block if it has no such word.
     pub(super) fn written_word(&self, block: u32, words: &[Word], letter: Address) -> (Place, &'a str) {
         let Some(row) = self.deck.blocks.get(block as usize) else { return Default::default() };
         let span = words.iter().find(|word| word.letter == letter).map_or(row.span, |word| word.span(row));
@@ -88,7 +88,7 @@ impl<'a> Lint<'a> {
         self.found.last_mut()
     }
 
-    /// Mends the last finding by another text for each of these words of its file.
+    /// Adds a fix to the last finding: another text for each of these words of its file.
     pub(super) fn fix(&mut self, title: Message, words: &[(Span, Dec)], text: &dyn Fn(Dec) -> String) {
         if let Some(finding) = self.found.last_mut()
             && let Some(place) = finding.place
@@ -97,13 +97,13 @@ impl<'a> Lint<'a> {
             finding.fixes.push(Fix { title, edits });
         }
     }
-    /// Bytes of the file of a block.
+    /// Place of a span in the file of a block.
     pub(super) fn place(&self, block: u32, span: Span) -> Place {
         let program = self.deck.programs.partition_point(|program| program.end <= block);
         Place { file: self.deck.programs.get(program).map_or_else(Default::default, |program| program.file), span }
     }
 
-    /// The sequence number of a block, with its letter.
+    /// Span of a block's sequence number, with its letter.
     pub(super) fn number(&self, block: u32) -> Span {
         let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
         let text = self.parsed.text(self.place(block, span)).as_bytes();
@@ -123,13 +123,13 @@ impl<'a> Lint<'a> {
         lines.line_of(span.start).to_string()
     }
 
-    /// Bytes of a part of a formula; those of the block if they are not known.
+    /// Span of a part of a formula; the block's span if unknown.
     pub(super) fn part(&self, block: u32, part: ExprId) -> Span {
         let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
         self.parsed.expr_span(self.place(block, span), part).unwrap_or(span)
     }
 
-    /// Addresses whose number counts increments without a point: for dimensions, and for arguments of macros.
+    /// Addresses whose numbers count increments without a point: in dimensions, and in macro arguments.
     pub(super) fn increments(&self) -> [AddressSet; 2] {
         let numbers = &self.parsed.dialect().numbers;
         let none = AddressSet::EMPTY;
@@ -138,14 +138,14 @@ impl<'a> Lint<'a> {
     }
 }
 
-/// The number of a word, `least` for each increment that it counts ([`Lint::increments`]); `None` where it is calculated.
+/// Number of a word, multiplied by `least` if it counts increments ([`Lint::increments`]); `None` if calculated.
 pub(super) fn measure(word: &Word, increments: AddressSet, least: f64) -> Option<f64> {
     let WordValue::Number(dec) = word.value else { return None };
     let counts = !dec.point && increments.contains(word.letter);
     Some(if counts { dec.to_f64() * least } else { dec.to_f64() })
 }
 
-/// A whole number that is written as one.
+/// The value of a whole number written as such.
 pub(super) fn whole(value: WordValue) -> Option<u32> {
     let WordValue::Number(dec) = value else { return None };
     let unit = POW10[dec.scale.min(18) as usize];

@@ -1,4 +1,4 @@
-//! Loops whose condition nothing in them changes: once in such a loop, a run never leaves it.
+//! Loops with a condition that no block in them changes: once inside, a run never leaves such a loop.
 
 use std::collections::BTreeSet;
 
@@ -11,12 +11,12 @@ use crate::controls::VarKind;
 use crate::msg;
 use crate::text::listed;
 
-/// Visits of blocks per block of the text: inner loops are visited again.
+/// Maximum visits of blocks per block of the text; inner loops are visited again.
 const BUDGET: usize = 4;
 
-/// Reports the loops of a program whose condition cannot change. Conditions of constants alone are meant.
+/// Reports the loops of a program with a condition that cannot change. Constant conditions are intentional.
 pub(super) fn endless(lint: &mut Lint, flow: &Flow) {
-    // A modal call runs behind any motion, and may change any variable.
+    // A modal call runs after each motion, and may change any variable.
     let modal = |block| flow.roles.block(flow.deck.words_of(block)) & CALL != 0;
     if flow.blocks.iter().any(modal) {
         return;
@@ -46,7 +46,7 @@ pub(super) fn endless(lint: &mut Lint, flow: &Flow) {
     }
 }
 
-/// The variables of a condition, where they are all known and only the program changes them.
+/// The variables of a condition; `None` unless all are known and changed only by the program.
 fn variables(flow: &Flow, cond: ExprId) -> Option<BTreeSet<u32>> {
     let (mut numbers, mut known) = (BTreeSet::new(), true);
     visit(flow.deck, cond, &mut |_, expr| match expr {
@@ -81,7 +81,7 @@ fn stays(flow: &Flow, (start, end): (u32, u32), numbers: &BTreeSet<u32>) -> bool
         };
         let (jump, falls) = flow.step(at);
         let inside = (start..=end).contains(&jump) || jump == NONE && (falls || at == end);
-        // The condition itself is the way out that is looked for.
+        // The loop's own condition is not a way out.
         let own = at == start && matches!(block.stmt, Stmt::While { .. }) && jump == end + 1;
         if ends || jump == ANY || !inside && !own {
             return false;
@@ -91,6 +91,6 @@ fn stays(flow: &Flow, (start, end): (u32, u32), numbers: &BTreeSet<u32>) -> bool
     for &number in numbers {
         kept |= flow.control.var(number).is_some_and(|row| row.kind != VarKind::Local);
     }
-    // A loop without motion over variables that operator and PLC reach waits for them.
+    // A loop without motion may wait for variables set by operator or PLC.
     moves || !kept
 }

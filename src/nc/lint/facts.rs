@@ -1,4 +1,4 @@
-//! Facts about all programs for the checks: which call, return and end, and which have errors.
+//! Facts about all programs for the checks: calls, returns, ends and errors.
 
 use std::collections::BTreeSet;
 
@@ -10,10 +10,10 @@ use crate::controls::{Address, Alarm, Code};
 use crate::msg;
 use crate::text::Severity;
 
-/// Programs from this number on are the builder's and the user's standard programs: they are on the machine, and they are called.
+/// First number of the standard programs of machine builder and user, which are on the machine and are called.
 const STANDARD: u32 = 8000;
 
-/// Missing programs that are reported.
+/// Maximum missing programs in the warnings.
 const MISSED: usize = 100;
 
 /// Facts about one program.
@@ -21,21 +21,21 @@ const MISSED: usize = 100;
 pub(super) struct Part {
     /// It has a program end.
     pub(super) ends: bool,
-    /// It is called in these files.
+    /// A program of these files calls it.
     pub(super) called: bool,
     /// The words of blocks are its arguments.
     pub(super) each_block: bool,
-    /// A block may continue elsewhere than at the next.
+    /// A block may continue elsewhere than at the next block.
     pub(super) bends: bool,
-    /// There is an error in it.
+    /// It has an error.
     pub(super) faulty: bool,
-    /// Returns of it, `M99`, and the block of the last one.
+    /// Number of returns (`M99`), and the block of the last one.
     returns: u32,
     return_at: u32,
 }
 
 impl Part {
-    /// Whether its jumps are followed: it has some, and no errors.
+    /// Whether its jumps are followed: it has jumps and no errors.
     pub(super) fn follows(&self) -> bool {
         self.bends && !self.faulty
     }
@@ -45,38 +45,38 @@ impl Part {
 #[derive(Clone, Copy)]
 pub(super) struct Call {
     pub(super) block: u32,
-    /// Indices of the programs.
+    /// Indices of caller and called program.
     pub(super) from: u32,
     pub(super) to: u32,
-    /// With arguments, else as a subprogram that shares its caller's locals.
+    /// With arguments; otherwise as a subprogram that shares its caller's local variables.
     pub(super) with_locals: bool,
 }
 
 /// Facts from one pass over all words.
 #[derive(Default)]
 pub(super) struct Facts {
-    /// One for each program.
+    /// One per program.
     pub(super) parts: Vec<Part>,
-    /// In the order of the blocks.
+    /// Calls in the order of the blocks.
     pub(super) calls: Vec<Call>,
-    /// Programs are called by calculated numbers, so any may be called.
+    /// A program is called by a calculated number, so any may be called.
     pub(super) any_called: bool,
-    /// Sequence numbers that calls and returns name, with the program or [`NONE`] for any.
+    /// Sequence numbers used by calls and returns, with the program or [`NONE`] for any.
     pub(super) entries: BTreeSet<(u32, u32)>,
-    /// Calls or returns go to calculated sequence numbers.
+    /// A call or return goes to a calculated sequence number.
     pub(super) any_entry: bool,
-    /// Numbers of programs that are called and not here.
+    /// Numbers of called programs that are missing in the files.
     pub(super) missed: Vec<u32>,
-    /// Blocks that do not read, with the indices of their programs.
+    /// Blocks that do not parse, with the indices of their programs.
     pub(super) bad: Vec<(u32, u32)>,
-    /// Variables and jumps are written as `G65 H`, which these checks do not follow.
+    /// Variables and jumps are used by `G65 H`, which these checks do not follow.
     pub(super) functions: bool,
-    /// A program begins constant surface speed.
+    /// A program switches constant surface speed on.
     pub(super) surface: bool,
 }
 
 impl Facts {
-    /// Notes calls, returns and ends of a block, both by index.
+    /// Records calls, returns and ends of a block, both by index.
     pub(super) fn note(
         &mut self,
         lint: &mut Lint,
@@ -103,7 +103,7 @@ impl Facts {
                 (None, Some(Some(number))) => {
                     let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
                     let to = lint.programs.number(called);
-                    // Repeats in P are reported by the reader.
+                    // The reader reports repeats in P.
                     if to.is_none() && (called <= 9999 || lint.programs.number(called % 10_000).is_none()) {
                         self.missing(lint, block, words, called);
                     }
@@ -133,8 +133,8 @@ impl Facts {
         }
     }
 
-    /// A call of a program that is in none of the files, each such program once. Those from 8000 on are the builder's and the user's
-    /// standard programs: they are on the machine.
+    /// Reports a call of a program that is missing in the files, each program once. Programs from 8000 on are standard programs of machine
+    /// builder and user, which are on the machine.
     fn missing(&mut self, lint: &mut Lint, block: u32, words: &[Word], number: u32) {
         if !self.missed.contains(&number) && self.missed.len() < MISSED {
             self.missed.push(number);
@@ -149,13 +149,13 @@ impl Facts {
 
     pub(super) fn call(&mut self, call: Call) {
         if let Some(part) = self.parts.get_mut(call.to as usize) {
-            // A program that calls itself has no other caller by that.
+            // A call by the program itself is not a call from elsewhere.
             part.called |= call.to != call.from;
             self.calls.push(call);
         }
     }
 
-    /// A sequence number behind P of a return or H of a call.
+    /// Records a sequence number behind P of a return or H of a call.
     fn entry(&mut self, program: u32, number: Option<Option<u32>>) {
         match number {
             Some(Some(label)) => drop(self.entries.insert((program, label))),
@@ -170,8 +170,8 @@ impl Facts {
         self.any_entry || u32::try_from(number).is_ok_and(named)
     }
 
-    /// A main program that returns starts again without end. Only the started program is known to be a main program; others only where
-    /// nothing here can be one.
+    /// Reports a main program that returns, and so restarts for ever: the started program, if known; else the first one, if no program here has
+    /// an end and none is called by a calculated number.
     pub(super) fn main_returns(&self, lint: &mut Lint) {
         if lint.control.macros.main_ends {
             return;

@@ -1,4 +1,4 @@
-//! Programs with errors: a block that does not parse may set, call or jump to anything that it names.
+//! Programs with errors: a block that does not parse may set, call or jump to everything it names.
 
 use super::super::ast::Block;
 use super::context::Lint;
@@ -12,7 +12,7 @@ impl Facts {
         let start = |index: usize| {
             let program = &deck.programs[index];
             let first = deck.blocks_of(program).first().map_or(u32::MAX, |block| block.span.start);
-            // A program that begins with its first block has no place.
+            // A program that begins with its first block has no span of its own.
             let head = if program.span.start < program.span.end { program.span.start } else { first };
             (program.file, head.min(first))
         };
@@ -26,7 +26,7 @@ impl Facts {
         }
     }
 
-    /// Notes a block that does not read; whether it may say what F is per.
+    /// Records a block that does not parse; returns whether it may set the unit of F.
     pub(super) fn bad_block(&mut self, lint: &Lint, (program, at): (u32, u32), block: &Block) -> bool {
         let text = lint.parsed.text(lint.place(at, block.span)).to_ascii_uppercase();
         let any = |words: &[&str]| words.iter().any(|word| text.contains(word));
@@ -41,7 +41,7 @@ impl Facts {
     }
 }
 
-/// The numbers of the variables that a block names, and whether it names one by a formula.
+/// Numbers of the variables named in a block, and whether it names one by a formula.
 pub(super) fn variables(text: &str, letter: char) -> (Vec<u32>, bool) {
     let (mut numbers, mut any) = (Vec::new(), false);
     let mut bytes = text.bytes().peekable();

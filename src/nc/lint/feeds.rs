@@ -1,4 +1,4 @@
-//! Feeds: F0, cutting without any F, and feeds whose size does not fit their unit.
+//! Feeds: F0, cuts without any F, and feeds of an unlikely size for their unit.
 
 use super::super::ast::{Block, Word};
 use super::super::dec::Dec;
@@ -9,45 +9,45 @@ use crate::controls::{Address, AddressSet, Alarm, Code, ParamRole};
 use crate::msg;
 use crate::text::Span;
 
-/// Feeds that a fix reaches.
+/// Maximum feeds in one fix.
 const PLACES: usize = 1000;
 
-/// Feeds per minute below this are meant per revolution: cuts of two millimetres a minute do not occur.
+/// Feed per minute (mm/min) below which a feed per revolution is assumed, because cuts this slow do not occur.
 const SLOWEST: f64 = 2.0;
 
-/// Feeds per revolution above this are meant per minute.
+/// Feed per revolution (mm) above which a feed per minute is assumed.
 const COARSEST: f64 = 20.0;
 
 /// Feeds of all programs.
 #[derive(Default)]
 pub(super) struct Feeds {
-    /// A word F is there, or a block that does not parse may hold one.
+    /// A block has an F word, or does not parse and may have one.
     any: bool,
     /// The first code of a cutting motion, with its block.
     first_cut: Option<(u32, Span)>,
-    /// A code sets the unit of F, or a block that does not parse may.
+    /// A code sets the unit of F, or a block that does not parse may do so.
     has_unit: bool,
     /// Feeds of straight lines.
     lines: Vec<(u32, Span, Dec)>,
-    /// The program at hand moves along straight lines.
+    /// The present program moves along straight lines.
     linear: bool,
-    /// F0 of the program at hand is reported.
+    /// F0 of the present program is reported.
     has_zero: bool,
 }
 
 impl Feeds {
-    /// A program begins.
+    /// Starts a program.
     pub(super) fn program(&mut self) {
         (self.linear, self.has_zero) = (false, false);
     }
 
-    /// A block that does not parse; `unit` if it may set the unit of F.
+    /// Records a block that does not parse; `unit` if it may set the unit of F.
     pub(super) fn bad_block(&mut self, unit: bool) {
         self.any = true;
         self.has_unit |= unit;
     }
 
-    /// A block of words, with the addresses and the number behind F in it.
+    /// Records a block of words, with its addresses and its F number.
     #[inline]
     pub(super) fn block(
         &mut self,
@@ -78,10 +78,10 @@ impl Feeds {
         }
     }
 
-    /// Reports what all programs together show.
+    /// Reports the findings from all programs together.
     pub(super) fn tell(&self, lint: &mut Lint, facts: &Facts) {
         self.tell_unit(lint);
-        // A program that is called and not here may set a feed, and so may a caller.
+        // A called program that is missing here, or a caller, may set a feed.
         let silent = self.any || !facts.missed.is_empty() || facts.any_called;
         if let Some((at, span)) = self.first_cut.filter(|_| !silent && facts.parts.iter().any(|part| part.ends)) {
             let alarm = lint.control.alarm_number(Alarm::NoFeed).unwrap_or("");
@@ -90,7 +90,7 @@ impl Feeds {
         }
     }
 
-    /// Without a code for the unit, F has that of power-on; its size shows whether that is meant.
+    /// Reports feeds of an unlikely size, if no code sets the unit of F and the unit after power-on is in force.
     fn tell_unit(&self, lint: &mut Lint) {
         let mut startup = lint.parsed.dialect().startup.iter().filter_map(|id| lint.control.code(*id));
         let revolution = startup.any(|row| row.code == Code::FeedPerRevolution);
@@ -99,7 +99,7 @@ impl Feeds {
             let feed = dec.to_f64();
             if revolution { feed > COARSEST } else { feed > 0.0 && feed < SLOWEST }
         };
-        // One feed of a usual size, and the unit is meant.
+        // One feed of a usual size shows that the unit is intended.
         if self.has_unit || self.lines.iter().any(|(_, _, dec)| !strange(dec)) {
             return;
         }
@@ -118,7 +118,7 @@ impl Feeds {
     }
 }
 
-/// F0, which stops the axes, moves them in rapid traverse, or is a feed of a parameter.
+/// Reports F0, which stops the axes, moves them in rapid traverse, or is a feed of a parameter.
 #[cold]
 fn tell_zero(lint: &mut Lint, at: u32, span: Span) {
     let parameter = lint.control.param(ParamRole::FeedOneDigit).map_or("", |row| row.number);

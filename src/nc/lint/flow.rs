@@ -1,4 +1,4 @@
-//! Control flow: the successors of each block, and blocks that nothing leads to.
+//! Control flow: the successors of each block, and unreachable blocks.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,13 +10,13 @@ use crate::controls::Address;
 use crate::controls::{Control, VarKind};
 use crate::msg;
 
-/// Repeated sequence numbers that are reported for a program.
+/// Maximum repeated sequence numbers in the warnings of a program.
 const TWICE: usize = 20;
 
-/// A jump to a calculated sequence number: to any.
+/// Target of a jump to a calculated sequence number: any block.
 pub(super) const ANY: u32 = NONE - 1;
 
-/// The blocks of one program and where they lead. Indices count from its first block.
+/// The blocks of one program and their successors. Indices count from its first block.
 pub(super) struct Flow<'a> {
     pub(super) deck: &'a Deck,
     pub(super) control: &'static Control,
@@ -52,7 +52,7 @@ impl<'a> Flow<'a> {
             match block.stmt {
                 Stmt::While { label, .. } => open.push((label.into(), at)),
                 Stmt::End { .. } => {
-                    // Loops that do not match are errors of the reader.
+                    // The reader reports loops that do not match.
                     if let Some((_, start)) = open.pop() {
                         partner.resize(blocks.len(), NONE);
                         partner[start] = at as u32;
@@ -66,7 +66,7 @@ impl<'a> Flow<'a> {
         Flow { deck, control, roles, program: program as u32, blocks, base: row.first, numbers, labels, partner }
     }
 
-    /// The block with a sequence number: searched from a block on to the end, then from the head.
+    /// The block with a sequence number: searched from a block to the end, then from the start.
     fn target(&self, number: u32, from: u32) -> u32 {
         let number = u64::from(number);
         let mut at = self.numbers.partition_point(|&row| row < (number, from as usize));
@@ -87,14 +87,14 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// Where a block jumps ([`NONE`] nowhere, or [`ANY`]), and whether the next one may follow it.
+    /// Jump target of a block ([`NONE`] for none, or [`ANY`]), and whether the next block may follow it.
     pub(super) fn step(&self, at: u32) -> (u32, bool) {
         let Some(block) = self.blocks.get(at as usize) else { return (NONE, false) };
         let partner = || self.partner.get(at as usize).copied().unwrap_or(NONE);
         let (jump, falls) = match block.stmt {
             Stmt::Words { .. } => {
                 let words = self.deck.words_of(block);
-                // A `/` in the middle of a block makes what follows it optional.
+                // A `/` in the middle of a block makes the rest optional.
                 (
                     NONE,
                     self.roles.block(words) & (END | RETURN) == 0
@@ -107,9 +107,9 @@ impl<'a> Flow<'a> {
                 None => (self.jump(target, at, way), true),
             },
             Stmt::Goto { target, way } => (self.jump(target, at, way), false),
-            // To one of several.
+            // To one of several targets.
             Stmt::Ifs { .. } => (ANY, true),
-            // Behind the END is beyond all blocks where it is the last: a jump to nowhere.
+            // If the END is the last block, its successor is beyond all blocks: a jump to nowhere.
             Stmt::While { cond: Some(cond), .. } => match self.deck.holds(cond) {
                 Some(true) => (NONE, true),
                 holds => (partner().saturating_add(1), holds.is_none()),
@@ -126,7 +126,7 @@ impl<'a> Flow<'a> {
         self.control.var(number).is_some_and(|row| row.kind == VarKind::AlarmMessage)
     }
 
-    /// Whether a block leads to an alarm before anything else: jumps there handle errors.
+    /// Whether a block leads to an alarm before anything else; jumps to it handle errors.
     pub(super) fn is_alarm_exit(&self, from: u32) -> bool {
         let mut at = from;
         while at < from + 20 && self.step(at) == (NONE, true) {
@@ -135,10 +135,10 @@ impl<'a> Flow<'a> {
         matches!(self.blocks.get(at as usize), Some(Block { stmt: Stmt::Assign { to, .. }, .. }) if self.is_alarm(*to))
     }
 
-    /// Reports repeated sequence numbers that are jumped to.
+    /// Reports repeated sequence numbers that are jump targets.
     pub(super) fn twice(&self, lint: &mut Lint, facts: &Facts) {
         if self.control.syntax.names().is_some() {
-            // Jumps there say where they look.
+            // Jumps there have a direction.
             return;
         }
         let twice = || self.numbers.windows(2).filter(|pair| pair[0].0 == pair[1].0);
@@ -155,7 +155,7 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// The sequence numbers that the program jumps to, and whether it jumps to calculated ones.
+    /// Sequence numbers that the program jumps to, and whether it jumps to calculated ones.
     fn jumped(&self) -> (BTreeSet<u64>, bool) {
         let (mut numbers, mut any) = (BTreeSet::new(), false);
         for (_, target, _) in self.blocks.iter().flat_map(|block| self.deck.jumps_of(block.stmt)) {
@@ -174,7 +174,7 @@ impl<'a> Flow<'a> {
         let mut open = vec![0];
         let firsts = self.numbers.chunk_by(|a, b| a.0 == b.0).filter_map(<[_]>::first);
         open.extend(firsts.filter(|row| facts.enters(self.program, row.0)).map(|row| row.1 as u32));
-        // Of a subprogram whose callers are not here, any number may be an entry.
+        // If the callers of a subprogram are not here, any sequence number may be an entry.
         if !part.called && !part.ends || facts.any_entry {
             open.push(ANY);
         }
@@ -198,12 +198,12 @@ impl<'a> Flow<'a> {
                 at += 1;
             }
         }
-        // A reachable block behind the last one ends each run.
+        // A reachable block after the last one ends each run.
         seen.push(true);
         let (mut first, mut count) = (0, 0_u32);
         for (at, seen) in seen.into_iter().enumerate() {
             if let Some(block) = self.blocks.get(at).filter(|_| !seen) {
-                // A program needs its end even where nothing gets there.
+                // A program needs its end even if it is unreachable.
                 let words = self.deck.words_of(block);
                 let end = words.len() == 1 && self.roles.block(words) & (END | RETURN) != 0;
                 if block.stmt != Stmt::Empty && !end {

@@ -12,25 +12,25 @@ use crate::controls::Address;
 use crate::msg;
 use crate::text::{DiagnosticKind, Message, Place, Span};
 
-/// Visits of blocks per block of the text: inner loops are visited again.
+/// Maximum visits of blocks per block of the text; inner loops are visited again.
 const BUDGET: usize = 8;
 
-/// Programs that loops call.
+/// Maximum checked programs that loops call.
 const CALLED: usize = 1000;
 
-/// Different words of one kind that are kept.
+/// Maximum different words kept of one kind.
 const KINDS: usize = 4;
 
 /// Words of one kind in a pass.
 #[derive(Default)]
 struct Function<'a> {
-    /// All different ones: a pass that switches to and fro means it.
+    /// All different words; a pass that alternates between them does so intentionally.
     all: Vec<&'a Word>,
-    /// The first of each block that is in every pass, with the block.
+    /// The first word of each block that is in every pass, with the block.
     always: Vec<(u32, Span)>,
 }
 
-/// Looks at the loops of all programs.
+/// Checks the loops of all programs.
 pub(super) fn loops(lint: &mut Lint, facts: &Facts, flows: &[Flow]) {
     let mut called: Vec<u32> = Vec::new();
     for flow in flows {
@@ -56,8 +56,8 @@ pub(super) fn loops(lint: &mut Lint, facts: &Facts, flows: &[Flow]) {
     }
 }
 
-/// Looks at one pass of a loop, or of a program that a loop calls: the blocks from `start` to `end`, and which of them no jump within
-/// the pass leaves out. Programs that every pass calls are added to `called`.
+/// Checks one pass of a loop, or of a program called by a loop: the blocks from `start` to `end`. Blocks that a jump within the pass may
+/// skip are not in every pass. Programs called in every pass are added to `called`.
 fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), called: &mut Vec<u32>) {
     let mut pass = Pass::default();
     // Blocks before this one are not in every pass.
@@ -66,7 +66,7 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
         let Some(block) = flow.blocks.get(at as usize) else { break };
         let always = at >= certain && block.skip == 0;
         let (jump, falls) = flow.step(at);
-        // Blocks behind one that never goes on are reached by a jump only.
+        // Blocks after one that never continues are reached only by a jump.
         if jump == ANY || !falls && at < end {
             certain = NONE;
         } else if jump > at && jump <= end && !flow.is_alarm_exit(jump) {
@@ -93,7 +93,7 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
 struct Pass<'a> {
     spindle: Function<'a>,
     auxiliary: Function<'a>,
-    /// Variables that the pass assigns; [`NONE`] for a calculated number.
+    /// Variables assigned by the pass; [`NONE`] for a calculated number.
     assigned: BTreeSet<u32>,
     /// A block moves in rapid traverse; axes move; a block cuts.
     rapid: bool,
@@ -104,7 +104,7 @@ struct Pass<'a> {
 }
 
 impl<'a> Pass<'a> {
-    /// Notes the words of a block; `always` where the block is in every pass.
+    /// Records the words of a block; `always` if the block is in every pass.
     fn words(&mut self, flow: &Flow<'a>, (here, block): (u32, &Block), bits: u32, always: bool) {
         self.rapid |= bits & RAPID != 0;
         self.cuts |= bits & (LINEAR | CURVED) != 0;
@@ -129,7 +129,7 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// Whether the pass means to command the spindle: it stops it, reverses it, or changes its speed.
+    /// Whether the pass commands the spindle intentionally: it stops it, reverses it, or changes its speed.
     fn controls_spindle(&self, flow: &Flow) -> bool {
         let spindle = &self.spindle.all;
         let twice = |(at, word): (usize, &&Word)| spindle[..at].iter().any(|other| other.letter == word.letter);
@@ -162,7 +162,7 @@ impl Function<'_> {
                 return;
             }
             let (place, code) = lint.written(block, span);
-            // An inner loop, or a program that two loops call, is visited twice.
+            // An inner loop, or a program called by two loops, is visited twice.
             let start = |place: Place| (place.file, place.span.start);
             if lint.found.iter().all(|d| d.kind != kind || d.place.map(start) != Some(start(place)))
                 && let Some(finding) = lint.say(place, message(code))

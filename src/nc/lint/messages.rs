@@ -1,4 +1,4 @@
-//! Operator messages that are longer than the control's display.
+//! Operator messages longer than the control's display.
 
 use super::super::ast::{Block, Expr, Stmt};
 use super::context::Lint;
@@ -6,7 +6,7 @@ use crate::controls::VarKind;
 use crate::msg;
 use crate::text::Span;
 
-/// Reports a message that is too long, at the part that the display cuts off.
+/// Reports a message that is too long, at the part beyond the display.
 pub(super) fn length(lint: &mut Lint, at: u32, block: &Block) {
     let text = match block.stmt {
         Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } => {

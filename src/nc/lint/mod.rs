@@ -1,7 +1,7 @@
-//! Warnings about programs that parse: blocks that do something other than intended.
+//! Warnings about programs that parse: blocks with an effect other than intended.
 //!
-//! A few linear passes over the tree, each with a budget. Jumps are not followed in programs with errors, and variables named in blocks that
-//! do not parse are not checked. In doubt there is no warning.
+//! A few linear passes over the tree, each with a budget. Jumps are not followed in programs with errors, and variables named in blocks
+//! that do not parse are not checked. In case of doubt there is no warning.
 
 mod context;
 mod endless;
@@ -28,8 +28,7 @@ use flow::Flow;
 use roles::Roles;
 use vars::Vars;
 
-/// The warnings, in the order of the text. `start` is the number of the started program, if known; `set` are variables that
-/// the operator sets.
+/// The warnings, in text order. `start` is the number of the started program, if known; `set` are variables set by the operator.
 pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
     let deck = parsed.deck();
     let mut lint = Lint::new(parsed, start, set);

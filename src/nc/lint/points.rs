@@ -1,4 +1,4 @@
-//! Numbers without a point that count increments, in programs that do not show that they mean increments.
+//! Numbers without a decimal point that count increments, in programs not evidently written in increments.
 
 use super::super::ast::{Block, Word, WordValue};
 use super::super::dec::Dec;
@@ -9,17 +9,17 @@ use crate::msg;
 use crate::text::Span;
 use crate::text::catalog::number_text;
 
-/// Places of one kind that a fix reaches.
+/// Maximum places of one kind in one fix.
 const PLACES: usize = 1000;
 
-/// From this size (increments of 0.001 mm) a number without a point is meant: a forgotten point would make it ten metres, and programs in
-/// increments have lengths of a centimetre.
+/// Size (increments of 0.001 mm) from which a number without a point is intended: a forgotten point would make it ten metres, and programs
+/// in increments have lengths of a centimetre.
 const DELIBERATE: u64 = 10_000;
 
-/// From this size (increments) a dwell without a point is meant.
+/// Size (increments) from which a dwell without a point is intended.
 const DELIBERATE_DWELL: u64 = 100;
 
-/// Numbers of one kind behind one letter that have no point.
+/// Numbers of one kind behind one letter, without a decimal point.
 struct Pointless {
     kind: u32,
     letter: Address,
@@ -28,12 +28,12 @@ struct Pointless {
     words: Vec<(Span, Dec)>,
 }
 
-/// Numbers without a point of one program.
+/// Numbers without a decimal point of one program.
 pub(super) struct Points {
-    /// Addresses that count increments: for dimensions, and for arguments of macros.
+    /// Addresses that count increments: in dimensions, and in macro arguments.
     increments: [AddressSet; 2],
     rows: Vec<Pointless>,
-    /// The program shows that it means increments, or it counts in inches, which is not checked.
+    /// The program is evidently in increments, or in inches, which are not checked.
     deliberate: bool,
 }
 
@@ -42,13 +42,13 @@ impl Points {
         Points { increments, rows: Vec::new(), deliberate: false }
     }
 
-    /// Whether a number of a dimension has no point.
+    /// Whether a number of a dimension has no decimal point.
     #[inline]
     pub(super) fn counts(&self, letter: Address, number: Dec) -> bool {
         !number.point && number.mantissa != 0 && self.increments[0].contains(letter)
     }
 
-    /// Notes a block; `counts` where a number of a dimension has no point.
+    /// Records a block; `counts` if a number of a dimension has no decimal point.
     #[inline]
     pub(super) fn block(&mut self, at: u32, block: &Block, words: &[Word], bits: u32, counts: bool) {
         self.deliberate |= bits & INCH != 0;
@@ -64,7 +64,7 @@ impl Points {
     }
 }
 
-/// Notes the numbers without a point of a block; true where one shows that the program counts increments.
+/// Records the numbers without a decimal point of a block; returns whether one shows that the program is in increments.
 #[cold]
 fn collect(
     rows: &mut Vec<Pointless>,
@@ -115,7 +115,7 @@ impl Pointless {
         let meant = |dec: Dec| format!("{letter}{}", Dec { point: true, ..dec });
         if self.count == self.words.len() {
             lint.fix(msg!("lint.fix.point", word = meant(dec)), &self.words, &meant);
-            // As it is now: the control's increments are thousandths.
+            // Fix to the present meaning: the control's increments are thousandths.
             let present = |dec: Dec| format!("{letter}{}", number_text(dec.to_f64() * step, 9));
             lint.fix(msg!("lint.fix.present", word = present(dec)), &self.words, &present);
         }

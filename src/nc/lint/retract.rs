@@ -1,4 +1,4 @@
-//! Retractions at cutting feed on a lathe: out of the cut, and beyond the end of the preceding rapid.
+//! Retractions at cutting feed on a lathe: away from the cut, and past the end of the preceding rapid.
 
 use super::super::ast::{Dimensioning, Stmt, Word};
 use super::context::{Lint, measure};
@@ -6,14 +6,14 @@ use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles
 use crate::controls::Address;
 use crate::msg;
 
-/// Codes after which nothing is known of positions.
+/// Codes after which positions are unknown.
 const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
 
-/// A position across and along the spindle, as words count it; unknown is NaN, for which no comparison holds.
+/// A position across and along the spindle, in the unit of words. Unknown is NaN, for which no comparison is true.
 type Place = [f64; 2];
 const NOWHERE: Place = [f64::NAN; 2];
 
-/// Reports the first such block of every program.
+/// Reports the first retraction at cutting feed of every program.
 pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
     let (deck, axes) = (lint.deck, lint.control.axes);
     let across = axes.iter().find(|axis| axis.diameter);

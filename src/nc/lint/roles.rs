@@ -15,7 +15,7 @@ pub(super) const INCREMENTAL: u32 = 1 << 4;
 pub(super) const PER_MINUTE: u32 = 1 << 5;
 /// Feed per revolution or by time.
 pub(super) const OTHER_FEED: u32 = 1 << 6;
-/// Exact stop, for one block or from here on.
+/// Exact stop, in one block or modal.
 pub(super) const EXACT: u32 = 1 << 7;
 pub(super) const CUTTING: u32 = 1 << 8;
 pub(super) const INCH: u32 = 1 << 9;
@@ -30,13 +30,13 @@ pub(super) const RETURN: u32 = 1 << 13;
 pub(super) const END: u32 = 1 << 14;
 /// `M00`, `M01`.
 pub(super) const STOP: u32 = 1 << 15;
-/// Axis words of this block are no plain motion: reference return, coordinate setting, cycles.
+/// Axis words of this block are not a plain motion: reference return, coordinate setting, cycles.
 pub(super) const SPECIAL: u32 = 1 << 16;
 /// `M03`, `M04`.
 pub(super) const SPINDLE: u32 = 1 << 17;
 /// `M05`, `M19`.
 pub(super) const SPINDLE_REST: u32 = 1 << 18;
-/// Any other M code that the PLC answers.
+/// Any other M code, answered by the PLC.
 pub(super) const AUXILIARY: u32 = 1 << 19;
 
 /// The words of every following block are arguments.
@@ -99,7 +99,7 @@ impl<'a> Roles<'a> {
         Roles { codes, rows: control.codes.iter().map(bits).collect() }
     }
 
-    /// The bits of a word that is a code; none where its number is calculated.
+    /// The bits of a code word; none for a calculated number.
     #[inline]
     pub(super) fn word(&self, word: &Word) -> u32 {
         let WordValue::Number(_) = word.value else { return 0 };

@@ -1,11 +1,11 @@
-//! Settings of switches that are free text: parts of them without effect.
+//! Free text settings of switches: parts without effect.
 
 use super::context::Lint;
 use crate::controls::options::CallParameters;
 use crate::msg;
 use crate::text::Diagnostic;
 
-/// Parts of texts that are no setting, or bind nothing.
+/// Reports parts of text settings that could not be read, or bind nothing.
 pub(super) fn idle_texts(lint: &mut Lint) {
     for (id, part) in lint.parsed.dialect().idle_texts(lint.control) {
         let message = match id {

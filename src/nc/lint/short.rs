@@ -14,28 +14,28 @@ use super::roles::{
 use crate::controls::{Control, Dialect};
 use crate::text::{DiagnosticKind, Span};
 
-/// Blocks that stop the path, or after which nothing is known of the codes in force.
+/// Codes that stop the path, or after which the codes in force are unknown.
 const BREAKS: u32 =
     CURVED | RAPID | EXACT | DWELL | CALL | SUB | RETURN | STOP | SPECIAL | SPINDLE | SPINDLE_REST | AUXILIARY;
 
-/// Codes in force that short blocks need.
+/// Codes that have to be in force for short blocks.
 const NEEDED: u32 = LINEAR | INCREMENTAL | PER_MINUTE | CUTTING;
 
 /// Motion state at a block.
 pub(super) struct Short {
     control: &'static Control,
     increments: AddressSet,
-    /// Which axes count diameters.
+    /// Dialect of the control, for the axes that count diameters.
     dialect: Rc<Dialect>,
     /// Codes of [`NEEDED`] in force.
     modes: u32,
-    /// Millimetres that a block needs at the feed in force, and the fastest feed of any axis.
+    /// Shortest length (mm) that a block needs at the feed in force, and the fastest feed of any axis (mm/min).
     limit: f64,
     fastest: f64,
-    /// Short blocks in a row; since the DO before, nothing else has moved.
+    /// Number of short blocks in a row, and whether nothing else has moved since the last DO.
     run: u32,
     in_loop: bool,
-    /// First block of the row with its seconds; the same of the first row that is reported.
+    /// First block of the present row with its seconds, and the same for the first reported row.
     first: (u32, Span, f64),
     told: (u32, Span, f64),
     count: u32,
@@ -66,7 +66,7 @@ impl Short {
         measure(word, self.increments, self.control.limits.increment)
     }
 
-    /// A block that only computes or jumps.
+    /// Records a block that only computes or jumps.
     pub(super) fn macro_block(&mut self, stmt: &Stmt) {
         match stmt {
             Stmt::Assign { .. } | Stmt::Assigns { .. } | Stmt::Message(_) | Stmt::IfThen { .. } | Stmt::Empty => {}
@@ -79,7 +79,7 @@ impl Short {
         }
     }
 
-    /// Ends a row of short blocks: counted if a loop repeats them, or if they are more than the control reads ahead.
+    /// Ends a row of short blocks. It counts if a loop repeats it, or if it is longer than the control's read-ahead.
     fn end_run(&mut self, repeated: bool) {
         if self.run > u32::from(self.control.timing.preread) || repeated && self.run > 0 {
             if self.count == 0 {
@@ -91,7 +91,7 @@ impl Short {
         self.in_loop = false;
     }
 
-    /// A block of words, with its index.
+    /// Records a block of words, with its index.
     #[inline]
     pub(super) fn block(&mut self, (at, block): (u32, &Block), words: &[Word], bits: u32) {
         self.modes |= bits & NEEDED;
@@ -119,7 +119,7 @@ impl Short {
                 }
             }
         }
-        // Compared without a root.
+        // Compared as squares, without a square root.
         if certain && square > 0.0 && square < self.limit * self.limit {
             if self.run == 0 {
                 self.first = (at, block.span, square.sqrt() / self.limit * self.control.timing.block);

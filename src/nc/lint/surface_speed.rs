@@ -1,4 +1,4 @@
-//! Constant surface speed: cuts to the turning centre without a limit of the speed, and offsets that move work zero off the centre.
+//! Constant surface speed: cuts to the turning centre without a speed limit, and offsets that move work zero off the centre.
 
 use super::super::ast::{Dimensioning, Stmt, Word};
 use super::super::codes::code_of;
@@ -9,13 +9,13 @@ use crate::controls::{Address, AxisDef, Code, CodeDef, Group};
 use crate::msg;
 use crate::text::{Severity, Span};
 
-/// Diameter (mm) below which a cut counts as one to the centre: at 100 m/min it asks for 16 000 r/min.
+/// Diameter (mm) below which a cut counts as one to the centre: at 100 m/min it needs 16 000 r/min.
 const CENTRE: f64 = 2.0;
 
 /// Codes after which the position across the spindle is unknown.
 const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
 
-/// State of the check in one program. Diameters in mm as words count them; unknown is NaN, for which no comparison holds.
+/// State of the check in one program. Diameters in mm, as words count; unknown is NaN, for which no comparison is true.
 struct Course {
     /// Constant surface speed is on.
     surface: bool,
@@ -32,7 +32,7 @@ pub(super) fn surface_speed(lint: &mut Lint, roles: &Roles, facts: &Facts) {
     let Some((k, cross)) = axes.enumerate().find(|(_, axis)| axis.diameter || axis.letter == Address::X) else {
         return;
     };
-    // A program that is called and not here may limit the speed, and so may a block that does not parse.
+    // A called program that is missing here, or a block that does not parse, may limit the speed.
     let limited = !facts.missed.is_empty() || facts.any_called || !facts.bad.is_empty() || limits(lint);
     let words = if lint.parsed.dialect().counts_diameters(k) { 2.0 } else { 1.0 };
     for program in 0..lint.deck.programs.len() {
@@ -40,7 +40,7 @@ pub(super) fn surface_speed(lint: &mut Lint, roles: &Roles, facts: &Facts) {
     }
 }
 
-/// Whether a program here limits the speed: LIMS, an upper limit of the spindle, G50 S or G92 S.
+/// Whether a program here limits the speed: LIMS, an upper spindle limit, G50 S or G92 S.
 fn limits(lint: &Lint) -> bool {
     let deck = lint.deck;
     deck.blocks.iter().filter(|block| matches!(block.stmt, Stmt::Words { .. })).any(|block| {
@@ -62,7 +62,7 @@ struct Check<'l, 'a, 'r> {
     lint: &'l mut Lint<'a>,
     roles: &'r Roles<'r>,
     cross: &'static AxisDef,
-    /// Words of the axis for each millimetre of its slide.
+    /// Units of axis words per millimetre of slide travel.
     words: f64,
     /// The speed is limited, or may be.
     limited: bool,
@@ -108,7 +108,7 @@ impl Check<'_, '_, '_> {
         }
     }
 
-    /// A dimension in mm; NaN where it is calculated or incremental.
+    /// A dimension in mm; NaN if calculated or incremental.
     fn value(&self, word: &Word) -> f64 {
         let (increments, least) = (self.lint.increments()[0], self.lint.control.limits.increment);
         match word.form {
@@ -117,7 +117,7 @@ impl Check<'_, '_, '_> {
         }
     }
 
-    /// Codes that begin and end constant surface speed.
+    /// Applies codes that switch constant surface speed on and off.
     fn codes(&self, course: &mut Course, words: &[Word]) {
         let feed_ends = self.lint.parsed.dialect().spindle().feed_ends_surface;
         for row in rows(self.lint, words) {
@@ -130,7 +130,7 @@ impl Check<'_, '_, '_> {
         }
     }
 
-    /// Takes over the offset of a block.
+    /// Applies the offset of a block.
     fn offset(&self, course: &mut Course, words: &[Word], across: Option<((u32, Span), f64)>) {
         let code = rows(self.lint, words)
             .map(|row| row.code)
@@ -147,8 +147,8 @@ impl Check<'_, '_, '_> {
         }
     }
 
-    /// Tells that work zero is off the centre, a remark where the offset is small: the first of each. 1 for a small offset, 2 for a large
-    /// one, `told` for the largest so far.
+    /// Reports work zero off the centre, as a remark if the offset is small: the first of each size. Returns 1 for a small offset, 2 for a
+    /// large one; `told` is the largest size reported so far.
     fn tell_offset(&mut self, course: &Course, told: u8) -> u8 {
         let offset = course.shift.abs() / self.words;
         let Some((index, span)) = course.shifted.filter(|_| course.surface && offset > 1e-9) else { return 0 };

@@ -1,4 +1,4 @@
-//! Values that are known without a run: decimals compared for equality, division by zero, variables that nothing sets.
+//! Values known without a run: decimals compared for equality, division by zero, variables without any assignment.
 
 use std::collections::BTreeSet;
 
@@ -15,14 +15,14 @@ use crate::controls::{Alarm, Control, VarKind};
 use crate::msg;
 use crate::text::Severity;
 
-/// Rounds of propagating kinds through assignments; each round visits every assignment.
+/// Maximum rounds of propagating kinds through assignments; each round visits every assignment.
 const ROUNDS: usize = 8;
 
-/// Variables that one remark names.
+/// Maximum variables named in one remark.
 const NAMES: usize = 20;
 
 impl Vars<'_> {
-    /// Finds what values each variable can have.
+    /// Determines the possible values of each variable.
     pub(super) fn settle(&mut self) {
         for var in &mut self.list {
             let entered = if var.word.0 == NONE { Kind::Entered } else { Kind::Decimals };
@@ -103,10 +103,10 @@ impl Vars<'_> {
         first < block || first != NONE && self.deck.programs.get(program).is_some_and(|program| last >= program.end)
     }
 
-    /// The part of a divisor that can be 0: a variable or a difference that nothing has compared before.
+    /// The part of a divisor that can be 0: a variable or a difference that was not compared before.
     fn can_be_zero(&self, site: Site) -> Option<ExprId> {
         match self.deck.expr(site.id) {
-            // Variables that nothing sets have a warning of their own.
+            // Variables without any assignment have their own warning.
             Expr::Var(number) => (!self.nonzero(site.group, site.id, Some(site.block))
                 && !self.unset(site.group, number))
             .then_some(site.id),
@@ -130,7 +130,7 @@ impl Vars<'_> {
         }
     }
 
-    /// Whether it is the vacant variable, or a local one that no call passes and no block sets or asks for.
+    /// Whether a variable is the vacant one, or a local one that no call passes and no block assigns or tests for vacancy.
     fn unset(&self, group: u32, number: u32) -> bool {
         match self.get(group, number) {
             Some(var) if (1..=self.local_count).contains(&number) => {
@@ -140,7 +140,7 @@ impl Vars<'_> {
         }
     }
 
-    /// Reports everything that the values show.
+    /// Reports all findings.
     pub(super) fn tell(&self, lint: &mut Lint, facts: &Facts) {
         let divisors = self.divisors(lint);
         self.comparisons(lint);
@@ -155,7 +155,7 @@ impl Vars<'_> {
         }
     }
 
-    /// Divisors that can be 0, each variable once a program; the variables that are reported.
+    /// Reports divisors that can be 0, each variable once per program; returns the reported variables.
     fn divisors(&self, lint: &mut Lint) -> BTreeSet<u32> {
         let alarm = self.control.alarm_number(Alarm::DivisionByZero).unwrap_or("");
         let mut told: BTreeSet<(usize, u32)> = BTreeSet::new();
@@ -178,7 +178,7 @@ impl Vars<'_> {
         told.into_iter().map(|key| key.1).collect()
     }
 
-    /// Comparisons without brackets around them, and decimals compared for equality.
+    /// Reports comparisons without brackets around them, and decimals compared for equality.
     fn comparisons(&self, lint: &mut Lint) {
         for site in &self.loose {
             let (place, condition) = lint.written(site.block, lint.part(site.block, site.id));
@@ -202,7 +202,7 @@ impl Vars<'_> {
         }
     }
 
-    /// Variables that are not local; those that nothing sets and something reads, with their index in the list.
+    /// Checks variables that are not local; returns those read but never assigned, with their index in the list.
     fn commons(&self, lint: &mut Lint, facts: &Facts, divisors: &BTreeSet<u32>) -> Vec<(u64, usize)> {
         let ends = facts.parts.iter().any(|part| part.ends);
         let mut unset: Vec<(u64, usize)> = Vec::new();
@@ -224,7 +224,7 @@ impl Vars<'_> {
                     let (place, variable) = lint.written(block, lint.part(block, id));
                     lint.say(place, msg!("lint.kept-as-scratch", variable, meaning = row.text));
                 }
-                // Safeguards that are switched off, and nothing that switches them on again.
+                // Safeguards switched off and never on again.
                 VarKind::SuppressSingleBlock | VarKind::SuppressOverride if !ends && var.nonzero && block != NONE => {
                     let (place, variable) = lint.written(block, lint.part(block, id));
                     lint.say(place, msg!("lint.suppression-stays", variable));
@@ -235,13 +235,13 @@ impl Vars<'_> {
         unset
     }
 
-    /// Whether a test for equality may fail where it should not.
+    /// Whether a test for equality may be false because of rounding errors.
     fn differs(&self, site: &Site) -> bool {
         let Expr::Binary(_, left, right) = self.deck.expr(site.id) else { return false };
-        // Where something is rounded, the comparison asks whether it is whole.
+        // A comparison with a rounded value tests for whole numbers.
         let mut whole = false;
         visit(self.deck, site.id, &mut |_, expr| whole |= matches!(expr, Expr::Call(function, _) if rounds(function)));
-        // A comparison with its own copy detects a change.
+        // A comparison with the variable's own copy detects a change.
         let slot = |id| match self.deck.expr(id) {
             Expr::Var(number) => self.slot(site.group, number),
             _ => None,
@@ -254,14 +254,14 @@ impl Vars<'_> {
         !whole && (most == Kind::Calculated || most == Kind::Decimals && left.min(right) == Kind::Entered)
     }
 
-    /// A local variable that nothing sets, or that not every call passes.
+    /// Checks a local variable that is never assigned, or that not every call passes.
     fn local(&self, lint: &mut Lint, facts: &Facts, group: usize, var: &Var) {
         let calls = self.calls[group];
         if var.sets == 0 && var.given == 0 && !var.vacancy {
             let (block, id) = var.read;
             let argument = ARGUMENT.iter().position(|&number| u32::from(number) == var.number);
             let letter = LETTERS.get(argument.unwrap_or(0)).copied().unwrap_or(Address::A);
-            // Words of a call that passes none.
+            // Subprogram calls with words that look like arguments.
             let lost = || {
                 let subs = facts.calls.iter().filter(|call| !call.with_locals);
                 let mut here = subs.filter(|call| self.group[call.to as usize] as usize == group);
@@ -297,7 +297,7 @@ impl Vars<'_> {
         }
     }
 
-    /// Variables that the operator is to set, in one remark where the first of them is read.
+    /// Reports variables that the operator has to set, in one remark at the first one read.
     fn entries(&self, lint: &mut Lint, mut unset: Vec<(u64, usize)>) {
         let mut names = String::new();
         let mut first = (NONE, ExprId(NONE));
@@ -321,12 +321,12 @@ impl Vars<'_> {
     }
 }
 
-/// The variable as it is written.
+/// The variable in the control's spelling.
 fn name(control: &Control, var: &Var) -> String {
     control.variable(var.number)
 }
 
-/// A number as it is written.
+/// Kind of a number as written.
 fn written(number: Dec) -> Kind {
     if number.mantissa % POW10[number.scale.min(18) as usize] == 0 { Kind::Whole } else { Kind::Decimals }
 }

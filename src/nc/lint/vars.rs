@@ -1,4 +1,4 @@
-//! Variables of a deck, and everything that all programs together do to each.
+//! Variables of a deck, and their uses in all programs together.
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, Word, WordValue};
 use super::super::codes::code_of;
@@ -12,49 +12,49 @@ use crate::controls::syntax::Function;
 use crate::controls::{Code, Control, VarKind};
 use crate::text::Span;
 
-/// Numbers up to here are followed.
+/// Largest variable number followed.
 const NUMBERS: usize = 16_384;
 
-/// Local variables of a level.
+/// Number of local variables of a level.
 pub(super) const LOCALS: u32 = 33;
 
-/// More than a copy of one variable.
+/// Marks a variable that is more than a copy of another one.
 const MANY: u32 = NONE - 1;
 
-/// What values a variable or formula can have, as far as comparing them goes.
+/// Possible values of a variable or formula, for comparisons.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
     /// Whole numbers.
     Whole,
-    /// Entered by a person: unknown.
+    /// Entered by the operator: unknown.
     Entered,
-    /// Decimals, but as they were written or entered.
+    /// Decimals, exactly as written or entered.
     Decimals,
-    /// Results of a calculation that leaves digits behind the point.
+    /// Results of a calculation with digits behind the point.
     Calculated,
 }
 
-/// A variable. Blocks are indices in the deck, [`NONE`] where there is none.
+/// A variable. Blocks are indices in the deck, or [`NONE`].
 pub(super) struct Var {
     pub(super) number: u32,
     pub(super) kind: Kind,
-    /// No value that it is given can be 0, as far as is known; means something for assigned variables.
+    /// No assigned value can be 0, as far as is known; only for assigned variables.
     pub(super) nonzero: bool,
-    /// How often it is given a value, calls among them.
+    /// Number of assignments, calls included.
     pub(super) sets: u32,
-    /// Calls that pass it as an argument.
+    /// Number of calls that pass it as an argument.
     pub(super) given: u32,
-    /// The variable that it copies: [`NONE`] none yet, [`MANY`] it is more than a copy.
+    /// The variable it copies: [`NONE`] if none so far, [`MANY`] if it is more than a copy.
     pub(super) copies: u32,
     /// First and last block of a comparison.
     pub(super) compared: (u32, u32),
     /// It is compared with the vacant variable.
     pub(super) vacancy: bool,
-    /// First reading, but for comparisons with the vacant variable.
+    /// First read, comparisons with the vacant variable excepted.
     pub(super) read: (u32, ExprId),
-    /// First word of an axis that is this variable and nothing else.
+    /// First axis word of only this variable.
     pub(super) word: (u32, Span),
-    /// First assignment; whether one calculates it of the program's own variables; whether formulas or words of others read it.
+    /// First assignment; whether one calculates it from the program's own variables; whether formulas or words of other variables read it.
     pub(super) set_at: (u32, ExprId),
     pub(super) scratch: bool,
     pub(super) used: bool,
@@ -62,14 +62,14 @@ pub(super) struct Var {
 
 /// One assignment.
 pub(super) struct Set {
-    /// The variable, by its place in the list.
+    /// The variable, by its index in the list.
     pub(super) slot: u32,
-    /// Where the local variables of the value are.
+    /// Group of the local variables in the value.
     pub(super) group: u32,
     pub(super) value: WordValue,
 }
 
-/// A part of a formula, checked when all programs are read.
+/// A part of a formula, checked after all programs are read.
 #[derive(Clone, Copy)]
 pub(super) struct Site {
     pub(super) block: u32,
@@ -81,13 +81,13 @@ pub(super) struct Site {
 pub(super) struct Vars<'a> {
     pub(super) deck: &'a Deck,
     pub(super) control: &'static Control,
-    /// Place of a number in `list`; locals apart.
+    /// Index of a number in `list`; local variables are kept apart.
     slots: Vec<u32>,
     pub(super) list: Vec<Var>,
-    /// Programs that share local variables, by program; and the place of the first local of a group.
+    /// Group of programs that share local variables, by program; and index of the first local variable of each group.
     pub(super) group: Vec<u32>,
     pub(super) locals: Vec<u32>,
-    /// Groups with callers that are not here.
+    /// Groups with callers outside these files.
     pub(super) open: Vec<bool>,
     /// Calls with arguments, by group.
     pub(super) calls: Vec<u32>,
@@ -95,13 +95,13 @@ pub(super) struct Vars<'a> {
     /// Tests for equality.
     pub(super) equals: Vec<Site>,
     pub(super) divisors: Vec<Site>,
-    /// Comparisons of what AND, OR or XOR joins.
+    /// Comparisons as operands of AND, OR or XOR.
     pub(super) loose: Vec<Site>,
-    /// FIX and FUP of constants that binary arithmetic leaves just beside a whole number, which they cut.
+    /// FIX and FUP of constants that binary arithmetic leaves slightly beside a whole number.
     pub(super) cuts: Vec<Site>,
-    /// Something assigns a variable by a calculated number.
+    /// A variable is assigned by a calculated number.
     pub(super) wild: bool,
-    /// Variables from 1 on that each level has for itself.
+    /// Number of variables, from 1, local to each level.
     pub(super) local_count: u32,
 }
 
@@ -152,7 +152,7 @@ impl<'a> Vars<'a> {
         vars
     }
 
-    /// Excludes variables named in blocks that do not parse: such a block may set and test them.
+    /// Excludes variables named in blocks that do not parse, because such a block may set and test them.
     fn unread(&mut self, lint: &Lint, program: u32, at: u32) {
         let span = self.deck.blocks.get(at as usize).map_or_else(Span::default, |block| block.span);
         let text = lint.parsed.text(lint.place(at, span));
@@ -167,7 +167,7 @@ impl<'a> Vars<'a> {
         }
     }
 
-    /// Root of a program's group in the union-find forest of `group`; halves the path to it.
+    /// Root of a program's group in the union-find forest of `group`, with path halving.
     fn root(&mut self, program: u32) -> u32 {
         let mut at = program;
         while self.group[at as usize] != at {
@@ -191,7 +191,7 @@ impl<'a> Vars<'a> {
         self.list.get(self.slot(group, number)?)
     }
 
-    /// The same, made where it is named for the first time.
+    /// The variable, added to the list on first use.
     fn make(&mut self, group: u32, number: u32) -> Option<&mut Var> {
         if self.slot(group, number).is_none() {
             let vacant = self.control.var(0).filter(|row| row.kind == VarKind::Vacant);
@@ -221,7 +221,7 @@ impl<'a> Vars<'a> {
         self.list.get_mut(slot)
     }
 
-    /// Notes the variables that the arguments of a macro call set.
+    /// Records the variables set by the arguments of a macro call.
     fn arguments(&mut self, increments: AddressSet, call: &Call) {
         let (from, to) = (self.group[call.from as usize], self.group[call.to as usize]);
         self.calls[to as usize] += 1;
@@ -232,7 +232,7 @@ impl<'a> Vars<'a> {
             if number == 0 || matches!(letter, Address::G | Address::L | Address::N | Address::O | Address::P) {
                 continue;
             }
-            // A second I, J or K is one of many; which, is not needed.
+            // With a second I, J or K any argument variable may be set.
             if mask & 1 << number != 0 && matches!(letter, Address::I | Address::J | Address::K) {
                 mask = u64::MAX;
                 break;
@@ -243,7 +243,7 @@ impl<'a> Vars<'a> {
                 && !dec.point
                 && increments.contains(letter)
             {
-                // Increments: 1 is 0.001.
+                // As increments, 1 is 0.001.
                 dec.scale = (dec.scale + 3).min(18);
             }
             self.set(from, to, number.into(), value);
@@ -255,7 +255,7 @@ impl<'a> Vars<'a> {
         }
     }
 
-    /// An assignment: locals of the value are those of `from`, of the variable those of `to`.
+    /// Records an assignment: local variables of the value belong to `from`, the assigned one to `to`.
     fn set(&mut self, from: u32, to: u32, number: u32, value: WordValue) {
         let copied = match value {
             WordValue::Number(_) => NONE,
@@ -325,7 +325,7 @@ impl<'a> Vars<'a> {
         }
     }
 
-    /// Whether a code takes the words of axes for something else: a time, arguments.
+    /// Whether a code uses axis words otherwise: as a time, or as arguments.
     fn takes_words(&self, word: &Word) -> bool {
         use Code::{Dwell, MacroCall, MacroModal, MacroModalBlock};
         let row = code_of(word).and_then(|id| self.control.code(id));
@@ -339,7 +339,7 @@ impl<'a> Vars<'a> {
             return self.read(site, id, NONE);
         };
         self.read(site, id, number);
-        // Measured values belong into kept variables; values computed from other variables are scratch.
+        // Measured values are stored in kept variables; values computed from other variables are scratch.
         let mut scratch = !matches!(self.deck.expr(id), Expr::Number(_));
         visit(self.deck, id, &mut |_, expr| {
             if let Expr::Var(other) = expr {
@@ -355,7 +355,7 @@ impl<'a> Vars<'a> {
         }
     }
 
-    /// A condition.
+    /// Records a condition.
     fn compare(&mut self, site: Site) {
         let deck = self.deck;
         let Expr::Binary(op, left, right) = deck.expr(site.id) else { return };
@@ -377,7 +377,7 @@ impl<'a> Vars<'a> {
         }
     }
 
-    /// Everything that a formula reads and divides by; `to` is the variable that it gives its value.
+    /// Records everything that a formula reads and divides by; `to` is the variable assigned from it.
     fn read(&mut self, site: Site, id: ExprId, to: u32) {
         visit(self.deck, id, &mut |id, expr| match expr {
             Expr::Var(number) => {
@@ -405,7 +405,7 @@ impl<'a> Vars<'a> {
         });
     }
 
-    /// Whether a part is AND, OR or XOR of something that is no truth: its comparison was meant to come first.
+    /// Whether a part is AND, OR or XOR with a number operand, so that a comparison probably lacks its brackets.
     fn joins_number(&self, id: ExprId) -> bool {
         let Expr::Binary(Op::And | Op::Or | Op::Xor, left, right) = self.deck.expr(id) else { return false };
         let truth = |id: ExprId| {
@@ -415,20 +415,20 @@ impl<'a> Vars<'a> {
         !truth(left) || !truth(right)
     }
 
-    /// Whether it is a variable that keeps what programs and operators write.
+    /// Whether a variable keeps values written by programs and operators.
     fn is_common(&self, number: u32) -> bool {
         let kind = self.control.var(number).map(|row| row.kind);
         matches!(kind, Some(VarKind::Common | VarKind::Retained))
     }
 }
 
-/// Whether a value is beside a whole number by no more than the last digits of a calculation.
+/// Whether a value differs from a whole number by rounding errors only.
 fn is_beside_whole(value: f64) -> bool {
     let off = (value - value.round()).abs();
     off > 0.0 && off <= 1e-9 * value.abs().max(1.0)
 }
 
-/// Every part of a formula. It goes as deep as the formula does; the parser bounds that.
+/// Visits every part of a formula. The recursion is as deep as the formula; the parser limits it.
 pub(super) fn visit(deck: &Deck, id: ExprId, each: &mut dyn FnMut(ExprId, Expr)) {
     let expr = deck.expr(id);
     each(id, expr);

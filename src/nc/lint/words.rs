@@ -12,7 +12,7 @@ use crate::controls::{Address, AddressSet, Alarm};
 use crate::msg;
 use crate::text::Span;
 
-/// Words that are reported to overwrite others.
+/// Maximum words reported for overwriting others.
 const AGAIN: usize = 20;
 
 /// Visits every word once.
@@ -37,7 +37,7 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
 /// State of the pass.
 struct Survey<'a> {
     roles: &'a Roles<'a>,
-    /// Addresses that count increments: for dimensions, and for arguments of macros.
+    /// Addresses that count increments: in dimensions, and in macro arguments.
     increments: [AddressSet; 2],
     /// Addresses whose values overwrite each other in a block.
     overwritten: AddressSet,
@@ -73,7 +73,7 @@ impl Survey<'_> {
         here.points.tell(lint);
     }
 
-    /// A block that is no block of words.
+    /// Records a statement other than words.
     fn statement(&mut self, lint: &mut Lint, here: &mut InProgram, (at, block): (u32, &Block)) {
         if let Stmt::Bad(_) = block.stmt {
             let unit = self.facts.bad_block(lint, (here.index, at), block);
@@ -90,7 +90,7 @@ impl Survey<'_> {
         here.short.macro_block(&block.stmt);
     }
 
-    /// A block of words; whether it calls, returns or ends.
+    /// Records a block of words; returns whether it calls, returns or ends.
     fn words(&mut self, lint: &mut Lint, here: &mut InProgram, (at, block): (u32, &Block)) -> bool {
         let words = lint.deck.words_of(block);
         let (mut bits, mut counts, mut feed) = (0, false, None);
@@ -122,7 +122,7 @@ impl Survey<'_> {
 }
 
 impl Lint<'_> {
-    /// Addresses whose values overwrite each other in a block, where that is no alarm.
+    /// Addresses whose values overwrite each other in a block, on controls where this is not an alarm.
     fn overwritten(&self) -> AddressSet {
         if self.control.syntax.address_twice || self.control.syntax.names().is_some() {
             return AddressSet::EMPTY;
@@ -130,10 +130,10 @@ impl Lint<'_> {
         self.control.axis_letters().chain([Address::F, Address::S, Address::T]).collect()
     }
 
-    /// The second word of an address in a block.
+    /// Reports the second word of an address in a block.
     #[cold]
     fn word_again(&mut self, at: u32, block: &Block, words: &[Word], overwritten: AddressSet) {
-        // In front of a skip in the middle of the block it may be meant.
+        // In front of a skip in the middle of the block the repetition may be intended.
         if self.again >= AGAIN || words.iter().any(|word| word.letter == Address::Skip) {
             return;
         }
@@ -148,7 +148,7 @@ impl Lint<'_> {
         }
     }
 
-    /// A call by a name that no program here has, unless the reader has reported the block.
+    /// Reports a call of a name missing in these files, unless the reader has reported the block.
     fn missing_name(&mut self, at: u32, block: &Block, name: &str) {
         let place = self.place(at, block.span);
         if self.is_full()

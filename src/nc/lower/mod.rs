@@ -1,4 +1,4 @@
-//! Named rewrites of forms that a control lacks; applying them twice changes nothing more.
+//! Named rewrites of forms missing on a control; applying them twice changes nothing more.
 //!
 //! | rewrite | where the control lacks | becomes |
 //! |---|---|---|
@@ -24,12 +24,12 @@ use crate::text::Span;
 use other_forms::other_forms;
 use symbolic::{no_names, with_names};
 
-/// The deck as the control can take it.
+/// Rewrites the deck to forms that the control has.
 pub fn lower(deck: &Deck, control: &Control) -> Deck {
     lowered(deck, control, CommentCharacters::Ascii).0
 }
 
-/// The deck as the control can take it, and for each of its blocks the index of the block that it comes from.
+/// Rewrites the deck to forms that the control has; for each new block returns the index of its original.
 pub(super) fn lowered(deck: &Deck, control: &Control, characters: CommentCharacters) -> (Deck, Vec<u32>) {
     let mut low = deck.clone();
     if control.syntax.names().is_none() {
@@ -75,7 +75,7 @@ fn whole_signs(deck: &mut Deck) {
     for at in 0..deck.exprs.len() {
         let rewritten = match deck.exprs[at] {
             Expr::Number(number) => Expr::Number(whole(number)),
-            // Children come before their parents: the inner sign is rewritten already.
+            // Children come before their parents, so the inner sign is already rewritten.
             Expr::Negate(inner) => match deck.expr(inner) {
                 Expr::Number(number) => Expr::Number(Dec { mantissa: number.mantissa.saturating_neg(), ..number }),
                 _ => continue,
@@ -99,7 +99,7 @@ fn no_points(deck: &mut Deck, control: &Control) {
     }
 }
 
-/// `IF[c]THEN #1=2` becomes `IF[not c]GOTOn`, `#1=2`, and a block `Nn` where none with a number of its own follows.
+/// `IF[c]THEN #1=2` becomes `IF[not c]GOTOn`, `#1=2`, and a block `Nn` unless the next block has a number.
 fn no_if_then(deck: &mut Deck) -> Vec<u32> {
     let old = core::mem::take(&mut deck.blocks);
     let mut origins = Vec::with_capacity(old.len());
@@ -150,7 +150,7 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
     origins
 }
 
-/// Blocks stay below the control's length, messages within what its screen shows.
+/// Shortens comments, to keep blocks below the control's length and messages within its screen.
 fn short_texts(deck: &mut Deck, control: &Control, characters: CommentCharacters) {
     let clip = |deck: &mut Deck, text, room| clip(deck, text, room, characters);
     let room = control.syntax.block_chars.saturating_sub(1);
@@ -176,7 +176,7 @@ fn short_texts(deck: &mut Deck, control: &Control, characters: CommentCharacters
     }
 }
 
-/// Shortens a text to so many bytes; it has only characters of the control by now.
+/// Shortens a text to a number of bytes; it contains only characters of the control here.
 fn clip(deck: &mut Deck, comment: TextId, mut room: usize, characters: CommentCharacters) {
     if let Some(text) = deck.text_mut(comment).filter(|text| characters.length(text) > room) {
         let fits = |c: &char| {

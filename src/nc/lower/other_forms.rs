@@ -1,17 +1,17 @@
-//! Operators and functions in the forms that the control has: `MOD`, `ATAN`, powers, squares.
+//! Operators and functions in forms that the control has: `MOD`, `ATAN`, powers, squares.
 
 use crate::controls::Control;
 use crate::controls::syntax::{Function, Syntax};
 use crate::nc::ast::{Deck, Expr, ExprId, Op, Stmt, WordValue};
 use crate::nc::dec::Dec;
 
-/// Rewrites operators and functions that the control lacks.
+/// Rewrites operators and functions missing on the control.
 pub(super) fn other_forms(deck: &mut Deck, control: &Control) {
     let syntax = &control.syntax;
     if !deck.exprs.iter().any(|expr| lacks(syntax, expr)) {
         return;
     }
-    // The parts go in front of their parent, so every index moves.
+    // New parts are inserted before their parent, so every index moves.
     let mut new = Rewritten { exprs: Vec::with_capacity(deck.exprs.len() + 3), moved: Vec::new() };
     new.moved.reserve(deck.exprs.len());
     for expr in &deck.exprs {
@@ -51,7 +51,7 @@ impl Rewritten {
         self.moved.get(old.0 as usize).copied().unwrap_or(old)
     }
 
-    /// An expression with its parts at their new indices.
+    /// An expression with the new indices of its parts.
     fn moved(&self, expr: Expr) -> Expr {
         match expr {
             Expr::Number(_) | Expr::Label(_) | Expr::Var(_) => expr,
@@ -62,7 +62,7 @@ impl Rewritten {
         }
     }
 
-    /// Writes an expression with other operators and functions.
+    /// Rewrites an expression with other operators and functions.
     fn other_form(&mut self, expr: Expr) -> ExprId {
         match expr {
             Expr::Call(Function::Square, inner) => self.push(Expr::Binary(Op::Multiply, inner, inner)),

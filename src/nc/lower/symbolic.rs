@@ -1,4 +1,4 @@
-//! Rewrites for languages with names, and of names where a language has none.
+//! Rewrites to languages with names, and of names in languages without.
 //!
 //! | rewrite | where | becomes |
 //! |---|---|---|
@@ -18,7 +18,7 @@ use crate::nc::dec::Dec;
 use crate::nc::lex::names::number_in;
 use crate::text::Span;
 
-/// All rewrites for a language with names; `origins` follows the blocks.
+/// All rewrites for a language with names; `origins` is updated with the blocks.
 pub(super) fn with_names(
     deck: &mut Deck,
     (control, characters): (&Control, CommentCharacters),
@@ -61,7 +61,7 @@ fn texts(deck: &mut Deck, characters: CommentCharacters) {
     }
 }
 
-/// Gives every program a name, with its number in it.
+/// Gives every program a name with its number in it.
 fn programs(deck: &mut Deck, control: &Control, names: &Names) {
     for at in 0..deck.programs.len() {
         let program = deck.programs[at].clone();
@@ -79,7 +79,7 @@ fn programs(deck: &mut Deck, control: &Control, names: &Names) {
     }
 }
 
-/// Whether a program returns and does not end.
+/// Whether a program returns and has no program end.
 fn returns(deck: &Deck, control: &Control, program: &Program) -> bool {
     let (mut returns, mut ends) = (false, false);
     for word in deck.blocks_of(program).iter().flat_map(|block| deck.words_of(block)) {
@@ -93,7 +93,7 @@ fn returns(deck: &Deck, control: &Control, program: &Program) -> bool {
     returns && !ends
 }
 
-/// Whole numbers have no point but where they are too large without; a value that is nothing but a number is one.
+/// Removes the point of whole numbers unless they are too large without it; a constant expression as a word's value becomes a number.
 fn points(deck: &mut Deck, names: &Names) {
     let plain = |number: Dec| match number.scale {
         0 => Dec { point: number.mantissa.unsigned_abs() > names.whole_max.unsigned_abs(), ..number },
@@ -145,7 +145,7 @@ fn jumps(deck: &mut Deck, origins: &mut Vec<u32>) {
 
 /// Targets of the jumps of a program, and their labels.
 struct Labels {
-    /// Label in front of each block, and behind the last.
+    /// Label in front of each block, and after the last one.
     before: Vec<Option<TextId>>,
     /// Target block of each jump; for the exit of a loop the block after its END.
     to: Vec<Option<usize>>,
@@ -186,7 +186,7 @@ impl Labels {
         Labels { before, to }
     }
 
-    /// Writes the blocks of the program anew.
+    /// Writes the blocks of the program with labels and rewritten jumps.
     fn write(&self, deck: &mut Deck, blocks: &[Block], from: &[u32], origins: &mut Vec<u32>) {
         for (at, block) in blocks.iter().enumerate() {
             let origin = from.get(at).copied().unwrap_or(0);
@@ -200,7 +200,7 @@ impl Labels {
             deck.blocks.push(block);
             origins.push(origin);
         }
-        // A loop that ends with the program goes on behind it.
+        // A loop at the end of the program exits to after it.
         if let Some(label) = self.before.last().copied().flatten() {
             let span = Span::default();
             deck.blocks.push(Block {
@@ -216,7 +216,7 @@ impl Labels {
         }
     }
 
-    /// The statement of a block with its jump to a label.
+    /// The statement of a block, with its jump to a label.
     fn jump(&self, deck: &mut Deck, blocks: &[Block], at: usize) -> Stmt {
         let stmt = blocks[at].stmt;
         let to = self.to.get(at).copied().flatten();
@@ -255,7 +255,7 @@ impl Labels {
                 Stmt::If { target, way: JumpDirection::Around, .. } | Stmt::Goto { target, way: JumpDirection::Around },
                 None,
             ) => {
-                // A number that is not there: the control will say so of its label. One that is calculated has none.
+                // A missing number becomes a label, for the control to report. A calculated number has no label.
                 let number = match deck.expr(target) {
                     Expr::Number(Dec { mantissa: number @ 0..=999_999, scale: 0, .. }) => number,
                     _ => return Stmt::Bad(BadBlock::built(Alarm::NoSequence)),
@@ -275,7 +275,7 @@ impl Labels {
     }
 }
 
-/// The block that a jump to a number goes to: searched from the jump on, then from the head.
+/// Target block of a jump to a number: searched from the jump on, then from the start.
 fn target_of(deck: &Deck, blocks: &[Block], target: ExprId, at: usize) -> Option<usize> {
     let Expr::Number(number) = deck.expr(target) else { return None };
     let number = u32::try_from(number.mantissa).ok().filter(|_| number.scale == 0)?;
@@ -284,7 +284,7 @@ fn target_of(deck: &Deck, blocks: &[Block], target: ExprId, at: usize) -> Option
     behind.or_else(|| blocks.iter().position(found))
 }
 
-/// The comment behind a program's number becomes a block.
+/// Turns the comment behind a program's number into a block.
 fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
     if deck.programs.iter().all(|program| program.title.is_none()) {
         return;
@@ -306,7 +306,7 @@ fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
                 skip: 0,
                 main: false,
             });
-            // In a program without blocks the title comes from none.
+            // In a program without blocks the title has no original block.
             let own = from.get(range.start).filter(|_| !range.is_empty());
             origins.push(own.copied().unwrap_or(u32::MAX));
         }
@@ -317,7 +317,7 @@ fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
     deck.programs = programs;
 }
 
-/// A deck for a language without names.
+/// Rewrites a deck for a language without names.
 pub(super) fn no_names(deck: &mut Deck, control: &Control) {
     let row = control.codes.iter().find_map(|row| match row.id {
         CodeId::M(number) if row.code == Code::SubCall => Some(number),

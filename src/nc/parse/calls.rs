@@ -1,4 +1,4 @@
-//! Macro calls: checks of G65, G66 and codes that call macros, before they run.
+//! Macro calls: checks of G65, G66 and codes bound to macros, before a run.
 
 use crate::controls::Address;
 use crate::controls::AddressSet;
@@ -13,7 +13,7 @@ use crate::nc::parse::reader::Reader;
 use crate::text::Message;
 
 impl Reader<'_> {
-    /// Reports errors of a macro call, the words from `first` on.
+    /// Reports errors of a macro call with the words from `first` on.
     #[cold]
     pub(in crate::nc) fn check_call(&mut self, first: usize) {
         let words = self.deck.words.get(first..).unwrap_or_default().to_vec();
@@ -55,7 +55,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The code of a word that calls a macro; `None` inside for one that calls by parameter.
+    /// Code of a word that calls a macro; the inner `None` is a call by parameter.
     fn caller(&self, word: &Word) -> Option<Option<Code>> {
         let id = code_of(word)?;
         match self.tables.codes.call(id).map(|call| call.kind) {
@@ -68,14 +68,14 @@ impl Reader<'_> {
         }
     }
 
-    /// What an M code does.
+    /// Meaning of an M code.
     fn m_row(&self, word: &Word) -> Option<Code> {
         let WordValue::Number(Dec { scale: 0, .. }) = word.value else { return None };
         let id = code_of(word).filter(|id| matches!(id, CodeId::M(_)))?;
         self.control.code(id).map(|row| row.code)
     }
 
-    /// Whether a word ends or calls a program, or stops it.
+    /// Whether a word is a program end, call or stop.
     fn mixes(&self, word: &Word) -> bool {
         use Code::*;
         matches!(self.m_row(word), Some(Stop | OptionalStop | End | EndRewind | SubCall | SubEnd))
@@ -86,7 +86,7 @@ impl Reader<'_> {
         self.m_row(word) == Some(Code::SubCall)
     }
 
-    /// A call that names its program by the letter of its head.
+    /// Reports a call with the letter of a program number in place of P.
     #[cold]
     pub(in crate::nc) fn named_by_letter(&mut self, alarm: Alarm, start: usize) {
         let finding = self.finding(alarm, start, start + 1, msg!("interp.call-without-program"));
@@ -105,7 +105,7 @@ impl Reader<'_> {
         self.report_as(Alarm::CallNotFirst, finding.fix(msg!("nc.fix.own-block"), vec![(place, new)]));
     }
 
-    /// `G65 Hnn P Q R`: number and operands.
+    /// Checks `G65 Hnn P Q R`: number and operands.
     fn check_function(&mut self, number: &Word, words: &[Word]) {
         let WordValue::Number(dec) = number.value else { return };
         let value = dec.to_f64();
@@ -124,7 +124,7 @@ impl Reader<'_> {
             return self.note_later();
         }
         if operation != Operation::Alarm {
-            // A constant names the variable that was meant.
+            // A constant is probably the number of the intended variable.
             let end = start + result.len as usize;
             let finding = self.finding(Alarm::CallOperands, start, end, msg!("interp.function-result"));
             let digits = self.cursor.line.get(start + 1..end).unwrap_or_default();

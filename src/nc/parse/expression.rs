@@ -1,4 +1,4 @@
-//! A single expression or condition, as typed into a breakpoint or a debugger.
+//! A single expression or condition, as typed for a breakpoint or in a debugger.
 
 use crate::controls::Alarm;
 use crate::nc::ast::{Deck, Expr, ExprId};
@@ -8,7 +8,7 @@ use crate::nc::parse::tables::Tables;
 use crate::nc::parsed::Parsed;
 use crate::text::{Diagnostic, FileId};
 
-/// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`), read without errors; only [`formula`] makes one.
+/// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`) parsed without errors; only [`formula`] makes one.
 #[derive(Debug, Clone)]
 pub struct ParsedFormula {
     deck: Deck,
@@ -16,7 +16,7 @@ pub struct ParsedFormula {
 }
 
 impl ParsedFormula {
-    /// Deck that holds the expression tree.
+    /// Deck with the expression tree.
     pub fn deck(&self) -> &Deck {
         &self.deck
     }
@@ -27,8 +27,8 @@ impl ParsedFormula {
     }
 }
 
-/// Reads one expression or condition as the control would read it in a block of `program`: on the same control with the same settings.
-/// A condition may be written with or without its brackets. The place of an error counts from the start of the text, in file 0.
+/// Parses one expression or condition as in a block of `program`, with its control and settings. A condition may be written with or without
+/// its brackets. The place of an error counts from the start of the text, in file 0.
 pub fn formula(text: &str, program: &Parsed) -> Result<ParsedFormula, Box<Diagnostic>> {
     let control = program.control();
     let tables = Tables::new(control, program.dialect(), program.codes());
@@ -48,7 +48,7 @@ pub fn formula(text: &str, program: &Parsed) -> Result<ParsedFormula, Box<Diagno
 }
 
 impl Reader<'_> {
-    /// The whole line as an expression or a condition.
+    /// Reads the whole line as an expression or a condition.
     fn alone(&mut self, bracketed: bool) -> Read<ExprId> {
         self.skip();
         let start = self.cursor.at;

@@ -3,10 +3,10 @@
 use crate::controls::{Address, Alarm, CodeId};
 use crate::text::{Diagnostic, Span};
 
-/// A block that does not read, and why.
+/// A block that does not parse, and the reason.
 pub(in crate::nc) struct Failure {
     pub(in crate::nc) alarm: Alarm,
-    /// Where it shows, in bytes behind the start of the block.
+    /// Position of the error, in bytes from the start of the block.
     pub(in crate::nc) from: usize,
     pub(in crate::nc) finding: Diagnostic,
     /// The error is at the start of a word, so the rest may be an unbracketed comment.
@@ -15,7 +15,7 @@ pub(in crate::nc) struct Failure {
 
 pub(in crate::nc) type Read<T> = Result<T, Box<Failure>>;
 
-/// A feature that the simulation leaves out, reported once a file.
+/// A feature ignored by the simulation, reported once per file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::nc) enum LeftOut {
     Code(CodeId),
@@ -31,7 +31,7 @@ pub(in crate::nc) enum LeftOut {
 }
 
 #[derive(Debug)]
-/// A variable that the control does not have, or that cannot be written.
+/// A variable that is missing or read-only on the control.
 pub(in crate::nc) struct Misused {
     pub(in crate::nc) number: u32,
     pub(in crate::nc) alarm: Alarm,
@@ -40,12 +40,12 @@ pub(in crate::nc) struct Misused {
 
 /// Fix of a mistake in a line.
 pub(in crate::nc) enum Mend<'t> {
-    /// Other text in place of some bytes.
+    /// Replaces some bytes.
     Write(usize, usize, &'t str),
-    /// Square brackets around some bytes.
+    /// Puts some bytes in square brackets.
     Enclose(usize, usize),
-    /// `DO` at a byte, with the number of the `END` that has no other.
+    /// Inserts `DO` at a byte, with the number of the unpaired `END`.
     Do(usize),
-    /// The characters of the control, where this one is only another shape of one of them.
+    /// Replaces look-alikes by characters of the control, if this one is a look-alike.
     Plain(char),
 }

@@ -7,13 +7,13 @@ use crate::msg;
 use crate::nc::ast::{BadBlock, Block, Program, Stmt};
 use crate::text::{Diagnostic, Severity, Span};
 
-/// Number of bytes that fulfil a condition, in pieces whose counts fit a byte, so that the compiler counts many at once.
+/// Number of bytes that fulfil a condition. Counts in pieces fit a byte, so the compiler can vectorize them.
 fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
     bytes.chunks(255).map(|piece| usize::from(piece.iter().map(|&b| u8::from(such(b))).sum::<u8>())).sum()
 }
 
 impl<'a> Reader<'a> {
-    /// Reserves memory once; growth by doubling would copy and hold three times as much.
+    /// Reserves memory once; growth by doubling would copy, and use three times as much.
     pub(in crate::nc) fn reserve(&mut self) {
         let bytes = self.file.text.as_bytes();
         let lines = count(bytes, |b| b == b'\n') + 1;
@@ -26,7 +26,7 @@ impl<'a> Reader<'a> {
         let bytes = self.file.text.as_bytes();
         // A byte order mark is not part of the program; `mend_file` reports it.
         let mut at = if self.file.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
-        // Whether a `%` would open the record (nothing but comments so far) or close it.
+        // Whether a `%` opens the record (only comments so far) or closes it.
         let mut opened = false;
         let mut closed = None;
         let mut told = false;
@@ -52,7 +52,7 @@ impl<'a> Reader<'a> {
                     self.behind_percent(from + 1, to);
                 }
                 _ => {
-                    // Behind the end of the record only programs are read.
+                    // After the end of the record only programs are read.
                     let begins = closed.is_some() && self.begins_program(from);
                     if let Some(percent) = closed.filter(|_| !told) {
                         let said = if begins { msg!("nc.next-record") } else { msg!("nc.behind-end") };
@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Start of the record, if other text than comments and programs precedes its `%`: the leader of a tape.
+    /// Start of the record, if its `%` follows text other than comments and programs: the leader of a tape.
     pub(in crate::nc) fn leader(&self, from: usize) -> Option<usize> {
         if self.control.syntax.percent != Percent::Both {
             return None;
@@ -99,7 +99,7 @@ impl<'a> Reader<'a> {
                 Some(b'%') => return stray.then_some(at),
                 Some(b'(') | None => {}
                 Some(byte) => {
-                    // Digits show a block; the leaders of tapes are names.
+                    // Digits indicate a block; leaders of tapes are names.
                     let digits =
                         self.file.text.get(begin..end).is_some_and(|text| text.bytes().any(|b| b.is_ascii_digit()));
                     if digits || *byte == b'#' || *byte == b'/' {
@@ -121,7 +121,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether the program so far has nothing that runs.
+    /// Whether the program has only comments so far.
     pub(in crate::nc) fn only_comments(&self) -> bool {
         match self.program.and_then(|index| self.deck.programs.get(index)) {
             None => true,
@@ -133,7 +133,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Index of the first block from `first` on that is more than a comment, or the number of blocks. Continues the last search.
+    /// Index of the first block from `first` on other than a comment, or the number of blocks. Continues the last search.
     fn comments_behind(&self, first: u32) -> u32 {
         let from = self.comments.get().max(first);
         let blocks = self.deck.blocks.get(from as usize..).unwrap_or_default();
@@ -142,7 +142,7 @@ impl<'a> Reader<'a> {
         from + comments as u32
     }
 
-    /// The blocks of a line: one, or several with `;` between them.
+    /// Reads the blocks of a line: one, or several separated by `;`.
     pub(in crate::nc) fn blocks(&mut self, from: usize, to: usize) {
         let bytes = self.file.text.as_bytes();
         let line = bytes.get(from..to).unwrap_or_default();
@@ -172,7 +172,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// One block, `from < to`, without white space around it.
+    /// Reads one block, `from < to`, without white space around it.
     pub(in crate::nc) fn block(&mut self, from: usize, to: usize) {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
@@ -214,8 +214,8 @@ impl<'a> Reader<'a> {
         self.push(stmt);
     }
 
-    /// The place of the finding for a block that does not read: `first` where it is reported later with the variables of the file, else the
-    /// first error since the block began. `found` and `variables` are the numbers of findings before the block.
+    /// Place of the finding for a block that does not parse: `first` if it is reported later with the variables of the file, else the first
+    /// error since the block began. `found` and `variables` are the numbers of findings before the block.
     fn reported_since(&self, found: usize, variables: usize, first: Span) -> Span {
         if self.findings.misused.iter().skip(variables).any(|row| row.span == first) {
             return first;
@@ -224,7 +224,7 @@ impl<'a> Reader<'a> {
         error.and_then(|error| error.place).map_or(first, |place| place.span)
     }
 
-    /// A block has so many characters at most; comments do not count.
+    /// Reports a block with too many characters; comments do not count.
     #[cold]
     pub(in crate::nc) fn check_length(&mut self) {
         let (mut count, mut comment) = (0, false);
@@ -239,7 +239,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// `O9100(TITLE)` at the head of a line: starts a program. False where the letter is an ordinary address.
+    /// Reads `O9100(TITLE)` at the start of a line, which starts a program; false if the letter is an ordinary address.
     pub(in crate::nc) fn program_number(&mut self) -> bool {
         let letter = self.cursor.line.first().map_or(0, u8::to_ascii_uppercase);
         let usual = self.control.syntax.program_letters.first() == Some(&letter);
@@ -284,7 +284,7 @@ impl<'a> Reader<'a> {
         true
     }
 
-    /// The letter that program numbers have on this control.
+    /// The letter of program numbers on this control.
     pub(in crate::nc) fn program_letter(&self) -> String {
         self.control.syntax.program_letters.first().map_or('O', |&letter| letter as char).to_string()
     }

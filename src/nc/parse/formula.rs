@@ -13,19 +13,19 @@ use crate::nc::parse::reader::Reader;
 use crate::nc::parsed::ExprSpan;
 use crate::text::{Diagnostic, Message, Severity};
 
-/// Parts of the formulas of one block: bounds the depth of every tree.
+/// Maximum parts of the formulas of one block; limits the depth of every tree.
 const PARTS: u32 = 250;
 
-/// Nesting of brackets and signs, far beyond that of any control.
+/// Maximum nesting of brackets and signs, far beyond the limit of any control.
 const DEPTH: u32 = 40;
 
-/// An opened bracket: where, and which byte closes it.
+/// An open bracket: its position and its closing byte.
 pub(in crate::nc) struct Open {
     pub(super) at: usize,
     close: u8,
 }
 
-/// Names that functions have in other languages.
+/// Function names of other languages, and the control's names.
 const OTHER_NAMES: [(&str, &str); 7] = [
     ("INT", "FIX"),
     ("TRUNC", "FIX"),
@@ -37,7 +37,7 @@ const OTHER_NAMES: [(&str, &str); 7] = [
 ];
 
 impl Reader<'_> {
-    /// Takes this word if it follows.
+    /// Reads this word if it follows.
     pub(in crate::nc) fn take(&mut self, word: &str) -> bool {
         let ahead = self.cursor.ahead(word);
         if ahead {
@@ -49,7 +49,7 @@ impl Reader<'_> {
         ahead
     }
 
-    /// Counts a part of a formula, which starts at `start` and ends at hand, and adds it to the tree.
+    /// Counts a part of a formula, from `start` to the cursor, and adds it to the tree.
     pub(in crate::nc) fn part(&mut self, expr: Expr, start: usize) -> Read<ExprId> {
         self.formulas.parts += 1;
         if self.formulas.parts > PARTS {
@@ -69,7 +69,7 @@ impl Reader<'_> {
         Ok(ExprId(self.deck.exprs.len() as u32 - 1))
     }
 
-    /// An expression. Behind an address (`word`) a `/` before a letter is a block skip, not a division.
+    /// Reads an expression. Behind an address (`word`) a `/` before a letter is a block skip, not a division.
     pub(in crate::nc) fn formula(&mut self, word: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.term(word)?;
@@ -108,7 +108,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `a MOD b`, ended at hand, on a control that lacks it: `a` ends at `end`, `b` starts at `behind`.
+    /// Reports `a MOD b`, which ends at the cursor, on a control without MOD: `a` ends at `end`, `b` starts at `behind`.
     fn no_modulo(&mut self, start: usize, end: usize, behind: usize) {
         let text = |from: usize, to: usize| {
             String::from_utf8_lossy(self.cursor.line.get(from..to).unwrap_or_default()).trim().to_owned()
@@ -127,7 +127,7 @@ impl Reader<'_> {
         match self.cursor.peek() {
             b'+' | b'-' | b'*' => true,
             b'/' => !self.skip_mark_ahead(),
-            // Mostly the next word follows, a letter with its number.
+            // Usually the next word follows: a letter with its number.
             _ => {
                 let letters = self.cursor.line.get(self.cursor.at + 1).is_some_and(u8::is_ascii_alphabetic);
                 letters && OPERATORS.iter().any(|(word, _)| self.cursor.ahead(word))
@@ -135,10 +135,10 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the `/` at hand precedes a word: a block skip inside a block.
+    /// Whether the `/` at the cursor precedes a word: a block skip inside a block.
     pub(in crate::nc) fn skip_mark_ahead(&self) -> bool {
         let mut rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
-        // `/2 Z1.` behind a blank: the second switch.
+        // `/2 Z1.` behind a blank: skip switch 2.
         if let [b'1'..=b'9', b' ', ..] = rest
             && self.cursor.at > 0
             && self.cursor.line.get(self.cursor.at - 1) == Some(&b' ')
@@ -149,7 +149,7 @@ impl Reader<'_> {
         letters.next().is_some_and(u8::is_ascii_alphabetic) && !letters.next().is_some_and(u8::is_ascii_alphabetic)
     }
 
-    /// Takes an operator of one level.
+    /// Reads an operator of one level.
     fn operator(&mut self, word: bool, multiplicative: bool) -> Option<Op> {
         let op = match self.skip() {
             b'+' if !multiplicative => Op::Add,
@@ -158,7 +158,7 @@ impl Reader<'_> {
             b'/' if multiplicative && !(word && self.skip_mark_ahead()) => Op::Divide,
             byte if byte.is_ascii_alphabetic() => {
                 let (name, op) = OPERATORS.iter().find(|(name, _)| self.cursor.ahead(name))?;
-                // In a language with comparisons last, logic operators bind between them and sums.
+                // In a language with names, logic operators bind weaker than sums and stronger than comparisons.
                 if self.names().is_some() && *op != Op::Modulo {
                     return None;
                 }
@@ -174,7 +174,7 @@ impl Reader<'_> {
         Some(op)
     }
 
-    /// Goes one level down, within the budget.
+    /// Enters one nesting level, within the budget.
     pub(in crate::nc) fn deeper(&mut self) -> Read<()> {
         self.formulas.depth += 1;
         if self.formulas.depth > DEPTH {
@@ -229,7 +229,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Signs one behind the other, from `start` on: read as arithmetic has it, and reported once.
+    /// Reports several signs in a row, from `start` on; reads them as arithmetic does.
     #[cold]
     fn two_signs(&mut self, start: usize) {
         let behind = self.cursor.line.get(start..).unwrap_or_default();
@@ -251,7 +251,7 @@ impl Reader<'_> {
         self.add_finding(finding);
     }
 
-    /// `FUNCTION[expr]`, or other letters in place of a value.
+    /// Reads `FUNCTION[expr]`, or reports other letters in place of a value.
     fn function(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
         let (name, function) = match self.function_here() {
@@ -292,7 +292,7 @@ impl Reader<'_> {
         self.part(Expr::Call(function, inner), start)
     }
 
-    /// `[left,right]` behind the name of a function of two numbers; the reader is at the bracket, which `close` closes.
+    /// Reads `[left,right]` behind the name of a function of two numbers; the cursor is at the bracket, closed by `close`.
     pub(in crate::nc) fn two_arguments(&mut self, op: Op, close: u8, start: usize) -> Read<ExprId> {
         let name = String::from_utf8_lossy(self.cursor.line.get(start..self.cursor.at).unwrap_or_default())
             .trim()
@@ -315,13 +315,13 @@ impl Reader<'_> {
         self.part(Expr::Binary(op, left, right), start)
     }
 
-    /// Whether an opening bracket follows the byte at hand.
+    /// Whether an opening bracket follows the byte at the cursor.
     fn bracket_behind(&self) -> bool {
         let rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
         rest.trim_ascii_start().first() == Some(&b'[')
     }
 
-    /// The function that a misspelt name means.
+    /// The function closest to a misspelt name.
     fn misspelt_function(&mut self) -> Read<(&'static str, Function)> {
         let start = self.cursor.at;
         let rest = self.cursor.line.get(start..).unwrap_or_default();
@@ -358,7 +358,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The argument of a function without brackets.
+    /// Reads the argument of a function without brackets.
     fn bare_argument(&mut self, start: usize, name: &str) -> Read<ExprId> {
         let from = self.cursor.at;
         self.deeper()?;
@@ -385,7 +385,7 @@ impl Reader<'_> {
         Ok(argument)
     }
 
-    /// Position of the comma between the two arguments in the brackets that open here.
+    /// Position of the comma between two arguments in the brackets that open at the cursor.
     fn comma_within(&mut self) -> Option<usize> {
         if self.skip() != b'[' {
             return None;
@@ -403,7 +403,7 @@ impl Reader<'_> {
         None
     }
 
-    /// The second number of `ATAN[y]/[x]`.
+    /// Reads the second number of `ATAN[y]/[x]`.
     fn second_argument(&mut self, y: ExprId, start: usize) -> Read<ExprId> {
         let end = self.cursor.at;
         let name = start + 4;
@@ -425,7 +425,7 @@ impl Reader<'_> {
         self.part(Expr::Binary(Op::Atan, y, x), start)
     }
 
-    /// The function at hand; the longest spelling wins.
+    /// The function at the cursor; the longest spelling wins.
     fn function_here(&self) -> Option<(&'static str, Function)> {
         self.cursor.longest(self.control.syntax.functions)
     }
@@ -442,7 +442,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The bracketed expression at hand.
+    /// Reads the bracketed expression at the cursor.
     pub(in crate::nc) fn group(&mut self, close: u8) -> Read<ExprId> {
         let open = self.open_group(close)?;
         let inner = self.inner_formula()?;
@@ -497,14 +497,14 @@ impl Reader<'_> {
         Err(failure)
     }
 
-    /// The failure of a bracket that is not closed before the next word, which is at hand.
+    /// The failure of a bracket that is not closed before the next word, at the cursor.
     #[cold]
     fn closed_late(&self, open: &Open) -> Option<Box<Failure>> {
         let rest = self.cursor.rest();
         let value = rest.get(1..).unwrap_or_default().trim_ascii_start().first();
         let word = rest.first().is_some_and(u8::is_ascii_alphabetic)
             && value.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'[' | b'='));
-        // A bracket that is closed behind the word has something wrong in it.
+        // A bracket closed after the word has an error inside.
         if !word || rest.contains(&open.close) {
             return None;
         }
@@ -517,7 +517,7 @@ impl Reader<'_> {
         Some(failure)
     }
 
-    /// `#n`, `#[expr]`, `##n` or `#9nnn`, from the `#` on.
+    /// Reads `#n`, `#[expr]`, `##n` or `#9nnn`, from the `#` on.
     pub(in crate::nc) fn variable(&mut self, written: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         self.cursor.at += 1;
@@ -527,7 +527,7 @@ impl Reader<'_> {
                 let mut number = 0_u32;
                 for &byte in self.cursor.line.get(from..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit())
                 {
-                    // A number that is too large stays so.
+                    // Saturates: a number that is too large stays too large.
                     number = number.saturating_mul(10).saturating_add(u32::from(byte - b'0'));
                     self.cursor.at += 1;
                 }
@@ -579,7 +579,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Checks that a variable exists and may be on this side.
+    /// Checks that a variable exists and is allowed on this side.
     #[inline]
     fn check_variable(&mut self, number: u32, start: usize, written: bool) {
         if !self.formulas.plain.contains(&number) {
@@ -608,7 +608,7 @@ impl Reader<'_> {
                 _ => return,
             },
         };
-        // Reported once per number, with the file read, when a free variable is known.
+        // Reported once per number, after the file is read and a free variable is known.
         let span = self.span(start, self.cursor.at);
         self.block.bad.get_or_insert(BadBlock { alarm, finding: span });
         let known = self.findings.misused.iter().any(|m| m.number == number && m.alarm == alarm);

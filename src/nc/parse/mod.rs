@@ -1,4 +1,4 @@
-//! Text to tree, as the control would read it: one pass over the bytes, never an `Err`, never a panic.
+//! Text to tree as on the control: one pass over the bytes, never an `Err`, never a panic.
 //!
 //! ```text
 //! file   := [lead] '%' EOB { program } '%'        lead, and text behind a '%' up to its EOB, is skipped
@@ -15,12 +15,12 @@
 //! cond   := expr ( EQ | NE | GT | GE | LT | LE ) expr
 //! ```
 //!
-//! The rows of a control state which of these forms it has, and further ones (`==`, `SIN30`, `#9100`). Where programs, labels and codes have
-//! names, blocks are those of `symbolic`.
+//! The rows of a control state its forms among these, and further ones (`==`, `SIN30`, `#9100`). In a language with names for programs,
+//! labels and codes, the blocks are those of `symbolic`.
 //!
-//! Spaces mean nothing; `( … )` up to the first `)` is a comment, allowed anywhere; EOB is a line end or `;`. Small letters
-//! are read as capitals. A block that does not read becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with
-//! the control's alarm number. Where the mistake has a known shape, a fix comes with it (`nc/advice`).
+//! Spaces have no meaning; `( … )` up to the first `)` is a comment, allowed anywhere; EOB is a line end or `;`. Small letters are read as
+//! capitals. A block that does not parse becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with the control's alarm
+//! number. A known mistake comes with a fix (`nc/advice`).
 
 pub(in crate::nc) mod calls;
 pub(in crate::nc) mod expression;

@@ -11,19 +11,19 @@ use crate::nc::lex::cursor::Cursor;
 use crate::nc::parsed::ExprSpan;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
 
-/// Findings that are listed; a file of garbage has millions.
+/// Maximum findings in the list; a file of garbage has millions.
 pub(in crate::nc) const FINDINGS: usize = 1000;
 
-/// Blocks that are read at most: five times those of the largest programs.
+/// Maximum blocks read: five times those of the largest programs.
 pub(in crate::nc) const BLOCKS: usize = 5_000_000;
 
-/// Bytes of a block: a word's offset has 16 bits, and no control takes a tenth of that.
+/// Maximum bytes of a block: a word's offset has 16 bits, and no control allows a tenth of that.
 pub(in crate::nc) const BLOCK_BYTES: usize = 60_000;
 
-/// What some editors write before a text in UTF-8.
+/// Byte order mark that some editors write at the start of UTF-8 text.
 pub(in crate::nc) const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// How far the arenas were filled before a block was tried.
+/// Lengths of the arenas before an attempt to read a block.
 pub(in crate::nc) struct Mark {
     pub(in crate::nc) words: usize,
     pub(in crate::nc) exprs: usize,
@@ -34,14 +34,14 @@ pub(in crate::nc) struct Mark {
     pub(in crate::nc) small: Option<u32>,
 }
 
-/// Findings of one reading of a line.
+/// Findings of one attempt to read a line.
 pub(in crate::nc) struct BlockFindings {
     list: Vec<Diagnostic>,
     misused: Vec<Misused>,
     small: Option<u32>,
 }
 
-/// The file that is read.
+/// The file being read.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::nc) struct SourceFile<'a> {
     pub(in crate::nc) id: FileId,
@@ -49,15 +49,15 @@ pub(in crate::nc) struct SourceFile<'a> {
     pub(in crate::nc) text: &'a str,
 }
 
-/// Findings so far, and notes for checks at the end.
+/// Findings so far, and records for checks at the end.
 #[derive(Debug, Default)]
 pub(in crate::nc) struct Findings {
     pub(in crate::nc) list: Vec<Diagnostic>,
-    /// Features that were reported as not simulated.
+    /// Features reported as not simulated.
     pub(in crate::nc) left_out: Vec<LeftOut>,
-    /// Variables that the control lacks or does not let write, reported at the end of the file.
+    /// Variables missing or read-only on the control, reported at the end of the file.
     pub(in crate::nc) misused: Vec<Misused>,
-    /// Blocks with calls and jumps in words, checked when all files are read.
+    /// Blocks with calls and jumps in words, checked after all files are read.
     pub(in crate::nc) later: Vec<u32>,
 }
 
@@ -68,15 +68,15 @@ pub(in crate::nc) struct FileNotes {
     pub(in crate::nc) small: Option<u32>,
     /// `;` that ends a block.
     pub(in crate::nc) semicolon: Option<u32>,
-    /// Character in a comment that the control lacks.
+    /// Character in a comment that is missing on the control.
     pub(in crate::nc) foreign: Option<Span>,
-    /// `#` outside comments, where variables have a letter.
+    /// `#` outside comments, on a control with a letter for variables.
     pub(in crate::nc) hash: Option<u32>,
-    /// The line before names a program: the next one may name its directory.
+    /// The preceding line names a program; the next one may name its directory.
     pub(in crate::nc) headed: bool,
 }
 
-/// Parts of the block so far, besides its statement.
+/// Parts of the block read so far, besides its statement.
 #[derive(Debug, Default)]
 pub(in crate::nc) struct BlockParts {
     pub(in crate::nc) number: Option<u32>,
@@ -92,28 +92,28 @@ pub(in crate::nc) struct BlockParts {
 /// State of the formulas of a block.
 #[derive(Debug)]
 pub(in crate::nc) struct Formulas {
-    /// Square brackets that are open.
+    /// Number of open square brackets.
     pub(in crate::nc) depth: u32,
-    /// Expressions of the block so far.
+    /// Number of expressions of the block so far.
     pub(in crate::nc) parts: u32,
-    /// Alarm for a mistake in the condition that is read.
+    /// Alarm for a mistake in the condition being read.
     pub(in crate::nc) sentence: Alarm,
     /// The last comparison of the block: first byte, one past its last byte, operator.
     pub(in crate::nc) compared: (usize, usize, Op),
     /// Round brackets with arithmetic in them group.
     pub(in crate::nc) rounds: bool,
-    /// Places of such brackets.
+    /// Places of round brackets with arithmetic.
     pub(in crate::nc) round_brackets: Vec<(usize, usize)>,
-    /// Cache: the range of variables, free to read and write, that the last variable was in.
+    /// Cache: the writable range of the last variable.
     pub(in crate::nc) plain: core::ops::Range<u32>,
 }
 
-/// Sequence numbers for fixes that need a new one.
+/// Unused sequence numbers for fixes.
 #[derive(Debug, Default)]
 pub(in crate::nc) struct FreshNumbers {
-    /// Every number of the file in rising order, once a fix asks.
+    /// All numbers of the file in rising order, collected for the first fix that needs them.
     pub(in crate::nc) known: Vec<u32>,
-    /// How many candidates, in the order of [`fresh_numbers`](crate::nc::ast::fresh_numbers), are used or known.
+    /// Number of candidates, in the order of [`fresh_numbers`](crate::nc::ast::fresh_numbers), that are used or known.
     pub(in crate::nc) tried: usize,
 }
 
@@ -125,9 +125,9 @@ pub(in crate::nc) struct Reader<'a> {
     pub(in crate::nc) deck: Deck,
     /// Places of the expressions of the deck.
     pub(in crate::nc) expr_spans: Vec<ExprSpan>,
-    /// Cache: blocks of the program at hand before this index are comments.
+    /// Cache: blocks of the present program before this index are comments.
     pub(in crate::nc) comments: Cell<u32>,
-    /// Index of the program that blocks go to.
+    /// Index of the present program.
     pub(in crate::nc) program: Option<usize>,
     pub(in crate::nc) findings: Findings,
     pub(in crate::nc) notes: FileNotes,
@@ -138,7 +138,7 @@ pub(in crate::nc) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Names of a language with names.
+    /// Rules for names, in a language with names.
     #[inline]
     pub(in crate::nc) fn names(&self) -> Option<&'static Names> {
         self.control.syntax.names()
@@ -176,7 +176,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Without white space at both ends, and without a `;` there.
+    /// Trims white space at both ends, and a `;`.
     pub(in crate::nc) fn trimmed(&self, from: usize, to: usize) -> (usize, usize) {
         let bytes = self.file.text.as_bytes();
         let blank = |b: &u8| matches!(b, b' ' | b'\t' | b'\r');
@@ -192,7 +192,7 @@ impl<'a> Reader<'a> {
         self.rewind();
     }
 
-    /// Back to the start of the line.
+    /// Returns to the start of the line.
     pub(in crate::nc) fn rewind(&mut self) {
         self.cursor.at = 0;
         self.block = BlockParts::default();
@@ -213,7 +213,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Forgets everything since the mark, to read the line again.
+    /// Drops everything since the mark, to read the line again.
     pub(in crate::nc) fn rollback(&mut self, mark: &Mark) {
         self.deck.words.truncate(mark.words);
         self.deck.exprs.truncate(mark.exprs);
@@ -227,7 +227,7 @@ impl<'a> Reader<'a> {
         self.rewind();
     }
 
-    /// The same, and hands out the findings since the mark.
+    /// Drops everything since the mark and returns its findings.
     pub(in crate::nc) fn take_back(&mut self, mark: &Mark) -> BlockFindings {
         let Findings { list, misused, .. } = &mut self.findings;
         let findings = BlockFindings {
@@ -239,7 +239,7 @@ impl<'a> Reader<'a> {
         findings
     }
 
-    /// Restores the findings of a reading of the line.
+    /// Restores the findings of an attempt to read the line.
     pub(in crate::nc) fn put_back(&mut self, findings: BlockFindings) {
         self.findings.list.extend(findings.list);
         self.findings.misused.extend(findings.misused);
@@ -255,12 +255,12 @@ impl<'a> Reader<'a> {
         Place { file: self.file.id, span }
     }
 
-    /// An alarm of the control at bytes of the line.
+    /// An alarm of the control for some bytes of the line.
     pub(in crate::nc) fn finding(&self, alarm: Alarm, from: usize, to: usize, message: Message) -> Diagnostic {
         Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_shown(alarm))
     }
 
-    /// Marks the block for a check when all files are read.
+    /// Marks the block for a check after all files are read.
     pub(in crate::nc) fn note_later(&mut self) {
         if self.findings.later.len() < FINDINGS {
             self.findings.later.push(self.deck.blocks.len() as u32);
@@ -273,7 +273,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reports an alarm and reads on; the block will run into it.
+    /// Reports an alarm and reads on; executing the block raises the alarm.
     pub(in crate::nc) fn report(&mut self, alarm: Alarm, from: usize, to: usize, message: Message) {
         let finding = self.finding(alarm, from, to, message);
         self.report_as(alarm, finding);
@@ -285,7 +285,7 @@ impl<'a> Reader<'a> {
         self.block.bad.get_or_insert(BadBlock { alarm, finding: span });
     }
 
-    /// A warning at bytes of the file.
+    /// Adds a warning for some bytes of the file.
     pub(in crate::nc) fn warn(&mut self, from: usize, to: usize, message: Message) {
         let place = self.place(Span::new(from as u32, to as u32));
         self.add_finding(Diagnostic::warning(message).at(place));

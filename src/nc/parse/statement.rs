@@ -12,7 +12,7 @@ use crate::nc::parse::reader::Reader;
 const JOINTS: [&str; 5] = ["AND", "OR", "XOR", "&&", "||"];
 
 impl Reader<'_> {
-    /// Takes `GOTO`, spaces in it or not.
+    /// Reads `GOTO`, with or without spaces in it.
     fn take_goto(&mut self) -> bool {
         let start = self.cursor.at;
         if self.take("GOTO") {
@@ -33,7 +33,7 @@ impl Reader<'_> {
         KEYWORDS.iter().any(|word| self.cursor.ahead(word)) || self.cursor.ahead("THEN")
     }
 
-    /// A statement that starts with a keyword; `None` without one.
+    /// Reads a statement that starts with a keyword; `None` without one.
     pub(in crate::nc) fn keyword(&mut self) -> Read<Option<Stmt>> {
         let start = self.cursor.at;
         let word = KEYWORDS.into_iter().find(|word| self.take(word)).or_else(|| self.take_goto().then_some("GOTO"));
@@ -64,7 +64,7 @@ impl Reader<'_> {
         }))
     }
 
-    /// The keyword that a run of letters with a slip in it was meant to be.
+    /// The keyword closest to a misspelt run of letters.
     fn misspelt_keyword(&mut self) -> Option<&'static str> {
         let rest = self.cursor.rest();
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
@@ -80,7 +80,7 @@ impl Reader<'_> {
         Some(word)
     }
 
-    /// The rest of a statement behind `IF`.
+    /// Reads the rest of a statement behind `IF`.
     fn if_statement(&mut self, start: usize) -> Read<Stmt> {
         let cond = self.condition(Alarm::IfSentence, "IF")?;
         self.no_other_condition(Alarm::IfSentence)?;
@@ -130,7 +130,7 @@ impl Reader<'_> {
         Ok(stmt)
     }
 
-    /// The sequence number behind `GOTO`.
+    /// Reads the sequence number behind `GOTO`.
     fn target(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
         let byte = self.skip();
@@ -147,7 +147,7 @@ impl Reader<'_> {
         self.formula(false)
     }
 
-    /// `[ expr comparison expr ]`.
+    /// Reads `[ expr comparison expr ]`.
     pub(in crate::nc) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
         self.formulas.sentence = alarm;
         let cond = self.bracketed_condition(alarm, keyword);
@@ -195,7 +195,7 @@ impl Reader<'_> {
             return Err(lost);
         }
         if self.keyword_ahead() {
-            // The bracket can have been meant nowhere else.
+            // The bracket can only belong here.
             let to = self.ended_at();
             let finding = self.finding(Alarm::BracketPair, open.at, open.at + 1, msg!("nc.unclosed-square"));
             self.replace(Alarm::BracketPair, finding, to, to, "]");
@@ -205,7 +205,7 @@ impl Reader<'_> {
         self.part(Expr::Binary(op, left, right), start)
     }
 
-    /// A condition whose brackets are missing.
+    /// Reads a condition with missing brackets.
     fn bare_condition(&mut self, alarm: Alarm, keyword: &str, start: usize) -> Read<ExprId> {
         let from = self.cursor.at;
         let failure = |reader: &Self| {
@@ -219,7 +219,7 @@ impl Reader<'_> {
         let to = self.ended_at();
         let finding = self.finding(alarm, from, to, msg!("nc.no-condition", keyword));
         if self.skip() == b']' {
-            // Its other end is there.
+            // Its closing bracket is present.
             self.cursor.at += 1;
             self.replace(alarm, finding, from, from, "[");
         } else {
@@ -228,7 +228,7 @@ impl Reader<'_> {
         self.part(Expr::Binary(op, left, right), from)
     }
 
-    /// Takes a comparison, in letters or in signs.
+    /// Reads a comparison, as letters or signs.
     pub(in crate::nc) fn comparison(&mut self, alarm: Alarm) -> Option<Op> {
         let from = self.cursor.at;
         if let Some((word, op)) = COMPARISONS.iter().find(|(word, _)| self.cursor.ahead(word)) {
@@ -248,14 +248,14 @@ impl Reader<'_> {
         Some(op)
     }
 
-    /// The failure of a comparison ahead that is not the one of a condition.
+    /// The failure of a comparison ahead that does not belong to a condition.
     pub(in crate::nc) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<Failure>> {
         let signs = SIGNS.iter().map(|(sign, ..)| *sign).filter(|sign| *sign != "=");
         let word = COMPARISONS.iter().map(|(word, _)| *word).chain(signs).find(|word| self.cursor.ahead(word))?;
         Some(self.one_comparison(alarm, word.len()))
     }
 
-    /// Nothing joins another condition to the one that was read.
+    /// Reports operators that join another condition to the one read.
     fn no_other_condition(&mut self, alarm: Alarm) -> Read<()> {
         while self.skip() == b']' {
             self.stray_square();
@@ -266,7 +266,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The failure of a comparison in a wrong place or a second one; its operator is the next `len` bytes.
+    /// The failure of a misplaced or second comparison; its operator is the next `len` bytes.
     fn one_comparison(&self, alarm: Alarm, len: usize) -> Box<Failure> {
         let condition = matches!(alarm, Alarm::IfSentence | Alarm::WhileSentence);
         let message = if condition { msg!("nc.two-comparisons") } else { msg!("nc.lost-comparison") };
@@ -277,7 +277,7 @@ impl Reader<'_> {
         failure
     }
 
-    /// The number behind `DO` or `END`.
+    /// Reads the number behind `DO` or `END`.
     fn label(&mut self, keyword: &str) -> Read<u16> {
         let start = self.cursor.at;
         self.skip();
@@ -292,7 +292,7 @@ impl Reader<'_> {
             _ => {
                 let (from, to) =
                     if number.is_empty() { (start - keyword.len(), start) } else { (from, self.cursor.at) };
-                // `END OF PROGRAM` is a remark.
+                // `END OF PROGRAM` is an unbracketed comment.
                 let word = self.cursor.peek().is_ascii_alphabetic();
                 return Err(self.failure(Alarm::DoNumber, from, to, msg!("nc.do-number", keyword, most), word));
             }
@@ -301,7 +301,7 @@ impl Reader<'_> {
         Ok(label)
     }
 
-    /// `#… = expr`.
+    /// Reads `#… = expr`.
     pub(in crate::nc) fn assignment(&mut self) -> Read<Stmt> {
         let (to, value) = self.assigned()?;
         if !self.tables.rules.assignments || self.skip() != b'#' {
@@ -318,7 +318,7 @@ impl Reader<'_> {
         Ok(Stmt::Assigns { first: first as u32, count: (self.deck.pairs.len() - first) as u16 })
     }
 
-    /// The variable and the value of an assignment.
+    /// Reads the variable and the value of an assignment.
     fn assigned(&mut self) -> Read<(ExprId, ExprId)> {
         let start = self.cursor.at;
         let to = self.variable(true)?;
@@ -338,7 +338,7 @@ impl Reader<'_> {
         Ok((to, value))
     }
 
-    /// Takes the `=` of an assignment to the variable from `start` to `end`; `==` is read as one with its fix.
+    /// Reads the `=` of an assignment to the variable from `start` to `end`; `==` is read as one, with a fix.
     pub(in crate::nc) fn equals_sign(&mut self, start: usize, end: usize) -> Read<()> {
         if self.skip() != b'=' {
             return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
@@ -351,7 +351,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The number of a user alarm has a range.
+    /// Checks the range of a user alarm's number.
     fn user_alarm(&mut self, variable: u32, value: f64, start: usize) {
         let (least, most) = self.control.macros.user_alarms;
         let row = self.control.var(variable);
@@ -367,7 +367,7 @@ impl Reader<'_> {
         rest.iter().find(|b| !b.is_ascii_digit() && **b != b' ') == Some(&b'=') || rest.first() == Some(&b'[')
     }
 
-    /// Nothing but comments may follow macro text.
+    /// Reports text other than comments behind a macro statement.
     fn end_of_macro(&mut self) -> Read<()> {
         loop {
             let byte = self.skip();

@@ -4,7 +4,7 @@ use crate::controls::dialect::ReadingRules;
 use crate::controls::{Address, AddressSet, Control, Dialect};
 use crate::nc::codes::Codes;
 
-/// Letters allowed once in a block, on controls with such a rule.
+/// Letters allowed only once in a block, on controls with such a rule.
 const ONCE: AddressSet = AddressSet::letters("ABCDEFHIJKLNOPQRSTUVWXYZ");
 
 /// Look-ups for every word.
@@ -12,19 +12,19 @@ pub(in crate::nc) struct Tables<'a> {
     pub(in crate::nc) codes: &'a Codes,
     /// Letters of words outside macro calls.
     pub(in crate::nc) letters: AddressSet,
-    /// Letters allowed once in a block.
+    /// Letters allowed only once in a block.
     pub(in crate::nc) once: AddressSet,
-    /// Letters whose number must not have a point.
+    /// Letters of integer words: no decimal point allowed.
     pub(in crate::nc) whole: AddressSet,
     /// Letters of rotary axes.
     pub(in crate::nc) rotary: AddressSet,
-    /// Letters that may put a corner behind a motion.
+    /// Letters that insert a corner after a motion.
     pub(in crate::nc) corners: AddressSet,
-    /// Words of a block.
+    /// Maximum words of a block.
     pub(in crate::nc) most_words: usize,
-    /// Characters of a word with a number.
+    /// Maximum characters of a word with a number.
     pub(in crate::nc) word_chars: usize,
-    /// The settings of the control that the reader acts on.
+    /// Reading rules of the control under its settings.
     pub(in crate::nc) rules: ReadingRules,
 }
 

@@ -1,4 +1,4 @@
-//! NC words: the fast path, taken by nearly every block.
+//! NC words: the fast path for nearly every block.
 
 use crate::controls::Address;
 use crate::controls::AddressSet;
@@ -14,11 +14,11 @@ use crate::nc::parse::reader::Reader;
 use crate::text::{DiagnosticKind, Message};
 
 impl<'a> Reader<'a> {
-    /// Skips white space and comments; the byte behind them, 0 at the end.
+    /// Skips white space and comments; returns the following byte, 0 at the end.
     #[inline]
     pub(in crate::nc) fn skip(&mut self) -> u8 {
         let byte = self.cursor.peek();
-        // White space and the bracket of a comment are below all that a word is made of.
+        // White space and the bracket of a comment sort below all bytes of words.
         if byte > b'(' { byte } else { self.skip_on() }
     }
 
@@ -34,7 +34,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the comment at hand; the first one is the block's.
+    /// Reads the comment at the cursor; the first one belongs to the block.
     fn take_comment(&mut self) {
         let open = self.cursor.at;
         let (length, closed) = self.cursor.enclosed(b')');
@@ -53,7 +53,7 @@ impl<'a> Reader<'a> {
         self.cursor.at = (end + 1).min(self.cursor.line.len());
     }
 
-    /// Remembers the first character of a comment that the control does not have.
+    /// Stores the first character of a comment that is missing on the control.
     pub(in crate::nc) fn note_foreign(&mut self, from: usize, to: usize) {
         let text = self.file.text.get(from..to).unwrap_or("");
         if self.notes.foreign.is_none() && !text.is_ascii() {
@@ -67,7 +67,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A whole block: skip mark, sequence number, then macro text or words.
+    /// Reads a whole block: skip mark, sequence number, then macro text or words.
     pub(in crate::nc) fn statement(&mut self) -> Read<Stmt> {
         let mut first = self.optional_skip();
         if first | 0x20 == b'n' {
@@ -83,7 +83,7 @@ impl<'a> Reader<'a> {
         keyword.map_or_else(|| self.words(), Ok)
     }
 
-    /// Takes the optional block skip, `/` or `/2`, where the block begins with it; the byte behind.
+    /// Reads the optional block skip, `/` or `/2`, at the start of the block; returns the following byte.
     pub(in crate::nc) fn optional_skip(&mut self) -> u8 {
         let first = self.skip();
         if first != b'/' {
@@ -176,15 +176,15 @@ impl<'a> Reader<'a> {
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
     }
 
-    /// Reports the first word of each letter that is no address here, the second word of each letter allowed once, and
-    /// the numbers that must not have a point.
+    /// Reports the first word of each letter that is not an address here, the second word of each letter allowed once, and forbidden
+    /// decimal points.
     fn check_words(&mut self, first: usize) {
         let (mut seen, mut twice) = (AddressSet::EMPTY, AddressSet::EMPTY);
         for at in first..self.deck.words.len() {
             let Some(word) = self.deck.words.get(at).copied() else { break };
             let (letter, start) = (word.letter, word.offset as usize);
             let end = start + word.len as usize;
-            // A skip in the middle of the block is no letter.
+            // A skip in the middle of the block is not a letter.
             if word.letter == Address::Skip {
                 continue;
             }
@@ -204,11 +204,11 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reports that a chamfer or rounding behind a motion is left out.
+    /// Reports that a chamfer or rounding after a motion is not simulated.
     #[cold]
     fn corner(&mut self, first: usize) {
         let words = self.deck.words.get(first..).unwrap_or_default();
-        // Cycles, threads and calls have other uses for these letters.
+        // Cycles, threads and calls use these letters otherwise.
         let plain = |word: &Word| match (word.letter, word.value) {
             (Address::G | Address::M, WordValue::Number(_)) => {
                 let row = code_of(word).and_then(|id| self.control.code(id));
@@ -232,7 +232,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A point in the number of an address of whole numbers.
+    /// Reports a decimal point in the number of an integer address.
     fn needless_point(&mut self, letter: Address, number: Dec, start: usize, end: usize) {
         let message = msg!("nc.point-not-allowed", address = letter.to_string());
         let finding = self.finding(Alarm::PointNotAllowed, start, end, message);
@@ -241,12 +241,12 @@ impl<'a> Reader<'a> {
             Some(point) if number.to_f64().fract() == 0.0 => {
                 self.replace(Alarm::PointNotAllowed, finding, start + point, end, "");
             }
-            // Decimals cannot be dropped without a change of meaning.
+            // Dropping decimals other than zeros would change the meaning, so there is no fix.
             _ => self.report_as(Alarm::PointNotAllowed, finding),
         }
     }
 
-    /// A letter that is no address here.
+    /// Reports a letter that is not an address here.
     fn odd_letter(&mut self, letter: Address, start: usize) {
         let (alarm, message) = match letter {
             Address::N => (Alarm::SequencePlace, msg!("nc.number-not-first", letter = "N")),
@@ -259,11 +259,11 @@ impl<'a> Reader<'a> {
         self.report(alarm, start, start + 1, message);
     }
 
-    /// Text between words that is no white space.
+    /// Handles text between words other than white space.
     fn between_words(&mut self, byte: u8, first: usize) -> Read<()> {
         let start = self.cursor.at;
         match byte {
-            // Behind a sequence number there is nothing to divide.
+            // Directly behind a sequence number `/` cannot be a division.
             b'/' if self.skip_mark_ahead()
                 || self.deck.words.len() == first && matches!(self.cursor.line.get(start + 1), Some(b'1'..=b'9')) =>
             {
@@ -283,7 +283,7 @@ impl<'a> Reader<'a> {
                 self.cursor.at += 1;
                 let Some(letter) = Address::of(self.skip()) else { return Err(self.unexpected()) };
                 if !self.control.syntax.comma_addresses.contains(letter) {
-                    // Words need nothing between them.
+                    // Words need no separator.
                     self.slip(Alarm::IllegalAddress, start, start + 1, msg!("nc.comma-between"), "");
                     return Ok(());
                 }
@@ -303,7 +303,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// The value behind an address letter.
+    /// Reads the value behind an address letter.
     #[inline]
     fn value(&mut self, start: usize, letter: Address) -> Read<WordValue> {
         let mut next = self.skip();
@@ -358,7 +358,7 @@ impl<'a> Reader<'a> {
         Ok(WordValue::Expr(value))
     }
 
-    /// A word of more characters than the control takes, unless its digits were too many already.
+    /// Reports a word with more characters than the control allows, unless its digits were already too many.
     #[cold]
     fn too_long(&mut self, from: usize, to: usize) {
         let digits = self.cursor.line.get(from..to).unwrap_or_default().iter().filter(|b| b.is_ascii_digit()).count();
@@ -386,7 +386,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Text behind an address letter that starts no value.
+    /// Handles text behind an address letter that starts no value.
     #[cold]
     fn no_value(&mut self, start: usize, letter: Address, next: u8) -> Read<WordValue> {
         match next {
@@ -398,7 +398,7 @@ impl<'a> Reader<'a> {
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ => {}
         }
-        // The address alone: X, or the start of a word that is none.
+        // The address alone: X, or the start of something other than a word.
         self.cursor.at = start;
         if self.keyword_ahead() {
             return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
@@ -407,7 +407,7 @@ impl<'a> Reader<'a> {
         Err(self.failure(Alarm::NoNumber, start, start + 1, message, true))
     }
 
-    /// An unsigned number, from a digit or a point on.
+    /// Reads an unsigned number, from a digit or a point on.
     #[inline]
     pub(in crate::nc) fn digits(&mut self) -> Read<Dec> {
         let start = self.cursor.at;
@@ -429,7 +429,7 @@ impl<'a> Reader<'a> {
         Ok(value)
     }
 
-    /// Looks a G code up; whether it is a macro call, which takes any letter.
+    /// Looks a G code up; returns whether it is a macro call, which allows any letter.
     #[inline(always)]
     pub(in crate::nc) fn g_code(&mut self, number: Dec, start: usize) -> bool {
         let Some(id) = g_number(number).map(CodeId::G) else { return self.unknown_g_code(number, start) };
@@ -450,7 +450,7 @@ impl<'a> Reader<'a> {
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
     }
 
-    /// Reports once per kind a code of which the simulation leaves something out; `code` is what the message calls it.
+    /// Reports a code that is not or not fully simulated, once per kind; `code` is its name in the message.
     #[cold]
     pub(in crate::nc) fn code_left_out(&mut self, row: &CodeDef, key: LeftOut, code: &str, start: usize) {
         let message = match row.code {
@@ -464,7 +464,7 @@ impl<'a> Reader<'a> {
         self.say_once(key, start, self.cursor.at, message);
     }
 
-    /// A G code that the control lacks.
+    /// Reports a G code missing on the control.
     #[cold]
     fn unknown_g_code(&mut self, number: Dec, start: usize) -> bool {
         self.report(
@@ -476,7 +476,7 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// Looks an M code up; whether it is a macro call.
+    /// Looks an M code up; returns whether it is a macro call.
     #[inline(always)]
     pub(in crate::nc) fn m_code(&mut self, number: Dec, start: usize) -> bool {
         let Some(id) = m_number(number).filter(|_| number.scale == 0).map(CodeId::M) else { return false };
@@ -494,12 +494,12 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// Reports once per kind a feature of the control that is not simulated.
+    /// Reports a feature of the control that is not simulated, once per kind.
     pub(in crate::nc) fn not_simulated(&mut self, key: LeftOut, from: usize, to: usize, name: &str) {
         self.say_once(key, from, to, msg!("nc.not-simulated", code = name));
     }
 
-    /// Adds a warning once per kind.
+    /// Adds a warning, once per kind.
     pub(in crate::nc) fn say_once(&mut self, key: LeftOut, from: usize, to: usize, message: Message) {
         if !self.findings.left_out.contains(&key) {
             self.findings.left_out.push(key);
@@ -508,7 +508,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Remembers the first small letter.
+    /// Stores the place of the first small letter.
     #[inline]
     pub(in crate::nc) fn note_case(&mut self, at: usize) {
         if self.notes.small.is_none() && self.cursor.line.get(at).is_some_and(u8::is_ascii_lowercase) {
@@ -516,7 +516,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A point that ends nothing: `X#107.` or `X1.5.`; reported with its fix, and skipped.
+    /// Reports a surplus decimal point, `X#107.` or `X1.5.`, with its fix, and skips it.
     pub(in crate::nc) fn stray_point(&mut self) {
         let start = self.cursor.at;
         while self.cursor.peek() == b'.' || self.cursor.peek().is_ascii_digit() {
@@ -527,7 +527,7 @@ impl<'a> Reader<'a> {
         self.slip(Alarm::Format, start, self.cursor.at, msg!("nc.stray-point", text), "");
     }
 
-    /// A `]` without its `[`; reported with its fix, and skipped.
+    /// Reports a `]` without its `[`, with its fix, and skips it.
     pub(in crate::nc) fn stray_square(&mut self) {
         let start = self.cursor.at;
         self.cursor.at += 1;

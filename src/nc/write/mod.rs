@@ -1,4 +1,4 @@
-//! Tree to text: one block at a time, brackets only where precedence needs them.
+//! Tree to text: block by block, brackets only if precedence needs them.
 
 mod operators;
 mod symbolic;
@@ -10,13 +10,13 @@ use crate::nc::ast::{Block, Deck, Expr, ExprId, Op, Stmt, TextId, WordValue};
 use crate::nc::dec::Dec;
 use operators::{named_operator, operator};
 
-/// Trees deeper than this are no formulas; reading stops at as many parts.
+/// Maximum depth of a tree, equal to the parser's maximum number of parts.
 pub(in crate::nc) const DEPTH: u32 = 250;
 
 /// Binding level at which every operator needs brackets.
 pub(in crate::nc) const FACTOR: u8 = 6;
 
-/// Longest text of a block that is still written out.
+/// Maximum length of a block's text.
 const BLOCK_TEXT: usize = 10_000;
 
 /// Whether the comment of a block is a message to the operator: `#3000=1(…)`.
@@ -37,7 +37,7 @@ pub(in crate::nc) struct Writer<'a> {
     pub(in crate::nc) deck: &'a Deck,
     pub(in crate::nc) control: &'a Control,
     pub(in crate::nc) text: String,
-    /// Where the block starts.
+    /// Start of the block in the text.
     pub(in crate::nc) start: usize,
     pub(in crate::nc) too_deep: bool,
 }
@@ -62,7 +62,7 @@ impl Writer<'_> {
             return self.named_block(block);
         }
         match block.stmt {
-            // `lower` has left these out.
+            // `lower` has removed these.
             Stmt::Empty | Stmt::Bad(_) | Stmt::Ifs { .. } => {}
             Stmt::Assigns { first, count } => {
                 for (at, pair) in self.deck.pairs_of(first, count).iter().enumerate() {
@@ -128,9 +128,9 @@ impl Writer<'_> {
             }
             self.text.extend(word.letter.letter());
             match word.value {
-                // The first switch of a skip in the middle of a block goes without its number.
+                // Skip switch 1 in the middle of a block is written without its number.
                 WordValue::Number(Dec { mantissa: 1, .. }) if word.letter == Address::Skip => {}
-                // G codes have two digits in every manual.
+                // G codes have two digits, as in every manual.
                 WordValue::Number(number @ Dec { mantissa: 0..10, scale: 0, .. }) if word.letter == Address::G => {
                     self.text.push_str(&format!("0{number}"));
                 }
@@ -156,8 +156,8 @@ impl Writer<'_> {
         self.text.push(if round { ')' } else { ']' });
     }
 
-    /// Writes an expression where operators of at least `level` need no brackets, from comparisons at 0 to none at [`FACTOR`]; a sign
-    /// only at the head of a bracket or block (`lead`).
+    /// Writes an expression in a position where operators of at least `level` need no brackets: from comparisons at 0 to none at
+    /// [`FACTOR`]. A sign is allowed only at the start of a bracket or block (`lead`).
     pub(in crate::nc) fn expr(&mut self, id: ExprId, level: u8, lead: bool, depth: u32) {
         if depth > DEPTH || self.text.len() - self.start > BLOCK_TEXT {
             self.too_deep = true;
@@ -224,7 +224,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Whether a formula ends in the arc tangent of one number, on a control that has that of two as well.
+    /// Whether a formula ends in the arc tangent of one number, on a control that also has the one of two numbers.
     fn ends_in_arc_tangent(&self, id: ExprId) -> bool {
         match self.deck.expr(id) {
             Expr::Call(Function::Atan, _) => self.control.syntax.atan == ArcTangent::OfOneOrTwo,

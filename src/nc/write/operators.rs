@@ -1,8 +1,8 @@
-//! Operators as they are written, with their binding levels.
+//! Spelling and binding levels of operators.
 
 use crate::nc::ast::Op;
 
-/// Level and spelling of an operator; a higher level binds closer.
+/// Level and spelling of an operator; a higher level binds more tightly.
 pub(super) fn operator(op: Op) -> (u8, &'static str) {
     match op {
         Op::Add => (1, "+"),
@@ -22,7 +22,7 @@ pub(super) fn operator(op: Op) -> (u8, &'static str) {
     }
 }
 
-/// The same in a language with names.
+/// Level and spelling of an operator in a language with names.
 pub(super) fn named_operator(op: Op) -> (u8, &'static str) {
     match op {
         Op::Equal => (0, "=="),

@@ -1,4 +1,4 @@
-//! Tree to text in a language with names: heads, labels, `=` behind addresses, comparisons weakest.
+//! Tree to text in a language with names: headers, labels, `=` behind addresses, comparisons as the weakest operators.
 
 use super::Writer;
 use crate::controls::Address;
@@ -7,13 +7,13 @@ use crate::controls::syntax::{Function, Names};
 use crate::nc::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Program, Stmt, Word, WordValue};
 
 impl Writer<'_> {
-    /// The lines in front of a program.
+    /// Writes the header lines of a program.
     pub(in crate::nc) fn head(&mut self, names: &Names, program: &Program, eol: &str) {
         let (name, ending) = (self.deck.text(program.name), names.endings[usize::from(program.sub)]);
         self.text.push_str(&format!("%_N_{name}_{ending}{eol};$PATH=/_N_{ending}_DIR{eol}"));
     }
 
-    /// A block behind its number.
+    /// Writes a block behind its number.
     pub(super) fn named_block(&mut self, block: &Block) {
         if block.label.is_some() {
             self.text.push_str(self.deck.text(block.label));
@@ -110,7 +110,7 @@ impl Writer<'_> {
         self.text.push_str(if form.is_empty() { "" } else { ")" });
     }
 
-    /// `ATAN2(y,x)`.
+    /// Writes `ATAN2(y,x)`.
     pub(super) fn two_arguments(&mut self, left: ExprId, right: ExprId, depth: u32) {
         self.function_name(Function::Atan);
         self.text.push('(');

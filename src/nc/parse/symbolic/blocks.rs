@@ -25,7 +25,7 @@ use crate::nc::parse::reader::{BLOCK_BYTES, FINDINGS, Reader};
 use crate::text::{Place, Span};
 
 impl<'a> Reader<'a> {
-    /// A line of a file: one block, `from < to`, without white space around it.
+    /// Reads a line of a file: one block, `from < to`, without white space around it.
     pub(in crate::nc) fn named_block(&mut self, from: usize, to: usize) {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
@@ -58,7 +58,7 @@ impl<'a> Reader<'a> {
         self.push(stmt);
     }
 
-    /// Takes a line without its comment, which it notes; how long that is.
+    /// Sets the cursor to a line without its comment, stores the comment, and returns the length without it.
     pub(in crate::nc) fn take_named(&mut self, from: usize, to: usize) -> usize {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
         code.len()
     }
 
-    /// Reports why a block does not read.
+    /// Reports the reason why a block does not parse.
     #[cold]
     fn named_failure(&mut self, failure: Failure) {
         let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
@@ -89,7 +89,7 @@ impl<'a> Reader<'a> {
         self.report_as(alarm, finding);
     }
 
-    /// Block skip, block number and label, then the statement.
+    /// Reads block skip, block number and label, then the statement.
     pub(in crate::nc) fn named_statement(&mut self) -> Read<Stmt> {
         let mut first = self.optional_skip();
         let second = self.cursor.byte(1);
@@ -121,20 +121,20 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether a name of several letters follows, or a letter that is a label.
+    /// Whether a name of several letters follows, or a one-letter label.
     #[inline]
     fn named_ahead(&self) -> bool {
         let name = |b: u8| b.is_ascii_alphabetic() || b == b'_';
         name(self.cursor.peek()) && (name(self.cursor.byte(1)) || self.cursor.byte(1) == b':')
     }
 
-    /// Whether a colon follows the name at hand.
+    /// Whether a colon follows the name at the cursor.
     fn label_ahead(&self) -> bool {
         let behind = self.cursor.rest().get(self.cursor.name().len()..).unwrap_or_default();
         behind.trim_ascii_start().first() == Some(&b':')
     }
 
-    /// `L1:`, a label that the control would take for the call of a program; the rest of the block is read.
+    /// Reports `L1:`, a label that the control reads as a program call; reads the rest of the block.
     fn numbered_label(&mut self) -> Read<Stmt> {
         let start = self.cursor.at;
         let name = self.cursor.name().to_ascii_uppercase();
@@ -158,7 +158,7 @@ impl<'a> Reader<'a> {
         words.next().is_some_and(digits) && words.all(|word| word.first().is_some_and(|b| b | 0x20 == b'p'))
     }
 
-    /// `N10` or `:10`.
+    /// Reads `N10` or `:10`.
     fn block_number(&mut self) -> Read<()> {
         let start = self.cursor.at;
         self.block.main = self.cursor.peek() == b':';
@@ -186,7 +186,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Reads a label, which is noted, or a statement that begins with a name; `None` for a label, a code or an address.
+    /// Reads a label, which is stored, or a statement that begins with a name; `None` for a label, a code or an address.
     fn name_first(&mut self) -> Read<Option<Stmt>> {
         let start = self.cursor.at;
         let written = self.cursor.name();
@@ -242,7 +242,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A call of a program: the name at hand, and how often it runs.
+    /// Reads a program call: the name at the cursor, and the number of runs.
     fn call(&mut self) -> Read<Stmt> {
         let start = self.cursor.at;
         let written = self.cursor.name();
@@ -275,9 +275,9 @@ impl<'a> Reader<'a> {
         Ok(Stmt::Call { name, repeats })
     }
 
-    /// A name with words behind it, which no call has: a label without its colon, or a name that nothing has.
+    /// The failure of a name followed by words, which is not a call: a label without its colon, or an unknown name.
     fn not_a_call(&self, start: usize, end: usize, name: &str) -> Box<Failure> {
-        // Looking through a large file for each such line would take too long.
+        // Searching a large file for each such line would take too long.
         if begins_as_name(name) && self.file.text.len() < 1 << 16 && self.jumped_to(name) {
             let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name), false);
             let place = self.place(self.span(end, end));
@@ -290,7 +290,7 @@ impl<'a> Reader<'a> {
         self.unknown_name(start, name)
     }
 
-    /// The failure of an unknown name, with a fix if one letter is wrong.
+    /// The failure of an unknown name, with a fix for one wrong letter.
     pub(in crate::nc) fn unknown_name(&self, start: usize, name: &str) -> Box<Failure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, control = self.control.name);
@@ -314,7 +314,7 @@ impl<'a> Reader<'a> {
         failure
     }
 
-    /// Whether a jump of the file names a label.
+    /// Whether a jump in the file names a label.
     fn jumped_to(&self, name: &str) -> bool {
         let mut jump = false;
         self.file.text.split_ascii_whitespace().any(|word| {
@@ -325,7 +325,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// A statement of another macro language.
+    /// The failure of a statement of another macro language.
     fn other_statement(&self, start: usize, name: &str) -> Box<Failure> {
         let end = start + name.len();
         let message = msg!("nc.other-jump", keyword = name, control = self.control.name);
@@ -337,7 +337,7 @@ impl<'a> Reader<'a> {
         failure
     }
 
-    /// `GOTO 10` as a jump to a label, which is put in front of the first block with that number.
+    /// Edits that rewrite `GOTO 10` as a jump to a label, inserted in front of the first block with that number.
     fn label_instead(&self, start: usize, name: &str) -> Option<Vec<(Place, String)>> {
         let behind = self.cursor.line.get(start..).and_then(|rest| core::str::from_utf8(rest).ok())?;
         let tail = behind.get(4..).filter(|_| name.starts_with("GOTO"))?;
@@ -368,7 +368,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// `IF cond GOTOF label`, once or several times.
+    /// Reads `IF cond GOTOF label`, once or several times.
     fn conditions(&mut self) -> Read<Stmt> {
         let first = self.deck.pairs.len();
         while self.take_word("IF") {
@@ -413,14 +413,14 @@ impl<'a> Reader<'a> {
         name.eq_ignore_ascii_case("GOTOF") || name.eq_ignore_ascii_case("GOTOB")
     }
 
-    /// Takes a word that is a name.
+    /// Reads a keyword, if it is the next name.
     fn take_word(&mut self, word: &str) -> bool {
         let ahead = self.cursor.name().eq_ignore_ascii_case(word);
         self.cursor.at += if ahead { word.len() } else { 0 };
         ahead
     }
 
-    /// `GOTOF label`, from the start of the word.
+    /// Reads `GOTOF label`, from the start of the keyword.
     fn jump(&mut self) -> Read<(ExprId, JumpDirection)> {
         let word = self.cursor.at;
         let way = if self.cursor.byte(4) | 0x20 == b'f' { JumpDirection::Forward } else { JumpDirection::Backward };
@@ -448,13 +448,13 @@ impl<'a> Reader<'a> {
                 self.cursor.line.get(word..word + 5).and_then(|text| core::str::from_utf8(text).ok()).unwrap_or("");
             return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", keyword = text), false));
         }
-        // Errors of the name are reported at the label.
+        // Errors of the name are reported at the label itself.
         self.cursor.at += name.len();
         let label = self.deck.add_text(name.to_ascii_uppercase());
         Ok((self.part(Expr::Label(label), start)?, way))
     }
 
-    /// `MSG("text")`.
+    /// Reads `MSG("text")`.
     fn message(&mut self) -> Read<Stmt> {
         let start = self.cursor.at;
         self.cursor.at += 3;
@@ -488,7 +488,7 @@ impl<'a> Reader<'a> {
         Ok(Stmt::Message(text))
     }
 
-    /// `R1=… R2=…`, to the end of the block.
+    /// Reads `R1=… R2=…` to the end of the block.
     fn assignments(&mut self) -> Read<Stmt> {
         let first = self.deck.pairs.len();
         loop {
@@ -523,7 +523,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Nothing may follow.
+    /// Reports text behind the statement.
     fn end_of_named(&mut self) -> Read<()> {
         match self.skip() {
             _ if self.cursor.ended() => Ok(()),
@@ -543,7 +543,7 @@ impl<'a> Reader<'a> {
             && (self.cursor.byte(1).is_ascii_digit() || self.cursor.byte(1) == b'[')
     }
 
-    /// An expression in which comparisons come last; in a condition a lone `=` is meant as one.
+    /// Reads an expression with comparisons as the weakest operators; in a condition a single `=` counts as `==`.
     pub(in crate::nc) fn named_formula(&mut self, condition: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.logic(0)?;
@@ -579,7 +579,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// `NOT value`, read as `value == 0`.
+    /// Reads `NOT value` as `value == 0`.
     fn negation(&mut self) -> Read<Option<ExprId>> {
         let byte = self.skip();
         if byte | 0x20 != b'n' || !self.cursor.name().eq_ignore_ascii_case("NOT") {
@@ -594,7 +594,7 @@ impl<'a> Reader<'a> {
         self.part(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
     }
 
-    /// Takes `DIV`, which divides to a whole number.
+    /// Reads `DIV`, the integer division.
     #[cold]
     pub(in crate::nc) fn quotient_ahead(&mut self) -> bool {
         self.take_word("DIV")
@@ -635,7 +635,7 @@ impl<'a> Reader<'a> {
         Some(op)
     }
 
-    /// `[ expr ]` for grouping, which other controls have; read as it was meant.
+    /// Reports `[ expr ]` for grouping, as on other controls; reads it as intended.
     #[cold]
     pub(in crate::nc) fn square_group(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
@@ -648,7 +648,7 @@ impl<'a> Reader<'a> {
         Ok(inner)
     }
 
-    /// `#1`, as other controls write variables; reported once a file.
+    /// Reports `#1`, the spelling of variables on other controls, once per file.
     #[cold]
     pub(in crate::nc) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
         let finding = self.span(self.cursor.at, self.cursor.at + 1);
@@ -657,7 +657,7 @@ impl<'a> Reader<'a> {
         self.variable(written)
     }
 
-    /// `$P_S`: data of the control that the simulation does not keep.
+    /// The failure of `$P_S`: system data that the simulation does not keep.
     #[cold]
     pub(in crate::nc) fn system_variable(&self) -> Box<Failure> {
         let rest = self.cursor.rest();

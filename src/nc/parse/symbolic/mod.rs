@@ -1,4 +1,4 @@
-//! Languages in which programs, labels, codes and addresses have names.
+//! Languages with names for programs, labels, codes and addresses.
 
 pub(in crate::nc) mod blocks;
 pub(in crate::nc) mod program_header;

@@ -1,4 +1,4 @@
-//! Lines that name a program, in a language where programs have names.
+//! Lines that name a program, in a language with names.
 
 use crate::controls::Alarm;
 use crate::msg;
@@ -6,12 +6,12 @@ use crate::nc::ast::{Program, TextId};
 use crate::nc::lex::names::{begins_as_name, is_numbered, number_in};
 use crate::nc::parse::reader::Reader;
 
-/// Text between the `%` of a header and the name, and the beginning of the line behind it.
+/// Text between the `%` of a header and the name, and the start of the following line.
 const LEAD: &str = "_N_";
 const PATH: &[u8] = b";$PATH=";
 
 impl Reader<'_> {
-    /// `%_N_NAME_MPF`, `%NAME` or the `%` of other controls, which is none.
+    /// Reads `%_N_NAME_MPF` or `%NAME`, or reports the lone `%` of other controls.
     pub(in crate::nc) fn head(&mut self, from: usize, to: usize) {
         let Some(names) = self.names() else { return };
         let line = self.file.text.get(from..to).unwrap_or("");
@@ -32,7 +32,7 @@ impl Reader<'_> {
             Some(at) => upper.get(..upper.len() - names.endings[at].len() - 1).unwrap_or(""),
             None => upper.as_str(),
         };
-        // Without an ending, the letters of the name show its kind.
+        // Without an ending, the letters of the name give its kind.
         let sub = match ending {
             Some(at) => at == 1,
             None => bare.starts_with(names.endings[1]) || bare.starts_with('L') && is_numbered(names, bare),
@@ -48,7 +48,7 @@ impl Reader<'_> {
         if self.only_comments()
             && let Some(program) = self.program.and_then(|index| self.deck.programs.get_mut(index))
         {
-            // Comments above the head belong to its program.
+            // Comments above the header belong to its program.
             (program.number, program.name, program.sub, program.span) = (number, name, sub, place.span);
             return;
         }
@@ -64,7 +64,7 @@ impl Reader<'_> {
             && line.get(..PATH.len()).is_some_and(|lead| lead.eq_ignore_ascii_case(PATH))
     }
 
-    /// Name, kind and number of the program of a file without a head: those of the file.
+    /// Name, kind and number of the program in a file without a header, from the file's name.
     pub(in crate::nc) fn file_program(&mut self) -> (Option<TextId>, bool, u32) {
         let Some(names) = self.names() else { return (None, false, 0) };
         let upper = self.file.name.to_ascii_uppercase();
@@ -74,7 +74,7 @@ impl Reader<'_> {
         (Some(self.deck.add_text(stem)), ending == names.endings[1], number)
     }
 
-    /// `O1234` of other controls at the head of a line.
+    /// Reports `O1234` of other controls at the start of a line.
     pub(in crate::nc) fn foreign_head(&mut self) -> bool {
         let Some(names) = self.names() else { return false };
         let digits = self.cursor.line.get(1..).unwrap_or_default();

@@ -24,7 +24,7 @@ const FORMS: [(&str, Dimensioning); 5] = [
 #[derive(Default)]
 struct Seen {
     letters: AddressSet,
-    /// Bit of the group of each code.
+    /// Bits of the groups of all codes.
     groups: u32,
     /// Number of codes that define the meaning of the words.
     syntax: u32,
@@ -33,7 +33,7 @@ struct Seen {
 }
 
 impl Seen {
-    /// Notes a code.
+    /// Records a code.
     #[inline]
     fn code(&mut self, row: &CodeDef) {
         let bit = 1 << row.group as u32;
@@ -87,7 +87,7 @@ impl Reader<'_> {
                     if let Some(row) = self.row(Address::M, number) {
                         seen.code(row);
                     }
-                    // More of them are counted.
+                    // The number of such words is limited.
                     seen.odd |= seen.letters.contains(letter);
                 }
                 _ => seen.odd |= seen.letters.contains(letter),
@@ -107,7 +107,7 @@ impl Reader<'_> {
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
     }
 
-    /// Looks a code up; one copy, as the words without names have their own.
+    /// Looks a code up. Not inlined: the words of languages without names have their own copy.
     #[inline(never)]
     fn named_code(&mut self, letter: Address, number: Dec, start: usize) {
         if letter == Address::G {
@@ -117,7 +117,7 @@ impl Reader<'_> {
         };
     }
 
-    /// `M99`, which ends subprograms of other controls.
+    /// Reports `M99`, the subprogram end of other controls.
     #[cold]
     fn foreign_return(&mut self, start: usize) {
         let row = self.control.codes.iter().find(|row| row.code == Code::SubEnd);
@@ -127,7 +127,7 @@ impl Reader<'_> {
         self.add_finding(finding.fix(msg!("nc.fix.write", text = end.as_str()), vec![(place, end)]));
     }
 
-    /// The row of a G or M code as it is written.
+    /// Row of a G or M code as written.
     #[inline]
     fn row(&self, letter: Address, number: Dec) -> Option<&'static CodeDef> {
         self.tables.codes.row(match letter {
@@ -136,7 +136,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The value behind a letter: a number, or a formula behind `=`.
+    /// Reads the value behind a letter: a number, or a formula behind `=`.
     #[inline]
     fn named_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut next = self.skip();
@@ -164,14 +164,14 @@ impl Reader<'_> {
         }
     }
 
-    /// A number of a formula, which ends at hand: with its exponent, and within its range.
+    /// Completes a number of a formula, which ends at the cursor: reads its exponent and checks its range.
     #[inline]
     pub(in crate::nc) fn named_number(&mut self, number: Dec, start: usize) -> Dec {
         let number = if self.cursor.peek() | 0x20 == b'e' { self.exponent(number, start) } else { number };
         self.whole_number(number, start)
     }
 
-    /// A number without a point that is larger than whole numbers are.
+    /// Reports a number without a point above the range of whole numbers.
     #[inline]
     pub(in crate::nc) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
         if number.mantissa.unsigned_abs() > 2_147_483_647 && !number.point {
@@ -194,7 +194,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads on behind the number of a word: mostly a blank, rarely the rest of an extended address or of a formula.
+    /// Continues behind the number of a word: usually a blank, rarely the rest of an extended address or of a formula.
     fn behind_number(
         &mut self,
         start: usize,
@@ -209,7 +209,7 @@ impl Reader<'_> {
         match next {
             b'.' => self.stray_point(),
             b'+' | b'-' | b'*' | b'/' => {
-                // A formula without its `=`.
+                // A formula without `=`.
                 self.cursor.at = start + 1;
                 return self.insert_equals(letter);
             }
@@ -218,7 +218,7 @@ impl Reader<'_> {
         Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start))))
     }
 
-    /// `S1=500`: the number belongs to the address.
+    /// Reads `S1=500`: the number is the index of the address.
     fn extended(&mut self, start: usize, letter: Address, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let known = self.names().is_some_and(|names| names.extended.contains(letter));
         let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
@@ -230,7 +230,7 @@ impl Reader<'_> {
         Ok((index, form, value))
     }
 
-    /// Where `[2]` ends in `S[2]=4`.
+    /// End of `[2]` in `S[2]=4`.
     fn index_ahead(&self) -> Option<usize> {
         let rest = self.cursor.line.get(self.cursor.at + 1..)?;
         let close = rest.iter().position(|byte| *byte == b']')?;
@@ -238,7 +238,7 @@ impl Reader<'_> {
         (behind.first() == Some(&b'=')).then_some(self.cursor.at + close + 2)
     }
 
-    /// `= value`, or the failure of an address without a value.
+    /// Reads `= value`, or fails for an address without a value.
     fn equals(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         match self.skip() {
             b'=' => self.cursor.at += 1,
@@ -275,7 +275,7 @@ impl Reader<'_> {
         Ok((None, form, self.named_constant()?))
     }
 
-    /// Takes `AC` and the like with a bracket behind.
+    /// Reads `AC` or the like in front of a bracket.
     fn form(&mut self) -> Dimensioning {
         if !self.skip().is_ascii_alphabetic() {
             return Dimensioning::Plain;
@@ -287,7 +287,7 @@ impl Reader<'_> {
         form.map_or(Dimensioning::Plain, |row| row.1)
     }
 
-    /// A formula; a number where it is nothing else.
+    /// Reads a formula; a constant one becomes a number.
     fn named_constant(&mut self) -> Read<WordValue> {
         let id = self.named_formula(false)?;
         Ok(match self.deck.expr(id) {
@@ -300,7 +300,7 @@ impl Reader<'_> {
         })
     }
 
-    /// A formula directly behind its address, as other controls have it; read as it was meant.
+    /// Reports a formula directly behind its address, as on other controls; reads it as intended.
     #[cold]
     fn insert_equals(&mut self, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let from = self.cursor.at;
@@ -315,7 +315,7 @@ impl Reader<'_> {
         Ok((None, Dimensioning::Plain, value))
     }
 
-    /// Whether a name is an address with a variable or a number that lacks its `=`: `XR1`, `LIMS3000`.
+    /// Whether a name is an address with a variable or number and a missing `=`: `XR1`, `LIMS3000`.
     pub(in crate::nc) fn missing_equals(&self, name: &str) -> bool {
         let variable = |rest: &str| rest.len() > 1 && rest.bytes().skip(1).all(|b| b.is_ascii_digit());
         let known =
@@ -323,7 +323,7 @@ impl Reader<'_> {
         known && name.get(1..).is_some_and(|rest| rest.starts_with(['R', 'r']) && variable(rest))
     }
 
-    /// An address or a code of several letters.
+    /// Reads an address or a code of several letters.
     #[cold]
     fn long_word(&mut self, start: usize, seen: &mut Seen) -> Read<()> {
         let written = self.cursor.name();
@@ -361,7 +361,7 @@ impl Reader<'_> {
         Err(self.unknown_name(start, written))
     }
 
-    /// A code with a name, by its place in the list of names: a G function, or SETMS with the number of a spindle.
+    /// Reads a named code, by its index in the list of names: a G function, or SETMS with the number of a spindle.
     fn long_code(&mut self, (start, name): (usize, &str), place: usize, seen: &mut Seen) -> Read<()> {
         self.cursor.at += name.len();
         let id = CodeId::Named(place as u16);
@@ -381,7 +381,7 @@ impl Reader<'_> {
         self.push_long(start, Address::Name, (index, Dimensioning::Plain, value))
     }
 
-    /// Reports a code that is not simulated, each cycle once by the number in its name; skips arguments such as those of `TRACYL(40)`.
+    /// Reports a code that is not simulated, each cycle once by the number in its name; skips arguments such as in `TRACYL(40)`.
     fn long_code_not_simulated(&mut self, (start, name): (usize, &str), row: Option<&CodeDef>) -> Read<()> {
         let Some(row) = row else { return Ok(()) };
         let what = format!("{name} ({})", row.text);
@@ -399,7 +399,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// An address of several letters with its value.
+    /// Reads an address of several letters with its value.
     fn long_address(&mut self, (start, address): (usize, &str), letter: Address, seen: &mut Seen) -> Read<()> {
         self.cursor.at += address.len();
         let value = self.long_value(start, address, letter)?;
@@ -412,7 +412,7 @@ impl Reader<'_> {
         self.push_long(start, letter, value)
     }
 
-    /// Reports a way to an angle, of an axis that does not turn.
+    /// Reports a direction of approach (DC, ACP, ACN) for a linear axis.
     #[cold]
     fn check_way(&mut self, start: usize, letter: Address, form: Dimensioning) {
         let (alarm, name) = match form {
@@ -425,7 +425,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `(2)` behind SETMS; without it the spindle is the one that it was at power-on.
+    /// Reads `(2)` behind SETMS; without it the master spindle is the one after power-on.
     fn spindle_number(&mut self, start: usize) -> Read<Option<u8>> {
         if self.skip() != b'(' {
             return Ok(None);
@@ -447,7 +447,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The value behind an address of several letters, with or without an index in brackets.
+    /// Reads the value behind an address of several letters, with or without an index in brackets.
     fn long_value(
         &mut self,
         start: usize,
@@ -482,7 +482,7 @@ impl Reader<'_> {
         Ok((index, Dimensioning::Plain, value))
     }
 
-    /// Text between words that is no white space.
+    /// Handles text between words other than white space.
     #[cold]
     fn between_names(&mut self, byte: u8) -> Read<()> {
         match byte {
@@ -497,7 +497,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `( remark )` of other controls: reported with its fix, and skipped.
+    /// Reports `( remark )` of other controls, with its fix, and skips it.
     #[cold]
     pub(in crate::nc) fn foreign_comment(&mut self) -> bool {
         let start = self.cursor.at;
@@ -507,7 +507,7 @@ impl Reader<'_> {
         self.cursor.at = start + close + 1;
         let finding =
             self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.foreign-remark", control = self.control.name));
-        // In the midst of a block it would make a comment of the rest.
+        // In the middle of a block the fix would turn the rest into a comment.
         let last = self.skip() == 0 && self.cursor.ended() && self.block.comment.is_none();
         self.replace(
             Alarm::Format,
@@ -550,7 +550,7 @@ impl Reader<'_> {
             let again = |other: &&Word| (other.letter, other.index) == (word.letter, word.index);
             let others = before.iter().filter(again).count();
             if others > 0 && !matches!(word.letter, Address::G | Address::M | Address::Name) {
-                // Once; a repeated word is not counted as too many.
+                // Reported once; a repeated word does not count toward the maximum number.
                 if others == 1 {
                     self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", address = name));
                 }
@@ -583,7 +583,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `M98 P9100 L2`, which calls programs of other controls; whether it is that.
+    /// Reports `M98 P9100 L2`, the program call of other controls; returns whether the block is one.
     fn foreign_call(&mut self, words: &[Word]) -> bool {
         let value = |letter: Address| {
             let word = words.iter().find(|word| word.letter == letter)?;
@@ -599,10 +599,10 @@ impl Reader<'_> {
         true
     }
 
-    /// The row of a word that is a code.
+    /// Row of a code word.
     fn row_of(&self, word: &Word) -> Option<&'static CodeDef> {
         let WordValue::Number(Dec { scale: 0, .. }) = word.value else { return None };
-        // Of another spindle they are in groups of its own.
+        // M codes of a second spindle have their own groups.
         let own = word.letter != Address::M || word.index.is_none_or(|spindle| spindle <= 1);
         if own { self.tables.codes.row_of(word) } else { None }
     }
