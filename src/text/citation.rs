@@ -4,11 +4,11 @@ use serde::Serialize;
 
 use super::{Phrase, catalog};
 
-/// How well a fact is known.
+/// Quality of evidence for a fact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Grade {
-    /// The manual of this very control, or the published paper about this machine.
+    /// The manual of the control itself, or the published paper about the machine.
     Manual,
     /// The manual of a sister control of the same maker.
     Sister,
@@ -16,12 +16,12 @@ pub enum Grade {
     Measured,
     /// Derived from other facts, or from a secondary source.
     Inferred,
-    /// Known from memory or not at all: shown to the user as open.
+    /// From memory or unknown: shown to the user as open.
     Open,
 }
 
 impl Grade {
-    /// In the language that is spoken.
+    /// Name of the grade, in the language in use.
     pub fn words(self) -> &'static str {
         match self {
             Grade::Manual => catalog::words("page.grade-manual"),
@@ -36,9 +36,9 @@ impl Grade {
 /// Source and grade of one row of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Citation {
-    /// Manual, page, header line; short enough for a table cell. Word for word a line of `docs/reference/sources.md`.
+    /// Manual, page, header line; short enough for a table cell. Identical to a line of `docs/reference/sources.md`.
     pub source: Phrase,
-    /// How far it carries.
+    /// Quality of the source.
     pub grade: Grade,
 }
 

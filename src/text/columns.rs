@@ -1,13 +1,13 @@
-//! Columns that a text takes, on a terminal and in a drawing's label, and texts padded to a number of them.
+//! Width of texts in columns, on a terminal and in a drawing's label, and padding to a width.
 
 use super::escape::is_obeyed;
 
-/// Columns of a text: a Chinese character is as wide as two letters.
+/// Width of a text in columns; a Chinese character is as wide as two letters.
 pub fn columns(text: &str) -> usize {
     text.chars().map(of_char).sum()
 }
 
-/// Columns of a character: 2 for those of East Asian width and pictures, 0 for marks on the one before.
+/// Width of a character in columns: 2 for East Asian wide characters and emoji, 0 for combining marks.
 pub fn of_char(c: char) -> usize {
     match c {
         c if is_obeyed(c) => 1,
@@ -25,12 +25,12 @@ pub fn of_char(c: char) -> usize {
     }
 }
 
-/// A text with spaces behind it up to a number of columns.
+/// A text padded with spaces on the right to a width.
 pub fn left(text: &str, wide: usize) -> String {
     text.to_owned() + &gap(text, wide)
 }
 
-/// A text with spaces before it up to a number of columns.
+/// A text padded with spaces on the left to a width.
 pub fn right(text: &str, wide: usize) -> String {
     gap(text, wide) + text
 }

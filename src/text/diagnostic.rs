@@ -15,27 +15,27 @@ macro_rules! listed {
         }
 
         impl $name {
-            /// All variants in their order: `ALL[variant as usize]` is the variant.
+            /// All variants in order: `ALL[variant as usize]` is the variant.
             pub const ALL: &[$name] = &[$($name::$variant),+];
         }
     };
 }
 
 listed! {
-/// Severity. Only an error keeps a program from being exported.
+/// Severity. Only an error prevents the export of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
     /// The control would refuse or misread this text, or a field is invalid.
     Error,
-    /// It runs, but a senior programmer would not write it.
+    /// The text runs, but an experienced programmer would not write it.
     Warning,
     /// Worth knowing.
     Info,
 }
 }
 
-/// A change of text that mends a diagnostic.
+/// A change of text that corrects a diagnostic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fix {
     /// Label of its button.
@@ -45,20 +45,20 @@ pub struct Fix {
 }
 
 listed! {
-/// Diagnostics that code acts on; sentences are for people.
+/// Kinds of diagnostics tested by code; sentences are only for people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DiagnosticKind {
-    /// No code acts on it.
+    /// No code tests for it.
     #[default]
     Plain,
-    /// A file begins with a byte order mark: a fact about the file, independent of errors in its lines.
+    /// A file begins with a byte order mark; independent of errors in its lines.
     ByteOrderMark,
     /// A comment without its end hides the rest of the line.
     OpenComment,
-    /// A block ends where more has to follow.
+    /// An incomplete block.
     EndsEarly,
-    /// The contour of a cycle is passed over.
+    /// The contour of a cycle is skipped.
     Contour,
     /// A DO or END without its partner, or too deep.
     UnpairedLoop,
@@ -66,13 +66,13 @@ pub enum DiagnosticKind {
     AuxiliaryInLoop,
     /// A spindle code is put out in each pass of a loop.
     SpindleInLoop,
-    /// Blocks take less time than the control needs to read them, by the text.
+    /// Blocks shorter in time than the control's block time, from the program text.
     ShortBlocks,
-    /// The machine waited for the control to read blocks, in a run.
+    /// The machine waited for the control to read blocks, during a run.
     Starved,
-    /// An alarm that the program raises itself; `text` of its message is the program's text, where it has one.
+    /// An alarm raised by the program itself; the message value `text` is the program's text, if any.
     ProgramAlarm,
-    /// Facts of the form that are only assumed; `count` and `fields` of the message are their count and their names.
+    /// Form facts that are only assumed; the message values `count` and `fields` are their number and their names.
     AssumedFacts,
 }
 }
@@ -82,21 +82,21 @@ pub enum DiagnosticKind {
 pub struct Diagnostic {
     /// Severity.
     pub severity: Severity,
-    /// Kind, for diagnostics that code acts on.
+    /// Kind, for diagnostics tested by code.
     pub kind: DiagnosticKind,
     /// Message.
     pub message: Message,
     /// Place; `None` for the project as a whole.
     pub place: Option<Place>,
-    /// The number that this control would show, for instance `P283`.
+    /// Alarm number on this control, for instance `P283`.
     pub alarm: Option<Cow<'static, str>>,
-    /// The control's text of the alarm.
+    /// The control's wording of the alarm.
     pub wording: Option<Phrase>,
     /// Id of the form field concerned.
     pub field: Option<&'static str>,
     /// Advice in words.
     pub hints: Vec<Message>,
-    /// Changes of the text that mend it.
+    /// Changes of text that correct it.
     pub fixes: Vec<Fix>,
 }
 
@@ -115,17 +115,17 @@ impl Diagnostic {
         }
     }
 
-    /// An error without a place yet.
+    /// An error without a place.
     pub fn error(message: Message) -> Diagnostic {
         Diagnostic::new(Severity::Error, message)
     }
 
-    /// A warning without a place yet.
+    /// A warning without a place.
     pub fn warning(message: Message) -> Diagnostic {
         Diagnostic::new(Severity::Warning, message)
     }
 
-    /// A remark without a place yet.
+    /// A remark without a place.
     pub fn info(message: Message) -> Diagnostic {
         Diagnostic::new(Severity::Info, message)
     }
@@ -145,38 +145,38 @@ impl Diagnostic {
         self.alarm == other.alarm
     }
 
-    /// The same of a kind that code acts on.
+    /// Sets the kind.
     pub fn kind(mut self, kind: DiagnosticKind) -> Diagnostic {
         self.kind = kind;
         self
     }
 
-    /// The same at a place.
+    /// Sets the place.
     pub fn at(mut self, place: Place) -> Diagnostic {
         self.place = Some(place);
         self
     }
 
-    /// The same about a form field.
+    /// Sets the form field.
     pub fn about(mut self, field: &'static str) -> Diagnostic {
         self.field = Some(field);
         self
     }
 
-    /// The same with the control's alarm: its number and its wording.
+    /// Sets the control's alarm: its number and its wording.
     pub fn alarm(mut self, alarm: Option<(&'static str, Phrase)>) -> Diagnostic {
         self.alarm = alarm.map(|(number, _)| Cow::Borrowed(number));
         self.wording = alarm.map(|(_, wording)| wording).filter(|wording| !wording.is_empty());
         self
     }
 
-    /// The same with a hint.
+    /// Adds a hint.
     pub fn hint(mut self, hint: Message) -> Diagnostic {
         self.hints.push(hint);
         self
     }
 
-    /// The same with a fix.
+    /// Adds a fix.
     pub fn fix(mut self, title: Message, edits: Vec<(Place, String)>) -> Diagnostic {
         self.fixes.push(Fix { title, edits });
         self

@@ -1,28 +1,28 @@
-//! Escapes characters that a terminal or a document would interpret, in texts from outside.
+//! Escapes characters that a terminal or a document would interpret, in external texts.
 
 use std::borrow::Cow;
 
-/// Whether a terminal obeys a character instead of showing it: C0 and C1 controls and those of the writing direction.
+/// Whether a terminal interprets a character: C0 and C1 controls, and controls of the writing direction.
 pub fn is_obeyed(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// Characters of a text from outside that a sentence repeats at most.
+/// Maximum characters of an external text in a sentence.
 const CLIPPED: usize = 60;
 
-/// A text from outside as a part of a sentence: its first 60 characters, without control characters.
+/// An external text as a part of a sentence: its first 60 characters, without control characters.
 pub fn clip(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).take(CLIPPED).collect()
 }
 
-/// A text for a terminal: U+FFFD in place of the characters that it obeys, line feeds and tabs apart.
+/// A text for a terminal: characters that the terminal interprets become U+FFFD, except line feeds and tabs.
 pub fn terminal(text: &str) -> Cow<'_, str> {
     let obeyed = |c: char| is_obeyed(c) && !matches!(c, '\n' | '\t');
     if text.contains(obeyed) { Cow::Owned(text.replace(obeyed, "\u{fffd}")) } else { Cow::Borrowed(text) }
 }
 
-/// A text within a line of Markdown: no markup of HTML, no links or pictures, no line end.
+/// A text within a line of Markdown: no HTML, no links or pictures, no line end.
 pub fn markdown(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,11 +1,11 @@
 //! Lines and columns of byte offsets.
 
-/// The line end of a text: CR LF if its first line ends so, else LF.
+/// Line end of a text: CR LF if its first line has it, otherwise LF.
 pub fn line_end(text: &str) -> &'static str {
     if text.split_once('\n').is_some_and(|(line, _)| line.ends_with('\r')) { "\r\n" } else { "\n" }
 }
 
-/// A line and a column as people count them, from 1; the column counts characters.
+/// A line and a column, counted from 1; the column counts characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Position {
     /// Line, from 1.
@@ -21,14 +21,14 @@ pub struct LineIndex {
 }
 
 impl LineIndex {
-    /// Reads the text once.
+    /// Builds the index of a text.
     pub fn new(text: &str) -> LineIndex {
         let mut starts = vec![0];
         starts.extend(text.bytes().enumerate().filter(|&(_, b)| b == b'\n').map(|(i, _)| i as u32 + 1));
         LineIndex { starts }
     }
 
-    /// The position of a byte offset in the text that the index was made from.
+    /// Position of a byte offset in the indexed text.
     pub fn position(&self, text: &str, offset: u32) -> Position {
         let line = self.line_of(offset);
         let start = self.starts[line as usize - 1] as usize;
@@ -37,12 +37,12 @@ impl LineIndex {
         Position { line, column }
     }
 
-    /// The line, from 1, that holds a byte offset.
+    /// Line, from 1, of a byte offset.
     pub fn line_of(&self, offset: u32) -> u32 {
         self.starts.partition_point(|&s| s <= offset).max(1) as u32
     }
 
-    /// The offset of the first byte of a line, from 1; beyond the last line that of the last.
+    /// Offset of the first byte of a line, from 1; beyond the last line, of the last line.
     pub fn start(&self, line: u32) -> u32 {
         let at = (line as usize).clamp(1, self.starts.len());
         self.starts.get(at - 1).copied().unwrap_or(0)
@@ -55,7 +55,7 @@ impl LineIndex {
         text.get(start as usize..end).unwrap_or("").trim_end_matches(['\n', '\r'])
     }
 
-    /// How many lines the text has; at least 1.
+    /// Number of lines, at least 1.
     pub fn count(&self) -> u32 {
         self.starts.len() as u32
     }

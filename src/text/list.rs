@@ -1,23 +1,23 @@
-//! Lists, sentences and headings joined as the language that is spoken joins them.
+//! Lists, sentences and headings, joined by the rules of the language in use.
 
 use super::catalog;
 
-/// The items with commas between them.
+/// Items separated by commas.
 pub fn listed<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> String {
     joined(items, between("list.items"))
 }
 
-/// The items with semicolons between them, for items that have commas of their own.
+/// Items separated by semicolons, for items that contain commas.
 pub fn clauses<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> String {
     joined(items, between("list.clauses"))
 }
 
-/// Sentences one after the other.
+/// Consecutive sentences.
 pub fn sentences<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> String {
     joined(items, between("list.sentences"))
 }
 
-/// What stands behind a name and a colon.
+/// A name, a colon and a text.
 pub fn headed(name: impl AsRef<str>, text: impl AsRef<str>) -> String {
     [name.as_ref(), between("list.headed"), text.as_ref()].concat()
 }
@@ -41,7 +41,7 @@ fn joined<S: AsRef<str>>(items: impl IntoIterator<Item = S>, between: &str) -> S
     out
 }
 
-/// What a row of the catalog has between its two places.
+/// Text between the two placeholders of a catalog row.
 fn between(key: &'static str) -> &'static str {
     let behind = catalog::words(key).split_once('}').and_then(|(_, behind)| behind.rsplit_once('{'));
     behind.map_or(", ", |(between, _)| between)

@@ -1,13 +1,13 @@
-//! A message: the id of a sentence and the values of its places by name. `catalog` turns it into text.
+//! A message: the id of a sentence and the values of its placeholders by name. `catalog` turns it into text.
 
 /// A value inside a sentence.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MessageValue {
-    /// A number and how many decimals are shown at most.
+    /// A number and its maximum decimals.
     Number(f64, u8),
-    /// Text that is the same in every language: a word of a program, a name, a unit.
+    /// Text without translation: a word of a program, a name, a unit.
     Text(String),
-    /// A label or a phrase of a row by its key in the catalog, within another sentence.
+    /// A label or a phrase of a row, by its catalog key, within another sentence.
     Label(&'static str),
 }
 
@@ -41,38 +41,38 @@ impl From<String> for MessageValue {
     }
 }
 
-/// A sentence to be said: `id` names it in the catalog, `values` fill its places by their names, `{speed}`.
+/// A sentence: `id` is its catalog key, `values` fill its placeholders by name, `{speed}`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Message {
     /// Id in the catalog, `area.subject`, for instance `nc.unknown-code`.
     pub id: &'static str,
-    /// The values of the places, each with the name of its place.
+    /// Name and value of each placeholder.
     pub values: Vec<(&'static str, MessageValue)>,
 }
 
 impl Message {
-    /// A sentence with the values of its places and their names, each with a space behind it; for `msg!`. A function, because a call takes less
-    /// code at each use than its body, and one text takes less than a list of names.
+    /// A sentence with the values of its placeholders; `names` has their names, each followed by a space. For `msg!`. A function, because a
+    /// call needs less code at each use than its body, and one text less than a list of names.
     #[inline(never)]
     pub fn new<const N: usize>(id: &'static str, mut names: &'static str, values: [MessageValue; N]) -> Message {
         Message { id, values: values.map(|value| (first_name(&mut names), value)).into() }
     }
 
-    /// The value of a place.
+    /// Value of a placeholder.
     pub fn value(&self, name: &str) -> Option<&MessageValue> {
         self.values.iter().find(|(place, _)| *place == name).map(|(_, value)| value)
     }
 }
 
-/// Takes the first name off a list of names.
+/// Removes and returns the first name of a list of names.
 fn first_name(names: &mut &'static str) -> &'static str {
     let (first, others) = names.split_once(' ').unwrap_or((names, ""));
     *names = others;
     first
 }
 
-/// `msg!("area.subject", speed = expression, limit)`: a [`Message`]; `limit` is short for `limit = limit`. Every id is in the catalog, and its
-/// sentence has places of these names (held by a test).
+/// `msg!("area.subject", speed = expression, limit)`: a [`Message`]; `limit` is short for `limit = limit`. Every id has to be in the
+/// catalog, with placeholders of these names (held by a test).
 #[macro_export]
 macro_rules! msg {
     ($id:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {

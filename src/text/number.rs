@@ -1,13 +1,13 @@
-//! Numbers as people type them, and as they are written for people.
+//! Number input and output for people.
 
 use core::fmt::{self, Write};
 use std::cell::Cell;
 
-/// Characters of a typed number at most.
+/// Maximum characters of a typed number.
 const LONGEST: usize = 40;
 
-/// A decimal number as people type it: `1.5`, `1,5`, `-1.50`, `−3`; no exponent, no separators of thousands, at most one point, at most
-/// 40 characters. `None` for anything else.
+/// Reads a typed decimal number: `1.5`, `1,5`, `-1.50`, `−3`; no exponent, no thousands separators, at most one point, at most 40
+/// characters. `None` for anything else.
 pub fn read(text: &str) -> Option<f64> {
     let text = text.trim();
     let plain = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',');
@@ -19,17 +19,18 @@ pub fn read(text: &str) -> Option<f64> {
     Some(if text.starts_with(['-', '\u{2212}']) { -size } else { size })
 }
 
-/// A number as it is written for people: with at most so many decimals, without trailing zeros, never `-0`: `8`, `15.279`, `-0.5`; from
-/// 10¹⁵ on with an exponent. A half is rounded away from zero.
+/// A number for people, with a maximum number of decimals, without trailing zeros, never `-0`: `8`, `15.279`, `-0.5`; from 10¹⁵ on with an
+/// exponent. A half is rounded away from zero.
 ///
-/// Digits are made here, as a run writes three numbers a block and the library's way to decimals takes longer than running the block.
+/// The digits are computed here, because a run writes three numbers per block and the library's decimal output is slower than running the
+/// block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plain(pub f64, pub u8);
 
 /// Whole numbers below this are exact as doubles.
 const EXACT: f64 = 9_007_199_254_740_992.0;
 
-/// Powers of ten by which numbers are scaled to be written.
+/// Powers of ten for scaling numbers before output.
 const POW10: [f64; 11] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10];
 
 impl fmt::Display for Plain {
@@ -39,7 +40,7 @@ impl fmt::Display for Plain {
 }
 
 impl Plain {
-    /// Writes the number; what `Display` does, where the writer is known.
+    /// Writes the number like `Display`, to any writer.
     pub fn write(&self, f: &mut impl fmt::Write) -> fmt::Result {
         match scaled(self.0, self.1) {
             Some((digits, decimals)) => write_scaled(f, digits, decimals, false),
@@ -48,7 +49,8 @@ impl Plain {
     }
 }
 
-/// A number with all of so many decimals, so that figures that change do not jump; else as [`Plain`]. A large number has fewer.
+/// A number with a fixed number of decimals, so that changing figures do not jump; otherwise like [`Plain`]. Large numbers have fewer
+/// decimals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fixed(pub f64, pub u8);
 
@@ -61,7 +63,7 @@ impl fmt::Display for Fixed {
     }
 }
 
-/// A number beyond what [`scaled`] takes: `1e15`, `-1.5e300`, `∞`, `NaN`.
+/// Writes a number outside the range of [`scaled`]: `1e15`, `-1.5e300`, `∞`, `NaN`.
 fn exponential(f: &mut impl fmt::Write, number: f64) -> fmt::Result {
     match number {
         f64::INFINITY => f.write_str("∞"),
@@ -70,12 +72,12 @@ fn exponential(f: &mut impl fmt::Write, number: f64) -> fmt::Result {
     }
 }
 
-/// A number as its digits and how many of them are decimals; `None` where it is no number or needs an exponent.
+/// Digits of a number and how many of them are decimals; `None` for NaN and for numbers that need an exponent.
 fn scaled(number: f64, decimals: u8) -> Option<(i64, usize)> {
     if number.is_nan() || number.abs() >= 1e15 {
         return None;
     }
-    // A large number has fewer decimals than are asked for.
+    // A large number has fewer decimals than requested.
     let mut decimals = POW10.len().min(decimals as usize + 1);
     let mut scaled = f64::INFINITY;
     while scaled.abs() >= EXACT && decimals > 0 {
@@ -85,7 +87,7 @@ fn scaled(number: f64, decimals: u8) -> Option<(i64, usize)> {
     Some((scaled as i64, decimals))
 }
 
-/// `digits / 10^decimals`, at most ten decimals, with or without zeros at their end.
+/// Writes `digits / 10^decimals`, at most ten decimals, with or without trailing zeros.
 fn write_scaled(f: &mut impl fmt::Write, digits: i64, decimals: usize, zeros: bool) -> fmt::Result {
     let unit = 10_u64.pow(decimals as u32);
     let size = digits.unsigned_abs();
@@ -121,12 +123,12 @@ fn write_scaled(f: &mut impl fmt::Write, digits: i64, decimals: usize, zeros: bo
     f.write_str(core::str::from_utf8(&text[at..]).unwrap_or_default())
 }
 
-/// A number as a figure with four significant digits, of the decimals that its row has; below 1 all of them. A dash for what is no number.
+/// A figure with four significant digits within the row's decimals; below 1 with all decimals. A dash for NaN and infinity.
 pub fn four_digits(number: f64, decimals: u8) -> String {
     if number.is_finite() { figure(number, decimals_of_four(number, decimals)) } else { "–".to_owned() }
 }
 
-/// A number as a figure with at most so many decimals. A dash for what is no number.
+/// A figure with a maximum number of decimals. A dash for NaN and infinity.
 pub fn short(number: f64, decimals: u8) -> String {
     if !number.is_finite() {
         return "–".to_owned();
@@ -135,7 +137,7 @@ pub fn short(number: f64, decimals: u8) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// Decimals of a number with four significant digits, of the decimals that its row has; below 1 all of them.
+/// Decimals of a number for four significant digits, within the row's decimals; below 1 all of them.
 pub fn decimals_of_four(number: f64, decimals: u8) -> u8 {
     let most = match number.abs() {
         n if n >= 1000.0 => 0,
@@ -147,10 +149,10 @@ pub fn decimals_of_four(number: f64, decimals: u8) -> u8 {
     decimals.min(most)
 }
 
-/// How figures on the screen are written, as the language has it.
+/// Number format of figures on the screen, by language.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Figures {
-    /// `−15 080.5`: thin spaces between thousands, and the minus sign of print.
+    /// `−15 080.5`: thin spaces between thousands, and a typographic minus sign.
     Spaced,
     /// `-15080.5`: as in sentences, in programs and on the control.
     Plain,
@@ -160,12 +162,12 @@ thread_local! {
     static FIGURES: Cell<Figures> = const { Cell::new(Figures::Spaced) };
 }
 
-/// Writes figures so from now on, in this thread.
+/// Sets the number format of figures for this thread.
 pub fn write_figures(figures: Figures) {
     FIGURES.set(figures);
 }
 
-/// A number with all of so many decimals, for figures on the screen; see [`Figures`].
+/// A figure on the screen with a fixed number of decimals; see [`Figures`].
 pub fn figure(number: f64, decimals: u8) -> String {
     let plain = Fixed(number, decimals).to_string();
     if FIGURES.get() == Figures::Plain {
@@ -183,7 +185,7 @@ pub fn figure(number: f64, decimals: u8) -> String {
     out
 }
 
-/// A text with numbers in the places of its `#`, with two decimals at most, for drawings.
+/// Writes a text with numbers in place of its `#`, with at most two decimals, for drawings.
 pub fn fill(out: &mut String, form: &str, numbers: &[f64]) {
     let mut numbers = numbers.iter();
     for (at, part) in form.split('#').enumerate() {
@@ -196,7 +198,7 @@ pub fn fill(out: &mut String, form: &str, numbers: &[f64]) {
     }
 }
 
-/// A text with numbers in the places of its `#`; see [`fill`].
+/// A text with numbers in place of its `#`; see [`fill`].
 pub fn filled(form: &str, numbers: &[f64]) -> String {
     let mut out = String::new();
     fill(&mut out, form, numbers);

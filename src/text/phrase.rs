@@ -1,4 +1,4 @@
-//! A phrase: English text that stands in a row of a table. The catalog of another language has it as a key.
+//! A phrase: English text in a row of a table. The catalog of another language has it as a key.
 
 use core::fmt;
 
@@ -6,28 +6,28 @@ use serde::{Serialize, Serializer};
 
 use super::{MessageValue, catalog};
 
-/// English text of a row; shown in the language that is spoken.
+/// English text of a row, shown in the language in use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Phrase {
-    /// As the row has it.
+    /// The English text of the row.
     pub english: &'static str,
 }
 
 impl Phrase {
-    /// A phrase without words.
+    /// An empty phrase.
     pub const NONE: Phrase = Phrase::new("");
 
-    /// The phrase that a row states.
+    /// A phrase from its English text.
     pub const fn new(english: &'static str) -> Phrase {
         Phrase { english }
     }
 
-    /// Whether the row says nothing.
+    /// Whether the phrase is empty.
     pub const fn is_empty(self) -> bool {
         self.english.is_empty()
     }
 
-    /// In the language that is spoken.
+    /// The phrase in the language in use.
     pub fn words(self) -> &'static str {
         catalog::words(self.english)
     }

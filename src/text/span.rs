@@ -28,12 +28,12 @@ impl Span {
         Span { start: at, end: at }
     }
 
-    /// The smallest range that holds both.
+    /// The smallest range that contains both.
     pub fn to(self, other: Span) -> Span {
         Span { start: self.start.min(other.start), end: self.end.max(other.end) }
     }
 
-    /// The bytes of `text` in this range; empty where the range does not fit the text.
+    /// The bytes of `text` in this range; empty if the range does not fit the text.
     pub fn of(self, text: &str) -> &str {
         text.get(self.start as usize..self.end as usize).unwrap_or("")
     }
@@ -49,7 +49,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// Whether the other one lies within this one.
+    /// Whether the other place is within this one.
     pub fn covers(self, other: Place) -> bool {
         self.file == other.file && self.span.start <= other.span.start && other.span.end <= self.span.end
     }

@@ -1,6 +1,6 @@
-//! Units of length as people read and type them: those of the program, or inches. Files, programs and `--json` have millimetres always.
+//! Shown units of length: the program's, or inches. Files, programs and `--json` always have millimetres.
 //!
-//! One system is shown at a time and per thread ([`show`]), as one language is spoken (`catalog`).
+//! One system is shown at a time and per thread ([`show`]), like the language (`catalog`).
 
 use std::cell::Cell;
 
@@ -10,17 +10,17 @@ use crate::math;
 /// A system of units for lengths, feeds and surface speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lengths {
-    /// As the program and the control have them.
+    /// Millimetres, as in programs and on the control.
     Millimetres,
     /// Inches, and feet for surface speeds.
     Inches,
 }
 
 impl Lengths {
-    /// Every system.
+    /// All systems.
     pub const ALL: [Lengths; 2] = [Lengths::Millimetres, Lengths::Inches];
 
-    /// Its id in options and stores.
+    /// Id in options and storage.
     pub fn id(self) -> &'static str {
         match self {
             Lengths::Millimetres => "mm",
@@ -38,17 +38,17 @@ thread_local! {
     static SHOWN: Cell<Lengths> = const { Cell::new(Lengths::Millimetres) };
 }
 
-/// Shows lengths in this system from now on, in this thread.
+/// Sets the shown system for this thread.
 pub fn show(lengths: Lengths) {
     SHOWN.set(lengths);
 }
 
-/// The system that is shown.
+/// The shown system.
 pub fn shown() -> Lengths {
     SHOWN.get()
 }
 
-/// What a closure makes with lengths in millimetres, whatever is shown: files for the control and for other programs.
+/// Calls `make` with millimetres as the shown system: for files of the control and of other programs.
 pub fn in_millimetres<T>(make: impl FnOnce() -> T) -> T {
     let before = SHOWN.replace(Lengths::Millimetres);
     let made = make();
@@ -60,9 +60,9 @@ pub fn in_millimetres<T>(make: impl FnOnce() -> T) -> T {
 struct Unit {
     metric: &'static str,
     inch: &'static str,
-    /// Metric units in one of the other.
+    /// Metric units per counterpart.
     size: f64,
-    /// Decimals more than the metric figure has: where controls step 0.001 mm, they step 0.0001 in.
+    /// Difference in decimals to the metric figure: 0.001 mm corresponds to 0.0001 in.
     decimals: i8,
 }
 
@@ -70,11 +70,12 @@ const fn row(metric: &'static str, inch: &'static str, size: f64, decimals: i8) 
     Unit { metric, inch, size, decimals }
 }
 
-/// Millimetres in an inch, and metres in a foot.
+/// Millimetres per inch, and metres per foot.
 const INCH: f64 = 25.4;
 const FOOT: f64 = 0.3048;
 
-/// Units with a counterpart. Angles, forces, torques, masses and pressures have none: data sheets of drives and materials state them so.
+/// Units with a counterpart. Angles, forces, torques, masses and pressures have none, because data sheets of drives and materials are
+/// metric.
 const UNITS: &[Unit] = &[
     row("mm", "in", INCH, 1),
     row("mm/min", "in/min", INCH, 1),
@@ -91,58 +92,58 @@ const UNITS: &[Unit] = &[
     row("m/s²", "ft/s²", FOOT, 0),
 ];
 
-/// The counterpart of a unit, where it is shown.
+/// The counterpart of a unit, if inches are shown.
 fn counterpart(metric: &str) -> Option<&'static Unit> {
     (shown() == Lengths::Inches).then(|| UNITS.iter().find(|unit| unit.metric == metric)).flatten()
 }
 
-/// Metric units that have a counterpart.
+/// Metric units with a counterpart.
 pub fn converted() -> impl Iterator<Item = &'static str> {
     UNITS.iter().map(|unit| unit.metric)
 }
 
-/// The unit that is shown for a metric one.
+/// The shown unit for a metric one.
 pub fn unit(metric: &str) -> &str {
     counterpart(metric).map_or(metric, |unit| unit.inch)
 }
 
-/// A number of a metric unit in the one that is shown.
+/// A number in the shown unit, from the metric one.
 pub fn value(number: f64, metric: &str) -> f64 {
     counterpart(metric).map_or(number, |unit| number / unit.size)
 }
 
-/// A number of the unit that is shown in the metric one.
+/// A number in the metric unit, from the shown one.
 pub fn metric(number: f64, metric: &str) -> f64 {
     counterpart(metric).map_or(number, |unit| number * unit.size)
 }
 
-/// Decimals of a figure of a metric unit in the one that is shown.
+/// Decimals of a figure in the shown unit, from those in the metric one.
 pub fn decimals(decimals: u8, metric: &str) -> u8 {
     counterpart(metric).map_or(decimals, |unit| decimals.saturating_add_signed(unit.decimals))
 }
 
-/// A number without its unit, with at most so many decimals of the metric one.
+/// A number without its unit, with a maximum number of metric decimals.
 pub fn plain(number: f64, places: u8, metric: &str) -> String {
     Plain(value(number, metric), decimals(places, metric)).to_string()
 }
 
-/// A number with its unit, with at most so many decimals of the metric one: `8 mm`, `0.315 in`.
+/// A number with its unit, with a maximum number of metric decimals: `8 mm`, `0.315 in`.
 pub fn text(number: f64, places: u8, metric: &str) -> String {
     with_unit(&plain(number, places, metric), metric)
 }
 
-/// A number with its unit, with all of so many decimals, for figures on the screen.
+/// A figure on the screen with its unit, with a fixed number of metric decimals.
 pub fn figure(number: f64, places: u8, metric: &str) -> String {
     with_unit(&number::figure(value(number, metric), decimals(places, metric)), metric)
 }
 
-/// A length in a drawing, where millimetres stand without their unit: `100`, `3.94″`.
+/// A length in a drawing, with millimetres without their unit: `100`, `3.94″`.
 pub fn dimension(number: f64, places: u8) -> String {
     let mark = if shown() == Lengths::Inches { "″" } else { "" };
     [plain(number, places, "mm").as_str(), mark].concat()
 }
 
-/// A length with the shortest sign of its unit, where there is little room: `1 mm`, `0.0394″`.
+/// A length with the shortest sign of its unit, for little space: `1 mm`, `0.0394″`.
 pub fn short(number: f64, places: u8) -> String {
     match shown() {
         Lengths::Millimetres => text(number, places, "mm"),
@@ -150,12 +151,12 @@ pub fn short(number: f64, places: u8) -> String {
     }
 }
 
-/// A shown number and the unit behind it.
+/// A number and its shown unit.
 pub fn with_unit(number: &str, metric: &str) -> String {
     [number, unit(metric)].join(" ").trim_end().to_owned()
 }
 
-/// A step of a metric unit in the one that is shown: there near it, as 1, 2 or 5 of a power of ten.
+/// A step of a metric unit in the shown unit: a similar size, rounded to 1, 2 or 5 times a power of ten.
 pub fn step(number: f64, metric: &str) -> f64 {
     let Some(unit) = counterpart(metric).filter(|_| number > 0.0) else { return number };
     let wanted = number / unit.size;
@@ -164,10 +165,10 @@ pub fn step(number: f64, metric: &str) -> f64 {
     nice.unwrap_or(10.0) * power
 }
 
-/// Decimals of an exact entry at most.
+/// Maximum decimals of an exact entry.
 const MOST: u8 = 10;
 
-/// An entry of at most so many metric decimals in the unit that is shown: with the fewest decimals that [`entered`] takes back unchanged.
+/// An entry in the shown unit, with the fewest decimals that [`entered`] converts back unchanged.
 pub fn exact(number: f64, places: u8, metric: &str) -> String {
     if counterpart(metric).is_none() {
         return Plain(number, places).to_string();
@@ -182,7 +183,7 @@ pub fn exact(number: f64, places: u8, metric: &str) -> String {
     fewest.unwrap_or_else(|| Plain(shown, MOST).to_string())
 }
 
-/// The metric number of an entry in the unit that is shown, on the last of so many decimals. A metric entry stays as it is typed.
+/// The metric number of an entry in the shown unit, rounded to a number of decimals. A metric entry is unchanged.
 pub fn entered(number: f64, places: u8, metric: &str) -> f64 {
     match counterpart(metric) {
         Some(unit) => Plain(number * unit.size, places).to_string().parse().unwrap_or(number * unit.size),

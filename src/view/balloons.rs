@@ -9,16 +9,17 @@ use crate::math::{self, PI};
 use crate::text::columns;
 use crate::text::number::fill;
 
-/// Radius of a balloon, of the dot at the end of its leader, and the least gap to labels and to other balloons, in sizes of the letters.
+/// Radius of a balloon, radius of the dot at the end of its leader, and least gap to labels and other balloons, in letter sizes.
 const RADIUS: f64 = 0.8;
 const DOT: f64 = 0.14;
 const GAP: f64 = 0.25;
-/// Distances of a balloon from its part that are tried: the first, the step, how many; in sizes of the letters. And directions of each.
+/// Distances of a balloon from its part in the search for a place: the first, the step, the number, in letter sizes; and the number of
+/// directions.
 const FIRST: f64 = 2.2;
 const STEP: f64 = 0.7;
 const DISTANCES: u32 = 40;
 const DIRECTIONS: u32 = 32;
-/// Width of a letter and heights of its top and foot, in sizes of the letters.
+/// Width of a letter and heights of its top and foot, in letter sizes.
 const LETTER_BOX: [f64; 3] = [0.6, 0.78, 0.25];
 
 /// A balloon in the drawing's coordinates.
@@ -30,7 +31,7 @@ pub struct Balloon {
     pub at: (f64, f64),
     /// Radius.
     pub radius: f64,
-    /// The part that its leader ends at.
+    /// End of its leader, on the part.
     pub part: (f64, f64),
 }
 
@@ -38,13 +39,13 @@ pub struct Balloon {
 type Area = [f64; 4];
 
 impl Balloon {
-    /// Its square: left, top, right, bottom.
+    /// Bounding square: left, top, right, bottom.
     pub fn area(&self) -> Area {
         let ((x, y), r) = (self.at, self.radius);
         [x - r, y - r, x + r, y + r]
     }
 
-    /// Where its leader begins: at the edge of the circle.
+    /// Start of its leader, at the edge of the circle.
     pub fn edge(&self) -> (f64, f64) {
         let (dx, dy) = (self.part.0 - self.at.0, self.part.1 - self.at.1);
         let share = self.radius / math::hypot(dx, dy).max(self.radius);
@@ -74,11 +75,11 @@ fn placed<'s>(scene: &'s Scene, pose: &Pose, group: u16) -> Option<(&'s SceneGro
     Some((rest, moved.unwrap_or(Placement { opacity, ..Placement::of(group) })))
 }
 
-/// A point of a group in the drawing, drawing units per unit of the group, and whether the group is seen.
+/// A point of a group in the drawing, drawing units per unit of the group, and whether the group is visible.
 fn point(scene: &Scene, pose: &Pose, group: u16, at: (f64, f64)) -> ((f64, f64), f64, bool) {
     let ((mut x, mut y), mut scale, mut seen) = (at, 1.0, true);
     let mut group = group;
-    // A circle of groups ends.
+    // Ends also if groups form a circle.
     for _ in 0..scene.groups.len() {
         let Some((rest, place)) = placed(scene, pose, group).filter(|_| group != 0) else { break };
         (x, y) = (x * rest.scale * place.size.0 - place.cx, y * rest.scale * place.size.1 - place.cy);
@@ -91,7 +92,7 @@ fn point(scene: &Scene, pose: &Pose, group: u16, at: (f64, f64)) -> ((f64, f64),
     ((x, y), scale, seen)
 }
 
-/// The room that the letters of a text take in a pose; none where it is not seen.
+/// Area of a text's letters in a pose; `None` if it is not visible.
 fn text_area(scene: &Scene, pose: &Pose, node: &Node) -> Option<Area> {
     let Shape::Text { x, y, anchor, text, line, font } = &node.shape else { return None };
     let posed = pose.texts.iter().find(|(id, _)| Some(*id) == node.id).map(|(_, text)| text);
@@ -112,13 +113,13 @@ fn text_area(scene: &Scene, pose: &Pose, node: &Node) -> Option<Area> {
     (seen && count > 0).then_some([left, base - top * size, left + width, base + foot * size])
 }
 
-/// What a new balloon keeps clear of.
+/// Obstacles for a new balloon.
 struct Taken {
     view: Area,
     texts: Vec<Area>,
     parts: Vec<(f64, f64)>,
     balloons: Vec<Balloon>,
-    /// Size of the letters.
+    /// Letter size.
     letter: f64,
 }
 
@@ -136,26 +137,26 @@ impl Taken {
             && !self.balloons.iter().any(|other| crosses(other.edge(), other.part, grown(own, gap)))
     }
 
-    /// Whether its leader goes past the other balloons.
+    /// Whether its leader crosses no other balloon.
     fn leads_past(&self, balloon: &Balloon) -> bool {
         !self.balloons.iter().any(|other| crosses(balloon.edge(), balloon.part, other.area()))
     }
 
-    /// Whether its leader goes past labels and other leaders.
+    /// Whether its leader crosses no label and no other leader.
     fn leads_clear(&self, balloon: &Balloon) -> bool {
         let (from, to) = (balloon.edge(), balloon.part);
         !self.texts.iter().any(|text| crosses(from, to, *text))
             && !self.balloons.iter().any(|other| cross((from, to), (other.edge(), other.part)))
     }
 
-    /// The nearest place that is free; where no leader goes past everything, past the balloons at least.
+    /// The nearest free place. If no leader is clear of everything, one that at least crosses no balloon.
     fn place(&self, item: u32, part: (f64, f64)) -> Option<Balloon> {
         let radius = RADIUS * self.letter;
         let tries = || {
             (0..DISTANCES).flat_map(move |at| {
                 let distance = (FIRST + STEP * f64::from(at)) * self.letter;
                 (0..DIRECTIONS).map(move |turn| {
-                    // From straight up, to both sides in turn.
+                    // From straight up, alternately to both sides.
                     let half = f64::from(turn.div_ceil(2)) * if turn % 2 == 0 { 1.0 } else { -1.0 };
                     let (s, c) = math::sin_cos(2.0 * PI * half / f64::from(DIRECTIONS) + 0.4);
                     Balloon { item, at: (part.0 + distance * s, part.1 - distance * c), radius, part }
@@ -168,7 +169,7 @@ impl Taken {
     }
 }
 
-/// Balloons of parts in a pose of their drawing, numbered from 1. A part for which there is no room has none.
+/// Balloons of parts in a pose of their drawing, numbered from 1. A part without a free place has none.
 pub fn balloons(scene: &Scene, pose: &Pose, parts: &[DrawnPart]) -> Vec<Balloon> {
     let [left, top, width, height] = scene.view;
     let letter = LETTER * if scene.unit > 0.0 { scene.unit } else { 1.0 };
@@ -184,7 +185,7 @@ pub fn balloons(scene: &Scene, pose: &Pose, parts: &[DrawnPart]) -> Vec<Balloon>
     taken.balloons
 }
 
-/// Writes balloons in these colours: of lines and figures, and of the circle.
+/// Writes balloons, with the colours of lines and figures, and of the circle's fill.
 pub(super) fn write(out: &mut String, balloons: &[Balloon], (ink, page): (&str, &str), letter: f64) {
     let _ = write!(out, "<g class=\"balloons\" stroke=\"{ink}\" fill=\"{page}\" text-anchor=\"middle\"");
     fill(out, " stroke-width=\"#\">", &[0.07 * letter]);

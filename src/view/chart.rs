@@ -8,15 +8,15 @@ use crate::text::units;
 pub struct Series {
     /// Catalog id of its name.
     pub label: &'static str,
-    /// Which of the page's line colours, from 0.
+    /// Index of the page's line colour.
     pub tone: u8,
-    /// Address of the axis or the spindle that it is about; none for other quantities.
+    /// Address of the axis or spindle; `None` for other quantities.
     pub address: Option<Address>,
     /// Points (x, y) in order of x.
     pub points: Vec<(f64, f64)>,
 }
 
-/// A chart: one quantity over another, most often time.
+/// A chart: one quantity over another, usually time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
     /// Id.
@@ -25,7 +25,7 @@ pub struct Chart {
     pub title: &'static str,
     /// Unit of y.
     pub unit: &'static str,
-    /// Least span of the y axis: a signal that changes by less is drawn flat.
+    /// Least span of the y axis, so that a signal with smaller changes is drawn flat.
     pub least_span: f64,
     /// Unit of x.
     pub x_unit: &'static str,
@@ -34,7 +34,7 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The chart as people read it: lengths in the unit that is shown.
+    /// The chart with lengths in the shown unit.
     pub fn shown(mut self) -> Chart {
         for (x, y) in self.series.iter_mut().flat_map(|line| &mut line.points) {
             (*x, *y) = (units::value(*x, self.x_unit), units::value(*y, self.unit));
@@ -47,7 +47,7 @@ impl Chart {
         }
     }
 
-    /// Whether its x is the time of the run, in seconds.
+    /// Whether x is the time of the run in seconds.
     pub fn over_time(&self) -> bool {
         self.x_unit == "s"
     }

@@ -14,14 +14,14 @@ pub struct ComparedRow {
     pub label: String,
     /// Unit.
     pub unit: &'static str,
-    /// A cell for each variant; none where it has no such entry or result.
+    /// A cell for each variant; `None` if it lacks the entry or result.
     pub cells: Vec<Option<VariantCell>>,
-    /// Whether the variants differ in it.
+    /// Whether the variants differ in this row.
     pub differs: bool,
 }
 
 impl ComparedRow {
-    /// The cells as texts: the sign of a verdict that does not hold before its value, and a dash where there is nothing.
+    /// The cells as texts: the sign of a failed verdict before its value, and a dash for a missing cell.
     pub fn marked(&self) -> Vec<String> {
         let mark = |cell: &Option<VariantCell>| match cell {
             None => "-".to_owned(),
@@ -43,19 +43,19 @@ impl ComparedRow {
 pub struct Comparison {
     /// Their names.
     pub names: Vec<String>,
-    /// Entries in which they differ, in the order of the form.
+    /// Entries with differences, in the order of the form.
     pub entries: Vec<ComparedRow>,
-    /// All results, in the order in which they are shown.
+    /// All results, in the order of display.
     pub results: Vec<ComparedRow>,
     /// Names of their controls.
     pub control: ComparedRow,
-    /// Open points of the controls in whose settings they differ, and one of them from the default of its control.
+    /// Open points of the controls with different settings, at least one of them not the default.
     pub switches: Vec<ComparedRow>,
 }
 
 impl Comparison {
-    /// The rows that differ, in groups with the catalog ids of their titles: entries, results, controls. What all have comes first, for two
-    /// machines have little in common. A group without rows is left out.
+    /// Rows with differences, in groups with the catalog ids of their titles: entries, results, controls. Rows common to all variants come
+    /// first, because two machines have little in common. Empty groups are omitted.
     pub fn differences(&self) -> Vec<(&'static str, Vec<&ComparedRow>)> {
         let control = std::iter::once(&self.control).chain(&self.switches);
         let groups: [(&'static str, Vec<&ComparedRow>); 3] = [

@@ -6,15 +6,15 @@ use super::{Chart, Sheet};
 use crate::text::catalog::words;
 use crate::text::number::Fixed;
 
-/// What stands before a text that has more than ASCII: without it, a spreadsheet takes the text for one of the computer's old code page.
+/// Byte order mark for a text beyond ASCII: without it, a spreadsheet reads the text in the computer's legacy code page.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// The text of a table as a file that spreadsheets read.
+/// The text of a table as a file for spreadsheets.
 pub fn file(text: String) -> String {
     if text.is_ascii() { text } else { format!("{BYTE_ORDER_MARK}{text}") }
 }
 
-/// The lines of all charts over time side by side; the heads carry units. Empty where there is no line.
+/// Lines of all charts over time, side by side, with units in the heads. Empty without a line.
 pub fn charts(charts: &[Chart]) -> String {
     let over_time = charts.iter().filter(|chart| chart.over_time());
     let lines: Vec<_> = over_time.flat_map(|chart| chart.series.iter().map(move |line| (chart.unit, line))).collect();

@@ -6,7 +6,7 @@ use crate::math::{self, PI};
 use crate::text::columns;
 use crate::text::number::{fill, filled};
 
-/// Collects the nodes of a drawing. A node goes into the group and shows the field that were named last.
+/// Collects the nodes of a drawing. A node belongs to the present group and shows the present form field.
 #[derive(Debug, Default)]
 pub struct Drawing {
     /// Nodes so far, in drawing order.
@@ -15,17 +15,17 @@ pub struct Drawing {
     pub groups: Vec<SceneGroup>,
     /// Gradients so far.
     pub gradients: Vec<Gradient>,
-    /// Group of the nodes that follow.
+    /// Group of the following nodes.
     pub group: u16,
-    /// Field of the form that the nodes that follow show.
+    /// Form field shown by the following nodes.
     pub field: &'static str,
-    /// Drawing units per pixel for which labels are laid out.
+    /// Drawing units per pixel for the layout of labels.
     pub unit: f64,
-    /// Places to look at; see [`Scene::stations`].
+    /// Named places of the drawing; see [`Scene::stations`].
     pub stations: Vec<(&'static str, f64)>,
-    /// Number of the label that the nodes that follow belong to.
+    /// Label number of the following nodes.
     label: u16,
-    /// Labels so far.
+    /// Number of labels so far.
     labels: u16,
     leaders: Vec<Leader>,
 }
@@ -33,7 +33,7 @@ pub struct Drawing {
 /// A hairline from a label to its part.
 #[derive(Debug, Clone)]
 struct Leader {
-    /// Its place among the nodes.
+    /// Index of its node.
     node: usize,
     /// Lowest and highest start along the edge of the text, and the height of that edge.
     from: (f64, f64, f64),
@@ -41,11 +41,11 @@ struct Leader {
     to: (f64, f64),
 }
 
-/// Letters of a value that poses write, at most, as far as leaders keep away from it.
+/// Assumed maximum letters of a value written by poses, for leaders to keep clear.
 const VALUE_LETTERS: usize = 16;
-/// Width of a letter and heights of its top and foot, in sizes of the letters.
+/// Width of a letter and heights of its top and foot, in letter sizes.
 const LETTER_BOX: [f64; 3] = [0.6, 0.75, 0.25];
-/// Starts of a leader along its text that are tried.
+/// Number of starts of a leader along its text in the search for a clear one.
 const STARTS: u8 = 8;
 
 /// A name with values below it, and a hairline to the part.
@@ -53,18 +53,18 @@ const STARTS: u8 = 8;
 pub struct Callout<'a> {
     /// Base line of the name.
     pub at: (f64, f64),
-    /// Which end of the lines is at that point.
+    /// End of the lines at that point: `start`, `middle` or `end`.
     pub anchor: &'static str,
     /// The name.
     pub name: &'a str,
-    /// Values: number by which poses change it, and its text at rest.
+    /// Values: node id for changes by poses, and text at rest.
     pub values: &'a [(Option<u16>, &'a str)],
-    /// The part; none for a label beside its part.
+    /// The part; `None` for a label beside its part.
     pub part: Option<(f64, f64)>,
 }
 
 impl Drawing {
-    /// A drawing whose labels are laid out for so many drawing units per pixel.
+    /// A drawing with labels laid out for a number of drawing units per pixel.
     pub fn new(unit: f64) -> Drawing {
         Drawing { groups: vec![SceneGroup::default()], unit, ..Drawing::default() }
     }
@@ -78,7 +78,7 @@ impl Drawing {
         self.groups[at] = place;
     }
 
-    /// Draws in a group, then goes back to the group before.
+    /// Draws in a group, then returns to the previous one.
     pub fn within(&mut self, group: u16, draw: impl FnOnce(&mut Drawing)) {
         let before = core::mem::replace(&mut self.group, group);
         draw(self);
@@ -92,7 +92,7 @@ impl Drawing {
         self.place(group, SceneGroup { hidden: true, ..present });
     }
 
-    /// Draws parts that show a field of the form, then goes back to the field before.
+    /// Draws parts that show a form field, then returns to the previous field.
     pub fn showing(&mut self, field: &'static str, draw: impl FnOnce(&mut Drawing)) {
         let before = core::mem::replace(&mut self.field, field);
         draw(self);
@@ -144,7 +144,8 @@ impl Drawing {
         &mut self.nodes[at]
     }
 
-    /// The rim of a lens (centre and radius) with the figures in it. Together they are a label that stays in its place and has no other over it.
+    /// The rim of a lens (centre and radius) with the figures in it. Together they are a label that never moves and is never covered by
+    /// another.
     pub fn lens(&mut self, rim: (f64, f64, f64), figures: impl FnOnce(&mut Drawing)) {
         self.labels += 1;
         self.label = self.labels;
@@ -174,7 +175,7 @@ impl Drawing {
         self.labels += 1;
         self.label = self.labels;
         if let Some((x, y)) = part {
-            // From the edge of the text that is nearest to the part.
+            // From the edge of the text nearest to the part.
             let below = if y > at.1 { values.len() as f64 * LINE + 0.5 } else { -1.1 };
             let longest = values.iter().map(|(_, text)| columns(text)).chain([columns(name)]).max();
             let wide = 0.45 * letter * longest.unwrap_or(0) as f64;
@@ -195,7 +196,7 @@ impl Drawing {
         self.label = 0;
     }
 
-    /// The room that the letters of a label take: number of the label, left, top, right, bottom. Only labels that never move have one.
+    /// Area of a label's letters: number of the label, left, top, right, bottom. `None` for labels that move.
     fn text_box(&self, node: &Node) -> Option<(u16, [f64; 4])> {
         let Shape::Text { x, y, anchor, text, line, .. } = &node.shape else { return None };
         let letter = LETTER * self.unit;
@@ -212,7 +213,7 @@ impl Drawing {
         (node.label > 0 && node.group == 0).then_some((node.label, area))
     }
 
-    /// Leads hairlines around the texts of other labels; where no start along the own text leads around them, the hairline is left out.
+    /// Leads hairlines around the texts of other labels. A hairline without a clear start along its own text is omitted.
     fn lead_around(&mut self) {
         let boxes: Vec<(u16, [f64; 4])> = self.nodes.iter().filter_map(|node| self.text_box(node)).collect();
         for Leader { node, from: (left, right, y), to } in core::mem::take(&mut self.leaders) {
@@ -279,7 +280,7 @@ pub fn circle(x: f64, y: f64, r: f64) -> String {
     filled("M# #a# # 0 1 0 # 0a# # 0 1 0 # 0Z", &[x - r, y, r, r, 2.0 * r, r, r, -2.0 * r])
 }
 
-/// A disc of radius `r` at (x, y) drawn along (dx, dy): the outline of a cylinder that is seen from its face.
+/// A disc of radius `r` at (x, y) extruded along (dx, dy): the outline of a cylinder seen from its face.
 pub fn barrel((x, y): (f64, f64), r: f64, (dx, dy): (f64, f64)) -> String {
     let length = math::hypot(dx, dy);
     if length <= 0.0 {

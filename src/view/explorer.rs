@@ -1,31 +1,31 @@
-//! Explorer: values that follow a drag at once, before the form takes them.
+//! Explorer: values that follow a drag at once, before they are entered in the form.
 
 use super::{Chart, Scene};
 
-/// A value of the form as a slider.
+/// A form value as a slider.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Knob {
     /// Id of the field.
     pub field: &'static str,
-    /// Smallest and largest.
+    /// Smallest and largest value.
     pub range: (f64, f64),
-    /// Between two values.
+    /// Step between two values.
     pub step: f64,
     /// Present value.
     pub value: f64,
-    /// What has to be set with it, so that it means anything: id of a field, and what is typed there.
+    /// Other entries that the value needs to be effective: field id and typed text.
     pub along: Vec<(&'static str, String)>,
 }
 
-/// Sliders and what follows from them.
+/// Sliders and their consequences.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Explorer {
     /// The sliders; the same fields in the same order for all values.
     pub knobs: Vec<Knob>,
-    /// What comes of them.
+    /// Drawing of the consequences.
     pub scene: Scene,
-    /// The same as numbers over something.
+    /// Charts of the consequences.
     pub charts: Vec<Chart>,
-    /// Ids of the results that it is about; empty for the headline ones.
+    /// Ids of the results concerned; empty for the headline results.
     pub results: Vec<&'static str>,
 }

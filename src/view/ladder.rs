@@ -10,18 +10,18 @@ use crate::text::number::{fill, filled};
 pub struct DrawnContact {
     /// Device or condition, for instance `X20`.
     pub device: String,
-    /// Opens instead of closing.
+    /// Normally closed contact.
     pub inverted: bool,
 }
 
-/// One rung: branches of contacts and what they switch.
+/// One rung: branches of contacts and their output.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnRung {
     /// Branches in parallel, each with its contacts from left to right.
     pub branches: Vec<Vec<DrawnContact>>,
     /// Coil, or instruction with its operands, for instance `MOV R148 R74`.
     pub output: String,
-    /// What the rung is for.
+    /// Purpose of the rung.
     pub note: String,
 }
 
@@ -53,7 +53,7 @@ pub fn svg(rungs: &[DrawnRung]) -> String {
     out
 }
 
-/// A drawing of a ladder rung by rung, so that a printed sheet may end between two of them; any other drawing is one piece.
+/// Divides a drawing of a ladder by rungs, so that a printed page may end between two of them; any other drawing is one piece.
 pub fn pieces(drawing: &str) -> Vec<String> {
     let mut parts = drawing.split("<g class=\"rung\" data-view=\"");
     let rails = parts.next().and_then(|head| head.split_once('>')).map_or("", |(_, rails)| rails);
@@ -68,11 +68,11 @@ pub fn pieces(drawing: &str) -> Vec<String> {
     if pieces.is_empty() { vec![drawing.to_owned()] } else { pieces }
 }
 
-/// Places of the contacts of a branch from the left rail: each with the middle of its name.
+/// Places of the contacts of a branch from the left rail, each with the middle of its name.
 fn places(branch: &[DrawnContact]) -> Vec<f64> {
     let (mut x, mut name_end) = (LEFT, LEFT - 8.0);
     let place = |contact: &DrawnContact| {
-        // Names stand beside each other.
+        // Names must not overlap.
         let half = 3.7 * contact.device.chars().count() as f64;
         let near = (x + 30.0).max(name_end + 8.0 + half - 5.0);
         (x, name_end) = (near + 10.0, near + 5.0 + half);
@@ -81,7 +81,7 @@ fn places(branch: &[DrawnContact]) -> Vec<f64> {
     branch.iter().map(place).collect()
 }
 
-/// Where the longest branch ends, with its last name.
+/// End of the longest branch, including its last name.
 fn reach(rung: &DrawnRung) -> f64 {
     let end = |branch: &Vec<DrawnContact>| {
         let half = branch.last().map_or(0.0, |contact| 3.7 * contact.device.chars().count() as f64);

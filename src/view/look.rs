@@ -1,6 +1,6 @@
 //! The look of shapes: materials and colours by name, strokes, and gradients. The style sheet has the colours of both themes.
 
-/// A colour or material. Flat ones are tokens of `style/scene.css`; gradients lie over the box of their shape.
+/// A colour or material. Flat ones are tokens of `style/scene.css`; gradients extend over the bounding box of their shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Paint {
     /// No paint.
@@ -9,17 +9,17 @@ pub enum Paint {
     /// A gradient of the scene, by index.
     Own(u8),
 
-    /// Figures and outlines that are read.
+    /// Figures and outlines.
     Ink,
     /// Names and leaders.
     Dim,
-    /// The one accent: cutting edges, lenses, arrows.
+    /// Accent colour: cutting edges, lenses, arrows.
     Accent,
-    /// The page behind the drawing.
+    /// Page behind the drawing.
     Page,
     /// A value beyond its limit.
     Bad,
-    /// A value within its limit, or a lamp that is on.
+    /// A value within its limit, or a lit lamp.
     Good,
     /// A value near its limit.
     Warn,
@@ -51,22 +51,22 @@ pub enum Paint {
     Dark,
     /// Dark steel and cast housings: lit, middle, shaded.
     DarkShade,
-    /// Ribbon: its lit edge.
+    /// Ribbon: lit edge.
     RibbonLight,
     /// Ribbon.
     Ribbon,
-    /// Ribbon: its shaded edge.
+    /// Ribbon: shaded edge.
     RibbonShade,
 
     /// A turned face of steel, seen from the front.
     SteelFace,
-    /// A round body whose axis leads away to the upper right.
+    /// A round body with an axis toward the upper right.
     SteelBody,
-    /// A round bar whose axis is level.
+    /// A round bar with a horizontal axis.
     SteelBar,
     /// A turned face of dark steel.
     DarkFace,
-    /// A round bar of dark steel whose axis is level.
+    /// A round bar of dark steel with a horizontal axis.
     DarkBar,
     /// Front of a cabinet; its top is `SteelLight`, its side `SteelShade`.
     CabinetFront,
@@ -89,13 +89,13 @@ pub enum Paint {
 /// Direction and form of a gradient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ramp {
-    /// Between two points of the shape's own box, (0, 0) to (1, 1).
+    /// Between two points of the shape's bounding box, (0, 0) to (1, 1).
     Across([f64; 4]),
-    /// From the middle of the shape's own box to its edge.
+    /// From the middle of the shape's bounding box to its edge.
     Outward,
     /// Between two points of the group.
     Between([f64; 4]),
-    /// Rings about a point of the group, one every `r`: x, y, r.
+    /// Rings around a point of the group, one every `r`: x, y, r.
     Rings([f64; 3]),
 }
 
@@ -173,7 +173,7 @@ impl Paint {
 }
 
 impl Paint {
-    /// Whether it is a material, so that what it fills is a body.
+    /// Whether the paint is a material, so that shapes filled with it are bodies.
     pub(super) fn is_body(self) -> bool {
         match self.substance() {
             Substance::Token(name) => ["steel", "dark", "ribbon"].iter().any(|material| name.starts_with(material)),
@@ -190,13 +190,13 @@ pub struct Look {
     pub fill: Paint,
     /// Stroke.
     pub stroke: Paint,
-    /// Width of the stroke: drawing units, or pixels of the screen where it is [thin](Look::thin).
+    /// Width of the stroke: drawing units, or screen pixels if it is [thin](Look::thin).
     pub width: f64,
     /// The stroke keeps its width at any zoom.
     pub is_thin: bool,
     /// Ends and corners of the stroke are round.
     pub is_round: bool,
-    /// Length of a dash and of the gap behind it; (0, 0) for none.
+    /// Length of a dash and of the following gap; (0, 0) for none.
     pub dash: (f64, f64),
     /// Opacity 0 to 1.
     pub opacity: f64,
@@ -218,27 +218,27 @@ impl Look {
         Look { is_thin: true, ..Look::line(stroke, pixels) }
     }
 
-    /// The same with an edge.
+    /// With an edge.
     pub const fn edge(self, stroke: Paint, width: f64) -> Look {
         Look { stroke, width, ..self }
     }
 
-    /// The same with an edge of a pixel width at any zoom.
+    /// With an edge of a width in pixels at any zoom.
     pub const fn thin(self, stroke: Paint, pixels: f64) -> Look {
         Look { stroke, width: pixels, is_thin: true, ..self }
     }
 
-    /// The same with round ends and corners.
+    /// With round ends and corners.
     pub const fn round(self) -> Look {
         Look { is_round: true, ..self }
     }
 
-    /// The same with a dashed stroke.
+    /// With a dashed stroke.
     pub const fn dashed(self, dash: f64, gap: f64) -> Look {
         Look { dash: (dash, gap), ..self }
     }
 
-    /// The same, translucent.
+    /// Translucent.
     pub const fn faint(self, opacity: f64) -> Look {
         Look { opacity, ..self }
     }

@@ -1,4 +1,4 @@
-//! Readouts, charts, scenes and sheets as plain data, drawn last. No view knows a machine.
+//! Readouts, charts, scenes and sheets as plain data, drawn last. Views are independent of the machines.
 
 pub mod chart;
 

@@ -1,7 +1,7 @@
-//! A chart as SVG, drawn by plotters on a backend of our own: classes instead of colours, parts of a pixel, no text measuring.
+//! A chart as SVG, drawn by plotters on our own backend: classes instead of colours, fractions of a pixel, no text measuring.
 //!
-//! The lines stand in a frame that stretches with its place in the page, the figures at their ends do not. Left and right edge of
-//! the picture are the ends of the time, so that a cursor needs no more than its share of the width.
+//! The frame with the lines stretches with its place in the page; the figures at its edges do not. Left and right edge of the picture are
+//! the ends of the time axis, so a cursor only needs its share of the width.
 
 use core::convert::Infallible;
 use core::fmt::Write;
@@ -19,15 +19,15 @@ use super::svg::escape;
 use crate::math;
 use crate::text::number::{Plain, fill, short};
 
-/// Units of the frame.
+/// Size of the frame in units.
 const SIZE: (u32, u32) = (1000, 200);
-/// Steps of the backend's whole-number grid per unit: lines stand between pixels too.
+/// Steps of the backend's integer grid per unit, for lines between pixels.
 const FINE: u32 = 8;
-/// Grid lines at most.
+/// Maximum grid lines.
 const GRID: (usize, usize) = (8, 4);
-/// Percent of the height above which a grid line has no room for its figure.
+/// Percent of the height above which a grid line has no space for its figure above it.
 const ROOM_ABOVE: f64 = 78.0;
-/// Grid lines are drawn in this colour, lines in `(tone, 0, 0)`: the backend turns both into classes.
+/// Colour of grid lines; chart lines have `(tone, 0, 0)`. The backend turns both into classes.
 const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
 
 /// A drawn chart: left edge is `x.0`, right edge `x.1`, bottom `y.0`, top `y.1`.
@@ -46,13 +46,13 @@ pub fn svg(chart: &Chart) -> String {
     draw(chart).svg
 }
 
-/// Draws a chart. Points that are no finite numbers are left out.
+/// Draws a chart. Points with NaN or infinity are omitted.
 pub fn draw(chart: &Chart) -> Plot {
     let points = || chart.series.iter().flat_map(|line| &line.points).filter(|(x, y)| x.is_finite() && y.is_finite());
     let x = ends(points().map(|point| point.0)).filter(|(from, to)| from < to).unwrap_or((0.0, 1.0));
     let y = room(ends(points().map(|point| point.1)).unwrap_or((0.0, 1.0)), chart.least_span);
     let mut lines = String::with_capacity(16 * points().count() + 1024);
-    // The backend cannot fail; an empty frame is what would be left.
+    // The backend cannot fail; a failure would leave an empty frame.
     let _ = frame(&mut lines, chart, x, y);
     let mut svg = String::with_capacity(lines.len() + 2048);
     let (width, height) = SIZE;
@@ -72,7 +72,7 @@ fn ends(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     (low <= high).then_some((low, high))
 }
 
-/// Margin above and below the lines; the axis begins at 0 where the values never fall below it and that costs little room.
+/// Range of the axis, with a margin above and below the lines. It starts at 0 if no value is negative and this needs little space.
 fn room((low, high): (f64, f64), least: f64) -> (f64, f64) {
     let (low, high) =
         if high - low <= 1e-9 * high.abs().max(low.abs()) { (low.min(0.0), high.max(0.0)) } else { (low, high) };
@@ -82,14 +82,14 @@ fn room((low, high): (f64, f64), least: f64) -> (f64, f64) {
     (bottom, high + 0.12 * span)
 }
 
-/// The least span around two values, from 0 up where they are above 0 and near it.
+/// The least span around two values; it starts at 0 if they are positive and near 0.
 fn around(low: f64, high: f64, least: f64) -> (f64, f64) {
     let from = 0.5 * (low + high) - 0.5 * least;
     let from = if low >= 0.0 { from.max(0.0) } else { from };
     (from, from + least)
 }
 
-/// Grid and lines.
+/// Writes grid and lines.
 fn frame(
     out: &mut String,
     chart: &Chart,
@@ -107,10 +107,10 @@ fn frame(
     area.present()
 }
 
-/// Both axes, whose key points are those of plotters, so that grid and figures agree.
+/// Both axes, with the key points of plotters, so that grid and figures agree.
 type Plane = Cartesian2d<RangedCoordf64, RangedCoordf64>;
 
-/// Figures at the grid lines, placed by percent so that they keep their shape.
+/// Writes figures at the grid lines, placed by percent so that they are not stretched.
 fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
     let share = |value: f64, (from, to): (f64, f64)| 100.0 * (value - from) / (to - from);
     for (values, axis, across) in [(keys(x, GRID.0), x, true), (keys(y, GRID.1), y, false)] {
@@ -118,14 +118,14 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
         for value in &values {
             let at = share(*value, axis);
             let text = short(*value, decimals);
-            // Figures at the very edges would be cut.
+            // Figures at the edges would be clipped.
             if across && (3.0..=97.0).contains(&at) {
                 fill(out, "<text class=\"tick\" x=\"#%\" y=\"100%\" dy=\"-3\" text-anchor=\"middle\">", &[at]);
                 let _ = write!(out, "{text} ");
                 escape(out, x_unit);
                 out.push_str("</text>");
             } else if !across && at <= 97.0 {
-                // Above its line, or below one that has no room above.
+                // Above its line, or below it near the top.
                 let dy = if at > ROOM_ABOVE { 12.0 } else { -3.0 };
                 fill(out, "<text class=\"tick\" x=\"3\" y=\"#%\" dy=\"#\">", &[100.0 - at, dy]);
                 let _ = write!(out, "{text}</text>");
@@ -134,12 +134,12 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
     }
 }
 
-/// Values at which grid lines stand.
+/// Values of the grid lines.
 pub(super) fn keys((from, to): (f64, f64), at_most: usize) -> Vec<f64> {
     RangedCoordf64::from(from..to).key_points(at_most)
 }
 
-/// Decimals that tell neighbouring figures apart.
+/// Decimals needed to distinguish neighbouring figures.
 pub(super) fn decimals(values: &[f64]) -> u8 {
     let step = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(f64::INFINITY, f64::min);
     if step.is_finite() && step > 0.0 { math::clamp(-math::log10(step).floor(), 0.0, 9.0) as u8 } else { 3 }
@@ -174,7 +174,7 @@ impl DrawingBackend for SvgBackend<'_> {
     type ErrorType = Infallible;
 
     fn get_size(&self) -> (u32, u32) {
-        // One more: both edges belong to the frame.
+        // One more, because both edges belong to the frame.
         (SIZE.0 * FINE + 1, SIZE.1 * FINE + 1)
     }
 

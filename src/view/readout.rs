@@ -5,42 +5,42 @@ use serde::Serialize;
 use crate::msg;
 use crate::text::{Citation, Message, MessageValue, Phrase, units};
 
-/// Engineering judgement of a result. It never keeps a program from being exported.
+/// Engineering verdict of a result. It never prevents the export of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// Nothing to judge.
+    /// Without a verdict.
     None,
     /// Within its limit.
     Ok,
-    /// To be thought about.
+    /// Questionable.
     Warn,
-    /// Does not work as asked.
+    /// Not feasible as entered.
     Fail,
 }
 
-/// The limit that a result is judged by, in the unit of the result.
+/// The limit of a result, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Limit {
     /// Greatest value.
     AtMost(f64),
     /// Least value.
     AtLeast(f64),
-    /// Greatest size of a value of either sign.
+    /// Greatest magnitude of a value of either sign.
     Within(f64),
-    /// The value to be met, within the tolerance of the rule.
+    /// The required value, within the tolerance of the rule.
     Equal(f64),
 }
 
 impl Limit {
-    /// The number alone.
+    /// The number of the limit.
     pub fn value(self) -> f64 {
         match self {
             Limit::AtMost(value) | Limit::AtLeast(value) | Limit::Within(value) | Limit::Equal(value) => value,
         }
     }
 
-    /// The limit with another number.
+    /// The limit with a converted number.
     fn map(self, number: impl FnOnce(f64) -> f64) -> Limit {
         match self {
             Limit::AtMost(value) => Limit::AtMost(number(value)),
@@ -50,7 +50,7 @@ impl Limit {
         }
     }
 
-    /// Whether a value keeps the limit.
+    /// Whether a value is within the limit.
     pub fn holds(self, value: f64) -> bool {
         match self {
             Limit::AtMost(most) => value <= most,
@@ -60,7 +60,7 @@ impl Limit {
         }
     }
 
-    /// How much a value asks of a limit: of two values the greater load is the worse one. Without a limit the greater value counts.
+    /// Load of a value on a limit: of two values the one with the greater load is worse. Without a limit the greater value is worse.
     pub fn load(limit: Option<Limit>, value: f64) -> f64 {
         match limit {
             Some(Limit::AtLeast(_)) => -value,
@@ -90,26 +90,26 @@ impl Limit {
     }
 }
 
-/// A remedy or a fact about a result, and the entries of the form that carry the remedy out.
+/// A remedy or a fact about a result, and the form entries that carry out the remedy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Advice {
     /// The sentence.
     pub message: Message,
-    /// The remedy in a few words for a button; `None` where `sets` is empty.
+    /// Short text of the remedy for a button; `None` if `sets` is empty.
     pub button: Option<Message>,
-    /// Id of each field that the remedy changes, and the text to be typed there; empty where the form cannot carry it out.
+    /// Id of each field that the remedy changes, and its new text; empty if the form cannot carry it out.
     pub sets: Vec<(&'static str, String)>,
 }
 
 impl Advice {
-    /// The advice with a remedy: words for a button, and the entries of the form.
+    /// Adds a remedy: text of the button, and the form entries.
     pub fn setting(self, button: Message, sets: impl Into<Vec<(&'static str, String)>>) -> Advice {
         Advice { button: Some(button), sets: sets.into(), ..self }
     }
 }
 
 impl Advice {
-    /// The note that the remedy before it makes another result fail; `label` is that result's.
+    /// The note that the preceding remedy makes another result fail; `label` is that result's.
     pub fn turns_red(label: &'static str) -> Advice {
         Advice::from(msg!("advice.turns-red", result = MessageValue::Label(label)))
     }
@@ -122,7 +122,7 @@ impl From<Message> for Advice {
 }
 
 impl Readout {
-    /// The result as people read it: a length in the unit that is shown.
+    /// The result with lengths in the shown unit.
     pub fn shown(self) -> Readout {
         let in_unit = |number| units::value(number, self.unit);
         Readout {
@@ -134,7 +134,7 @@ impl Readout {
         }
     }
 
-    /// The bar to the limit: its filled part and the place of the limit, both in percent of its length; `None` without a limit.
+    /// The bar to the limit: its filled part and the position of the limit, both in percent of its length; `None` without a limit.
     pub fn bar(&self) -> Option<(f64, f64)> {
         let (value, limit) = (self.value.abs(), self.limit?.value().abs());
         let most = 1.15 * value.max(limit);
@@ -155,16 +155,16 @@ pub struct Readout {
     pub unit: &'static str,
     /// Decimals shown.
     pub decimals: u8,
-    /// The limit it is judged by, in `unit`.
+    /// Limit, in `unit`.
     pub limit: Option<Limit>,
-    /// The judgement.
+    /// Verdict.
     pub verdict: Verdict,
     /// Faults and remedies, the best first.
     pub advice: Vec<Advice>,
-    /// The formula with the form's symbols.
+    /// Formula with the form's symbols.
     pub formula: Phrase,
-    /// Where formula and limit come from.
+    /// Source of formula and limit.
     pub cite: Citation,
-    /// Whether it belongs to the few that stand above the drawing.
+    /// Whether it is a headline result, shown above the drawing.
     pub headline: bool,
 }

@@ -1,4 +1,4 @@
-//! A drawing that moves: nodes drawn once, and poses that move them. Lengths are drawing units of the view box.
+//! An animated drawing: nodes drawn once, and poses that move them. Lengths are drawing units of the view box.
 
 use super::look::{Gradient, Look, Paint};
 
@@ -14,7 +14,7 @@ pub enum Shape {
         /// Radius.
         r: f64,
     },
-    /// An ellipse with level axes.
+    /// An ellipse with horizontal and vertical axes.
     Ellipse {
         /// Centre.
         x: f64,
@@ -27,7 +27,7 @@ pub enum Shape {
     },
     /// A path in SVG syntax.
     Path {
-        /// The `d` of the path.
+        /// The `d` attribute of the path.
         d: String,
     },
     /// A rectangle.
@@ -49,20 +49,20 @@ pub enum Shape {
         x: f64,
         /// Base line of line 0.
         y: f64,
-        /// Which end of the text is at the point: `start`, `middle` or `end`.
+        /// End of the text at the point: `start`, `middle` or `end`.
         anchor: &'static str,
         /// The words.
         text: String,
-        /// Lines below `y`, each [`LINE`] times the size of the letters.
+        /// Line number below `y`; lines are [`LINE`] letter sizes apart.
         line: f64,
-        /// Type.
+        /// Font.
         font: Font,
     },
 }
 
-/// Distance between lines of text, in sizes of the letters.
+/// Distance between lines of text, in letter sizes.
 pub const LINE: f64 = 1.4;
-/// Size of the letters of labels, pixels at any zoom.
+/// Letter size of labels, pixels at any zoom.
 pub const LETTER: f64 = 13.0;
 
 /// Type and size of a text.
@@ -70,41 +70,41 @@ pub const LETTER: f64 = 13.0;
 pub enum Font {
     /// [`LETTER`] pixels at any zoom.
     Label,
-    /// The same, bold figures of one width.
+    /// Like [`Font::Label`], bold, with figures of equal width.
     Value,
-    /// Letters on a part of the machine, as high as so many drawing units.
+    /// Letters on a part of the machine, with a height in drawing units.
     Engraved(f64),
 }
 
 /// A shape with its look, in a group that poses can move.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
-    /// Number by which poses change it; none for most.
+    /// Id for changes by poses; `None` for most.
     pub id: Option<u16>,
-    /// Group that it moves with; 0 never moves. Groups are drawn in node order.
+    /// Group that it moves with; group 0 never moves. Groups are drawn in node order.
     pub group: u16,
     /// The shape.
     pub shape: Shape,
     /// Fill and stroke.
     pub look: Look,
-    /// Id of the form's field that the shape shows; empty for most.
+    /// Id of the form field that the shape shows; empty for most.
     pub field: &'static str,
-    /// Number of the label that it belongs to: name, values and leader have one; 0 for other shapes.
+    /// Number of its label, common to name, values and leader; 0 for other shapes.
     pub label: u16,
 }
 
-/// A group: its place in its parent, and its window. Poses turn and shift it from there.
+/// A group: its place in its parent, and its window. Poses turn and shift it relative to that place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneGroup {
-    /// The group that carries it; 0 is the drawing.
+    /// The parent group; 0 is the drawing.
     pub parent: u16,
     /// Its origin in the parent.
     pub at: (f64, f64),
     /// Units of the parent per unit of the group.
     pub scale: f64,
-    /// Window of the group: a circle, a rectangle or a path, outside of which nothing of the group is visible. It moves with the group.
+    /// Window of the group: a circle, a rectangle or a path. Outside of it the group is invisible. It moves with the group.
     pub clip: Option<Shape>,
-    /// Whether it is visible only in poses that show it: blurred rings, chips.
+    /// Whether the group is visible only in poses that show it, for instance blurred rings or chips.
     pub hidden: bool,
 }
 
@@ -119,23 +119,23 @@ impl Default for SceneGroup {
 pub struct Scene {
     /// View box: left, top, width, height.
     pub view: [f64; 4],
-    /// Drawing units per pixel for which the labels are laid out: at more, some may have no room. 0 where that does not matter.
+    /// Largest drawing units per pixel for which the labels have space; 0 without a limit.
     pub unit: f64,
     /// Nodes in drawing order.
     pub nodes: Vec<Node>,
-    /// The groups by number, with 0, the drawing.
+    /// Groups by number, including 0, the drawing.
     pub groups: Vec<SceneGroup>,
     /// Gradients of [`Paint::Own`].
     pub gradients: Vec<Gradient>,
-    /// Description of the drawing for readers who do not see it: catalog id.
+    /// Catalog id of the description for screen readers.
     pub alt: &'static str,
-    /// Places to look at where the drawing is wider than its room: catalog id of the name, and distance from the left.
+    /// Named places for a drawing wider than its space: catalog id of the name, and distance from the left.
     pub stations: Vec<(&'static str, f64)>,
-    /// Catalog id of the drawing's own option, a check box below it; none for most.
+    /// Catalog id of the drawing's own option, a check box below it; `None` for most.
     pub option: Option<&'static str>,
 }
 
-/// Placement of a group: scaled, rotated by `turn` degrees around (`cx`, `cy`), then shifted from where it is at rest.
+/// Placement of a group: scaled, rotated by `turn` degrees around (`cx`, `cy`), then shifted from its place at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placement {
     /// Group.
@@ -169,23 +169,23 @@ impl Placement {
     }
 }
 
-/// A moment of a scene: the changes from rest. Nodes are named by their [id](Node::id).
+/// One moment of a scene: the changes from rest. Nodes are referred to by their [id](Node::id).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pose {
-    /// Groups and where they are.
+    /// Placements of groups.
     pub placements: Vec<Placement>,
-    /// Nodes whose path changed.
+    /// Nodes with a changed path.
     pub paths: Vec<(u16, String)>,
-    /// Nodes whose text changed.
+    /// Nodes with a changed text.
     pub texts: Vec<(u16, String)>,
-    /// Offsets of dashes: how far a dashed stroke has moved back along its path.
+    /// Offsets of dashes: backward shift of a dashed stroke along its path.
     pub dashes: Vec<(u16, f64)>,
-    /// Fills that changed: lamps, values beyond their limits.
+    /// Changed fills: lamps, values beyond their limits.
     pub fills: Vec<(u16, Paint)>,
 }
 
 impl Scene {
-    /// The node that poses change by this number.
+    /// The node with this id.
     pub fn node(&self, id: u16) -> Option<&Node> {
         self.nodes.iter().find(|node| node.id == Some(id))
     }

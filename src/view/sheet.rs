@@ -7,16 +7,16 @@ use crate::text::{Grade, Phrase};
 pub struct Row {
     /// Cells in the order of the columns.
     pub cells: Vec<String>,
-    /// How well it is known.
+    /// Grade of its evidence.
     pub grade: Grade,
-    /// Where it comes from.
+    /// Source of the row.
     pub source: Phrase,
-    /// What it sets in the form: id of a field, and what is typed there. A row that is no choice sets nothing.
+    /// Form entries set by choosing the row: field id and typed text; empty for a row that is not a choice.
     pub sets: Vec<(&'static str, String)>,
 }
 
 impl Sheet {
-    /// The first row, where all of several rows have its source and grade.
+    /// The first row, if all of several rows have the same source and grade.
     pub fn common_source(&self) -> Option<&Row> {
         let first = self.rows.first()?;
         let shared = self.rows.iter().all(|row| (row.source, row.grade) == (first.source, first.grade));
@@ -24,27 +24,27 @@ impl Sheet {
     }
 }
 
-/// A sheet that views treat in a way of its own.
+/// A sheet with special treatment by views.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SheetKind {
-    /// As any other table.
+    /// Any other table.
     Plain,
     /// Parameters to set on the control.
     Parameters,
-    /// Bill of materials: rows of a shop, with a source each.
+    /// Bill of materials: rows for purchasing, each with a source.
     Bill,
-    /// Products to choose from, those that go before many that do not: the first are looked at.
+    /// Products to choose from, suitable ones before many unsuitable ones; views show the first rows.
     Choice,
 }
 
-/// A column by what its cells hold; each has the catalog id of its head.
+/// A column by the kind of its cells, with the catalog id of its head.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Column {
-    /// Figures and words, registers and variables among them.
+    /// Figures and words, including registers and variables.
     Plain(&'static str),
     /// Sentences.
     Prose(&'static str),
-    /// Names of products, whose letters and digits are no registers.
+    /// Names of products; their letters and digits are not registers.
     Product(&'static str),
     /// Numbers of the control's parameters.
     Parameter(&'static str),
@@ -68,9 +68,9 @@ impl Column {
 /// A table with a title.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
-    /// Id, for instance `parameters`: the name of its file.
+    /// Id, for instance `parameters`, used as the name of its file.
     pub id: &'static str,
-    /// What views treat it as.
+    /// Kind for special treatment by views.
     pub kind: SheetKind,
     /// Catalog id of the title.
     pub title: &'static str,
@@ -78,6 +78,6 @@ pub struct Sheet {
     pub columns: Vec<Column>,
     /// Rows.
     pub rows: Vec<Row>,
-    /// What the rows tell, drawn: SVG with the classes of the page (`s-ink`, `f-dim` …); empty for most.
+    /// Drawing of the rows: SVG with the classes of the page (`s-ink`, `f-dim` …); empty for most.
     pub drawing: String,
 }

@@ -1,4 +1,4 @@
-//! A scene as SVG: for the page, with the tokens of its style sheet, or as a picture of its own, in a pose, with colours and fonts.
+//! A scene as SVG: for the page with the tokens of its style sheet, or as a standalone picture in a pose, with colours and fonts.
 
 use core::fmt::Write;
 
@@ -7,7 +7,7 @@ use super::look::{Gradient, Look, Paint, Ramp, Substance};
 use super::scene::{Font, LETTER, LINE, Node, Placement, Pose, Scene, SceneGroup, Shape};
 use crate::text::number::{fill, filled};
 
-/// The style sheet of the drawings: its tokens are the colours and fonts of a picture.
+/// Style sheet of the drawings; its tokens are the colours and fonts of a picture.
 const SHEET: &str = include_str!("../../style/scene.css");
 
 /// Colours of a picture.
@@ -18,11 +18,11 @@ pub enum Theme {
     Light,
     /// Light on dark.
     Dark,
-    /// Ink on paper, as a drawing office has it: bodies are outlined and barely tinted, without light and shadow.
+    /// Ink on paper, as in technical drawings: bodies are outlined and barely tinted, without light and shadow.
     Line,
 }
 
-/// Tokens that differ in a line drawing from those of the light theme.
+/// Tokens of a line drawing that differ from the light theme.
 const LINE_TOKENS: [(&str, &str); 16] = [
     ("edge-line", "#15191e"),
     ("shade", "#fff"),
@@ -42,19 +42,19 @@ const LINE_TOKENS: [(&str, &str); 16] = [
     ("glass-deep", "#f4f6f8"),
 ];
 
-/// Width in pixels of the outline of a body in a line drawing.
+/// Width in pixels of a body's outline in a line drawing.
 const OUTLINE: f64 = 1.0;
 
-/// Where an SVG is shown.
+/// Context of an SVG.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
-    /// In the page, which has the style sheet.
+    /// In the page, with its style sheet.
     Page,
-    /// By itself, in the colours of a theme, with so many drawing units per pixel.
+    /// Standalone, in the colours of a theme, with a number of drawing units per pixel.
     Alone(Theme, f64),
 }
 
-/// The value of a token of the style sheet in a theme; empty where there is none.
+/// Value of a style sheet token in a theme; empty for an unknown token.
 fn token(name: &str, theme: Theme) -> &'static str {
     if theme == Theme::Line
         && let Some((_, colour)) = LINE_TOKENS.iter().find(|row| row.0 == name)
@@ -71,7 +71,7 @@ fn token(name: &str, theme: Theme) -> &'static str {
     }
 }
 
-/// The scene for the page, at rest or in a pose: words are escaped, colours are tokens, groups carry `data-g` and nodes that poses change
+/// The scene for the page, at rest or in a pose: texts are escaped, colours are tokens, groups carry `data-g`, and nodes changed by poses
 /// `data-n`.
 pub fn page(scene: &Scene, pose: Option<&Pose>, alt: &str) -> String {
     let mut out = String::from("<svg class=\"scene\" role=\"img\"");
@@ -86,14 +86,14 @@ pub fn page(scene: &Scene, pose: Option<&Pose>, alt: &str) -> String {
     out
 }
 
-/// Attributes of the page's `<svg>` that follow the scene. `data-unit` is the most drawing units per pixel for which labels are laid out, 0
-/// without a limit.
+/// Attributes of the page's `<svg>` for a scene. `data-unit` is the largest drawing units per pixel for which labels have space, 0 without
+/// a limit.
 pub fn attributes(scene: &Scene, alt: &str) -> [(&'static str, String); 3] {
     let unit = format!("{:.4}", scene.unit);
     [("viewBox", filled("# # # #", &scene.view)), ("data-unit", unit), ("aria-label", alt.to_owned())]
 }
 
-/// The children of the page's `<svg>`, each as the text of one element: the definitions, then shapes and groups in drawing order.
+/// Children of the page's `<svg>`, each as the text of one element: the definitions, then shapes and groups in drawing order.
 pub fn parts(scene: &Scene, pose: Option<&Pose>) -> Vec<String> {
     let (mut out, mut begins) = (String::new(), Vec::new());
     Writer { out: &mut out, scene, pose, place: Place::Page, scale: 1.0 }.write(&mut begins);
@@ -103,15 +103,15 @@ pub fn parts(scene: &Scene, pose: Option<&Pose>) -> Vec<String> {
     all
 }
 
-/// Width in pixels of a picture whose labels have room at any size.
+/// Width in pixels of a picture without a limit for its labels.
 const WIDTH: f64 = 1200.0;
 
-/// The scene in a pose, as a picture in its own colours, with the labels as large as they are laid out for.
+/// The scene in a pose, as a standalone picture with its own colours, with labels at their largest size.
 pub fn picture(scene: &Scene, pose: &Pose, theme: Theme) -> String {
     picture_with(scene, pose, theme, &[])
 }
 
-/// The same with balloons over it.
+/// The scene in a pose, as a standalone picture with balloons over it.
 pub fn picture_with(scene: &Scene, pose: &Pose, theme: Theme, items: &[Balloon]) -> String {
     let [x, y, w, h] = scene.view;
     let unit = if scene.unit > 0.0 { scene.unit } else { w / WIDTH };
@@ -134,7 +134,7 @@ pub fn picture_with(scene: &Scene, pose: &Pose, theme: Theme, items: &[Balloon])
     out
 }
 
-/// The place of a group in its parent, as the value of the attribute `transform`; empty where it changes nothing.
+/// Writes the place of a group in its parent as the value of the attribute `transform`; empty if it changes nothing.
 pub fn transform(out: &mut String, group: &SceneGroup, place: &Placement) {
     let (dx, dy) = (group.at.0 + place.dx, group.at.1 + place.dy);
     if dx != 0.0 || dy != 0.0 {
@@ -151,7 +151,7 @@ pub fn transform(out: &mut String, group: &SceneGroup, place: &Placement) {
     }
 }
 
-/// The value of the attribute `fill` or `stroke` in the page, in the scene with this `alt`.
+/// Value of the attribute `fill` or `stroke` in the page, in the scene with this `alt`.
 pub fn paint_name(paint: Paint, alt: &str) -> String {
     match (paint, paint.substance()) {
         (_, Substance::Token(name)) => format!("var(--{name})"),
@@ -161,7 +161,7 @@ pub fn paint_name(paint: Paint, alt: &str) -> String {
     }
 }
 
-/// Adds a text, escaped for tags and quotes.
+/// Appends a text, escaped for tags and quotes.
 pub fn escape(out: &mut String, text: &str) {
     for c in text.chars() {
         match c {
@@ -174,7 +174,7 @@ pub fn escape(out: &mut String, text: &str) {
     }
 }
 
-/// Tables and diagrams with the classes of the page (`s-ink`, `f-dim` …) as standalone pictures in light colours.
+/// Turns tables and diagrams with the classes of the page (`s-ink`, `f-dim` …) into standalone pictures in light colours.
 pub fn alone(svg: &str) -> String {
     let (label, figure) = (token("label", Theme::Light), token("figure", Theme::Light));
     let mut out = format!(
@@ -199,7 +199,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Writes the definitions, then the nodes in their groups; notes where each element that is in no other begins.
+    /// Writes the definitions, then the nodes in their groups; records the start of each top-level element.
     fn write(&mut self, begins: &mut Vec<usize>) {
         self.definitions();
         if let Place::Alone(..) = self.place {
@@ -230,7 +230,7 @@ impl Writer<'_> {
         self.scene.groups.get(usize::from(group))
     }
 
-    /// A group behind those that carry it, the outermost first. A circle of groups ends.
+    /// A group and its parents, the outermost first. Ends also if groups form a circle.
     fn chain(&self, group: u16) -> Vec<u16> {
         let mut chain = Vec::new();
         let mut at = group;
@@ -267,7 +267,7 @@ impl Writer<'_> {
         self.out.push('>');
     }
 
-    /// Gradients that are used, and the clips of groups.
+    /// Writes the gradients in use, and the clips of groups.
     fn definitions(&mut self) {
         let scene = self.scene;
         self.out.push_str("<defs>");
@@ -347,7 +347,7 @@ impl Writer<'_> {
         self.out.push_str("</text>");
     }
 
-    /// A shape up to the end of its geometry; a path may have another `d`.
+    /// Writes a shape up to the end of its geometry; a path may have another `d`.
     fn shape(&mut self, shape: &Shape, path: Option<&str>) {
         match shape {
             Shape::Circle { x, y, r } => fill(self.out, "<circle cx=\"#\" cy=\"#\" r=\"#\"", &[*x, *y, *r]),
@@ -380,7 +380,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The look of a shape in a line drawing: lit edges are left out, bodies have an outline.
+    /// Look of a shape in a line drawing: lit edges are omitted, bodies have an outline.
     fn drawn(&self, node: &Node) -> Look {
         let look = node.look;
         match look.stroke {
@@ -399,7 +399,7 @@ impl Writer<'_> {
         self.paint_of("fill", filled.map_or(look.fill, |(_, paint)| *paint));
         if look.stroke != Paint::Clear {
             self.paint_of("stroke", look.stroke);
-            // A picture keeps its size: its thin strokes are as wide as on a screen.
+            // A picture has a fixed size, so its thin strokes are as wide as on a screen.
             let width = match self.place {
                 Place::Alone(_, unit) if look.is_thin => look.width * unit / self.scale.max(1e-9),
                 _ => look.width,

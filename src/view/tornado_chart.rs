@@ -1,4 +1,4 @@
-//! Tornado chart: for each of some facts a bar from the value with less of it to the value with more, about the present value, with the limit.
+//! Tornado chart: for each fact a bar between the results with less and with more of it, around the present result, with the limit.
 
 use core::fmt::Write;
 
@@ -9,7 +9,7 @@ use crate::text::units;
 /// A fact of the chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TornadoBar<'a> {
-    /// Its name.
+    /// Name of the fact.
     pub name: &'a str,
     /// The result with less and with more of the fact.
     pub ends: (f64, f64),
@@ -22,19 +22,19 @@ pub struct TornadoChart<'a> {
     pub title: &'a str,
     /// Unit of its values.
     pub unit: &'a str,
-    /// Its present value.
+    /// Present value of the result.
     pub value: f64,
-    /// Its limit.
+    /// Limit of the result.
     pub limit: Option<f64>,
     /// Decimals shown.
     pub decimals: u8,
-    /// What less and what more of a fact is called.
+    /// Names of the changes: less and more of a fact.
     pub changes: (&'a str, &'a str),
     /// The facts from top to bottom.
     pub bars: Vec<TornadoBar<'a>>,
 }
 
-/// Width of the picture, room at its sides for the figures, height of the heading, of a bar with its name, and of the bar alone.
+/// Width of the picture, margin at its sides for the figures, height of the heading, of a bar with its name, and of a bar without it.
 const WIDTH: f64 = 340.0;
 const SIDE: f64 = 44.0;
 const HEAD: f64 = 44.0;
@@ -42,7 +42,7 @@ const ROW: f64 = 27.0;
 const BAR: f64 = 10.0;
 
 impl TornadoChart<'_> {
-    /// The chart as SVG with the classes of the page. Bars without finite ends are left out.
+    /// The chart as SVG with the classes of the page. Bars without finite ends are omitted.
     pub fn svg(&self) -> String {
         let bars: Vec<_> = self.bars.iter().filter(|bar| bar.ends.0.is_finite() && bar.ends.1.is_finite()).collect();
         let ends = || bars.iter().flat_map(|bar| [bar.ends.0, bar.ends.1]).chain([self.value]);
@@ -60,7 +60,7 @@ impl TornadoChart<'_> {
         for (at, bar) in bars.iter().enumerate() {
             let top = HEAD + ROW * at as f64;
             self.bar(&mut out, bar, top, place);
-            // Beside the bars alone: the names stand between them.
+            // Only beside the bars, because the names are between them.
             let across = |out: &mut String, dashes: &str, value: f64| {
                 let (x, y) = (place(value), top + ROW - BAR - 4.0);
                 let _ = write!(out, "<line class=\"s-ink\"{dashes}");
@@ -75,7 +75,7 @@ impl TornadoChart<'_> {
         out
     }
 
-    /// Title, present value and the key of both halves of a bar.
+    /// Writes title, present value and the key of both halves of a bar.
     fn heading(&self, out: &mut String) {
         out.push_str("<text class=\"f-ink\" x=\"0\" y=\"12\">");
         escape(out, self.title);
@@ -88,7 +88,7 @@ impl TornadoChart<'_> {
         }
     }
 
-    /// A fact: its name, both halves of its bar, the figures at their ends.
+    /// Writes a fact: its name, both halves of its bar, the figures at their ends.
     fn bar(&self, out: &mut String, bar: &TornadoBar, top: f64, place: impl Fn(f64) -> f64) {
         out.push_str("<g><title>");
         escape(out, bar.name);
@@ -107,7 +107,7 @@ impl TornadoChart<'_> {
                 &[from, y, wide, BAR],
             );
         }
-        // The figures stand outside of both halves.
+        // The figures are outside of both halves.
         let (least, most) = (bar.ends.0.min(bar.ends.1).min(self.value), bar.ends.0.max(bar.ends.1).max(self.value));
         for (value, anchor, side) in [(least, "end", -4.0), (most, "start", 4.0)] {
             if value != self.value {

@@ -1,4 +1,4 @@
-//! Torque over speed of a motor: its continuous and its peak line, and where a run operates it, told by how long it stays there.
+//! Torque over speed of a motor: its continuous and its peak curve, and the operating lines of a run, drawn by their duration.
 
 use core::fmt::Write;
 
@@ -10,29 +10,29 @@ use crate::text::number::{Plain, fill};
 /// Speed in r/min and torque in Nm.
 pub type MotorPoint = (f64, f64);
 
-/// A part of a run in which the torque stays and the speed changes evenly. Torque below 0 brakes.
+/// A part of a run with constant torque and linear change of speed. Negative torque brakes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OperatingLine {
     /// Speeds at its ends, r/min, 0 or more.
     pub speeds: (f64, f64),
     /// Torque, Nm.
     pub torque: f64,
-    /// When it is first met, s.
+    /// Time of its first occurrence, s.
     pub t: f64,
-    /// Seconds for which the run stays on it.
+    /// Total duration in the run, s.
     pub seconds: f64,
-    /// It belongs to the run with the knob at its end, not to the run that is shown.
+    /// It belongs to the run with the knob at its end, not to the shown run.
     pub is_at_knob_end: bool,
 }
 
 /// The chart of a motor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorqueChart {
-    /// Continuous torque over the speed.
+    /// Continuous torque over speed.
     pub continuous: Vec<MotorPoint>,
-    /// Torque for a short time over the speed.
+    /// Short-time torque over speed.
     pub peak: Vec<MotorPoint>,
-    /// Where the run operates it.
+    /// Operating lines of the run.
     pub lines: Vec<OperatingLine>,
     /// Mean speed and effective torque of the run.
     pub effective: MotorPoint,
@@ -42,32 +42,32 @@ pub struct TorqueChart {
 const SIZE: (f64, f64) = (340.0, 220.0);
 const MARGINS: (f64, f64, f64, f64) = (44.0, 14.0, 16.0, 34.0);
 
-/// Grid lines at most, across and up.
+/// Maximum grid lines, across and up.
 const GRID: (usize, usize) = (5, 5);
 
 /// Shares of the run from which on a line counts as lasting, and as passing.
 const LASTING: f64 = 0.1;
 const PASSING: f64 = 0.01;
 
-/// Width of the strip along a line that answers the pointer.
+/// Width of the strip along a line that reacts to the pointer.
 const HIT: f64 = 10.0;
 
 /// Words of the picture.
 #[derive(Debug, Clone, Copy)]
 pub struct TorqueWords<'a> {
-    /// The continuous line.
+    /// Name of the continuous curve.
     pub continuous: &'a str,
-    /// The peak line.
+    /// Name of the peak curve.
     pub peak: &'a str,
-    /// The effective torque.
+    /// Name of the effective torque.
     pub effective: &'a str,
-    /// What a line of the run says before its time.
+    /// Text before the time of an operating line.
     pub at: &'a str,
     /// Position of the knob in the run with the knob at its end.
     pub knob: &'a str,
 }
 
-/// From speed and torque to places.
+/// Scales from speed and torque to positions in the picture.
 struct Plane {
     speed: f64,
     torque: (f64, f64),
@@ -96,7 +96,7 @@ impl Plane {
 }
 
 impl OperatingLine {
-    /// The line with its share of the time of its run, and what a pointer on it or beside it tells.
+    /// Writes the line by its share of the run's time, with a tooltip.
     fn put(&self, out: &mut String, plane: &Plane, share: f64, words: &TorqueWords) {
         let (class, width) = match share {
             _ if self.is_at_knob_end => ("s-dim", 1.5),
@@ -105,7 +105,7 @@ impl OperatingLine {
             _ => ("s-dim", 1.5),
         };
         let (from, to, y) = (plane.x(self.speeds.0), plane.x(self.speeds.1), plane.y(self.torque));
-        // A point is drawn too.
+        // A single point is drawn too.
         let to = if (to - from).abs() < 1.0 { from + 1.0 } else { to };
         out.push_str("<g");
         if self.is_at_knob_end {
@@ -138,8 +138,8 @@ impl OperatingLine {
 }
 
 impl TorqueChart {
-    /// The chart as SVG with the classes of the page; a line of the run that is shown has its time as `data-at`. Points that are no finite
-    /// numbers are left out.
+    /// The chart as SVG with the classes of the page; a line of the shown run has its time as `data-at`. Points with NaN or infinity are
+    /// omitted.
     pub fn svg(&self, words: &TorqueWords) -> String {
         let plane = Plane::of(self);
         let mut out = String::with_capacity(4096 + 320 * self.lines.len());
@@ -155,8 +155,8 @@ impl TorqueChart {
         out
     }
 
-    /// The lines of the runs, those that last above, and of each run by their share of its time: first those with the knob at its end, in a
-    /// lighter way.
+    /// Writes the lines of the runs in layers, longest-lasting on top, by their share of the run's time. Lines with the knob at its end
+    /// come first, in a lighter style.
     fn run(&self, out: &mut String, plane: &Plane, words: &TorqueWords) {
         for at_end in [true, false] {
             let of_run = || self.lines.iter().filter(|line| line.is_at_knob_end == at_end);
@@ -169,7 +169,7 @@ impl TorqueChart {
         }
     }
 
-    /// What the motor has, and its effective torque.
+    /// Writes the motor's curves and its effective torque.
     fn motor(&self, out: &mut String, plane: &Plane, words: &TorqueWords) {
         for (points, word, dashes) in
             [(&self.continuous, words.continuous, ""), (&self.peak, words.peak, " stroke-dasharray=\"6 4\"")]
@@ -187,7 +187,7 @@ impl TorqueChart {
         let (x, y) = (plane.x(self.effective.0), plane.y(self.effective.1));
         if x.is_finite() && y.is_finite() {
             fill(out, "<circle class=\"s-ink f-pane\" stroke-width=\"1.5\" cx=\"#\" cy=\"#\" r=\"4\"/>", &[x, y]);
-            // To the side where there is room.
+            // Toward the side with more space.
             let (anchor, side) = if x > 0.6 * SIZE.0 { ("end", -8.0) } else { ("start", 8.0) };
             let _ = write!(out, "<text class=\"small f-ink\" text-anchor=\"{anchor}\"");
             fill(out, " x=\"#\" y=\"#\">", &[x + side, y - 7.0]);
@@ -197,7 +197,7 @@ impl TorqueChart {
     }
 }
 
-/// Grid, figures and units.
+/// Writes grid, figures and units.
 fn grid(out: &mut String, plane: &Plane) {
     let (left, right) = (MARGINS.0, SIZE.0 - MARGINS.1);
     let (top, bottom) = (MARGINS.2, SIZE.1 - MARGINS.3);

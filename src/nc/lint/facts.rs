@@ -170,8 +170,8 @@ impl Facts {
         self.any_entry || u32::try_from(number).is_ok_and(named)
     }
 
-    /// Reports a main program that returns, and so restarts for ever: the started program, if known; else the first one, if no program here has
-    /// an end and none is called by a calculated number.
+    /// Reports a main program that returns, and so restarts for ever: the started program, if known; else the first one, if no program here
+    /// has an end and none is called by a calculated number.
     pub(super) fn main_returns(&self, lint: &mut Lint) {
         if lint.control.macros.main_ends {
             return;

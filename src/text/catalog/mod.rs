@@ -1,10 +1,11 @@
-//! Catalog of sentences, one file per language: turns message ids and values into text.
+//! Catalog of sentences, one file per language: text of message ids with their values.
 //!
-//! The files are Java properties (`key=sentence`), which the tools of translators read, with the named places of ICU messages
-//! ([`parts`]): `{speed}` is a value, `{count, plural, one {head} other {heads}}` the word that goes with a number, `{diameter, unit, mm}` a length
-//! with its unit as it is shown ([`units`]). Keys are the ids of messages and labels. The rows of controls stand in English where they are ([`Phrase`](super::Phrase)); a file of another language has them as keys too.
+//! The files are Java properties (`key=sentence`), a format of translation tools, with named placeholders as in ICU messages ([`parts`]):
+//! `{speed}` is a value, `{count, plural, one {head} other {heads}}` a singular or plural form, `{diameter, unit, mm}` a length with its
+//! unit in the shown system ([`units`]). Keys are the ids of messages and labels. Rows of controls contain their English text
+//! ([`Phrase`](super::Phrase)); a file of another language has these texts as keys too.
 //!
-//! One language is spoken at a time ([`speak`]). The command line carries all files with it; the browser loads one beside the page's module.
+//! One language is in use at a time ([`speak`]). The command line contains all files; the browser loads one beside the page's module.
 
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -31,10 +32,10 @@ pub enum Language {
 }
 
 impl Language {
-    /// Every language.
+    /// All languages.
     pub const ALL: [Language; 2] = [Language::English, Language::Chinese];
 
-    /// Its code after BCP 47, for `lang` and the names of files.
+    /// BCP 47 code, for `lang` attributes and file names.
     pub fn code(self) -> &'static str {
         match self {
             Language::English => "en",
@@ -47,7 +48,7 @@ impl Language {
         Language::ALL.into_iter().find(|language| language.code() == code)
     }
 
-    /// Its own name.
+    /// Name of the language in itself.
     pub fn name(self) -> &'static str {
         match self {
             Language::English => "English",
@@ -55,7 +56,7 @@ impl Language {
         }
     }
 
-    /// Its file. The page carries none: it loads the one that it needs.
+    /// Catalog file. The page contains none: it loads the one it needs.
     #[cfg(any(not(feature = "web"), feature = "package", test))]
     pub fn sentences(self) -> &'static str {
         match self {
@@ -65,14 +66,14 @@ impl Language {
     }
 }
 
-/// The file that is spoken at first.
+/// Initial catalog file.
 const FIRST: &str = if cfg!(all(feature = "web", not(test))) { "" } else { include_str!("en.properties") };
 
 thread_local! {
     static SPOKEN: Cell<&'static str> = const { Cell::new(FIRST) };
 }
 
-/// Takes the sentences of a file from now on, in this thread, and writes figures as its language does: Chinese without separators and with `-`
+/// Sets the catalog file for this thread, and the number format of its language: Chinese without separators and with `-`
 /// (`docs/glossary.md`, rule 6).
 pub fn speak(sentences: &'static str) {
     SPOKEN.set(sentences);
@@ -82,17 +83,17 @@ pub fn speak(sentences: &'static str) {
     });
 }
 
-/// The language that is spoken. A file tells it in its row `language`.
+/// The language in use, from the file's row `language`.
 pub fn spoken() -> Language {
     Language::of_code(words("language")).unwrap_or(Language::English)
 }
 
-/// The line of a key in the sentences that are spoken.
+/// Key and sentence of a row in the catalog in use.
 fn row(key: &str) -> Option<(&'static str, &'static str)> {
     row_of(SPOKEN.get(), key)
 }
 
-/// A text of a program in the language that is spoken. `None` where that is English, or macroline did not write the text.
+/// Translation of a text of a program. `None` for English, and for texts not written by macroline.
 pub fn of_program(text: &str) -> Option<String> {
     match spoken() {
         Language::English => None,
@@ -100,23 +101,23 @@ pub fn of_program(text: &str) -> Option<String> {
     }
 }
 
-/// The ids of sentences that begin so, in their order.
+/// Ids with this prefix, in their order.
 pub fn ids(start: &str) -> impl Iterator<Item = &'static str> {
     let lines = SPOKEN.get().lines().filter(move |line| line.starts_with(start));
     lines.filter_map(|line| line.get(..key_length(line)))
 }
 
-/// The sentence of a key without values (labels, help, titles); the key itself where the catalog lacks it.
+/// Sentence of a key without values (label, help, title); the key itself if the catalog lacks it.
 pub fn words(key: &'static str) -> &'static str {
     row(key).map_or(key, |(_, sentence)| sentence)
 }
 
-/// The id that reads so, where the catalog has it.
+/// Catalog id equal to a text, if there is one.
 pub fn id(text: &str) -> Option<&'static str> {
     row(text).map(|(id, _)| id)
 }
 
-/// The name of a place in the sentence of an id, as the catalog has it.
+/// Name of a placeholder in the sentence of an id, from the catalog.
 pub fn place(id: &'static str, name: &str) -> Option<&'static str> {
     parts(words(id)).find_map(|part| match part {
         SentencePart::Place(place, _) if place == name => Some(place),
@@ -124,7 +125,7 @@ pub fn place(id: &'static str, name: &str) -> Option<&'static str> {
     })
 }
 
-/// The message as a sentence.
+/// Sentence of a message.
 pub fn sentence(message: &Message) -> String {
     let mut out = String::new();
     for part in parts(words(message.id)) {
@@ -139,7 +140,7 @@ pub fn sentence(message: &Message) -> String {
     out
 }
 
-/// The text of a value at its place.
+/// Text of a value in its placeholder.
 fn shown<'m>(message: &'m Message, value: &'m MessageValue, form: Form<'m>) -> Cow<'m, str> {
     match form {
         Form::Plain => plain(value),
@@ -163,7 +164,7 @@ fn shown<'m>(message: &'m Message, value: &'m MessageValue, form: Form<'m>) -> C
     }
 }
 
-/// A value as text, whatever it measures.
+/// Text of a value, without unit conversion.
 pub fn plain(value: &MessageValue) -> Cow<'_, str> {
     match value {
         MessageValue::Number(number, decimals) => Cow::Owned(number_text(*number, *decimals)),
@@ -172,16 +173,16 @@ pub fn plain(value: &MessageValue) -> Cow<'_, str> {
     }
 }
 
-/// A unit by its own name, or by that of the place that has it.
+/// Unit by its own name, or by the placeholder that holds it.
 fn unit_named<'m>(message: &'m Message, unit: &'m str) -> Cow<'m, str> {
     message.value(unit).map_or(Cow::Borrowed(unit), plain)
 }
 
-/// Decimals to which an entry of the form is kept where its text has fewer.
+/// Least number of decimals of converted form entries.
 const ENTRY: usize = 3;
 
-/// A number of a metric unit in the unit that is shown. A text is an entry of the form, or several with strokes between: it is shown as the
-/// field shows it. `None` where it is neither.
+/// A number of a metric unit in the shown unit. A text is a form entry, or several separated by slashes, shown as in its field. `None` for
+/// other values.
 fn length(value: &MessageValue, metric: &str) -> Option<String> {
     match value {
         MessageValue::Number(number, decimals) => Some(units::plain(*number, *decimals, metric)),

@@ -1,32 +1,32 @@
-//! The parts of a sentence of the catalog: its words, and the places of its values, written as in ICU messages.
+//! Parts of a catalog sentence: words and placeholders of values, in ICU message syntax.
 
 /// A part of a sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SentencePart<'s> {
-    /// Words as they are.
+    /// Plain words.
     Words(&'s str),
-    /// The place of a value: its name and how it is shown.
+    /// Placeholder: name of the value and its form.
     Place(&'s str, Form<'s>),
 }
 
-/// How a value is shown at its place.
+/// Form of a value in its placeholder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form<'s> {
-    /// `{speed}`: as it is.
+    /// `{speed}`: unchanged.
     Plain,
-    /// `{count, plural, one {head} other {heads}}`: the word that goes with the number, for 1 and for all others.
+    /// `{count, plural, one {head} other {heads}}`: singular for 1, plural for all other numbers.
     Plural([&'s str; 2]),
-    /// `{diameter, unit, mm}`: a length with its unit; the unit is its own name or that of the place that has it.
+    /// `{diameter, unit, mm}`: a length with its unit; `mm` is a unit, or the placeholder that holds it.
     WithUnit(&'s str),
-    /// `{diameter, number, mm}`: the number of a length alone.
+    /// `{diameter, number, mm}`: the number of a length without its unit.
     Number(&'s str),
     /// `{unit, unit}`: a unit.
     Unit,
-    /// `{text, program}`: a text of a program as it is; behind it, in brackets, what it says in the language that is spoken, where macroline wrote it.
+    /// `{text, program}`: a text of a program unchanged, followed by its translation in brackets if macroline wrote the text.
     Program,
 }
 
-/// The parts of a sentence in their order. A bracket that opens no place is one of its words.
+/// Parts of a sentence in their order. A bracket that opens no placeholder is plain text.
 pub fn parts(sentence: &str) -> impl Iterator<Item = SentencePart<'_>> {
     let mut rest = sentence;
     core::iter::from_fn(move || {
@@ -41,7 +41,7 @@ pub fn parts(sentence: &str) -> impl Iterator<Item = SentencePart<'_>> {
     })
 }
 
-/// The place that begins here, behind its bracket, and what follows it.
+/// The placeholder after its opening bracket, and the rest of the text.
 fn place(tail: &str) -> Option<(SentencePart<'_>, &str)> {
     let end = tail.find(|c: char| !c.is_ascii_lowercase() && c != '_').filter(|end| *end > 0)?;
     let (name, behind) = tail.split_at_checked(end)?;

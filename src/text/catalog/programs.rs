@@ -1,19 +1,19 @@
-//! Texts of the programs that macroline writes, with their Chinese: comments, titles, alarms and messages.
+//! Chinese translations of texts in programs written by macroline: comments, titles, alarms and messages.
 //!
-//! They are written in English where the program is made; a file has the Chinese with these as keys.
+//! The machines write them in English; a file has the Chinese texts, with the English ones as keys.
 
 use super::rows::words_of;
 
-/// Chinese by the English text, sorted by key. `{axis}` is the place of a value.
+/// Chinese by English text, sorted by key. `{axis}` is a placeholder.
 const CHINESE: &str = include_str!("programs_zh.properties");
 
-/// The Chinese of a comment, title, alarm or message.
+/// Chinese translation of a comment, title, alarm or message.
 pub fn chinese(text: &str) -> Option<String> {
     let whole = words_of(CHINESE, text).map(str::to_owned);
     whole.or_else(|| patterns().find_map(|(english, chinese)| filled(text, english, chinese)))
 }
 
-/// Every English text with its Chinese.
+/// All English texts with their Chinese translations.
 pub fn all() -> impl Iterator<Item = (String, &'static str)> {
     CHINESE.lines().filter_map(|line| line.split_once('=')).map(|(key, chinese)| (key.replace('\\', ""), chinese))
 }
@@ -22,7 +22,7 @@ fn patterns() -> impl Iterator<Item = (String, &'static str)> {
     all().filter(|(english, _)| english.contains('{'))
 }
 
-/// The Chinese of a pattern with the values of a text, where the text is of the pattern.
+/// The Chinese of a pattern with the values of a text; `None` if the text does not match the pattern.
 fn filled(text: &str, english: String, chinese: &str) -> Option<String> {
     let mut rest = text;
     let mut out = chinese.to_owned();

@@ -2,12 +2,12 @@
 
 use std::cmp::Ordering;
 
-/// The sentence of a key in a file, whether it is the one spoken or not.
+/// Sentence of a key in any catalog file.
 pub fn words_of(sentences: &'static str, key: &str) -> Option<&'static str> {
     row_of(sentences, key).map(|(_, sentence)| sentence)
 }
 
-/// The line of a key, in halves: the lines are sorted.
+/// Key and sentence of a row, by binary search in the sorted lines.
 pub(super) fn row_of(sentences: &'static str, key: &str) -> Option<(&'static str, &'static str)> {
     let mut rest = sentences;
     loop {
@@ -27,7 +27,7 @@ pub(super) fn row_of(sentences: &'static str, key: &str) -> Option<(&'static str
     }
 }
 
-/// How many bytes of a line are its key: up to the first `=` without a backslash before it.
+/// Length of a line's key in bytes: up to the first `=` without a backslash before it.
 pub(super) fn key_length(line: &str) -> usize {
     let mut escaped = false;
     let end = line.bytes().position(|byte| {
@@ -38,7 +38,7 @@ pub(super) fn key_length(line: &str) -> usize {
     end.unwrap_or(line.len())
 }
 
-/// The key of a line without the backslashes before its spaces, colons and equals signs. No key has a backslash of its own.
+/// Key of a line without the backslashes before spaces, colons and equals signs. Keys contain no other backslashes.
 fn unescaped(line: &str) -> impl Iterator<Item = u8> {
     line.bytes().take(key_length(line)).filter(|byte| *byte != b'\\')
 }

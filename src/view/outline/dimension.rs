@@ -1,4 +1,4 @@
-//! Dimensions: what they measure, and the lines, arrows and text that show it.
+//! Dimensions: the measured distance, and its lines, arrows and text.
 
 use crate::math::{self, PI};
 
@@ -9,9 +9,9 @@ pub struct Dimension {
     pub from: (f64, f64),
     /// Second point.
     pub to: (f64, f64),
-    /// Distance of the dimension line from the points in mm, to the left of the way from the first to the second.
+    /// Distance of the dimension line from the points in mm, to the left of the direction from the first to the second.
     pub away: f64,
-    /// What stands at the line, for instance `⌀25`.
+    /// Text at the line, for instance `⌀25`.
     pub text: String,
 }
 
@@ -20,20 +20,19 @@ pub(super) const LAYER: &str = "DIMENSIONS";
 
 /// The lines of a dimension; lengths in mm, y upwards.
 pub(super) struct DrawnDimension {
-    /// Extension lines and the dimension line, which is the last.
+    /// Extension lines, followed by the dimension line.
     pub lines: [[(f64, f64); 2]; 3],
-    /// Arrow heads: tip and both corners behind it.
+    /// Arrow heads: the tip and both rear corners.
     pub arrows: [[(f64, f64); 3]; 2],
     /// Middle of the foot of the text.
     pub foot: (f64, f64),
     /// Middle of the text.
     pub middle: (f64, f64),
-    /// Angle of the text in degrees, counter-clockwise, above -90 to 90: it reads from below or from the right.
+    /// Angle of the text in degrees, counter-clockwise, above -90 to 90: readable from below or from the right.
     pub angle: f64,
 }
 
-/// Parts of the height of a letter: an arrow's length and half its width, the gap at the work, what stands out beyond the line, the gap
-/// below a text (ISO 129-1).
+/// In letter heights: length and half width of an arrow, gap at the work, extension beyond the line, gap below a text (ISO 129-1).
 const ARROW: f64 = 1.0;
 const HALF_WIDTH: f64 = 0.17;
 const GAP: f64 = 0.3;
@@ -41,12 +40,12 @@ const BEYOND: f64 = 0.6;
 const BELOW: f64 = 0.35;
 
 impl Dimension {
-    /// What it measures, in mm.
+    /// Measured distance in mm.
     pub fn length(&self) -> f64 {
         math::hypot(self.to.0 - self.from.0, self.to.1 - self.from.1)
     }
 
-    /// As lines, with letters of a height in mm.
+    /// The dimension as lines, with letters of a height in mm.
     pub(super) fn drawn(&self, letter: f64) -> DrawnDimension {
         let length = self.length().max(f64::MIN_POSITIVE);
         let along = ((self.to.0 - self.from.0) / length, (self.to.1 - self.from.1) / length);
@@ -62,7 +61,7 @@ impl Dimension {
             [tip, corner(1.0), corner(-1.0)]
         };
         let degrees = math::atan2(along.1, along.0) * 180.0 / PI;
-        // Text that would stand on its head is turned by half a turn; a rounding beside straight up is none.
+        // Upside-down text is turned by half a turn; a rounding error beside straight up does not count.
         let turned = degrees > 90.0 + 1e-9 || degrees <= -90.0 + 1e-9;
         let angle = if turned { degrees - 180.0 * degrees.signum() } else { degrees };
         let up = if turned { -1.0 } else { 1.0 };

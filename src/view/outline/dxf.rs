@@ -1,4 +1,4 @@
-//! The drawing as DXF of release 12, which every CAD program reads: layers, line types, arcs as arcs, dimensions, millimetres.
+//! The drawing as DXF of release 12, readable by every CAD program: layers, line types, arcs as arcs, dimensions, millimetres.
 
 use core::fmt::{Display, Write};
 
@@ -10,10 +10,10 @@ use crate::text::number::Plain;
 /// Decimals of a coordinate in mm.
 const DECIMALS: u8 = 9;
 
-/// A line type: its name, what it looks like, dashes and gaps in mm.
+/// A line type: name, description, dashes and gaps in mm.
 type LineType = (&'static str, &'static str, &'static [f64]);
 
-/// Width over height of the window that a program opens with.
+/// Width over height of the initial window.
 const ASPECT: f64 = 1.5;
 
 const LINE_TYPES: [LineType; 3] = [
@@ -32,7 +32,7 @@ fn layer_look(kind: LineKind) -> (u8, &'static str) {
     }
 }
 
-/// Pairs of group code and value, a line each.
+/// Pairs of group code and value, one line each.
 struct Pairs(String);
 
 impl Pairs {
@@ -48,14 +48,14 @@ impl Pairs {
         self.put(code, Plain(value, DECIMALS));
     }
 
-    /// A point: its x has this code.
+    /// Writes a point; `code` is the group code of its x.
     fn point(&mut self, code: u32, (x, y): (f64, f64)) {
         self.number(code, x);
         self.number(code + 10, y);
         self.number(code + 20, 0.0);
     }
 
-    /// Begins an entity on a layer.
+    /// Starts an entity on a layer.
     fn entity(&mut self, name: &str, layer: &str) {
         self.all(&[(0, name), (8, layer)]);
     }
@@ -75,7 +75,7 @@ impl Pairs {
 }
 
 impl Plate {
-    /// As DXF; lengths in mm.
+    /// The plate as DXF; lengths in mm.
     pub fn dxf(&self) -> String {
         let mut out = Pairs(String::new());
         let [left, low, right, high] = self.room;
@@ -100,7 +100,7 @@ impl Plate {
     fn tables(&self, out: &mut Pairs) {
         let [left, low, right, high] = self.room;
         let middle = (0.5 * (left + right), 0.5 * (low + high));
-        // What a program shows when it opens the file.
+        // Initial view after opening the file.
         out.table("VPORT", 1, |out| {
             out.all(&[(0, "VPORT"), (2, "*ACTIVE"), (70, "0")]);
             for (code, at) in [(10, (0.0, 0.0)), (11, (1.0, 1.0)), (12, middle)] {
@@ -135,7 +135,7 @@ impl Plate {
         });
         out.table("DIMSTYLE", 1, |out| {
             out.all(&[(0, "DIMSTYLE"), (2, "STANDARD"), (70, "0")]);
-            // Size of the arrow, gap and length beyond of extension lines, height of the text; text above and along the line.
+            // Size of the arrow, gap and overshoot of extension lines, height of the text; text above and along the line.
             for (code, part) in [(41, 1.0), (42, 0.3), (44, 0.6), (140, 1.0)] {
                 out.number(code, part * self.letter);
             }
@@ -143,7 +143,7 @@ impl Plate {
         });
     }
 
-    /// What programs show of a dimension that they do not draw anew.
+    /// Pictures of the dimensions, for programs that do not draw dimensions themselves.
     fn blocks(&self, out: &mut Pairs) {
         for (at, (dimension, drawn)) in self.drawn().enumerate() {
             out.entity("BLOCK", LAYER);
@@ -157,7 +157,7 @@ impl Plate {
         }
     }
 
-    /// A text about the middle of its foot.
+    /// Writes a text centred on its foot.
     fn words(&self, out: &mut Pairs, text: &str, foot: (f64, f64), angle: f64) {
         out.entity("TEXT", LAYER);
         out.point(10, foot);
@@ -202,7 +202,7 @@ fn lines(out: &mut Pairs, drawn: &DrawnDimension) {
     }
 }
 
-/// The diameter sign as the code that release 12 knows.
+/// Replaces the diameter sign by its code in release 12.
 fn plain(text: &str) -> String {
     text.replace('⌀', "%%c")
 }

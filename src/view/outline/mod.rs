@@ -1,4 +1,4 @@
-//! A drawing in true millimetres: lines of kinds that have layers, and dimensions; as SVG and as DXF.
+//! A drawing in true millimetres: lines in layers by kind, and dimensions; as SVG and as DXF.
 
 mod dimension;
 mod dxf;

@@ -1,9 +1,9 @@
-//! A plate of sections in true millimetres, one beside the other, each with its name.
+//! A plate of sections in true millimetres, side by side, each with its name.
 
 use super::dimension::{Dimension, DrawnDimension};
 use super::shapes::{LineKind, Outline, OutlineShape};
 
-/// Sections beside one another; lengths in mm, y upwards, the first one about the origin.
+/// Sections side by side; lengths in mm, y upwards, the first one at the origin.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Plate {
     /// Lines in drawing order.
@@ -14,12 +14,12 @@ pub struct Plate {
     pub(super) names: Vec<(String, (f64, f64))>,
     /// Height of letters.
     pub(super) letter: f64,
-    /// Left, lowest, right and highest place.
+    /// Left, lowest, right and highest coordinate.
     pub(super) room: [f64; 4],
 }
 
 impl Plate {
-    /// Places sections from left to right. A section without a name has none on the plate.
+    /// Places sections from left to right. An empty name is omitted.
     pub fn new(sections: &[(String, Outline)]) -> Plate {
         let letter = sections.iter().map(|(_, outline)| outline.letter()).fold(0.0, f64::max);
         let mut plate = Plate { letter, ..Plate::default() };

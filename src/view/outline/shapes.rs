@@ -1,16 +1,16 @@
-//! What a drawing in true millimetres consists of.
+//! Elements of a drawing in true millimetres.
 
 use super::dimension::Dimension;
 use crate::math;
 
-/// What a line means; each kind has its own layer in a CAD program.
+/// Meaning of a line; each kind has its own layer in a CAD program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineKind {
-    /// The part as it leaves the machine.
+    /// The finished part.
     Part,
     /// The stock.
     Stock,
-    /// The part as it is meant to be.
+    /// The nominal part.
     Ideal,
     /// Centre lines.
     Centre,
@@ -21,7 +21,7 @@ pub enum LineKind {
 pub struct Vertex {
     /// Place in mm, y upwards.
     pub at: (f64, f64),
-    /// The arc to the next corner, as CAD programs count it: the tangent of a quarter of its angle, counter-clockwise positive; 0 is straight.
+    /// Bulge of the arc to the next corner, as in CAD: tangent of a quarter of its angle, counter-clockwise positive; 0 is straight.
     pub bulge: f64,
 }
 
@@ -36,7 +36,7 @@ pub enum OutlineShape {
     Line((f64, f64), (f64, f64)),
 }
 
-/// A section about the origin.
+/// A section around the origin.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outline {
     /// Lines in drawing order.
@@ -46,7 +46,7 @@ pub struct Outline {
 }
 
 impl LineKind {
-    /// All, in the order of a legend.
+    /// All kinds, in the order of a legend.
     pub const ALL: [LineKind; 4] = [LineKind::Part, LineKind::Stock, LineKind::Ideal, LineKind::Centre];
 
     /// Name of its layer.
@@ -61,8 +61,8 @@ impl LineKind {
 }
 
 impl OutlineShape {
-    /// A closed line through spans of first, middle and last point: an arc through the three, a straight line where a span ends before the next
-    /// begins.
+    /// A closed line through spans of first, middle and last point: an arc through the three points, and a straight line to the next span
+    /// if there is a gap.
     pub fn through(spans: &[[(f64, f64); 3]]) -> OutlineShape {
         let mut corners = Vec::with_capacity(spans.len());
         for (span, next) in spans.iter().zip(spans.iter().cycle().skip(1)) {
@@ -80,7 +80,7 @@ impl OutlineShape {
         OutlineShape::Contour(corners.iter().map(|at| Vertex { at: *at, bulge: 0.0 }).collect())
     }
 
-    /// The same elsewhere.
+    /// The shape, shifted.
     pub(super) fn moved(&self, (dx, dy): (f64, f64)) -> OutlineShape {
         let moved = |(x, y): (f64, f64)| (x + dx, y + dy);
         match self {
@@ -92,7 +92,7 @@ impl OutlineShape {
         }
     }
 
-    /// The farthest that it is from the origin in mm.
+    /// Largest distance from the origin in mm.
     fn reach(&self) -> f64 {
         let far = |at: &(f64, f64)| math::hypot(at.0, at.1);
         match self {
@@ -104,7 +104,7 @@ impl OutlineShape {
 }
 
 impl Outline {
-    /// The farthest that a line is from the origin in mm.
+    /// Largest distance of a line from the origin in mm.
     pub fn reach(&self) -> f64 {
         self.shapes.iter().map(|(_, shape)| shape.reach()).fold(0.0, f64::max)
     }
@@ -119,16 +119,16 @@ impl Outline {
         self.reach() + 2.5 * self.letter()
     }
 
-    /// The room that it takes on each side of the origin, mm, with letters of a height.
+    /// Extent of the section on each side of the origin, mm, with letters of a height in mm.
     pub(super) fn edge(&self, letter: f64) -> f64 {
         if self.dimensions.is_empty() { self.reach() + letter } else { self.beside() + 1.6 * letter }
     }
 }
 
-/// Points nearer to each other in mm are one.
+/// Points nearer to each other (mm) are equal.
 const NOTHING: f64 = 1e-6;
 
-/// The arc through three points: the inscribed angle over the chord is half a turn less half the angle of the arc.
+/// Bulge of the arc through three points: the inscribed angle over the chord is half a turn minus half the angle of the arc.
 fn bulge(first: (f64, f64), middle: (f64, f64), last: (f64, f64)) -> f64 {
     let (ax, ay) = (middle.0 - first.0, middle.1 - first.1);
     let (bx, by) = (last.0 - middle.0, last.1 - middle.1);

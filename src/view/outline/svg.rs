@@ -1,4 +1,4 @@
-//! The drawing as SVG whose unit is the millimetre: it prints in true size.
+//! The drawing as SVG in millimetres, for printing in true size.
 
 use core::fmt::Write;
 
@@ -12,20 +12,20 @@ use crate::view::svg::escape;
 /// Decimals of a coordinate in mm.
 const DECIMALS: u8 = 6;
 
-/// Lines by kind, as technical drawings have them (ISO 128): thick and full, dashed, thin, dash and dot.
+/// Line styles by kind, as in technical drawings (ISO 128): thick and full, dashed, thin, dash and dot.
 const STYLE: &str = "path,circle,line{fill:none;stroke:#000;stroke-width:.18}\
     .part path{fill:#e6e9ed;stroke-width:.5}.stock circle,.stock line{stroke:#5b6673;stroke-dasharray:1.6 .8}\
     .ideal path,.ideal line{stroke:#0b62c4;stroke-dasharray:2.4 .6 .4 .6}.centre line{stroke:#8a2b2b;stroke-dasharray:4 .8 .8 .8}\
     .part line{stroke-width:.5}polygon{fill:#000}text{font-family:sans-serif;text-anchor:middle}.legend text{text-anchor:start}";
 
 impl Plate {
-    /// As SVG. `name` gives the words for a kind of line in the legend.
+    /// The plate as SVG. `name` gives the legend's text for a kind of line.
     pub fn svg(&self, name: impl Fn(LineKind) -> String) -> String {
         let letter = self.letter;
         let kinds: Vec<LineKind> =
             LineKind::ALL.into_iter().filter(|kind| self.shapes.iter().any(|(other, _)| other == kind)).collect();
         let [left, lowest, right, highest] = self.room;
-        // In a picture y goes down.
+        // In SVG y points down.
         let (top, foot, wide) = (-highest, -lowest, right - left);
         let high = foot - top + (1.6 * letter * (kinds.len() as f64 + 0.5)).ceil();
         let mut out = String::new();
@@ -125,7 +125,7 @@ fn put(out: &mut String, shape: &OutlineShape) {
     }
 }
 
-/// From a corner to the next point; y of a picture goes down, so the sweep turns round.
+/// Writes the piece from a corner to the next point; y points down in SVG, so the sweep is reversed.
 fn piece(out: &mut String, corner: &Vertex, (x, y): (f64, f64)) {
     let [to_x, to_y] = [x, -y].map(number);
     let bulge = corner.bulge;

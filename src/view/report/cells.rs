@@ -1,11 +1,11 @@
-//! What the tables of a report have in their cells, whatever they are written as.
+//! Cells of the tables of a report, independent of the output format.
 
 use super::document::{Figure, Input, ListedPart, Report};
 use crate::text::Grade;
 use crate::text::catalog::{number_text, sentence, words};
 use crate::view::{Column, Limit, Readout, Row, Sheet, Verdict};
 
-/// A judgement in a word or two.
+/// Short word for a verdict.
 pub(super) fn verdict(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "",
@@ -40,7 +40,7 @@ pub(super) fn cells_of_part(item: u32, part: &ListedPart) -> [String; 5] {
     [item.to_string(), part.quantity.to_string(), name.to_owned(), part.data.clone(), origin.to_owned()]
 }
 
-/// A text with the symbol of variables of the control.
+/// Replaces `#` by the control's sign for variables.
 fn with_variable(report: &Report, text: &str) -> String {
     text.replace('#', report.variable.encode_utf8(&mut [0; 4]))
 }
@@ -88,12 +88,12 @@ pub(super) fn cells_of_input(report: &Report, input: &Input) -> [String; 5] {
     ]
 }
 
-/// Whether the source of each row is a column of the sheet already.
+/// Whether the sheet already has a column of sources.
 pub(super) fn has_sources(sheet: &Sheet) -> bool {
     sheet.columns.iter().any(|column| matches!(column, Column::Source(_)))
 }
 
-/// The cells of a row of a sheet, with its source at last.
+/// The cells of a row of a sheet, followed by its source.
 pub(super) fn cells_of_row(row: &Row) -> Vec<String> {
     let doubt = if row.grade == Grade::Open { words("form.report.unconfirmed") } else { "" };
     row.cells.iter().cloned().chain([format!("{} {doubt}", row.source).trim_end().to_owned()]).collect()

@@ -1,4 +1,4 @@
-//! What a report says, as data.
+//! Content of a report, as data.
 
 use crate::text::{Diagnostic, Message};
 use crate::view::{Chart, Comparison, Readout, Sheet};
@@ -14,40 +14,40 @@ pub struct Input {
     pub label: &'static str,
     /// Symbol or variable, or empty.
     pub symbol: &'static str,
-    /// Value as it is shown.
+    /// Value as shown.
     pub value: String,
     /// Unit, or empty.
     pub unit: &'static str,
-    /// Catalog id of where a fact comes from; `None` for a choice.
+    /// Catalog id of the origin of a fact; `None` for a choice.
     pub origin: Option<&'static str>,
 }
 
-/// A kind of facts about the control that no manual at hand confirms.
+/// A kind of facts about the control that are not confirmed by a manual at hand.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Open {
     /// Catalog id of the kind.
     pub kind: &'static str,
-    /// The facts, a few words each.
+    /// Short texts of the facts.
     pub facts: Vec<String>,
 }
 
-/// A row of the parts list; its item number is its place in the list, from 1.
+/// A row of the parts list; its item number is its index from 1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ListedPart {
     /// Catalog id of its name.
     pub name: &'static str,
-    /// How many there are.
+    /// Number of pieces.
     pub quantity: u32,
-    /// Its data as they are shown.
+    /// Its data as shown.
     pub data: String,
-    /// Catalog id of where the data come from; `None` without data.
+    /// Catalog id of the origin of the data; `None` without data.
     pub origin: Option<&'static str>,
 }
 
-/// What a drawing office writes into the title block; an empty entry is filled in by hand.
+/// Entries of the title block; an empty entry is filled in by hand.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct TitleBlock {
-    /// Who has drawn it up.
+    /// Author of the document.
     pub author: String,
     /// Number of the document.
     pub number: String,
@@ -73,43 +73,43 @@ pub struct Figure {
 pub struct PrintedProgram {
     /// Name of the file.
     pub name: String,
-    /// Its text.
+    /// Text of the file.
     pub text: String,
-    /// Check sum of its bytes: CRC-32, eight hexadecimal digits.
+    /// Checksum of its bytes: CRC-32, eight hexadecimal digits.
     pub checksum: String,
 }
 
-/// The machine in motion, as a run of the programs has it.
+/// The machine in motion, from a run of the programs.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RunReport {
-    /// The drawing at a moment of the run, SVG.
+    /// The drawing at one time of the run, SVG.
     pub drawing: String,
-    /// Cycle time and what follows from it; empty where the run does not come to the end of the program.
+    /// Cycle time and figures derived from it; empty if the run does not reach the end of the program.
     pub figures: Vec<Figure>,
     /// Charts over the run.
     pub charts: Vec<Chart>,
 }
 
-/// Everything that the report says.
+/// Everything in the report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Report {
     /// Machine, control, name of the project.
     pub title: String,
     /// Name of the project, may be empty.
     pub project: String,
-    /// Whom the machine is for, may be empty.
+    /// Customer of the machine, may be empty.
     pub customer: String,
     /// The title block.
     pub block: TitleBlock,
-    /// The date as its reader writes dates, may be empty.
+    /// The date in the reader's format, may be empty.
     pub date: String,
-    /// Check sum of the settings, as of a program.
+    /// Checksum of the settings, like that of a program.
     pub checksum: String,
     /// A run of the programs.
     pub run: RunReport,
     /// The programs.
     pub programs: Vec<PrintedProgram>,
-    /// How they are loaded.
+    /// Instructions for loading them.
     pub loading: Vec<Message>,
     /// Prefix of the control's variables, for instance `#`.
     pub variable: char,
@@ -121,14 +121,14 @@ pub struct Report {
     pub readouts: Vec<Readout>,
     /// Findings about fields and program.
     pub diagnostics: Vec<Diagnostic>,
-    /// What exceeds its limit in the operating envelope; empty where the machine was not sized.
+    /// Findings about limits exceeded in the operating envelope; empty without sizing.
     pub exceeded: Vec<Diagnostic>,
-    /// Tables of the sizing: what there is to buy, what limits the machine, what happens in operation, the motors; empty where it was not sized.
+    /// Tables of the sizing: bill of materials, limits of the machine, operation, motors; empty without sizing.
     pub sizing: Vec<Sheet>,
-    /// The offer, first, and the variants of the project; none where it has no variant.
+    /// The offer, first, and the variants of the project; `None` without variants.
     pub variants: Option<Comparison>,
     /// Tables.
     pub sheets: Vec<Sheet>,
-    /// What is open.
+    /// Open points.
     pub open: Vec<Open>,
 }

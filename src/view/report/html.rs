@@ -1,5 +1,4 @@
-//! The report as a page of its own, to print on A4 or Letter: a first sheet with frame and title block as a drawing office has them, then everything
-//! else in flowing tables, each sheet with its frame and its number.
+//! The report as a standalone page for print on A4 or Letter: first sheet with frame and title block, then flowing tables on numbered sheets.
 
 use super::cells::{
     INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
@@ -20,20 +19,20 @@ use crate::view::{Chart, ComparedRow, Readout, Sheet, Verdict, ladder, plot};
 /// The style sheet.
 const STYLE: &str = include_str!("../../../style/report.css");
 
-/// Variants beside the offer that a table has room for.
+/// Number of variants beside the offer that fit into a table.
 const BESIDE: usize = 4;
 
-/// Rows of verdicts that the first sheet has room for.
+/// Number of rows of verdicts that fit on the first sheet.
 const FIRST: usize = 10;
-/// Rows of the parts list beside which it has room for as many; each further one takes the room of one.
+/// Rows of the parts list that fit beside all [`FIRST`] rows of verdicts; each further row replaces a row of verdicts.
 const PARTS: usize = 11;
-/// Verdicts on the first sheet at least.
+/// Least number of verdicts on the first sheet.
 const LEAST: usize = 4;
 
-/// Failing verdicts that the conclusion names.
+/// Maximum failing verdicts named in the conclusion.
 const NAMED: usize = 3;
 
-/// The report as HTML with its styles and pictures in it.
+/// The report as HTML with embedded styles and pictures.
 pub fn html(report: &Report) -> String {
     let mut page = Page { out: String::new(), report };
     page.whole();
@@ -54,7 +53,7 @@ impl Page<'_> {
         words(id)
     }
 
-    /// An element with a text.
+    /// Writes an element with a text.
     fn text(&mut self, tag: &str, class: &str, text: &str) {
         self.raw("<");
         self.raw(tag);
@@ -149,7 +148,7 @@ impl Page<'_> {
         self.raw("</footer></section>");
     }
 
-    /// The frame with its zones, by which one names a place in the drawing: four across and six down on A4. Source: ISO 5457, from memory.
+    /// Frame with zones for references to places in the drawing: four across and six down on A4. Source: ISO 5457, from memory.
     fn frame(&mut self) {
         self.raw("<div class=\"frame\" aria-hidden=\"true\">");
         for (class, zones) in [("across", ["1", "2", "3", "4"].as_slice()), ("down", &["A", "B", "C", "D", "E", "F"])] {
@@ -206,7 +205,7 @@ impl Page<'_> {
         self.raw("</tr>");
     }
 
-    /// The parts list: the balloons of the drawing name its items.
+    /// Parts list, with the item numbers of the drawing's balloons.
     fn parts(&mut self) {
         if self.report.parts.is_empty() {
             return;
@@ -216,7 +215,7 @@ impl Page<'_> {
         self.table("parts", &PART_COLUMNS, &rows);
     }
 
-    /// How much of the machine is only assumed.
+    /// Share of the machine's facts that are only assumed.
     fn assumed(&mut self) {
         let facts = self.report.inputs.iter().filter_map(|input| input.origin);
         let (all, assumed) = facts.fold((0_u32, 0_u32), |(all, assumed), origin| {
@@ -229,11 +228,11 @@ impl Page<'_> {
         }
     }
 
-    /// The title block, in the fields of ISO 7200: title, customer, project, author, date, number, revision.
+    /// Title block, with the fields of ISO 7200: title, customer, project, author, date, number, revision.
     fn block(&mut self) {
         let report = self.report;
         self.raw("<dl class=\"block\">");
-        // Twelve columns; the number is how many of them an entry takes. The style sheet adds the count of sheets to the number of this one.
+        // Twelve columns; the number is the width of an entry in columns. The style sheet adds the count of sheets to the sheet number.
         let entries = [
             (12, "form.report.title", report.title.as_str()),
             (8, "form.report.customer", &report.customer),
@@ -256,7 +255,7 @@ impl Page<'_> {
         self.raw("</dl>");
     }
 
-    /// Errors and remarks about fields and program, then what the verdicts advise.
+    /// Errors and remarks about fields and program, then the advice of the verdicts.
     fn findings(&mut self) {
         let report = self.report;
         let all = report.diagnostics.iter().chain(&report.exceeded);
@@ -289,7 +288,7 @@ impl Page<'_> {
         self.raw("</tr>");
     }
 
-    /// The foot of every sheet behind the first, as a rule of the style sheet: title, then number, revision, date and the number of the sheet.
+    /// Footer of every sheet after the first, as a rule of the style sheet: title, then number, revision, date and sheet number.
     fn strip(&self) -> String {
         let report = self.report;
         let named = |id, value: &str| (!value.is_empty()).then(|| format!("{} {value}", self.say(id)));
@@ -338,7 +337,7 @@ impl Page<'_> {
         self.title(sheet.title);
         self.raw(&format!("<table class=\"{}\">", sheet.id));
         let mut heads: Vec<&str> = sheet.columns.iter().map(|column| column.head()).collect();
-        // A source that all rows share stands once.
+        // A source common to all rows is given once.
         let common = sheet.common_source();
         if common.is_none() && !has_sources(sheet) {
             heads.push("form.report.source");
@@ -362,7 +361,7 @@ impl Page<'_> {
         }
     }
 
-    /// The rows in which the variants differ from the offer or from each other; further variants have tables of their own.
+    /// Rows in which the variants differ from the offer or from each other; variants beyond the width of a table have further tables.
     fn variants(&mut self) {
         let Some(comparison) = &self.report.variants else { return };
         self.title("variants.title");
@@ -393,7 +392,7 @@ impl Page<'_> {
         }
     }
 
-    /// A row of variants; what differs from the offer is marked.
+    /// A row of variants; cells that differ from the offer are marked.
     fn compared(&mut self, row: &ComparedRow, shown: &[usize]) {
         self.raw("<tr><td>");
         escape(&mut self.out, &row.label);
@@ -407,7 +406,7 @@ impl Page<'_> {
         self.raw("</tr>");
     }
 
-    /// How the programs are loaded, then their texts.
+    /// Loading instructions of the programs, then their texts.
     fn programs(&mut self) {
         let report = self.report;
         self.title("form.report.programs");
@@ -423,14 +422,15 @@ impl Page<'_> {
     }
 }
 
-/// Columns of a cell that stays on one line: a word or two.
+/// Columns of a cell of one or two words that stays on one line.
 const WORD: usize = 12;
 /// Columns of a figure with its unit that stays on one line.
 const FIGURE: usize = 24;
-/// Letters from which on a name without spaces may break: no column has room for more.
+/// Letters from which on a name without spaces may break, because no column is wider.
 const NAME: usize = 24;
 
-/// A cell. Figures, single words and order numbers stay on one line, a figure stays with its unit; only a very long name without spaces breaks.
+/// Writes a cell. Figures, single words and order numbers stay on one line, a figure stays with its unit; only a very long name without
+/// spaces breaks.
 fn cell(out: &mut String, text: &str) {
     let is_figure = text.starts_with(|c: char| c.is_ascii_digit() || "+-−±≤≥=✕".contains(c));
     let whole = columns(text) <= if is_figure { FIGURE } else { WORD };
@@ -439,7 +439,7 @@ fn cell(out: &mut String, text: &str) {
         if at > 0 {
             out.push(' ');
         }
-        // Chinese breaks between any two characters.
+        // Chinese text breaks between any two characters.
         let class = match word.chars().filter(char::is_ascii).count() {
             NAME.. => "name",
             _ if word.contains('-') && word.contains(|c: char| c.is_ascii_digit()) => "whole",
@@ -459,7 +459,7 @@ fn cell(out: &mut String, text: &str) {
     out.push_str("</td>");
 }
 
-/// A text in which a number is on one line with its unit: `1200 r/min`, `50 : 1`.
+/// A text with each number kept on one line with its unit: `1200 r/min`, `50 : 1`.
 fn with_units(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text.chars().peekable();
@@ -474,13 +474,13 @@ fn with_units(text: &str) -> String {
     out
 }
 
-/// A text between the quotation marks of a style sheet, which is within a page: all but letters, digits and plain marks as numbers.
+/// A text for quotation marks of a style sheet within a page: all but letters, digits and plain marks are escaped as numbers.
 fn css_text(text: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || " .,:;/()-·".contains(c);
     text.chars().map(|c| if plain(c) { c.to_string() } else { format!("\\{:x} ", u32::from(c)) }).collect()
 }
 
-/// The verdicts of the first sheet: the worst first, then those above the drawing, then others.
+/// The verdicts of the first sheet: the worst first, then the headline results, then others.
 fn first_rows(report: &Report) -> Vec<&Readout> {
     let judged = report.readouts.iter().filter(|readout| readout.headline || readout.verdict != Verdict::None);
     let mut rows: Vec<&Readout> = judged.collect();
@@ -489,7 +489,7 @@ fn first_rows(report: &Report) -> Vec<&Readout> {
     rows
 }
 
-/// What a reader takes along: the figures above the drawing, how long a run takes, and whether the verdicts hold.
+/// Conclusion: the headline figures, the time of a run, and whether the verdicts hold.
 fn conclusion(report: &Report) -> String {
     let figures = report.readouts.iter().filter(|readout| readout.headline).take(3);
     let figures: Vec<String> = figures

@@ -60,7 +60,7 @@ fn head(out: &mut String, ids: &[&'static str]) {
     let _ = writeln!(out, "|{}", "---|".repeat(ids.len()));
 }
 
-/// Errors and remarks, then what the verdicts advise.
+/// Errors and remarks, then the advice of the verdicts.
 fn findings(out: &mut String, report: &Report) {
     for finding in report.diagnostics.iter().chain(&report.exceeded) {
         let _ = writeln!(out, "- {}", escape::markdown(&sentence(&finding.message)));
@@ -110,7 +110,7 @@ fn sheet(out: &mut String, sheet: &Sheet) {
     }
 }
 
-/// The rows in which the variants differ.
+/// Rows with differences between variants.
 fn variants(out: &mut String, comparison: &Comparison) {
     let groups = comparison.differences();
     if groups.is_empty() {
@@ -142,7 +142,7 @@ fn run(out: &mut String, report: &Report) {
     }
 }
 
-/// Entries of the title block that are filled in.
+/// Filled entries of the title block.
 fn block(out: &mut String, report: &Report) {
     let entries = [
         ("form.report.customer", &report.customer),
