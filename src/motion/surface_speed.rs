@@ -71,7 +71,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.spindle.surface =
             Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY, seen: (f64::NEG_INFINITY, 0.0) });
         self.s.spindle.square = Some((axis, zero));
-        // If the turning centre is unknown, the first work zero is assumed to be it.
+        // If the turning centre is unknown, it is assumed to be at the first work zero.
         let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
         let offset = (zero - centre).abs();
         if offset > 1e-9 {

@@ -1,7 +1,7 @@
 //! Families of controls as consts: a control takes the rows of its family and states the differences.
 //!
-//! A family has no entry in the list of controls. Its rows carry a citation of their own; a control that cannot vouch for them
-//! takes them under its own citation.
+//! A family is not in the list of controls. Its rows have their own citations; a control without evidence for them uses the rows under its
+//! own citation.
 
 pub mod fanuc;
 

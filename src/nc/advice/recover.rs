@@ -1,7 +1,7 @@
 //! Blocks that do not parse: known mistakes, each reported once with its fix.
 //!
-//! Tried in this order: a comment with brackets in it; an unbracketed comment, or one behind `//`, after which a block may stand in front;
-//! round brackets for arithmetic; else the failure as the control meets it. In each case the block is bad: the control would stop there.
+//! Tried in this order: a comment with brackets in it; an unbracketed comment or one behind `//`, alone or after a complete block; round
+//! brackets for arithmetic; else the failure as the control meets it. In each case the block is bad: the control would stop there.
 
 use crate::controls::Alarm;
 use crate::msg;

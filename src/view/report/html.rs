@@ -1,4 +1,4 @@
-//! The report as a standalone page for print on A4 or Letter: first sheet with frame and title block, then flowing tables on numbered sheets.
+//! The report as a standalone page for print on A4 or Letter: first sheet with frame and title block, then tables on numbered sheets.
 
 use super::cells::{
     INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
