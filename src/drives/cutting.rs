@@ -20,8 +20,9 @@ impl Cut {
         if self.length > 0.0 { 60.0 * self.length / (self.feed * rpm) } else { 0.0 }
     }
 
-    /// Time (s) at a surface speed in m/min, with the spindle speed limited to `low` to `high` r/min. Without limits `t = 60 π L d / (1000
-    /// v f)` with the mean diameter d, on a face `60 π (r₁² - r₂²) / (1000 v f)`; the parts under a limit take `60 L / (f n)`.
+    /// Time (s) at a surface speed in m/min, with the spindle speed limited to `low` to `high` r/min. Without limits
+    /// `t = 60 π L d / (1000 v f)` with the mean diameter d, on a face `60 π (r₁² - r₂²) / (1000 v f)`; the parts under a limit take
+    /// `60 L / (f n)`.
     ///
     /// Source: `reference/sinumerik-802d.md` section 7 (10.019832 s for the face there).
     pub fn surface_time(&self, speed: f64, (low, high): (f64, f64)) -> f64 {

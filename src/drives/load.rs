@@ -92,8 +92,8 @@ impl Load {
             .map(|(torque, seconds)| Phase { torque, seconds })
     }
 
-    /// Energy in J returned at the shaft by a stop from `speed` in `seconds`, minus the energy used by the steady torque: `½ (J_L η + J_M)
-    /// ω² - ½ T_L ω t`; negative if the steady torque uses more. Source: sizing facts 2.4, checked as C15.
+    /// Energy in J returned at the shaft by a stop from `speed` in `seconds`, minus the energy used by the steady torque:
+    /// `½ (J_L η + J_M) ω² - ½ T_L ω t`; negative if the steady torque uses more. Source: sizing facts 2.4, checked as C15.
     pub fn stop_energy(&self, rotor: f64, speed: f64, seconds: f64) -> f64 {
         0.5 * (self.inertia * self.efficiency + rotor) * speed * speed - 0.5 * self.torque * speed * seconds
     }

@@ -64,8 +64,8 @@ impl Reel {
         Cylinder { outer: diameter.max(self.core), inner: self.core, length: self.width, density: self.density }
     }
 
-    /// Equivalent mass in kg of the reel at the web, at a diameter in m: `J / r²`. A change of speed pulls the web with `J α / r = (J / r²)
-    /// a`, with `α = a / r`. Source: sizing facts 2.1.
+    /// Equivalent mass in kg of the reel at the web, at a diameter in m: `J / r²`. A change of speed pulls the web with
+    /// `J α / r = (J / r²) a`, with `α = a / r`. Source: sizing facts 2.1.
     pub fn mass_at_web(&self, diameter: f64) -> f64 {
         self.inertia(diameter) / (0.25 * diameter * diameter)
     }

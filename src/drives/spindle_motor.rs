@@ -37,8 +37,8 @@ impl MotorCurve {
     }
 
     /// Run-up time (s) from standstill to a speed in r/min with full torque, for an inertia in kg m² against a steady torque `load` in Nm
-    /// (negative if it helps, as in braking): `J ω_b / (M - T)` up to base speed, above it `J ∫ ω / (P - T ω) dω` = `J / T² · (P ln((P - T
-    /// ω_b) / (P - T ω)) - T (ω - ω_b))`. Infinite if the load uses the full torque.
+    /// (negative if it helps, as in braking): `J ω_b / (M - T)` up to base speed, above it `J ∫ ω / (P - T ω) dω` =
+    /// `J / T² · (P ln((P - T ω_b) / (P - T ω)) - T (ω - ω_b))`. Infinite if the load uses the full torque.
     ///
     /// Source: `reference/turning-spindle.md` section 5.
     pub fn seconds_to(&self, rpm: f64, inertia: f64, load: f64) -> f64 {
@@ -68,8 +68,8 @@ pub fn power(torque: f64, rpm: f64) -> f64 {
     torque * rpm.abs() / TORQUE
 }
 
-/// Torque in Nm for accelerating an inertia in kg·m² to a speed in r/min by a ramp of `tau` s with a position loop of gain `gain` 1/s: `M =
-/// J · 2π n / 60 · (1 - e^(-K τ)) / τ`, without a ramp `J · 2π n / 60 · K`.
+/// Torque in Nm for accelerating an inertia in kg·m² to a speed in r/min by a ramp of `tau` s with a position loop of gain `gain` 1/s:
+/// `M = J · 2π n / 60 · (1 - e^(-K τ)) / τ`, without a ramp `J · 2π n / 60 · K`.
 ///
 /// Source: `reference/turning-spindle.md` section 5, run-up by a ramp; the gain by the servo lag of first order.
 pub fn run_up(inertia: f64, rpm: f64, tau: f64, gain: f64) -> f64 {

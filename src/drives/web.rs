@@ -16,8 +16,8 @@ pub fn slack_after_stop(speed: f64, feed_ramp: f64, pull_ramp: f64, delay: f64) 
 }
 
 /// Greatest slack of a short stop and restart, with the pull `wait` seconds after the restart of the feed. After a pause p the feed has not
-/// yet come to rest and is back at speed after another p: slack `speed · (wait + p - p² / ramp)`, greatest at `p = ramp / 2` with `speed ·
-/// (wait + ramp / 4)`. From a pause of the whole ramp on it is `speed · wait`. Source: sizing facts 2.6, ribbon line facts, 7.
+/// yet come to rest and is back at speed after another p: slack `speed · (wait + p - p² / ramp)`, greatest at `p = ramp / 2` with
+/// `speed · (wait + ramp / 4)`. From a pause of the whole ramp on it is `speed · wait`. Source: sizing facts 2.6, ribbon line facts, 7.
 pub fn slack_of_short_stop(speed: f64, feed_ramp: f64, wait: f64) -> f64 {
     speed * (wait + feed_ramp / 4.0)
 }
@@ -34,8 +34,8 @@ pub fn smear(ratio: f64, contact: f64) -> f64 {
     (1.0 - 1.0 / ratio).abs() * contact
 }
 
-/// Length of a dot, in the unit of `head`: length of the head on the roller, projected onto the web, and the smear: `l / r + |1 - 1 / r| ·
-/// c`.
+/// Length of a dot, in the unit of `head`: length of the head on the roller, projected onto the web, and the smear:
+/// `l / r + |1 - 1 / r| · c`.
 /// Source: sizing facts 3.2, checked as E9.
 pub fn mark_length(head: f64, ratio: f64, contact: f64) -> f64 {
     head / ratio + smear(ratio, contact)

@@ -90,8 +90,8 @@ impl Curve {
         (self.distance - self.radius) * (self.distance + self.radius)
     }
 
-    /// Area between the centre of the work and the curve from the normal to σ, negative where b falls: `½ ∫ ρ² b' dσ` = `½ [(1/k - 1/2)
-    /// ((a² + r²) σ - 2 a r sin σ) + (a² - r²) σ / 2]`.
+    /// Area between the centre of the work and the curve from the normal to σ, negative where b falls: `½ ∫ ρ² b' dσ` =
+    /// `½ [(1/k - 1/2) ((a² + r²) σ - 2 a r sin σ) + (a² - r²) σ / 2]`.
     pub(super) fn area(&self, sigma: f64) -> f64 {
         let (a, r) = (self.distance, self.radius);
         let squares = (a * a + r * r) * sigma - 2.0 * a * r * math::sin(sigma);

@@ -34,8 +34,8 @@ const INTERVALS: u32 = 48;
 /// The load of every pass of the slide, each to its distance across flats, the first one into round stock of a radius; tips at `radius`.
 ///
 /// The depth of the layer at an angle of the work is the height left by the preceding pass, `a_p = (ρ_before - ρ) cos ψ`, with ψ between
-/// the motion of the tip and the circle about the work. Inserts are `2π/n` apart on the tool, each in the cut from -σ to σ, so at most `1 +
-/// ⌊n σ / π⌋` at once. The mean is over the pass up to half of the pitch; beyond it the neighbour cuts.
+/// the motion of the tip and the circle about the work. Inserts are `2π/n` apart on the tool, each in the cut from -σ to σ, so at most
+/// `1 + ⌊n σ / π⌋` at once. The mean is over the pass up to half of the pitch; beyond it the neighbour cuts.
 pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, inserts: u32, stock: f64) -> impl Iterator<Item = PassLoad> {
     let curve = move |size: f64| Curve::new(0.5 * size + radius, radius, ratio.value());
     let pitch = 2.0 * PI / f64::from(ratio.sides(inserts).max(1));
@@ -47,8 +47,9 @@ pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, inserts: u32, stock: f64
 }
 
 impl Curve {
-    /// Levers in mm of the cutting force about the work and about the tool, with the tip at σ, `m = (k - 1) r` and `V = √(a² + m² + 2 a m
-    /// cos σ)`: `l_w = [a (a + (m - r) cos σ) - r m] / V`, `l_t = r (m + a cos σ) / V`. At σ = 0 they are a - r and r.
+    /// Levers in mm of the cutting force about the work and about the tool, with the tip at σ, `m = (k - 1) r` and
+    /// `V = √(a² + m² + 2 a m cos σ)`: `l_w = [a (a + (m - r) cos σ) - r m] / V`, `l_t = r (m + a cos σ) / V`. At σ = 0 they are a - r and
+    /// r.
     ///
     /// The force is opposite to the motion of the tip over the work, so `l_w + k l_t = V` (power of both axes). Source: polygon turning
     /// facts 3.9.

@@ -41,8 +41,8 @@ impl Ratio {
         (inserts / gcd(inserts, self.work.unsigned_abs()).max(1)).saturating_mul(self.tool.unsigned_abs())
     }
 
-    /// The ratio for a number of sides and of inserts with a pattern that closes in `work` turns of the work. There is at most one, `|p| =
-    /// N gcd(n, q) / n`, and its negative.
+    /// The ratio for a number of sides and of inserts with a pattern that closes in `work` turns of the work. There is at most one,
+    /// `|p| = N gcd(n, q) / n`, and its negative.
     pub fn for_sides(sides: u32, inserts: u32, work: u32) -> Option<Ratio> {
         let tool = u64::from(sides) * u64::from(gcd(inserts, work));
         let tool = tool.checked_div(u64::from(inserts)).and_then(|turns| i32::try_from(turns).ok())?;

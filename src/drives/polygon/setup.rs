@@ -45,8 +45,8 @@ pub struct Pass {
 }
 
 impl CutterSetup {
-    /// A cutter with evenly spaced inserts on one tip circle, at half of a distance across flats from the centre of the work: `a = AF/2 +
-    /// r`. (A slide with X in diameters shows `X = 2 (a - r)` with an offset of `2 r`.) Source: polygon turning facts 3.1.
+    /// A cutter with evenly spaced inserts on one tip circle, at half of a distance across flats from the centre of the work:
+    /// `a = AF/2 + r`. (A slide with X in diameters shows `X = 2 (a - r)` with an offset of `2 r`.) Source: polygon turning facts 3.1.
     pub fn even(across_flats: f64, radius: f64, ratio: Ratio, inserts: u32) -> CutterSetup {
         let inserts = inserts.min(MOST_INSERTS);
         let tips = (0..inserts).map(|j| Tip { radius, angle: spacing(j, inserts) }).collect();
@@ -86,8 +86,8 @@ impl CutterSetup {
         Curve::new(self.distance, self.tips.get(insert)?.radius, self.ratio.value())
     }
 
-    /// Position of an insert tip in the frame of the work, in mm, with work and tool at their angles θ and τ in radians: `e^(-iθ) · (a - r
-    /// e^(i(τ+φ)))`. Source: polygon turning facts 3.1; mirrored, these are the paper's equations (1) and (2).
+    /// Position of an insert tip in the frame of the work, in mm, with work and tool at their angles θ and τ in radians:
+    /// `e^(-iθ) · (a - r e^(i(τ+φ)))`. Source: polygon turning facts 3.1; mirrored, these are the paper's equations (1) and (2).
     pub fn tip_on_work(&self, insert: usize, work: f64, tool: f64) -> Option<(f64, f64)> {
         let tip = self.tips.get(insert)?;
         let ((s, c), (sin, cos)) = (math::sin_cos(work), math::sin_cos(tool + tip.angle));
