@@ -50,7 +50,9 @@ const VIEWS = [
   ['stepping', [LARGE, PHONE], showSteps],
   ['editor', [LARGE, PHONE], button('page.edit')],
   ['errors', [LARGE, PHONE], errors],
-  ['gallery', [LARGE, PHONE], button('page.new')],
+  ['gallery', [LARGE, PHONE], async (page, say) => (await button('page.new')(page, say), await page.locator('.gallery img').first().waitFor())],
+  ['projects', [LARGE, PHONE], async (page) => (await page.click('#projects'), await page.locator('.projects img').first().waitFor())],
+  ['share', [LARGE, PHONE], button('page.share')],
   ['export', [LARGE, PHONE], (page) => page.click('#export')],
   ['help', [LARGE, PHONE], button('page.help')],
 ];

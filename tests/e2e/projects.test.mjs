@@ -24,7 +24,7 @@ async function item(page, called) {
   let names = [];
   for (let tries = 0; tries < 50 && !names.includes(called); tries++) {
     if (tries > 0) await page.waitForTimeout(100);
-    names = await items(page).locator('[data-act=rename]').evaluateAll((all) => all.map((one) => one.value));
+    names = await items(page).locator('.what input').evaluateAll((all) => all.map((one) => one.value));
   }
   assert.ok(names.includes(called), `${called} is none of ${names}`);
   return items(page).nth(names.indexOf(called));
@@ -66,7 +66,7 @@ test('projects are kept while one works, found again and opened, also after a re
     assert.equal(await pitch(page).inputValue(), '9.5');
     await openProjects(page);
     assert.equal(await (await item(page, 'Order 4711')).getAttribute('class'), 'present');
-    assert.equal((await items(page).locator('[data-act=rename]').evaluateAll((all) => all.map((one) => one.value))).filter((one) => one === 'Order 4711').length, 1);
+    assert.equal((await items(page).locator('.what input').evaluateAll((all) => all.map((one) => one.value))).filter((one) => one === 'Order 4711').length, 1);
   }));
 
 test('a project is duplicated, renamed, deleted and brought back', () =>

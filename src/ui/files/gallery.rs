@@ -1,14 +1,17 @@
-//! The gallery: examples of the machine, each with its name and a sentence; one of them begins a new project.
+//! The gallery: the examples of all machines with their pictures; one of them begins a new project.
 
 use leptos::prelude::*;
 
-use crate::machines::AnyMachine;
 use crate::machines::examples::{Example, Fault};
+use crate::machines::{self, AnyMachine};
 use crate::project::Project;
 use crate::text::listed;
+use crate::ui::dom;
 use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
 use crate::ui::words::{say, t};
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{Request, Response};
 use crate::view::Readout;
 
 /// The button of the gallery.
@@ -17,43 +20,102 @@ pub(super) fn NewButton() -> impl IntoView {
     view! { <DialogButton id="new" label="page.new" about="page.gallery-about" open=Page::here().view.gallery /> }
 }
 
-/// The dialog with the examples of the present machine.
+/// The dialog with the examples of all machines.
 #[component]
 pub(crate) fn GalleryDialog() -> impl IntoView {
     let page = Page::here();
     let open = page.view.gallery;
-    let rows = move || {
-        let machine = open.get().then(|| page.project.with_untracked(|project| project.machine))?;
-        let present = page.project.with_untracked(|project| project.present_example().map(|example| example.id));
-        let row = |example: &'static Example| {
-            view! { <ExampleRow machine=machine example=example present={present == Some(example.id)} /> }
-        };
-        Some(machine.examples().iter().map(row).collect_view())
-    };
     view! {
-        <Dialog id="gallery-title" title=t("page.gallery") open=open close=move || open.set(false) class="wide">
-            <p>{t("page.gallery-about")}</p>
-            <div class="gallery">{rows}</div>
+        <Dialog id="gallery-title" title=t("page.gallery") open=open close=move || open.set(false) class="wide gallery">
+            <Show when=move || open.get()>
+                <Gallery />
+            </Show>
         </Dialog>
     }
 }
 
-/// One example: its name, its sentence, and the reason of each verdict that fails in it on the present control.
+/// A machine of the gallery with its examples, each with the place of its picture.
+type Group = (&'static dyn AnyMachine, Vec<(usize, &'static Example)>);
+
+/// The machines with their examples, the present machine first.
+fn groups(present: &str) -> Vec<Group> {
+    let mut pictures = 0..;
+    let with_examples =
+        |machine: &&'static dyn AnyMachine| (*machine, pictures.by_ref().zip(machine.examples()).collect());
+    let mut groups: Vec<Group> = machines::ALL.iter().map(with_examples).collect();
+    groups.sort_by_key(|(machine, _)| machine.id() != present);
+    groups
+}
+
+/// Search and cards.
 #[component]
-fn ExampleRow(
+fn Gallery() -> impl IntoView {
+    let page = Page::here();
+    let search = RwSignal::new(String::new());
+    let pictures = RwSignal::new(Vec::new());
+    let show = move |response| {
+        if let Some(Response::Pictures(drawn)) = response {
+            let _ = pictures.try_set(drawn);
+        }
+    };
+    page.project.with_untracked(|project| Client::here().ask(project, Request::Gallery(dom::is_dark()), show));
+    let group = move |(machine, examples): Group| {
+        let found = move |example: &Example| {
+            let text = [machine.name(), example.name, example.about].map(t).join(" ").to_lowercase();
+            search.with(|search| search.to_lowercase().split_whitespace().all(|word| text.contains(word)))
+        };
+        let any = examples.clone();
+        let cards = examples.into_iter().map(|(at, example)| {
+            let picture = Signal::derive(move || pictures.with(|all: &Vec<String>| all.get(at).cloned().unwrap_or_default()));
+            view! { <ExampleCard machine=machine example=example picture=picture shown=Signal::derive(move || found(example)) /> }
+        });
+        view! {
+            <section class:gone=move || !any.iter().any(|(_, example)| found(example))>
+                <h3>{t(machine.name())}</h3>
+                <div class="examples">{cards.collect_view()}</div>
+            </section>
+        }
+    };
+    let groups = page.project.with_untracked(|project| groups(project.machine.id()));
+    view! {
+        <p>{t("page.gallery-about")}</p>
+        <input
+            type="text" autocomplete="off" aria-label=t("page.gallery-search") placeholder=t("page.gallery-search")
+            prop:value=search on:input=move |event| search.set(event_target_value(&event))
+        />
+        {groups.into_iter().map(group).collect_view()}
+    }
+}
+
+/// One example: picture, name, sentence, and the reason of each verdict that fails in it.
+#[component]
+fn ExampleCard(
     /// The machine.
     machine: &'static dyn AnyMachine,
     /// Its example.
     example: &'static Example,
-    /// The project has the values of the example.
-    present: bool,
+    /// Address of its picture; empty until it is drawn.
+    picture: Signal<String>,
+    /// Whether the example is among those found.
+    shown: Signal<bool>,
 ) -> impl IntoView {
     let page = Page::here();
-    let made = move || Project::example(machine, page.project.with_untracked(|project| project.control), example);
-    let faults = if example.faults.is_empty() { Vec::new() } else { made().faults() };
+    // On the present control, where the machine goes with it.
+    let made = move || {
+        let control = page.project.with_untracked(|project| project.control);
+        let kept = Project::named(machine.id(), Some(control.id), Some(example.id));
+        kept.or_else(|_| Project::named(machine.id(), None, Some(example.id)))
+    };
+    let present = page.project.with_untracked(|project| {
+        let is = |present: &Example| present.id == example.id;
+        project.machine.id() == machine.id() && project.present_example().is_some_and(is)
+    });
+    let faults =
+        if example.faults.is_empty() { Vec::new() } else { made().map(|project| project.faults()).unwrap_or_default() };
     let failed = listed(faults.iter().map(|(readout, _)| t(readout.label)));
     let take = move |_| {
-        page.replace(made());
+        let Ok(project) = made() else { return };
+        page.replace(project);
         page.view.gallery.set(false);
         page.notices.notify("info", t("page.fresh").to_owned());
         if !failed.is_empty() {
@@ -63,17 +125,32 @@ fn ExampleRow(
             );
         }
     };
-    let about = format!("example-{}", example.id);
+    let about = format!("{}-{}", machine.id(), example.id);
     let fault = |(readout, fault): &(Readout, &'static Fault)| {
         view! { <li><b>{t(readout.label)}</b> " " {t(fault.reason)}</li> }
     };
-    let reasons = (!faults.is_empty()).then(|| view! { <ul>{faults.iter().map(fault).collect_view()}</ul> });
+    let count = faults.len() as u32;
+    let reasons = (count > 0).then(|| {
+        view! {
+            <details>
+                <summary>{say(&crate::msg!("page.example-faults", count = count))}</summary>
+                <ul>{faults.iter().map(fault).collect_view()}</ul>
+            </details>
+        }
+    });
     view! {
-        <button type="button" aria-current=present.then_some("true") aria-describedby=about.clone() on:click=take>
-            {t(example.name)}
-        </button>
-        <p id=about>{t(example.about)}</p>
-        {reasons}
+        <article class="example" class:gone=move || !shown.get()>
+            <button type="button" aria-current=present.then_some("true") aria-describedby=about.clone() on:click=take>
+                <span class="mini">
+                    <Show when=move || picture.with(|address| !address.is_empty())>
+                        <img alt="" src=picture />
+                    </Show>
+                </span>
+                <b>{t(example.name)}</b>
+            </button>
+            <p id=about>{t(example.about)}</p>
+            {reasons}
+        </article>
     }
 }
 
@@ -82,29 +159,67 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::machines::{self, form::Value};
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::machines::form::Value;
+    use crate::ui::testing::{Bench, mount, until};
+    use crate::ui::worker::pictures;
 
+    /// The open gallery.
     async fn gallery() -> Bench {
-        let bench = mount(|| view! { <NewButton /> <GalleryDialog /> }).await;
+        let bench = mount(|| {
+            Client::here().answer_here(|_, request| match request {
+                Request::Gallery(dark) => Some(Response::Pictures(pictures::gallery(dark))),
+                _ => None,
+            });
+            view! { <NewButton /> <GalleryDialog /> }
+        })
+        .await;
         bench.press("#new").await;
         bench
     }
 
+    /// Names of the shown examples.
+    fn names(bench: &Bench) -> Vec<String> {
+        let cards = bench.all(".gallery section:not(.gone) .example:not(.gone) button b");
+        cards.into_iter().filter_map(|name| name.text_content()).collect()
+    }
+
+    /// Presses the card of an example.
+    async fn press(bench: &Bench, example: &str) {
+        bench.press(&format!("button[aria-describedby={example}]")).await;
+    }
+
     #[wasm_bindgen_test]
-    async fn gallery_names_and_explains_the_examples_of_the_machine() {
+    async fn gallery_shows_and_explains_the_examples_of_all_machines() {
         let bench = gallery().await;
-        for machine in machines::ALL {
-            bench.page.view.gallery.set(false);
-            bench.page.change_machine(machine.id());
-            settled().await;
-            bench.press("#new").await;
-            assert_eq!(bench.all(".gallery button").len(), machine.examples().len());
-            let text = bench.text(".gallery");
-            for example in machine.examples() {
-                assert!(text.contains(t(example.name)) && text.contains(t(example.about)), "{}: {text}", example.id);
-            }
-        }
+        let text = bench.text(".gallery");
+        let all: Vec<&Example> = machines::ALL.iter().flat_map(|machine| machine.examples()).collect();
+        assert_eq!(names(&bench), all.iter().map(|example| t(example.name)).collect::<Vec<_>>());
+        assert!(all.iter().all(|example| text.contains(t(example.about))), "{text}");
+        until({
+            let gallery = bench.find(".gallery");
+            move || gallery.query_selector_all("img").unwrap().length() as usize == all.len()
+        })
+        .await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn examples_of_the_present_machine_come_first() {
+        let bench = gallery().await;
+        bench.page.view.gallery.set(false);
+        let last = machines::ALL.last().unwrap();
+        bench.page.change_machine(last.id());
+        crate::ui::testing::settled().await;
+        bench.press("#new").await;
+        assert_eq!(names(&bench)[0], t(last.examples()[0].name));
+    }
+
+    #[wasm_bindgen_test]
+    async fn search_leaves_the_examples_that_have_all_words() {
+        let bench = gallery().await;
+        bench.type_into(".gallery input", "HEXAGON key").await;
+        assert_eq!(names(&bench), [t("polygon.example.hexagon")]);
+        bench.type_into(".gallery input", "no such thing").await;
+        assert!(names(&bench).is_empty());
     }
 
     #[wasm_bindgen_test]
@@ -112,9 +227,9 @@ mod tests {
         let bench = gallery().await;
         bench.page.view.gallery.set(false);
         bench.page.set("pitch", Value::Number(9.0));
-        settled().await;
+        crate::ui::testing::settled().await;
         bench.press("#new").await;
-        bench.press(".gallery button:first-of-type").await;
+        press(&bench, "ribbon-line-matched").await;
         assert_eq!(bench.setting("pitch"), Some(Value::Number(10.0)));
         assert!(!bench.has("dialog[open]"));
         bench.page.undo();
@@ -122,11 +237,22 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    async fn example_of_another_machine_takes_its_machine_and_control() {
+        let bench = gallery().await;
+        press(&bench, "polygon-lathe-hexagon-key").await;
+        let (machine, control) =
+            bench.page.project.with_untracked(|project| (project.machine.id(), project.control.id));
+        assert_eq!((machine, control), ("polygon-lathe", "knd-k2000t"));
+        bench.page.undo();
+        assert_eq!(bench.page.project.with_untracked(|project| project.machine.id()), "ribbon-line");
+    }
+
+    #[wasm_bindgen_test]
     async fn present_example_is_marked() {
         let bench = gallery().await;
-        bench.press(".gallery button:first-of-type").await;
+        press(&bench, "ribbon-line-matched").await;
         bench.press("#new").await;
-        assert_eq!(bench.attribute(".gallery button:first-of-type", "aria-current"), "true");
+        assert_eq!(bench.attribute("button[aria-describedby=ribbon-line-matched]", "aria-current"), "true");
         assert_eq!(bench.all(".gallery [aria-current]").len(), 1);
     }
 
@@ -134,11 +260,11 @@ mod tests {
     async fn paper_names_its_faults_before_and_after_it_is_taken() {
         let bench = gallery().await;
         let examples = bench.page.project.with_untracked(|project| project.machine.examples());
-        let at = examples.iter().position(|example| example.id == "paper").unwrap();
-        let everywhere = || examples[at].faults.iter().filter(|fault| fault.everywhere);
+        let paper = examples.iter().find(|example| example.id == "paper").unwrap();
+        let everywhere = || paper.faults.iter().filter(|fault| fault.everywhere);
         let reasons = bench.text(".gallery ul");
         assert!(everywhere().all(|fault| reasons.contains(t(fault.reason))), "{reasons}");
-        bench.press(&format!(".gallery button:nth-of-type({})", at + 1)).await;
+        press(&bench, "ribbon-line-paper").await;
         let faults = bench.page.project.with_untracked(Project::faults);
         let told = bench.page.notices.list.get_untracked().pop().unwrap();
         assert_eq!((told.tone, faults.len() >= everywhere().count()), ("warn", true));

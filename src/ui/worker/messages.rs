@@ -39,6 +39,8 @@ pub(crate) enum Request {
     Compare([String; 2], String),
     /// The list of the projects that this browser keeps, the present one first.
     Shelf(Shelf),
+    /// Pictures of the examples of all machines, dark or not.
+    Gallery(bool),
     /// Documents that leave with the programs.
     Export,
     /// The page of help with an id, its drawing dark or not.
@@ -77,8 +79,12 @@ pub(crate) enum Response {
     Review(Vec<Finding>),
     /// Of [`Request::Sheets`], [`Request::Sizing`] and [`Request::Chance`].
     Sheets(Sheets),
-    /// Of [`Request::Variants`]: rows of a table as HTML, without its head. Of [`Request::Compare`]: with it. Of [`Request::Shelf`]: items of a list.
+    /// Of [`Request::Variants`]: rows of a table as HTML, without its head. Of [`Request::Compare`]: with it.
     Html(String),
+    /// Of [`Request::Shelf`].
+    Projects(Vec<ListedProject>),
+    /// Of [`Request::Gallery`]: a picture per example as the address of an image, in the order of machines and examples.
+    Pictures(Vec<String>),
     /// Of [`Request::Flips`]: ids of the fields, the worst first.
     Flips(Vec<String>),
     /// Of [`Request::Export`].
@@ -179,6 +185,65 @@ pub(crate) struct Shelf {
     pub steps: [Vec<String>; 2],
     /// Whether the pictures are for a dark page.
     pub dark: bool,
+}
+
+/// Where a project of the list is kept.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum ShelfPlace {
+    /// On the page: the present project.
+    #[default]
+    Present,
+    /// On the shelf.
+    Shelf,
+    /// In the browser's other store, set aside.
+    Aside,
+}
+
+/// A project of the list of projects, in words.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct ListedProject {
+    /// Id of its state.
+    pub id: String,
+    /// Where it is kept.
+    pub place: ShelfPlace,
+    /// Its name; empty where it has none.
+    pub name: String,
+    /// The reason why its text is no project, where it is none.
+    pub unread: Option<String>,
+    /// Machine and control; empty where its text is no project.
+    pub kind: String,
+    /// When it was kept, and the note.
+    pub kept: String,
+    /// Address of its picture; empty where it has none.
+    pub picture: String,
+    /// Its versions, the last kept first.
+    pub versions: Vec<ListedVersion>,
+    /// Steps of undo and redo of the present project, the last one first; none where nothing was changed.
+    pub steps: Vec<ListedStep>,
+}
+
+/// A version of a listed project.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct ListedVersion {
+    /// Id of its state.
+    pub id: String,
+    /// Its note, or the day where it has none.
+    pub name: String,
+    /// The day; empty where the name is the day.
+    pub kept: String,
+    /// Changes since; empty where its text is no project.
+    pub changes: String,
+    /// The reason why its text is no project, where it is none.
+    pub unread: Option<String>,
+}
+
+/// A step of undo or redo.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct ListedStep {
+    /// Steps from the present state: below 0 to be undone, above 0 to be done again.
+    pub steps: i32,
+    /// Changes that it made.
+    pub changes: String,
 }
 
 /// Sheets as HTML, by the tab that shows them.

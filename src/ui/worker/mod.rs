@@ -12,6 +12,8 @@ pub(super) mod editor;
 
 pub(super) mod help;
 
+pub(super) mod pictures;
+
 pub(super) mod server;
 
 pub(super) mod shelf;

@@ -10,7 +10,7 @@ use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
 use super::messages::{Finding, Question, Reply, Report, Request, Response, SHOWN};
-use super::{documents, editor, help, shelf};
+use super::{documents, editor, help, pictures, shelf};
 use crate::nc::{self, Files};
 use crate::project::Project;
 use crate::project::help::texts::Texts;
@@ -67,7 +67,8 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
             Request::Chance => Response::Sheets(documents::chance(&project, &mut progress)),
             Request::Variants => Response::Html(documents::variants(&project)),
             Request::Compare(names, text) => Response::Html(documents::compared_with(&project, names, &text)),
-            Request::Shelf(shelf) => Response::Html(shelf::list(&project, &shelf)),
+            Request::Shelf(shelf) => Response::Projects(shelf::list(&project, &shelf)),
+            Request::Gallery(dark) => Response::Pictures(pictures::gallery(dark)),
             Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
             Request::Flips => Response::Flips(
                 Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),

@@ -1,0 +1,331 @@
+//! Actions on the projects in this browser, and the list that they leave.
+
+use leptos::html;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+
+use super::super::open::show;
+use super::super::{set_aside, shelf};
+use crate::msg;
+use crate::project::Project;
+use crate::ui::dom;
+use crate::ui::state::Page;
+use crate::ui::state::view::Compared;
+use crate::ui::words::{say, t};
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{BEFORE_VERSION, ListedProject, Request, Response, Shelf, ShelfState};
+
+/// Name of the archive of all projects.
+const ARCHIVE: &str = "macroline-projects.zip";
+
+/// The last deletion, which the undo button brings back.
+#[derive(Clone)]
+enum Deleted {
+    /// Rows of the database.
+    Rows(JsValue),
+    /// Key and text of a state that was set aside.
+    Aside(String, String),
+}
+
+/// The list of projects and the actions on it. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(super) struct ProjectActions {
+    page: Page,
+    worker: Client,
+    /// The list, the present project first.
+    listed: RwSignal<Vec<ListedProject>>,
+    /// The states behind the list: everything on the shelf, and the states that were set aside.
+    states: StoredValue<Vec<ShelfState>>,
+    /// Sentence about the last action.
+    pub said: RwSignal<String>,
+    deleted: RwSignal<Option<Deleted>, LocalStorage>,
+    /// The button that brings back what was deleted last.
+    pub restore_button: NodeRef<html::Button>,
+}
+
+impl ProjectActions {
+    /// The list of the page around, empty until it is [shown](ProjectActions::show).
+    pub(super) fn new() -> ProjectActions {
+        ProjectActions {
+            page: Page::here(),
+            worker: Client::here(),
+            listed: RwSignal::new(Vec::new()),
+            states: StoredValue::new(Vec::new()),
+            said: RwSignal::new(String::new()),
+            deleted: RwSignal::new_local(None),
+            restore_button: NodeRef::new(),
+        }
+    }
+
+    /// Ids of the listed projects whose name, machine and control have all words of a search.
+    pub(super) fn found(self, search: &str) -> Vec<String> {
+        let search = search.to_lowercase();
+        let has_all = |item: &&ListedProject| {
+            let text = [item.name.as_str(), &item.kind].join(" ").to_lowercase();
+            search.split_whitespace().all(|word| text.contains(word))
+        };
+        self.listed.with(|listed| listed.iter().filter(has_all).map(|item| item.id.clone()).collect())
+    }
+
+    /// The listed project of an id; an empty one once it is gone.
+    pub(super) fn item(self, id: &str) -> ListedProject {
+        self.listed.with(|listed| listed.iter().find(|item| item.id == id).cloned().unwrap_or_default())
+    }
+
+    /// Whether the last deletion can be undone.
+    pub(super) fn can_restore(self) -> bool {
+        self.deleted.with(Option::is_some)
+    }
+
+    fn say(self, text: impl Into<String>) {
+        let _ = self.said.try_set(text.into());
+        let _ = self.deleted.try_set(None);
+    }
+
+    /// Works on the database and lists the projects anew.
+    fn then(self, work: impl Future<Output = Result<String, String>> + 'static) {
+        spawn_local(async move {
+            match work.await {
+                Ok(said) if !said.is_empty() => self.say(said),
+                Ok(_) => {}
+                Err(reason) => shelf::tell(self.page, &reason),
+            }
+            self.load().await;
+        });
+    }
+
+    /// Shows the list, with the present project as it is now and the states that were set aside.
+    pub(super) fn show(self) {
+        self.say("");
+        self.then(async move {
+            shelf::keep_present(self.page).await?;
+            shelf::take_in(self.page).await?;
+            Ok(String::new())
+        });
+    }
+
+    /// Loads the list; states that were set aside are listed without the database too.
+    async fn load(self) {
+        let states = shelf::states().await.unwrap_or_default();
+        if self.page.view.projects.try_get_untracked() != Some(true) {
+            return;
+        }
+        let aside: Vec<ShelfState> = set_aside::list()
+            .into_iter()
+            .map(|state| ShelfState {
+                id: state.key,
+                at: state.at,
+                note: t(state.reason.words().1).to_owned(),
+                text: state.text,
+                ..ShelfState::default()
+            })
+            .collect();
+        self.states.set_value(states.iter().chain(&aside).cloned().collect());
+        let request = Shelf {
+            present: shelf::present(self.page).id,
+            states,
+            aside,
+            steps: self.page.step_texts(),
+            dark: dom::is_dark(),
+        };
+        let show = move |response: Option<Response>| match response {
+            Some(Response::Projects(listed)) => drop(self.listed.try_set(listed)),
+            _ => self.page.notices.notify("fail", t("page.no-answer").to_owned()),
+        };
+        self.page.project.with_untracked(|project| self.worker.ask(project, Request::Shelf(request), show));
+    }
+
+    /// The state of an id; of the present project as it is now.
+    fn state(self, id: &str) -> Option<ShelfState> {
+        let present = shelf::present(self.page);
+        if present.id == id {
+            return Some(present);
+        }
+        self.states.with_value(|states| states.iter().find(|state| state.id == id).cloned())
+    }
+
+    /// A callback that does something with the state of an id.
+    pub(super) fn with_state(self, id: StoredValue<String>, act: fn(ProjectActions, ShelfState)) -> Callback<()> {
+        Callback::new(move |()| {
+            if let Some(state) = id.with_value(|id| self.state(id)) {
+                act(self, state);
+            }
+        })
+    }
+
+    /// Keeps a version of the present project.
+    pub(super) fn keep(self, note: &str) {
+        let present = shelf::present(self.page);
+        let note = note.trim().to_owned();
+        self.then(async move {
+            // A version without its project would not be listed.
+            shelf::ask("put", &[&shelf::row(&present)]).await?;
+            shelf::keep_version(&present.id, &note, present.text).await?;
+            Ok(t("projects.kept").to_owned())
+        });
+    }
+
+    /// Undoes steps, below 0, or does them again.
+    pub(super) fn travel(self, steps: i32) {
+        self.page.view.projects.set(false);
+        self.page.travel(steps);
+    }
+
+    /// Opens a project, or a version in place of the last state of its project, which is kept as a version itself.
+    pub(super) fn open(self, state: ShelfState) {
+        let Some(project) = Project::from_json(&state.text).project else { return };
+        let page = self.page;
+        let id = match state.of.is_empty() {
+            true if set_aside::is_key(&state.id) => None,
+            true => Some(state.id),
+            false => Some(state.of),
+        };
+        let last = id.as_deref().and_then(|id| self.state(id)).filter(|last| last.text != state.text);
+        if let Some(last) = last {
+            spawn_local(async move {
+                if let Err(reason) = shelf::keep_version(&last.id, BEFORE_VERSION, last.text).await {
+                    shelf::tell(page, &reason);
+                }
+            });
+        }
+        page.view.projects.set(false);
+        show(page, project.with_id(id));
+        page.notices.say(t("page.opened"));
+    }
+
+    /// Shows a project or a version beside the present one.
+    pub(super) fn compare(self, state: ShelfState) {
+        let name = Project::from_json(&state.text).project.map(|project| project.name).unwrap_or_default();
+        let called = if state.of.is_empty() { name } else { [name, crate::ui::words::day(state.at)].join(" ") };
+        self.page.view.projects.set(false);
+        let name = if called.trim().is_empty() { t("page.untitled").to_owned() } else { called };
+        self.page.view.compared.set(Some(Compared::Project(name, state.text)));
+    }
+
+    /// Shows a file that a person chose beside the present project.
+    pub(super) fn compare_file(self, file: web_sys::File) {
+        spawn_local(async move {
+            let name = file.name();
+            let text = JsFuture::from(file.text()).await.ok().and_then(|text| text.as_string()).unwrap_or_default();
+            match Project::from_json(&text).project {
+                Some(_) if !self.page.view.kept.is_disposed() => {
+                    self.page.view.projects.set(false);
+                    self.page.view.compared.set(Some(Compared::Project(name, text)));
+                }
+                _ => self.say(say(&msg!("compare.no-project", file = name))),
+            }
+        });
+    }
+
+    /// Puts a copy of a project on the shelf.
+    pub(super) fn duplicate(self, state: ShelfState) {
+        let Some(project) = Project::from_json(&state.text).project else { return };
+        let name = if project.name.is_empty() { t("page.untitled") } else { project.name.as_str() };
+        let copy = say(&msg!("projects.copy-of", name));
+        let state = ShelfState {
+            id: dom::fresh_id(),
+            at: js_sys::Date::now(),
+            text: project.with_name(copy.as_str()).to_json(),
+            ..ShelfState::default()
+        };
+        self.then(async move {
+            shelf::ask("put", &[&shelf::row(&state)]).await?;
+            Ok(say(&msg!("projects.copied", name = copy)))
+        });
+    }
+
+    /// Gives a project another name.
+    pub(super) fn rename(self, id: &str, typed: &str) {
+        let Some(state) = self.state(id) else { return };
+        let name: String = typed.chars().filter(|c| !c.is_control()).take(120).collect();
+        if self.page.project.with_untracked(|present| present.id.as_ref() == Some(&state.id)) {
+            self.page.edit("name", |project| project.name = name);
+            return self.show();
+        }
+        let Some(project) = Project::from_json(&state.text).project else { return };
+        let state = ShelfState { text: project.with_name(name).to_json(), ..state };
+        self.then(async move { shelf::ask("put", &[&shelf::row(&state)]).await.map(|_| String::new()) });
+    }
+
+    /// Deletes a project with its versions, or a version, until the next deletion or the end of the page to be undone.
+    pub(super) fn delete(self, state: ShelfState) {
+        let name = Project::from_json(&state.text).project.map(|project| project.name).filter(|name| !name.is_empty());
+        let name = name.unwrap_or_else(|| t("page.untitled").to_owned());
+        let said = if state.of.is_empty() { msg!("projects.deleted", name) } else { msg!("projects.version-deleted") };
+        spawn_local(async move {
+            let gone = if set_aside::is_key(&state.id) {
+                dom::forget(&state.id);
+                Ok(Deleted::Aside(state.id, state.text))
+            } else {
+                shelf::ask("remove", &[&state.id.into()]).await.map(Deleted::Rows)
+            };
+            match gone {
+                Ok(gone) => {
+                    self.say(say(&said));
+                    let _ = self.deleted.try_set(Some(gone));
+                    // The pressed button goes with its project.
+                    dom::soon(move || self.focus_restore());
+                }
+                Err(reason) => shelf::tell(self.page, &reason),
+            }
+            self.load().await;
+        });
+    }
+
+    /// Brings back what was deleted last.
+    pub(super) fn restore(self) {
+        let Some(gone) = self.deleted.get_untracked() else { return };
+        self.then(async move {
+            match gone {
+                Deleted::Rows(rows) => drop(shelf::ask("restore", &[&rows]).await?),
+                Deleted::Aside(key, text) => drop(dom::store(&key, &text)),
+            }
+            Ok(t("projects.restored").to_owned())
+        });
+    }
+
+    /// Saves all projects with their versions as one archive.
+    pub(super) fn pack(self) {
+        self.then(async move {
+            shelf::keep_present(self.page).await?;
+            let bytes = shelf::ask("pack", &[]).await?.unchecked_into::<js_sys::Uint8Array>();
+            dom::download(ARCHIVE, "application/zip", &bytes.to_vec());
+            Ok(String::new())
+        });
+    }
+
+    /// Adds the projects of such an archive, all of them or none.
+    pub(super) fn unpack(self, file: web_sys::File) {
+        let name = file.name();
+        self.then(async move {
+            let added = async {
+                let buffer = JsFuture::from(file.array_buffer()).await.map_err(|error| dom::told(&error))?;
+                shelf::ask("unpack", &[&js_sys::Uint8Array::new(&buffer)]).await
+            };
+            match added.await {
+                Ok(count) => Ok(say(&msg!("projects.unpacked", count = count.as_f64().unwrap_or_default()))),
+                Err(reason) => {
+                    // The list itself is as it was, and is kept.
+                    if !self.page.view.kept.is_disposed() {
+                        let told = say(&msg!("projects.not-unpacked", file = name, reason));
+                        self.page.notices.notify("fail", told);
+                    }
+                    Ok(String::new())
+                }
+            }
+        });
+    }
+
+    /// Saves a state as a file; one that does not read as it is.
+    pub(super) fn save(self, state: ShelfState) {
+        let name = Project::from_json(&state.text).project.map(|project| project.file_name("json"));
+        dom::download(name.as_deref().unwrap_or(set_aside::FILE), "text/plain", state.text.as_bytes());
+    }
+
+    fn focus_restore(self) {
+        if let Some(button) = self.restore_button.try_get_untracked().flatten() {
+            let _ = button.focus();
+        }
+    }
+}

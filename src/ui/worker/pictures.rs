@@ -1,0 +1,33 @@
+//! Small pictures of projects, as addresses of images.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use crate::machines::examples::Example;
+use crate::machines::{self, AnyMachine};
+use crate::project::{Project, drawing};
+use crate::view::svg::{Theme, picture};
+use crate::view::{Pose, Scene};
+
+/// Address of the picture of a project before its start.
+pub(super) fn before_start(project: &Project, dark: bool) -> String {
+    address(drawing::at(project, 0.0), dark)
+}
+
+/// Addresses of the pictures of all examples in the middle of their runs, in the order of machines and examples.
+pub(in crate::ui) fn gallery(dark: bool) -> Vec<String> {
+    let examples =
+        machines::ALL.iter().flat_map(|machine| machine.examples().iter().map(|example| (*machine, example)));
+    let drawn = |(machine, example): (&dyn AnyMachine, &Example)| {
+        let project = Project::named(machine.id(), None, Some(example.id)).ok()?;
+        Some(address(drawing::halfway(&project), dark))
+    };
+    examples.map(|example| drawn(example).unwrap_or_default()).collect()
+}
+
+/// A drawing as the address of an image, without labels, which nobody could read at this size.
+fn address((mut scene, pose): (Scene, Pose), dark: bool) -> String {
+    scene.nodes.retain(|node| node.label == 0);
+    let drawn = picture(&scene, &pose, if dark { Theme::Dark } else { Theme::Light });
+    format!("data:image/svg+xml;base64,{}", STANDARD.encode(drawn))
+}
