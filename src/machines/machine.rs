@@ -23,7 +23,7 @@ use crate::text::catalog::words;
 use crate::text::{Diagnostic, DiagnosticKind, Severity, listed};
 use crate::view::{Advice, Chart, DrawnPart, Explorer, Pose, Readout, Scene, Sheet, Verdict};
 
-/// The control that a machine is on, with its open points as they are set.
+/// The control of a machine, with the settings of its open points.
 #[derive(Debug, Clone, Copy)]
 pub struct ControlContext<'a> {
     /// The control.
@@ -89,12 +89,12 @@ impl Defaults {
         self.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
     }
 
-    /// Keeps common variables at reset: a second start needs the values that the first has set.
+    /// Keeps common variables at reset: a second start needs the values that the first one set.
     pub fn keep_common(&mut self, control: &Control) {
         self.set(control, CommonAtReset::Kept);
     }
 
-    /// Sets an open point of the control, where the setting is not its default.
+    /// Sets an open point of the control, unless the setting is its default.
     pub fn set<C: SwitchChoice>(&mut self, control: &Control, choice: C) {
         let setting = choice.option().id;
         if let Some(row) = control.switch(C::SWITCH).filter(|row| row.takes(setting)) {
@@ -103,7 +103,7 @@ impl Defaults {
     }
 }
 
-/// A run as charts and poses sample it.
+/// Samples of a run, for charts and poses.
 pub trait Samples {
     /// The machine at time `t`.
     fn at(&self, t: f64) -> Snapshot;
@@ -132,9 +132,9 @@ impl<P: RunningProgram> Samples for Planner<P> {
 /// The viewing conditions of a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    /// Machine seconds between two frames: parts that turn far in them blur.
+    /// Machine time (s) between two frames: parts that turn far in it blur.
     pub step: f64,
-    /// The drawing's own option is on; see [`Scene::option`].
+    /// Whether the drawing's own option is on; see [`Scene::option`].
     pub option: bool,
 }
 
@@ -145,7 +145,7 @@ impl Frame {
     }
 }
 
-/// The operator's panel as a run finds it.
+/// State of the operator's panel at the start of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PanelSetup {
     /// Spindle override (%) at the start of a run; without one the knob is at 100 %.
@@ -160,13 +160,13 @@ impl Default for PanelSetup {
     }
 }
 
-/// A machine with its values on a control. Everything is total.
+/// A machine with its values on a control. All functions are total.
 pub trait Prepared: Send + Sync {
     /// Results with verdicts, and the machine's own findings.
     fn results(&self) -> Design;
     /// The program.
     fn program(&self) -> MachineProgram;
-    /// The plant that runs it.
+    /// The plant that runs the program.
     fn plant(&self) -> Plant;
     /// The builder's PLC.
     fn plc(&self) -> Box<dyn Plc>;
@@ -174,11 +174,11 @@ pub trait Prepared: Send + Sync {
     fn turned_axes(&self) -> &'static [&'static str] {
         &[]
     }
-    /// The ladder of the builder's PLC, where there is one.
+    /// The ladder of the builder's PLC, if there is one.
     fn ladder(&self) -> Option<Ladder> {
         None
     }
-    /// The operator's panel as a run finds it.
+    /// State of the operator's panel at the start of a run.
     fn panel(&self) -> PanelSetup {
         PanelSetup::default()
     }
@@ -186,7 +186,7 @@ pub trait Prepared: Send + Sync {
     fn variables(&self) -> Vec<(u32, &'static str, &'static str)>;
     /// Parameter sheet, interface, ladder list.
     fn sheets(&self) -> Vec<Sheet>;
-    /// Drawings that leave with an export.
+    /// Drawings for an export.
     fn drawings(&self) -> Vec<File> {
         Vec::new()
     }
@@ -194,7 +194,7 @@ pub trait Prepared: Send + Sync {
     fn explored(&self) -> Vec<&'static str> {
         Vec::new()
     }
-    /// Sliders with their drawing, to look for the shape with this number among [`explored`](Prepared::explored).
+    /// Sliders with their drawing for the shape with this number among [`explored`](Prepared::explored).
     fn explorer(&self, _shape: usize) -> Option<Explorer> {
         None
     }
@@ -204,35 +204,35 @@ pub trait Prepared: Send + Sync {
     fn parts(&self) -> Vec<DrawnPart>;
     /// The drawing at a moment.
     fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
-    /// Catalog id of the first contact with the work, once it has happened: `first dot`.
+    /// Catalog id of the first contact with the work, after that contact: `first dot`.
     fn contact(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<&'static str> {
         None
     }
-    /// The servo motors, to be sized.
+    /// The servo motors for the sizing.
     fn driven_axes(&self) -> Vec<DrivenAxis> {
         Vec::new()
     }
-    /// The drive behind the inverter, to be sized; none where there is none, or what it is asked is not known.
+    /// The drive behind the inverter, for the sizing; none if there is none, or if its demand is unknown.
     fn inverter_drive(&self) -> Option<InverterDrive> {
         None
     }
-    /// The encoder of the spindle, where it has one; that of a servo motor is in it.
+    /// The encoder of the spindle, if it has one of its own; a servo motor includes its encoder.
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None
     }
-    /// When the motors of its axes have the torque of their work in a run; at all times where there are none.
+    /// Spans (s) of a run in which the motors of the axes carry the torque of their work; none if they always do.
     fn working(&self, _run: &dyn Samples, _until: f64) -> Option<Vec<(f64, f64)>> {
         None
     }
-    /// Seconds from the end of a run to the next start: the pattern of the shift.
+    /// Pause (s) from the end of a run to the next start, in the pattern of the shift.
     fn pause(&self) -> f64 {
         0.0
     }
-    /// The size of the product, where the program takes another one while the machine runs.
+    /// Variable and limits of the product's size, if the program accepts another size while the machine runs.
     fn product_size(&self) -> Option<ProductSize> {
         None
     }
-    /// What is watched while the machine is operated: the worst values in a part of a run, looked at `points` times.
+    /// Quantities checked during operation: their worst values in a part of a run, sampled at `points` times.
     fn gauges(&self, _run: &dyn Samples, _span: (f64, f64), _points: usize) -> Vec<Gauge> {
         Vec::new()
     }
@@ -240,9 +240,9 @@ pub trait Prepared: Send + Sync {
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
 
-/// A machine: a form that fills `Params`, and what is [`Prepared`] from them.
+/// A type of machine: a form that fills `Params`, and the [`Prepared`] machine made from them.
 pub trait Machine: Prepared + Sized + 'static {
-    /// The values of the form as the formulas take them, all within their ranges.
+    /// The values of the form in the units of the formulas, all within their ranges.
     type Params: Default;
     /// Id, for instance `ribbon-line`.
     const ID: &'static str;
@@ -250,7 +250,7 @@ pub trait Machine: Prepared + Sized + 'static {
     const NAME: &'static str;
     /// Ids of the controls it goes with; the first is the default.
     const CONTROLS: &'static [&'static str];
-    /// The published listing of the machine's program, word for word as printed; empty where none is known.
+    /// The published listing of the machine's program, word for word as printed; empty if none is known.
     const LISTING: &'static str = "";
     /// Blocks that the listing leaves out.
     const LEFT_OUT: &'static [LeftOut] = &[];
@@ -258,7 +258,7 @@ pub trait Machine: Prepared + Sized + 'static {
     const SPEED: f64;
     /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
     const GROWTH: &'static [&'static str] = &[];
-    /// Id of the result that tells its speed; empty where none does.
+    /// Id of the result that is its speed; empty if there is none.
     const SPEED_RESULT: &'static str = "";
     /// The motors that its form describes, in the order of a bill.
     const MOTORS: &'static [FormMotor] = &[];
@@ -266,17 +266,17 @@ pub trait Machine: Prepared + Sized + 'static {
     const EXPLORES: bool = false;
     /// Named examples; a new project is the first, and the defaults of the form where there is none.
     const EXAMPLES: &'static [Example] = &[];
-    /// The form, in the order it is shown.
+    /// The fields of the form in their order.
     fn fields() -> &'static [Field<Self::Params>];
-    /// Values and settings that a new project on this control has instead of the defaults of the form: the control's own block times.
+    /// Values and settings of a new project on this control in place of the form's defaults: the control's own block times.
     fn defaults(control: &Control) -> Defaults {
         Defaults::timing(control)
     }
-    /// Prepares the machine: everything that several answers need is computed here, once.
+    /// Prepares the machine: computes once what several functions need.
     fn new(params: Self::Params, on: ControlContext) -> Self;
 }
 
-/// A machine of any parameters, as the list holds it.
+/// A machine without the type of its parameters, for the list of machines.
 pub trait AnyMachine: Sync {
     /// Id, for instance `ribbon-line`.
     fn id(&self) -> &'static str;
@@ -286,13 +286,13 @@ pub trait AnyMachine: Sync {
     fn controls(&self) -> &'static [&'static str];
     /// The published listing of its program, word for word as printed.
     fn listing(&self) -> &'static str;
-    /// Blocks that it leaves out.
+    /// Blocks that the listing leaves out.
     fn left_out(&self) -> &'static [LeftOut];
     /// Machine seconds per second at which the motion is visible.
     fn speed(&self) -> f64;
     /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
     fn growth(&self) -> &'static [&'static str];
-    /// Id of the result that tells its speed.
+    /// Id of the result that is its speed.
     fn speed_result(&self) -> &'static str;
     /// The motors that its form describes, in the order of a bill.
     fn motors(&self) -> &'static [FormMotor];
@@ -304,11 +304,12 @@ pub trait AnyMachine: Sync {
     fn fields(&self) -> Vec<FieldInfo>;
     /// Values and settings that a new project on this control has instead of the defaults of the form.
     fn defaults(&self, control: &Control) -> Defaults;
-    /// The machine with these values on a control. Invalid values are reported by [`PreparedMachine::design`]; their defaults stand in.
+    /// The machine with these values on a control. Invalid values are reported by [`PreparedMachine::design`] and replaced by their
+    /// defaults.
     fn prepare(&self, values: &Values, on: ControlContext) -> PreparedMachine;
 }
 
-/// A prepared machine, and what its form says about the values.
+/// A prepared machine, and the findings of its form about the values.
 pub struct PreparedMachine {
     machine: Box<dyn Prepared>,
     invalid: Vec<Diagnostic>,
@@ -317,7 +318,7 @@ pub struct PreparedMachine {
     trial: Trial,
 }
 
-/// The values that a machine was prepared from, to try others.
+/// The values that a machine was prepared from, for trials with other ones.
 struct Trial {
     machine: &'static dyn AnyMachine,
     values: Values,
@@ -326,7 +327,7 @@ struct Trial {
 }
 
 impl Trial {
-    /// Results and errors with other entries of the form; `None` where the form does not take one of them.
+    /// Results and errors with other entries of the form; `None` if the form rejects one of them.
     fn with(&self, sets: &[(&'static str, String)]) -> Option<(Vec<Readout>, usize)> {
         let values = with_entries(&self.values, &self.machine.fields(), sets)?;
         let prepared =
@@ -356,7 +357,7 @@ impl PreparedMachine {
     pub fn first_contact(&self, run: &dyn Samples, until: f64) -> Option<(f64, &'static str)> {
         let name = self.machine.contact(run, &run.at(until))?;
         let (mut before, mut after) = (0.0, until);
-        // To a hundredth of a millisecond in a run of ten hours.
+        // Bisection to a hundredth of a millisecond in a run of ten hours.
         for _ in 0..32 {
             let middle = 0.5 * (before + after);
             match self.machine.contact(run, &run.at(middle)) {
@@ -367,12 +368,12 @@ impl PreparedMachine {
         Some((after, name))
     }
 
-    /// Facts of the machine that have a meaning on this control with these values, by field id.
+    /// Ids of the facts that apply on this control with these values.
     pub fn facts(&self) -> &[&'static str] {
         &self.facts
     }
 
-    /// Fields without a meaning on this control with these values; their values stay.
+    /// Ids of the fields that do not apply on this control with these values; their values stay.
     pub fn hidden(&self) -> &[&'static str] {
         &self.hidden
     }
@@ -382,8 +383,8 @@ impl PreparedMachine {
         found.filter(|found| found.severity == Severity::Error).count()
     }
 
-    /// Takes the remedy from each advice that does not improve the verdict of its result, or that would raise another error, and says behind
-    /// each other one which results it makes fail.
+    /// Removes the remedy of each advice that does not improve the verdict of its result, or that would raise another error, and adds to
+    /// each other one the results that it makes fail.
     fn check_remedies(&self, design: &mut Design) {
         let errors = self.errors(design);
         let failing = |readouts: &[Readout]| {
@@ -410,7 +411,7 @@ impl PreparedMachine {
         }
     }
 
-    /// Results and verdicts; invalid fields as errors, facts that are only assumed as a remark.
+    /// Results and verdicts; invalid fields as errors, assumed facts as a remark.
     pub fn design(&self, origins: &Origins) -> Design {
         let mut design = self.machine.results();
         self.check_remedies(&mut design);
@@ -432,7 +433,7 @@ impl PreparedMachine {
 pub struct Erased<M>(PhantomData<fn() -> M>);
 
 impl<M: Machine> Erased<M> {
-    /// The machine as data.
+    /// The machine as a value of the list.
     pub const fn new() -> Erased<M> {
         Erased(PhantomData)
     }

@@ -6,7 +6,7 @@ use crate::controls::Switches;
 use crate::machines::form::Values;
 use crate::machines::{AnyMachine, ControlContext, PreparedMachine};
 
-/// The machine that was prepared last, with everything that it was prepared from. A clone of a project shares it.
+/// The last prepared machine, with all of its inputs. A clone of a project shares it.
 #[derive(Debug, Default)]
 pub(super) struct Memo(Mutex<Option<Entry>>);
 

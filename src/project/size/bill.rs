@@ -1,5 +1,6 @@
-//! The bill of materials of the drives: the control, and for each drive its motor and amplifier. A motor that the form names is ordered; one that the
-//! form has by figures alone is a row of these figures, with the smallest motor of the catalogue that passes as a proposal.
+//! The bill of materials of the drives: the control, and the motor and amplifier of each drive.
+//! A motor named in the form is ordered; one given by figures alone is a row of these figures, with the smallest motor of the catalogue
+//! that passes as a proposal.
 
 use super::choice::{Candidate, SizedAxis, name, named};
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
@@ -16,37 +17,37 @@ use crate::view::report::Input;
 /// A row of the bill.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BillRow {
-    /// Catalog id of what it is: a motor, an amplifier.
+    /// Catalog id of the item: a motor, an amplifier.
     pub item: &'static str,
-    /// Catalog id of the axis that it is for; none of the control.
+    /// Catalog id of its axis; none for the control.
     pub axis: Option<&'static str>,
-    /// Maker; empty where the row is no part of the catalogue.
+    /// Maker; empty if the row is no part of the catalogue.
     pub maker: String,
-    /// Order number or type; what is known of the part where it has none.
+    /// Order number or type, or the known figures of the part if it has none.
     pub model: String,
-    /// Whether it is a proposal in place of a part that is to be chosen.
+    /// Whether the part is a proposal for an open choice.
     pub proposed: bool,
-    /// How many.
+    /// Quantity.
     pub quantity: u32,
-    /// Why the motor that the form names does not carry its axis, as the list of motors says; none where it does, or is not in the list.
+    /// Reason of the list of motors why the form's motor does not carry its axis; none if it does, or is not in the list.
     pub refusal: Option<Message>,
-    /// Whether it is still made; none where that is not known.
+    /// Production status; none if it is not known.
     pub status: Option<Status>,
-    /// How well it is known.
+    /// Grade of evidence.
     pub grade: PartGrade,
-    /// Where its data come from: a key of the catalogue's sources, or words.
+    /// Source of its data: a key of the catalogue's sources, or words.
     pub source: String,
 }
 
 impl BillRow {
-    /// Maker and model, or what is known of the part; a proposal says so.
+    /// Maker and model, or the known figures of the part; a proposal is marked.
     pub fn part(&self) -> String {
         let part = format!("{} {}", self.maker, self.model).trim_start().to_owned();
         if self.proposed { sentence(&msg!("size.bill.proposal", part)) } else { part }
     }
 }
 
-/// The rows: the control, then the drives that are sized and those of which only the form's figures are known.
+/// The rows: the control, then the sized drives, then those with the form's figures alone.
 pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<BillRow> {
     let control = described("size.item.control", None, project.control.name.to_owned(), PartGrade::Entered);
     let inputs = inputs(project.machine, prepared, &project.values, &project.provenance);
@@ -65,7 +66,7 @@ pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedA
     core::iter::once(control).chain(sized).chain(others).chain(encoder).collect()
 }
 
-/// The encoder of a spindle: of those that turn fast enough the one for the least speed as a proposal, else what is asked.
+/// The encoder of a spindle: as a proposal the one with the least sufficient top speed, else the demand.
 fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
     let item = "size.item.encoder";
     let goes = project.catalogue().into_iter().filter_map(|part| match part.ratings {
@@ -77,7 +78,7 @@ fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
     part_or_open((item, asked.name), least.map(|(part, _)| part), true, &told)
 }
 
-/// The row of an item for an axis: its part, else an open one with what is asked.
+/// The row of an item for an axis: its part, else an open row with the demand.
 fn part_or_open(
     (item, axis): (&'static str, &'static str),
     part: Option<&Part>,
@@ -88,7 +89,7 @@ fn part_or_open(
     part.map_or_else(open, |part| of_part(item, axis, part, proposed))
 }
 
-/// A row that is no part of the catalogue: words of form and project.
+/// A row without a part of the catalogue, in the words of form and project.
 fn described(item: &'static str, axis: Option<&'static str>, model: String, grade: PartGrade) -> BillRow {
     let source = say(if grade == PartGrade::Open { "size.bill.no-source" } else { "size.bill.of-project" });
     BillRow {
@@ -105,7 +106,7 @@ fn described(item: &'static str, axis: Option<&'static str>, model: String, grad
     }
 }
 
-/// The motor that the form has by its figures; none where it shows none of them.
+/// The motor described by the form's figures; none if the form shows none of them.
 fn entered(motor: &FormMotor, inputs: &[Input]) -> Option<BillRow> {
     let figure = |(label, field): &(&'static str, &'static str)| {
         let input = inputs.iter().find(|input| input.id == *field)?;
@@ -123,7 +124,7 @@ fn brake(axis: &SizedAxis) -> Option<BillRow> {
     (axis.brake > 0.0).then_some(row)
 }
 
-/// The gear unit of an axis: the smallest of the catalogue that passes as a proposal, else what is asked of it.
+/// The gear unit of an axis: as a proposal the smallest of the catalogue that passes, else the demand on it.
 fn gear(axis: &SizedAxis) -> Option<BillRow> {
     let gear = axis.gear.as_ref()?;
     let (ratio, torque, speed) = ((gear.ratio, 6), (gear.duty.peak, 2), (gear.duty.speed, 0));
@@ -147,7 +148,7 @@ fn of_part(item: &'static str, axis: &'static str, part: &Part, proposed: bool) 
     }
 }
 
-/// Catalog id of what drives a motor.
+/// Catalog id of a motor's drive: servo amplifier or inverter.
 fn amplifier_item(is_servo: bool) -> &'static str {
     if is_servo { "size.item.amplifier" } else { "size.item.inverter" }
 }

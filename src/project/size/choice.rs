@@ -1,4 +1,4 @@
-//! The choice of motors: every motor of the catalogue that goes with the control, against what the run asks.
+//! The choice of motors: every motor of the catalogue for the control, against the demand of the run.
 
 use std::collections::BTreeMap;
 
@@ -22,16 +22,16 @@ use crate::text::Message;
 use crate::text::catalog::number_text;
 use crate::view::{OperatingLine, TorqueChart};
 
-/// Lines of a run in a chart at most.
+/// Greatest number of a run's lines in a chart.
 const LINES: usize = 600;
 
-/// Parts in which the lines of a motor bend above its rated speed.
+/// Number of straight pieces of a motor's curve above its rated speed.
 const BEND: u32 = 8;
 
-/// Speeds and torques that agree to one part of this many r/min or Nm are one.
+/// Reciprocal of the resolution (r/min, Nm) at which speeds and torques count as equal.
 const ALIKE: f64 = 1e3;
 
-/// Characters of a motor's name in a form.
+/// Greatest length of a motor's name in a form, characters.
 const NAME: usize = 40;
 
 /// An axis or drive with what its motor is asked, and the motors that are to be had.
@@ -41,27 +41,27 @@ pub struct SizedAxis {
     pub id: &'static str,
     /// Catalog id of its name.
     pub name: &'static str,
-    /// Field of the form with maker and model of its motor, where there is one.
+    /// Field of the form with maker and model of its motor, if there is one.
     pub field: Option<&'static str>,
-    /// Share of the time of a part for which it turns, 0 to 1.
+    /// Share (0 to 1) of the time of a part in which it turns.
     pub turning: f64,
-    /// Share of the time of a part for which it is loaded: a spindle while it is run up, cuts and is stopped, an axis while it turns.
+    /// Share (0 to 1) of the time of a part in which it is loaded: a spindle in run-up, cut and stop, an axis while it turns.
     pub loaded: f64,
     /// Torque of the brake at its motor that closes without current, Nm; 0 without one.
     pub brake: f64,
-    /// Its gear unit, where it has one.
+    /// Its gear unit, if it has one.
     pub gear: Option<SizedGear>,
-    /// Current of the motor that the form names for 1 Nm, A; none where the catalogue does not have it.
+    /// Current (A) of the form's motor for 1 Nm; none if the catalogue does not have it.
     pub ampere_per_torque: Option<f64>,
-    /// What the run asks of the motor that the form has; none of a drive behind an inverter.
+    /// Demand of the run on the form's motor; none for a drive behind an inverter.
     pub work: Option<Work>,
-    /// Position (%) of the knob in the run with the knob at its end, where there is one.
+    /// Position (%) of the knob in the run with the knob at its end, if there is such a run.
     pub knob: Option<f64>,
-    /// Whether that run asks the greatest torque.
+    /// Whether that run has the greatest torque.
     pub peak_is_at_knob: bool,
     /// Torque over speed of that motor.
     pub chart: Option<TorqueChart>,
-    /// The motors: first those that pass, the lightest rating first, then the others by their reason.
+    /// The motors: passing ones by rising rating, then the others by their reason.
     pub candidates: Vec<Candidate>,
 }
 
@@ -71,12 +71,12 @@ impl SizedAxis {
         self.candidates.iter().filter(|candidate| candidate.refusal.is_none())
     }
 
-    /// The smallest motor of the catalogue that passes at the speed of the form; none where none does.
+    /// The smallest motor of the catalogue that passes at the speed of the form; none if none does.
     pub fn least(&self) -> Option<&Part> {
         self.passing().next().map(|candidate| &candidate.part)
     }
 
-    /// The smallest motor that passes and can be ordered with an amplifier; where the catalogue has no amplifier for any, the smallest.
+    /// The smallest motor that passes and has an amplifier in the catalogue; if none has, the smallest that passes.
     pub fn ordered(&self) -> Option<&Candidate> {
         self.passing().find(|candidate| candidate.amplifier.is_some()).or_else(|| self.passing().next())
     }
@@ -91,29 +91,29 @@ pub struct Candidate {
     pub amplifier: Option<Part>,
     /// Its limits, with their source.
     pub limits: &'static SeriesLimits,
-    /// What is asked of it as shares of what it has; none where its ratings are not all known, and of an induction motor.
+    /// Demand as shares of its ratings; none if a rating is not known, and for an induction motor.
     pub shares: Option<Shares>,
-    /// Mean power that comes back, as a share of what the brake resistor of its amplifier takes; none where that is not known.
+    /// Mean regenerated power as a share of the rating of its amplifier's brake resistor; none if that is not known.
     pub regenerative: Option<f64>,
-    /// What comes back beyond its amplifier's own resistor, and the smallest resistor of the catalogue that is paired with it and takes that; none
-    /// where nothing does, or the capacitors of the amplifier are not known.
+    /// External brake resistor for the regenerated energy beyond the amplifier's own: the demand, and the smallest paired resistor of the
+    /// catalogue that takes it; none without such a demand, or if the amplifier's capacitors are not known.
     pub resistor: Option<Resistor>,
-    /// The first reason why it does not go; none where it passes.
+    /// First reason of its refusal; none if it passes.
     pub refusal: Option<Refusal>,
-    /// What it sets in the form: ids of fields and what is typed there; empty where the form has no fields for it.
+    /// Entries of the form with this motor: ids of fields and typed texts; empty if the form has no fields for it.
     pub entries: Vec<(&'static str, String)>,
 }
 
 /// A brake resistor beside an amplifier.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Resistor {
-    /// What it is asked.
+    /// Demand on the resistor.
     pub asked: ToResistor,
-    /// The resistor; none where the catalogue has none.
+    /// The resistor; none if the catalogue has none.
     pub part: Option<Part>,
 }
 
-/// Why a motor does not go.
+/// Refusal of a motor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refusal {
     rank: Rank,
@@ -121,7 +121,7 @@ pub struct Refusal {
     pub message: Message,
 }
 
-/// Reasons in the order in which motors are listed: those that lack least come first.
+/// Reasons in the order of the list: the smallest shortage first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Inertia,
@@ -133,12 +133,12 @@ enum Rank {
     Unknown,
 }
 
-/// What one or several runs ask of a shaft.
+/// Demand of one or several runs on a shaft.
 struct Asked {
     motions: Vec<Motion>,
-    /// Mean speed (r/min), the greatest.
+    /// Greatest mean speed of a run, r/min.
     mean_speed: f64,
-    /// Starts in a minute, the most.
+    /// Greatest number of starts per minute of a run.
     starts_per_minute: f64,
     /// Position (%) of the knob in the second run.
     knob: Option<f64>,
@@ -156,13 +156,13 @@ impl Asked {
         Asked { motions, mean_speed, starts_per_minute, knob: runs.iter().find_map(|whole| whole.knob) }
     }
 
-    /// Whether the second run asks the greatest torque.
+    /// Whether the second run has the greatest torque.
     fn peak_is_at_knob(&self, rotor: f64) -> bool {
         let peak = |motion: &Motion| motion.work(rotor).peak.0;
         matches!(self.motions.as_slice(), [first, second] if peak(second) > peak(first))
     }
 
-    /// The greatest of every figure.
+    /// The greatest value of each figure over all runs.
     fn work(&self, rotor: f64) -> Work {
         let works = self.motions.iter().map(|motion| motion.work(rotor));
         works.fold(Work::default(), |worst, next| Work {
@@ -175,26 +175,26 @@ impl Asked {
         })
     }
 
-    /// Where the greatest share is asked of what a motor gives for a short time.
+    /// Moment with the greatest share of the motor's short-time torque.
     fn hardest(&self, motor: &Servo) -> Hardest {
         let all = self.motions.iter().map(|motion| motion.hardest(motor));
         all.reduce(|worst, next| if next.share > worst.share { next } else { worst }).unwrap_or_default()
     }
 
-    /// What comes back beyond what the capacitors take, the greatest of every figure.
+    /// Energy and power beyond the capacitors, the greatest value of each figure over all runs.
     fn to_resistor(&self, rotor: f64, back: &Regeneration) -> ToResistor {
         let all = self.motions.iter().map(|motion| motion.to_resistor(rotor, back));
         all.reduce(ToResistor::or).unwrap_or_default()
     }
 
-    /// Mean speed (r/min) and effective torque (Nm) of the run that asks the greatest one.
+    /// Mean speed (r/min) and effective torque (Nm) of the run with the greatest effective torque.
     fn effective(&self, rotor: f64) -> (f64, f64) {
         let of = |motion: &Motion| (motion.mean_speed(), motion.work(rotor).effective);
         let greater = |worst: (f64, f64), next: (f64, f64)| if next.1 > worst.1 { next } else { worst };
         self.motions.iter().map(of).reduce(greater).unwrap_or_default()
     }
 
-    /// Torque over speed of a motor on its site, with all runs: lines of the same speeds and torque in one run are one.
+    /// Torque over speed of a motor at its site, with the lines of all runs; lines of a run with equal speeds and torque are merged.
     fn chart(&self, motor: &Servo, site_share: f64) -> TorqueChart {
         let mut lines: BTreeMap<(usize, i64, i64, i64), OperatingLine> = BTreeMap::new();
         for (run, motion) in self.motions.iter().enumerate() {
@@ -206,7 +206,7 @@ impl Asked {
                 lines.entry((run, key(speeds.0), key(speeds.1), key(torque))).or_insert(line).seconds += turn.seconds;
             }
         }
-        // The longest; what is left out lasts too shortly to be seen.
+        // The longest lines; the others are too short to be seen.
         let mut lines: Vec<OperatingLine> = lines.into_values().collect();
         lines.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
         lines.truncate(LINES);
@@ -279,7 +279,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     servo.chain(behind).collect()
 }
 
-/// Share of the time of a part, with the pause behind it, for which something turns.
+/// Share of the time of a part, with the pause after it, in which the mover turns.
 fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     let timeline = of.present.run.timeline();
     let all = timeline.stretches(mover, 0.0, timeline.end());
@@ -287,20 +287,20 @@ fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     if timeline.end() > 0.0 { turning / (timeline.end() + pause) } else { 0.0 }
 }
 
-/// Share of the time of a part, with the pause behind it, for which an axis is loaded, where the machine tells when it works. The first of its
-/// motions is that of the present run.
+/// Share of the time of a part, with the pause after it, in which an axis is loaded; none if the machine does not say when it works. The
+/// first motion of `asked` is that of the present run.
 fn share_loaded(of: &SizingRuns, asked: &Asked, pause: f64) -> Option<f64> {
     let (works, motion) = (of.present.works.clone()?, asked.motions.first()?.clone());
     Some(motion.with_work(works).loaded() / (of.present.run.timeline().end() + pause))
 }
 
-/// The part of the catalogue that the form names for an axis.
+/// The part of the catalogue with the name in the form of an axis's motor.
 fn of_form<'a>(project: &'a Project, axis: &DrivenAxis) -> Option<&'a Part> {
     let typed = named(project, axis.fields?.name)?;
     project.catalogue().into_iter().find(|part| name(part) == typed)
 }
 
-/// Current (A) for 1 Nm of the motor that the form names for an axis, where the catalogue has it.
+/// Current (A) for 1 Nm of the form's motor for an axis, if the catalogue has it.
 pub(super) fn ampere_per_torque(project: &Project, axis: &DrivenAxis) -> Option<f64> {
     match &of_form(project, axis)?.ratings {
         Ratings::Servo(ratings) => ratings.ampere_per_torque(),
@@ -308,17 +308,17 @@ pub(super) fn ampere_per_torque(project: &Project, axis: &DrivenAxis) -> Option<
     }
 }
 
-/// The motor that the form has: its rated torque, for which the form has no field, is that of the part whose name it has.
+/// The motor of the form. The form has no field for the rated torque: it is that of the part with the motor's name.
 fn fitted(project: &Project, axis: &DrivenAxis) -> Servo {
     let motor = axis.fitted.motor;
-    // A person may have typed other figures for it.
+    // The form may have other figures for it.
     let same = of_form(project, axis)
         .and_then(Part::servo)
         .filter(|known| known.stall >= motor.stall && known.rated <= motor.stall);
     Servo { rated: same.map_or(motor.rated, |known| known.rated), ..motor }
 }
 
-/// The motor that a field of the form names.
+/// Name of the motor in a field of the form.
 pub(super) fn named(project: &Project, field: &str) -> Option<String> {
     match project.values.get(field)? {
         Value::Text(name) => Some(name.trim().to_owned()).filter(|name| !name.is_empty()),
@@ -326,7 +326,7 @@ pub(super) fn named(project: &Project, field: &str) -> Option<String> {
     }
 }
 
-/// Those that pass first, the least power first; the others by their reason.
+/// Orders the candidates: passing ones by rising power, then the others by their reason.
 fn in_order(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
     candidates.sort_by(|a, b| {
         let rank = |of: &Candidate| of.refusal.as_ref().map(|refusal| refusal.rank);
@@ -336,7 +336,7 @@ fn in_order(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
     candidates
 }
 
-/// What orders motors by size: rated power in W, else that of torque and speed; one of which neither is known comes last.
+/// Size of a motor for the order: rated power in W, else that of torque and speed; infinite if neither is known.
 fn size(part: &Part) -> f64 {
     let (rated, torque, speed) = match &part.ratings {
         Ratings::Servo(of) => (of.rated_power, of.rated_torque.or(of.stall_torque), of.rated_speed.or(of.top_speed)),
@@ -347,7 +347,7 @@ fn size(part: &Part) -> f64 {
     rated.or(product).unwrap_or(f64::INFINITY)
 }
 
-/// The smallest part of the catalogue that goes with the control, is wanted and has a size.
+/// The smallest part of the catalogue that the control can use, the filter accepts and that has a size.
 fn smallest<'a>(catalogue: &[&'a Part], control: &Control, size: impl Fn(&Part) -> Option<f64>) -> Option<&'a Part> {
     let sized = catalogue.iter().filter(|part| goes_with(part, control)).filter_map(|part| Some((size(part)?, *part)));
     sized.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, part)| part)
@@ -388,8 +388,8 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     }
 }
 
-/// The smallest amplifier that is paired with a servo motor and gives its currents for an effective and a greatest torque (Nm), where both
-/// are known.
+/// The smallest amplifier paired with a servo motor that has its currents for an effective and a greatest torque (Nm), as far as both are
+/// known.
 fn amplifier<'a>(
     motor: &Part,
     (effective, peak): (f64, f64),
@@ -409,7 +409,7 @@ fn amplifier<'a>(
     })
 }
 
-/// Why a servo motor does not go, in words.
+/// Reason why a servo motor is refused, in words; none if it passes.
 fn refused_by(
     reason: Reason,
     motor: &Servo,
@@ -447,7 +447,7 @@ fn refused_by(
     }
 }
 
-/// Whether the effective torque (Nm) is more than the motor gives continuously at its mean speed (r/min): the point of a data sheet's chart.
+/// Whether the effective torque (Nm) exceeds the continuous torque at the mean speed (r/min): a point of the data sheet's chart.
 fn too_warm(motor: &Servo, limits: &Acceptance, (effective, speed): (f64, f64)) -> Option<(Rank, Message)> {
     let most = limits.effective * motor.continuous(speed);
     let message = || {
@@ -462,10 +462,11 @@ fn too_warm(motor: &Servo, limits: &Acceptance, (effective, speed): (f64, f64)) 
     (effective > most).then(|| (Rank::Effective, message()))
 }
 
-/// Mean power (W) below which nothing is said to come back. Our choice.
+/// Mean regenerated power (W) below which none is reported. Our choice.
 const NOTHING: f64 = 0.05;
 
-/// The resistor for what comes back beyond the amplifier's own, whose continuous power (W) may be known; none where nothing does.
+/// Brake resistor for the regenerated energy beyond the amplifier's own resistor, whose continuous power (W) may be known; none without
+/// such energy.
 fn resistor(
     amplifier: &Part,
     asked: ToResistor,
@@ -485,8 +486,8 @@ fn resistor(
     })
 }
 
-/// How an amplifier takes energy back, where its capacitors or its own resistor are known, and the continuous power (W) of that. An efficiency
-/// that is not known counts as 1.
+/// Regeneration of an amplifier, if its capacitors or its own resistor are known, and the continuous power (W) of that resistor. An unknown
+/// efficiency counts as 1.
 fn braking(amplifier: &Part) -> Option<(Regeneration, Option<f64>)> {
     let Ratings::Amplifier(AmplifierRatings { regeneration_efficiency, capacitor_energy, brake_power, .. }) =
         &amplifier.ratings
@@ -499,9 +500,9 @@ fn braking(amplifier: &Part) -> Option<(Regeneration, Option<f64>)> {
     (own.is_some() || capacitor_energy.is_some()).then_some((back, own))
 }
 
-/// What a servo motor sets in the form.
+/// Entries of the form with a servo motor.
 fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<(&'static str, String)> {
-    // The limits of its series, before what starts and site take of them: the form counts those itself.
+    // The limits of its series without the derating for starts and site, which the form applies itself.
     let limits = part.acceptance();
     vec![
         (fields.name, name(part)),
@@ -515,7 +516,7 @@ fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<(&'static st
     ]
 }
 
-/// Maker and model, as a form takes them.
+/// Maker and model as text for the form.
 pub(super) fn name(part: &Part) -> String {
     part.name().chars().take(NAME).collect()
 }
@@ -544,7 +545,7 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
     };
     if let Some(cycle) = &drive.cycle {
         let ramps = cycle.ramps(of.inertia);
-        // Power, not torque, bounds the end of a ramp above rated speed.
+        // Power, not torque, limits the end of a ramp above rated speed.
         let gives = torque.min(rated_power / cycle.of.speed);
         let of_peak = ramps.iter().zip(cycle.peak).map(|(ramp, share)| (ramp.torque.abs(), share * gives));
         for (asked, most) in of_peak {
@@ -575,7 +576,7 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
     }
 }
 
-/// A part whose ratings do not do for a choice.
+/// A part whose ratings do not suffice for a choice.
 fn unknown(part: &Part) -> Candidate {
     Candidate {
         part: part.clone(),

@@ -1,7 +1,7 @@
-//! The operating envelope: what happens to the machine at start, in the run, at the ends of the knob, at a change of speed, at every stop.
+//! The operating envelope: worst values at start, in the run, at the ends of the knob, at a change of speed, at every stop.
 //!
-//! Each event is a run of the program with an operator's hand at the middle of its work, with the knob as the form has it and near both of its
-//! ends; formulas check these runs, see `tests/it/sizing`.
+//! Each event is a run of the program with an action of the operator in the middle of its work, with the knob at the form's position and
+//! near both of its ends; formulas check these runs, see `tests/it/sizing`.
 
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
@@ -14,19 +14,19 @@ use crate::project::run::Run;
 use crate::text::catalog::number_text;
 use crate::view::{Limit, Verdict};
 
-/// Seconds after a change for which the machine is looked at.
+/// Time (s) after a change in which the values are read.
 const SPAN: f64 = 10.0;
 
-/// Seconds from standstill to the next cycle start.
+/// Time (s) from standstill to the next cycle start.
 const PAUSE: f64 = 1.0;
 
 /// Moments at which gauges are read.
 const POINTS: usize = 400;
 
-/// A tenth of the knob: what an operator turns at a time, %.
+/// Step (%) by which an operator turns the knob: a tenth.
 const TURN: f64 = 10.0;
 
-/// Change of the product size that is tried, as a fraction of the present size.
+/// Tried change of the product size, as a fraction of the present size.
 const TENTH: f64 = 0.1;
 
 /// An event of operation.
@@ -34,7 +34,7 @@ const TENTH: f64 = 0.1;
 pub enum OperatingEvent {
     /// From cycle start to the first contact with the work.
     Start,
-    /// From there to the end of the program, and to standstill behind it.
+    /// From the first contact to the end of the program, and to standstill after it.
     Run,
     /// The knob goes to either end.
     Knob,
@@ -53,7 +53,7 @@ pub enum OperatingEvent {
 }
 
 impl OperatingEvent {
-    /// All of them with the ids that programs read, in the order of operation.
+    /// All events with their ids in JSON, in the order of operation.
     pub const IDS: [(OperatingEvent, &'static str); 9] = [
         (OperatingEvent::Start, "start"),
         (OperatingEvent::Run, "run"),
@@ -96,7 +96,7 @@ pub struct EnvelopeRow {
     pub id: String,
     /// Catalog id of its name.
     pub label: &'static str,
-    /// Catalog id of the axis that it is about; none for others.
+    /// Catalog id of its axis; none for a quantity of the machine.
     pub axis: Option<&'static str>,
     /// Its worst value.
     pub value: f64,
@@ -106,19 +106,19 @@ pub struct EnvelopeRow {
     pub decimals: u8,
     /// Its limit, in `unit`.
     pub limit: Option<Limit>,
-    /// Field of the form that is the limit, where one is.
+    /// Field of the form with the limit, if there is one.
     pub field: Option<&'static str>,
-    /// Whether it holds.
+    /// Verdict of the value against its limit.
     pub verdict: Verdict,
-    /// Position (%) of the knob at which it was met, where it is not that of the form.
+    /// Position (%) of the knob with this value, if it is not that of the form.
     pub knob: Option<f64>,
-    /// The run was cut while something coasted on: it is longer or greater than `value`.
+    /// Whether the run was cut while the spindle coasted on: the true value is greater than `value`.
     pub is_cut: bool,
     /// Whether it is the worst of this quantity over all events.
     pub is_worst: bool,
 }
 
-/// The rows of all events that the machine knows; `done` is called after each.
+/// The rows of all events that apply to the machine; `done` is called after each.
 pub(super) fn envelope(project: &Project, runs: &SizingRuns, done: &mut dyn FnMut()) -> Vec<EnvelopeRow> {
     let prepared = &*project.prepared();
     let with_current = |axis: DrivenAxis| (axis, ampere_per_torque(project, &axis));
@@ -134,7 +134,7 @@ pub(super) fn envelope(project: &Project, runs: &SizingRuns, done: &mut dyn FnMu
     rows
 }
 
-/// Marks the worst row of each quantity: the one that is nearest to its limit or farthest beyond; of equal ones the first.
+/// Marks the worst row of each quantity: nearest to its limit or farthest beyond, the first of equal ones.
 fn mark_worst(rows: &mut [EnvelopeRow]) {
     for at in 0..rows.len() {
         let others = rows.iter().enumerate().filter(|(_, other)| other.id == rows[at].id);
@@ -144,7 +144,7 @@ fn mark_worst(rows: &mut [EnvelopeRow]) {
 }
 
 impl EnvelopeRow {
-    /// How much its value asks of its limit.
+    /// Share of its limit that its value uses.
     fn load(&self) -> f64 {
         Limit::load(self.limit, self.value)
     }
@@ -153,16 +153,16 @@ impl EnvelopeRow {
 struct Envelope<'a> {
     prepared: &'a PreparedMachine,
     runs: &'a SizingRuns,
-    /// The axes, each with the current of its motor for 1 Nm, where it is known.
+    /// The axes, each with the current (A) of its motor for 1 Nm, if it is known.
     axes: Vec<(DrivenAxis, Option<f64>)>,
-    /// The size that the operator may type; none where the program is not macroline's own.
+    /// The size of the product for the operator; none if the program is not macroline's own.
     product: Option<ProductSize>,
 }
 
 impl Envelope<'_> {
     /// The worst rows of an event over the positions of the knob.
     fn rows(&self, event: OperatingEvent) -> Vec<EnvelopeRow> {
-        // The knob is turned from where the form has it.
+        // The knob starts at the form's position.
         let turns = matches!(event, OperatingEvent::Knob | OperatingEvent::SpeedChange);
         let runs = self.runs.all().filter(|whole| !turns || whole.knob.is_none());
         worst(runs.map(|whole| {
@@ -181,7 +181,7 @@ impl Envelope<'_> {
                 rows
             }
             OperatingEvent::Run => {
-                // Behind the end of the program axes and spindle come to rest.
+                // After the end of the program axes and spindle slow down to rest.
                 let spans = [(whole.contact, whole.end), (whole.end, whole.run.timeline().end())];
                 let mut rows = worst(spans.map(|span| self.read(event, &whole.run, span)));
                 rows.push(time(event, whole.end - whole.contact));
@@ -202,7 +202,7 @@ impl Envelope<'_> {
             }
             OperatingEvent::ProductChange => {
                 let Some(product) = self.product else { return Vec::new() };
-                // To thousandths, as it is typed.
+                // Rounded to thousandths, as typed.
                 let typed = |size: f64| Action::Variable(product.variable, Some((1000.0 * size).round() / 1000.0));
                 let change = |part: f64| {
                     let [other, present] = [part * product.size, product.size].map(typed);
@@ -227,7 +227,7 @@ impl Envelope<'_> {
         }
     }
 
-    /// The run with the operator's hand at some times, read from the middle of the work on.
+    /// The run with the operator's actions at some times, read from the middle of the work on.
     fn handled(&self, event: OperatingEvent, whole: &WholeRun, hand: Vec<(f64, Action)>) -> Vec<EnvelopeRow> {
         let at = whole.middle();
         let mut run = whole.run.branch(at);
@@ -267,7 +267,7 @@ impl Envelope<'_> {
         let end = run.timeline().end();
         let mut rows = self.read(event, &run, (from, end));
         rows.push(time(event, end - from));
-        // What coasts on lays on, and takes longer.
+        // A spindle that coasts on lays more ribbon, and takes longer.
         if coasts_on(&run, end) {
             rows.iter_mut().filter(|row| row.axis.is_none()).for_each(|row| row.is_cut = true);
         }
@@ -318,13 +318,13 @@ impl Envelope<'_> {
     }
 }
 
-/// Whether the spindle still slows down at the end of a plan (s), which was cut there.
+/// Whether the spindle is still slowing down at the end (s) at which a plan was cut.
 fn coasts_on(run: &Run, end: f64) -> bool {
     let speed = |t: f64| run.timeline().at(t).spindle.actual.abs();
     speed(end + SPAN) < speed(end)
 }
 
-/// The row of an event at which the program stops by its alarm.
+/// The row of an event at which the program stops with its own alarm.
 fn alarm(event: OperatingEvent, ended: Option<&RunEnd>) -> Option<EnvelopeRow> {
     matches!(ended, Some(RunEnd::Alarm(_))).then(|| alarmed(event))
 }
@@ -340,13 +340,13 @@ pub struct Offer {
     pub unit: &'static str,
     /// Decimals shown.
     pub decimals: u8,
-    /// A run was cut: it is more than that.
+    /// Whether a run was cut: the true value is greater.
     pub is_cut: bool,
-    /// The entry of the form that allows it; none where the form does not take it.
+    /// The entry of the form with this limit; none if the form does not accept it.
     pub entry: Option<(&'static str, String)>,
 }
 
-/// Limits of the form that would hold at every event and by every rule of the machine, where one does not hold at an event.
+/// Limits of the form that would hold at every event and by every rule of the machine, for those that fail at an event.
 pub(super) fn offers(project: &Project, rows: &[EnvelopeRow]) -> Vec<Offer> {
     let beyond = rows.iter().filter(|row| row.verdict == Verdict::Fail);
     let mut offers: Vec<Offer> = Vec::new();
@@ -366,14 +366,14 @@ pub(super) fn offers(project: &Project, rows: &[EnvelopeRow]) -> Vec<Offer> {
     offers
 }
 
-/// The greatest entry of a field that the advice on a failing result asks for; 0 where none does.
+/// The greatest entry of a field in the advice on failing results; 0 if there is none.
 fn asked_by_rules(project: &Project, field: &str) -> f64 {
     let results = project.prepared().results().readouts;
     let sets = results.iter().flat_map(|row| &row.advice).flat_map(|advice| &advice.sets);
     sets.filter(|set| set.0 == field).filter_map(|set| set.1.parse::<f64>().ok()).fold(0.0, f64::max)
 }
 
-/// An event at which the program stops by its alarm.
+/// An event at which the program stops with its own alarm.
 fn alarmed(event: OperatingEvent) -> EnvelopeRow {
     EnvelopeRow {
         id: "alarm".to_owned(),
@@ -387,7 +387,7 @@ fn alarmed(event: OperatingEvent) -> EnvelopeRow {
     }
 }
 
-/// How long an event lasts.
+/// Row with the duration (s) of an event.
 fn time(event: OperatingEvent, seconds: f64) -> EnvelopeRow {
     EnvelopeRow {
         event,
@@ -414,7 +414,7 @@ fn verdict(limit: Option<Limit>, value: f64) -> Verdict {
     }
 }
 
-/// Of several readings the worst row of each quantity; what only one of them has stays.
+/// The worst row of each quantity over several readings; a quantity of one reading alone stays.
 fn worst(readings: impl IntoIterator<Item = Vec<EnvelopeRow>>) -> Vec<EnvelopeRow> {
     let mut rows: Vec<EnvelopeRow> = Vec::new();
     for next in readings.into_iter().flatten() {

@@ -1,4 +1,4 @@
-//! The choice of gear units: those of the catalogue that have the ratio of the form, against what the runs ask at their output and input.
+//! The choice of gear units: units of the catalogue with the form's ratio against the demand of the runs at output and input.
 
 use crate::drives::duty::Motion;
 use crate::drives::gear::{GearDuty, GearReason};
@@ -9,24 +9,24 @@ use crate::msg;
 use crate::text::Message;
 use crate::text::catalog::number_text;
 
-/// Ratios that differ by such a part at most are one.
+/// Greatest relative difference of equal ratios.
 const SAME_RATIO: f64 = 1e-6;
 
-/// A gear unit of a machine with what it is asked, and those that are to be had.
+/// A gear unit of a machine: the demand on it, and the available units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizedGear {
     /// Speed of its input over that of its output.
     pub ratio: f64,
-    /// What the runs ask of it.
+    /// Demand of the runs on it.
     pub duty: GearDuty,
-    /// Those of this ratio: first those that pass, the smallest first, then the others by their reason.
+    /// Units of this ratio: passing ones by rising size, then the others by their reason.
     pub candidates: Vec<GearCandidate>,
-    /// Where the catalogue has none of this ratio: the next lower and the next higher one, as far as there are.
+    /// If the catalogue has none of this ratio: the next lower and the next higher one, as far as there are.
     pub next_ratios: Vec<f64>,
 }
 
 impl SizedGear {
-    /// The smallest that passes; none where none does.
+    /// The smallest unit that passes; none if none does.
     pub fn least(&self) -> Option<&Part> {
         self.candidates.iter().find(|candidate| candidate.reason.is_none()).map(|candidate| &candidate.part)
     }
@@ -39,14 +39,14 @@ pub struct GearCandidate {
     pub part: Part,
     /// Its ratings.
     pub ratings: GearRatings,
-    /// The first reason why it does not go; none where it passes.
+    /// First reason of its refusal; none if it passes.
     pub reason: Option<GearReason>,
-    /// What it sets in the form: ids of fields and what is typed there.
+    /// Entries of the form with this unit: ids of fields and typed texts.
     pub entries: Vec<(&'static str, String)>,
 }
 
 impl GearCandidate {
-    /// Why it does not go, in words; none where it passes.
+    /// Its refusal in words; none if it passes.
     pub fn refusal(&self) -> Option<Message> {
         Some(match self.reason? {
             GearReason::Peak(torque, limit) => msg!("size.gear-peak", torque = (torque, 2), limit = (limit, 2)),
@@ -59,14 +59,14 @@ impl GearCandidate {
     }
 }
 
-/// The gear unit of a servo axis over the motions of its motor in several runs; none where it has none.
+/// The gear unit of a servo axis, over the motions of its motor in several runs; none without a gear unit.
 pub(super) fn of_axis(axis: &DrivenAxis, motions: &[Motion], catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = axis.gear.as_ref()?;
     let duties = motions.iter().map(|motion| GearDuty::new(&gear.behind(motion.turns()), gear.ratio));
     Some(sized(gear, duties.reduce(GearDuty::or).unwrap_or_default(), catalogue))
 }
 
-/// The gear unit of the drive behind the inverter; none where it has none.
+/// The gear unit of the drive behind the inverter; none without one.
 pub(super) fn of_inverter(drive: &InverterDrive, catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = drive.gear.as_ref()?;
     Some(sized(gear, GearDuty::new(&gear.behind(&drive.turns()), gear.ratio), catalogue))
@@ -98,7 +98,7 @@ fn sized(gear: &FormGear, duty: GearDuty, catalogue: &[&Part]) -> SizedGear {
     SizedGear { ratio: gear.ratio, duty, candidates, next_ratios }
 }
 
-/// Order of the reasons: those that lack least come first.
+/// Order of the reasons: the smallest shortage first.
 fn rank(reason: GearReason) -> u8 {
     match reason {
         GearReason::Backlash(..) => 0,
@@ -110,7 +110,7 @@ fn rank(reason: GearReason) -> u8 {
     }
 }
 
-/// What a gear unit sets in the form, as far as its source has it; nothing where it is not known whether it goes.
+/// Entries of the form with a gear unit, as far as its source has them; none if its ratings do not suffice for a verdict.
 fn entries(gear: &FormGear, ratings: &GearRatings, reason: Option<GearReason>) -> Vec<(&'static str, String)> {
     if reason == Some(GearReason::Unknown) {
         return Vec::new();
@@ -118,7 +118,7 @@ fn entries(gear: &FormGear, ratings: &GearRatings, reason: Option<GearReason>) -
     let efficiency = ratings.efficiency.map(|efficiency| (gear.fields.efficiency, number_text(100.0 * efficiency, 1)));
     let inertia = gear.fields.inertia.zip(ratings.inertia);
     let inertia = inertia.map(|(field, inertia)| (field, number_text(inertia / CM2, 4)));
-    // Where play has an effect, the machine is judged with that of the gear unit.
+    // If backlash has an effect, the form gets that of the gear unit.
     let backlash = gear.fields.backlash.filter(|_| gear.backlash.is_some()).zip(ratings.backlash);
     let backlash = backlash.map(|(field, backlash)| (field, number_text(backlash, 2)));
     efficiency.into_iter().chain(inertia).chain(backlash).collect()

@@ -1,4 +1,4 @@
-//! What limits the machine: how far speed, mass or pitch grow until a verdict fails, and the fastest operation of this hardware.
+//! Limits of growth: how far speed, mass or pitch grow until a verdict fails, and the fastest operation of this hardware.
 
 use crate::machines::form::{FieldInfo, KindInfo, Value};
 use crate::math;
@@ -9,7 +9,7 @@ use crate::view::{Readout, Verdict};
 /// Factor between two trials.
 const STEP: f64 = 1.25;
 
-/// Trials in either direction: up to 14 times as much, down to a fourteenth.
+/// Trials in either direction: up to 14 times the entry, down to a fourteenth.
 const TRIALS: u32 = 12;
 
 /// Halvings of the last step: the edge to a ten-thousandth.
@@ -24,20 +24,20 @@ pub struct Growth {
     pub label: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Its greatest entry with which no result fails that does not fail with less as well.
+    /// Its greatest entry without a new failure: results that also fail with less are ignored.
     pub value: f64,
-    /// That over the present entry, less 1; below 0 where a verdict fails now.
+    /// `value / present entry - 1`; below 0 if a verdict fails now.
     pub margin: f64,
-    /// Id and catalog id of the result that fails beyond; none where the form takes no more.
+    /// Id and catalog id of the result that fails beyond it; none if the form's range ends first.
     pub binding: Option<(&'static str, &'static str)>,
-    /// Ids and catalog ids of the results that fail now and with less as well: the field does not mend them.
+    /// Ids and catalog ids of the results that fail now and with less: the field does not repair them.
     pub unmended: Vec<(&'static str, &'static str)>,
 }
 
 /// The fastest operation of this hardware.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fastest {
-    /// Id and catalog id of the result that tells the speed.
+    /// Id and catalog id of the result that is the speed.
     pub result: (&'static str, &'static str),
     /// Its value, and its unit.
     pub value: (f64, &'static str),
@@ -45,7 +45,7 @@ pub struct Fastest {
     pub decimals: u8,
     /// Id and catalog id of the result that fails beyond.
     pub binding: (&'static str, &'static str),
-    /// Ids and catalog ids of the results that fail at that speed and at lower ones too.
+    /// Ids and catalog ids of the results that fail at this speed and at lower ones.
     pub unmended: Vec<(&'static str, &'static str)>,
     /// The entry of the form with that speed.
     pub entry: (&'static str, String),
@@ -70,7 +70,7 @@ struct Trial<'a> {
     max: f64,
     decimals: u8,
     now: f64,
-    /// Results that fail with less as well: they say nothing about this field.
+    /// Results that also fail with less: they do not depend on this field.
     ignored: Vec<(&'static str, &'static str)>,
 }
 
@@ -87,14 +87,14 @@ impl Trial<'_> {
         self.project.machine.prepare(&values, self.project.on()).results().readouts
     }
 
-    /// The first result that fails with an entry, but for the ignored ones.
+    /// The first result that fails with an entry, without the ignored ones.
     fn fails(&self, entry: f64) -> Option<(&'static str, &'static str)> {
         let readouts = self.results(entry);
         let fails = |row: &&Readout| row.verdict == Verdict::Fail && !self.ignored.contains(&(row.id, row.label));
         readouts.iter().find(fails).map(|row| (row.id, row.label))
     }
 
-    /// The results that fail now and with the least entry that is tried.
+    /// The results that fail now and with the least tried entry.
     fn persistent(&self) -> Vec<(&'static str, &'static str)> {
         let failing = |entry: f64| {
             let readouts = self.results(entry).into_iter();
@@ -119,7 +119,7 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
     trial.ignored = trial.persistent();
     let mut binding = trial.fails(now);
     let upward = binding.is_none();
-    // The last factor at which nothing fails, and the first at which something does.
+    // The last factor without a failure, and the first with one.
     let (mut holds, mut fails) = (1.0, 1.0);
     for _ in 0..TRIALS {
         let (from, factor) = if upward { (fails, fails * STEP) } else { (holds, holds / STEP) };

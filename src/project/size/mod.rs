@@ -1,6 +1,7 @@
-//! Sizing: which motors carry the machine, what happens to it in operation, what limits it, and what there is to buy.
+//! Sizing: motors that carry the machine, envelope of operation, limits of growth, bill of materials.
 //!
-//! Torque and energy are those of runs of the very program, over stretches of constant acceleration; see [`Motion`](crate::drives::duty::Motion).
+//! Torque and energy come from runs of the program itself, over stretches of constant acceleration; see
+//! [`Motion`](crate::drives::duty::Motion).
 
 mod bill;
 
@@ -41,16 +42,16 @@ use crate::motion::Mover;
 /// Time and energy of a part, from the run of its program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
-    /// Seconds from cycle start to the end of the program.
+    /// Time (s) from cycle start to the end of the program.
     pub seconds: f64,
-    /// Seconds from there to the next start.
+    /// Pause (s) from the end of the program to the next start.
     pub pause: f64,
-    /// Energy of its motors; none where nothing is known of them.
+    /// Energy of its motors; none if nothing is known of them.
     pub energy: Option<PartEnergy>,
 }
 
 impl Cycle {
-    /// Seconds from one start to the next.
+    /// Time (s) from one start to the next.
     pub fn between_starts(&self) -> f64 {
         self.seconds + self.pause
     }
@@ -61,14 +62,14 @@ impl Cycle {
     }
 }
 
-/// Energy of all motors over a part, that behind the inverter among them.
+/// Energy of all motors over a part, including the one behind the inverter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PartEnergy {
-    /// Energy that they give at their shafts, J.
+    /// Energy that the motors deliver at their shafts, J.
     pub given: f64,
-    /// Energy that comes back to them, J.
+    /// Energy that they regenerate, J.
     pub returned: f64,
-    /// Energy that comes back from all of them where the servo motors share a DC bus, J; an inverter has a bus of its own.
+    /// Energy (J) that all of them regenerate if the servo motors share a DC bus; an inverter has a bus of its own.
     pub returned_on_one_bus: f64,
 }
 
@@ -77,25 +78,25 @@ pub struct PartEnergy {
 pub struct Sizing {
     /// Axes and drives with their motors.
     pub axes: Vec<SizedAxis>,
-    /// Time and energy of a part; none where the program does not come to its end.
+    /// Time and energy of a part; none if the run does not reach the end of the program.
     pub cycle: Option<Cycle>,
-    /// Where and why the run ended before the end of the program; none where it came there.
+    /// Time and reason of a run that ended before the end of the program; none if it reached the end.
     pub cut: Option<CutRun>,
-    /// What happens at every event of operation.
+    /// Worst values at every event of operation.
     pub envelope: Vec<EnvelopeRow>,
-    /// Limits of the form that would hold in operation, where one does not.
+    /// Limits of the form that would hold in operation, for those that fail.
     pub offers: Vec<Offer>,
-    /// Limits that bind next when more is asked.
+    /// Limits that bind next when speed, mass or pitch grow.
     pub limits: Vec<Growth>,
-    /// The fastest operation of this hardware, where a limit binds within the range of the form.
+    /// The fastest operation of this hardware, if a limit binds within the range of the form.
     pub fastest: Option<Fastest>,
     /// Assumed facts that flip a verdict.
     pub sensitivities: Vec<Flip>,
-    /// What moves the results that are nearest to their limits.
+    /// Facts that move the results nearest to their limits.
     pub tornadoes: Vec<Tornado>,
-    /// What there is to buy.
+    /// Bill of materials.
     pub bill: Vec<BillRow>,
-    /// What is wired to which terminal.
+    /// Terminal list.
     pub terminals: Vec<TerminalRow>,
 }
 
@@ -104,11 +105,11 @@ pub fn size(project: &Project, written: &Written) -> Sizing {
     size_telling(project, written, &mut |_| ())
 }
 
-/// The same, and tells the share that is done, 0 to 1, on the way.
+/// Sizes a project with these programs and reports the share done, 0 to 1.
 pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f64)) -> Sizing {
     tell(0.0);
     let runs = SizingRuns::new(project, written);
-    // The runs are one part, each event another, the answers the last.
+    // Progress counts the runs, each event, and the answers.
     let parts = OperatingEvent::IDS.len() + 2;
     let mut done = 0;
     let mut part = || {
@@ -123,7 +124,7 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
     sizing
 }
 
-/// The sizing of a project by runs that are there, without the envelope, which needs runs of its own.
+/// The sizing of a project from finished runs, without the envelope, which needs runs of its own.
 pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
     let axes = choice::axes(project, &prepared, runs);
@@ -146,7 +147,7 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     }
 }
 
-/// Time and energy of the run that comes to the end of its program.
+/// Time and energy of the run; none if it does not reach the end of the program.
 fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
     let seconds = runs.seconds_of_a_part()?;
     let timeline = runs.present.run.timeline();

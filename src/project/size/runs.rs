@@ -1,4 +1,4 @@
-//! The runs that a sizing looks at: the program on the machine, at the form's position of the knob and near both of its ends.
+//! The runs of a sizing: the program on the machine, with the knob at the form's position and near both of its ends.
 
 use crate::drives::speed::Steps;
 use crate::machines::PreparedMachine;
@@ -9,43 +9,43 @@ use crate::project::program::Written;
 use crate::project::run::{Run, RunOptions, of_project};
 use crate::text::Message;
 
-/// What a run may take: blocks, and seconds of the machine. A longer run is sized as far as it came, which the sizing says.
+/// Budget of a run: blocks, and seconds of machine time. A longer run is sized as far as it came, and the sizing says so.
 const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
 
-/// Lowest position (%) of the knob at which a program is run: at 0 % nothing moves.
+/// Lowest position (%) of the knob in a run: at 0 % nothing moves.
 const LOWEST: f64 = 10.0;
 
-/// Events that are planned at a time.
+/// Number of events planned at a time.
 const SLICE: usize = 4096;
 
-/// A run of the program from cycle start until the machine has come to rest behind its end.
+/// A run of the program from cycle start until the machine is at rest after its end.
 #[derive(Debug)]
 pub(super) struct WholeRun {
-    /// Position (%) of the knob, where it is not that of the form.
+    /// Position (%) of the knob, if it is not that of the form.
     pub(super) knob: Option<f64>,
     /// The run, planned to its end.
     pub(super) run: Run,
-    /// Time (s) of the first contact with the work; that of the end where there is none.
+    /// Time (s) of the first contact with the work; without one that of the end.
     pub(super) contact: f64,
     /// Time (s) at which the program ended or stopped.
     pub(super) end: f64,
     /// How it ended.
     pub(super) ended: RunEnd,
-    /// When the motors of its axes have the torque of their work; at all times where there are none.
+    /// Spans (s) in which the motors of the axes carry the torque of their work; none if they always do.
     pub(super) works: Option<Vec<(f64, f64)>>,
 }
 
 /// A run that ended before the end of its program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutRun {
-    /// When, s.
+    /// Time of the end, s.
     pub at: f64,
-    /// Why.
+    /// Reason of the end.
     pub ended: RunEnd,
 }
 
 impl CutRun {
-    /// What it means for a sizing.
+    /// Sentence about the consequence for the sizing.
     pub fn message(&self) -> Message {
         let time = (self.at, 1);
         match &self.ended {
@@ -57,20 +57,21 @@ impl CutRun {
     }
 }
 
-/// The runs of a program: without the operator's hand, and the same with the knob at other positions from the start on.
+/// The runs of a program without actions of the operator: at the form's position of the knob, and with the knob at other positions from the
+/// start on.
 #[derive(Debug)]
 pub struct SizingRuns {
     /// At the form's position of the knob.
     pub(super) present: WholeRun,
-    /// At the lowest position of the knob at which the program is run, where that is another one.
+    /// At the lowest position of the knob in a run, if that is another one.
     pub(super) slow: Option<WholeRun>,
-    /// At the highest position of the knob, where that is another one.
+    /// At the highest position of the knob, if that is another one.
     pub(super) fast: Option<WholeRun>,
     /// Least and greatest position of the spindle override, %.
     pub(super) knob: Option<(f64, f64)>,
 }
 
-/// Plans a run until a time (s), or to its end, which is returned.
+/// Plans a run until a time (s) or to its end; returns the reason of the end.
 pub(super) fn plan(run: &mut Run, until: f64) -> Option<RunEnd> {
     while run.timeline().end() < until {
         if let Some(ended) = run.advance(until, SLICE).ended {
@@ -108,19 +109,19 @@ impl WholeRun {
 }
 
 impl SizingRuns {
-    /// Seconds of a part; none where the program does not come to its end.
+    /// Time (s) of a part; none if the run does not reach the end of the program.
     pub(super) fn seconds_of_a_part(&self) -> Option<f64> {
         let WholeRun { ended, end, .. } = &self.present;
         (*ended == RunEnd::ProgramEnd && *end > 0.0).then_some(*end)
     }
 
-    /// Where and why the run at the form's position of the knob ended before the end of the program.
+    /// Time and reason of the end, if the run at the form's position of the knob ended before the end of the program.
     pub(super) fn cut(&self) -> Option<CutRun> {
         let WholeRun { ended, end, .. } = &self.present;
         (*ended != RunEnd::ProgramEnd).then(|| CutRun { at: *end, ended: ended.clone() })
     }
 
-    /// All of them, that at the form's position of the knob first.
+    /// All runs, the one at the form's position of the knob first.
     pub(super) fn all(&self) -> impl Iterator<Item = &WholeRun> {
         [Some(&self.present), self.slow.as_ref(), self.fast.as_ref()].into_iter().flatten()
     }

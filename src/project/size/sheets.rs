@@ -21,11 +21,11 @@ const GEARS: Citation =
     Citation::new("catalogues of gear units: cubic mean of the output torque, from memory", Grade::Open);
 const DUTY: Citation = Citation::new("sizing facts 2.8", Grade::Open);
 
-/// Motors of an axis in an offer.
+/// Number of motors of an axis in an offer.
 const OFFERED: usize = 5;
 
 impl Sizing {
-    /// The sheets: what there is to buy, what limits, what happens in operation, and the motors of each axis.
+    /// The sheets: bill of materials, limits, envelope of operation, and the motors of each axis.
     pub fn sheets(&self) -> Vec<Sheet> {
         let mut sheets = vec![self.bill_sheet(), self.cycle_sheet(), self.limit_sheet(), self.envelope_sheet()];
         sheets.push(self.tornado_sheet());
@@ -35,7 +35,7 @@ impl Sizing {
         sheets
     }
 
-    /// The sheets of an offer: those, with the motors that an engineer would look at first.
+    /// The sheets of an offer: the same kinds, with the first few motors of each axis.
     pub fn offer(&self) -> Vec<Sheet> {
         let mut sheets = self.sheets();
         let choices = sheets.iter_mut().filter(|sheet| sheet.kind == SheetKind::Choice);
@@ -167,7 +167,7 @@ impl Sizing {
         }
     }
 
-    /// What moves the results that are nearest to their limits.
+    /// Facts that move the results nearest to their limits.
     fn tornado_sheet(&self) -> Sheet {
         let rows = self.tornadoes.iter().flat_map(|tornado| {
             let name = say(tornado.readout.label);
@@ -188,7 +188,7 @@ impl Sizing {
         }
     }
 
-    /// Events as rows, what is watched as columns, its limits above.
+    /// Events as rows, checked quantities as columns, their limits above.
     fn envelope_sheet(&self) -> Sheet {
         let mut watched: Vec<&EnvelopeRow> = Vec::new();
         for row in &self.envelope {
@@ -219,7 +219,7 @@ impl Sizing {
 }
 
 impl Sizing {
-    /// Limits of the form that would hold at every event, where one does not.
+    /// Limits of the form that would hold at every event, for those that fail.
     fn needed(&self, watched: &[&EnvelopeRow]) -> Option<Row> {
         let offered = |of: &&EnvelopeRow| self.offers.iter().find(|offer| offer.id == of.id);
         let text = |offer: &Offer| at_least(offer.is_cut, units::text(offer.value, offer.decimals, offer.unit));
@@ -230,19 +230,19 @@ impl Sizing {
     }
 }
 
-/// A limit that binds, with the results that fail whatever the field has.
+/// A limit that binds, with the results that fail for any entry of the field.
 fn beside(binding: String, unmended: &[(&'static str, &'static str)]) -> String {
     let results = listed(unmended.iter().map(|(_, label)| say(label)));
     if unmended.is_empty() { binding } else { sentence(&msg!("size.unmended", binding, results)) }
 }
 
-/// A value, or one that a cut run leaves below the true one.
+/// A value, marked as a lower bound if its run was cut.
 fn at_least(is_cut: bool, value: String) -> String {
     if is_cut { format!("> {value}") } else { value }
 }
 
 impl Sizing {
-    /// What is beyond its limit in operation, as warnings: the verdicts of a design tell of the work alone. First of all that the run was cut.
+    /// Values beyond their limits in operation, as warnings, because the verdicts of a design cover the work alone. A cut run comes first.
     pub fn findings(&self) -> Vec<Diagnostic> {
         let beyond = self.envelope.iter().filter(|row| row.verdict == Verdict::Fail);
         let told = |row: &EnvelopeRow| {
@@ -276,14 +276,14 @@ fn limit(of: &EnvelopeRow) -> Option<String> {
     Some(format!("{sign} {}", units::text(limit.value(), of.decimals, of.unit)))
 }
 
-/// A value of the envelope: with a cross beyond its limit, with a mark where it is the worst of all events.
+/// A value of the envelope, with a cross beyond its limit, and a mark if it is the worst of all events.
 fn value(of: &EnvelopeRow) -> String {
     let value = at_least(of.is_cut, units::plain(of.value, of.decimals, of.unit));
     let value = if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value };
     if of.is_worst { format!("{value} ▲") } else { value }
 }
 
-/// How well a part is known, by the grades of sheets.
+/// Grade of a part in the grades of sheets.
 fn known(of: PartGrade) -> Grade {
     match of {
         PartGrade::Manual | PartGrade::DataSheet => Grade::Manual,
@@ -292,7 +292,7 @@ fn known(of: PartGrade) -> Grade {
     }
 }
 
-/// Whether a part is still made, in a word or two.
+/// Production status of a part in a word or two.
 fn status(of: Option<Status>) -> String {
     say(match of {
         Some(Status::Current) => "size.status.current",
@@ -302,7 +302,7 @@ fn status(of: Option<Status>) -> String {
     })
 }
 
-/// The same of a part that is ordered: with what speaks against the order.
+/// Production status of an ordered part, with the reason against the order.
 fn ordered_status(of: Option<Status>) -> String {
     match of {
         Some(Status::PhasedOut) => say("size.status.phased-out-ordered"),
@@ -311,13 +311,13 @@ fn ordered_status(of: Option<Status>) -> String {
     }
 }
 
-/// What has to be known of a part before it is ordered: whether it is made, and why it does not go.
+/// Remarks for the order of a part: its refusal, and its production status.
 fn order_of(of: &BillRow) -> String {
     let refused = of.refusal.as_ref().map(|message| format!("✕ {}", sentence(message)));
     refused.into_iter().chain([ordered_status(of.status)]).collect::<Vec<_>>().join(" · ")
 }
 
-/// How well a part is known, in words.
+/// Grade of a part in words.
 fn part_grade(of: PartGrade) -> String {
     say(match of {
         PartGrade::Manual => "size.grade.manual",
@@ -345,7 +345,7 @@ fn tornado_chart(tornado: &Tornado) -> String {
     chart.svg()
 }
 
-/// What the run asks of the motor that the form has, with its chart.
+/// Demand of the run on the form's motor, with its chart.
 fn asked(axis: &SizedAxis) -> Option<Sheet> {
     let (work, chart) = (axis.work?, axis.chart.as_ref()?);
     let (continuous, peak, effective, at) =
@@ -376,7 +376,7 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
     })
 }
 
-/// A share in whole percent; empty where it is not known.
+/// A share in whole percent; empty if it is not known.
 fn percent(share: Option<f64>) -> String {
     share.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share))
 }
@@ -394,7 +394,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
             status(part.status),
             answer(of),
         ];
-        // The limits of a series are those of servo motors.
+        // Only servo motors have limits of a series.
         let limits = if axis.chart.is_some() { of.limits.cite } else { CATALOGUE };
         let cite = Citation { grade: known(part.evidence.grade), ..limits };
         Row { sets: of.entries.clone(), ..row(cells, cite) }
@@ -402,7 +402,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
     Sheet {
         id: "motors",
         kind: SheetKind::Choice,
-        // Behind the sheet with its name.
+        // The sheet before has the name of the axis.
         title: if axis.chart.is_some() { "sheet.motors" } else { axis.name },
         columns: vec![
             Column::Product("sheet.motor"),
@@ -417,7 +417,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
     }
 }
 
-/// The gear units of an axis, with what is asked of them above; a click takes one into the form.
+/// The gear units of an axis, with the demand above; a click takes one into the form.
 fn gears(axis: &SizedAxis) -> Option<Sheet> {
     let gear = axis.gear.as_ref()?;
     let duty = &gear.duty;
@@ -464,7 +464,7 @@ fn gears(axis: &SizedAxis) -> Option<Sheet> {
     })
 }
 
-/// That the catalogue has no gear unit of the ratio, with the next ones; empty where it has.
+/// Sentence that the catalogue has no gear unit of the ratio, with the next ones; empty if it has.
 fn no_gear(gear: &SizedGear) -> String {
     let next: Vec<String> = gear.next_ratios.iter().map(|ratio| number_text(*ratio, 6)).collect();
     match (gear.candidates.is_empty(), next.is_empty()) {
@@ -474,7 +474,7 @@ fn no_gear(gear: &SizedGear) -> String {
     }
 }
 
-/// Whether a motor goes: with which amplifier, and what its brake resistor gets; else the reason.
+/// Verdict of a motor: its amplifier and the load of its brake resistor, or the reason of its refusal.
 fn answer(of: &Candidate) -> String {
     if let Some(refusal) = &of.refusal {
         return sentence(&refusal.message);

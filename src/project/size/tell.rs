@@ -17,12 +17,12 @@ fn say(id: &'static str) -> &'static str {
     words(id)
 }
 
-/// A grade of a part as a table of parts has it.
+/// Word of a part's grade in a table of parts.
 pub(super) fn grade(grade: PartGrade) -> &'static str {
     PartGrade::WORDS.iter().find(|row| row.1 == grade).map_or("", |row| row.0)
 }
 
-/// A status of a part as a table of parts has it.
+/// Word of a part's status in a table of parts.
 fn status(status: Option<Status>) -> &'static str {
     Status::WORDS.iter().find(|row| Some(row.1) == status).map_or("unknown", |row| row.0)
 }
@@ -33,7 +33,7 @@ fn percent(share: f64) -> f64 {
 }
 
 impl Sizing {
-    /// The sizing as an object. Loads are in percent of what the motor has.
+    /// The sizing as an object. Loads are in percent of the motor's ratings.
     pub fn json(&self) -> Json {
         json!({
             "axes": self.axes.iter().map(axis).collect::<Vec<_>>(),
@@ -114,7 +114,7 @@ fn gear(gear: &SizedGear) -> Json {
     })
 }
 
-/// What a part sets in the form, by the ids of its fields.
+/// Entries of the form with a part, by the ids of the fields.
 fn entries(of: &[(&'static str, String)]) -> serde_json::Map<String, Json> {
     of.iter().map(|(id, text)| ((*id).to_owned(), Json::from(text.as_str()))).collect()
 }
@@ -175,7 +175,7 @@ fn bill(row: &BillRow) -> Json {
     })
 }
 
-/// Motors that are listed for an axis: those that pass, and the first that do not.
+/// Number of motors listed for an axis: passing ones, and the first that do not.
 const SHOWN: usize = 8;
 
 impl Sizing {
@@ -186,7 +186,7 @@ impl Sizing {
     }
 }
 
-/// A sheet as lines: its title, and so many of its rows.
+/// A sheet as lines: its title, and at most `rows` of its rows.
 pub fn sheet_text(sheet: &Sheet, rows: usize) -> String {
     let mut out = format!("{}\n", say(sheet.title));
     for row in sheet.rows.iter().take(rows) {

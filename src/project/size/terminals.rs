@@ -1,5 +1,5 @@
-//! The terminal list: wires between motors and amplifiers, contacts and outputs of the machine's PLC, and the set speed of the inverter. The supply, and
-//! the plugs of encoders and of servo amplifiers, are those of their makers.
+//! The terminal list: wires of motors and amplifiers, contacts and outputs of the machine's PLC, set speed of the inverter.
+//! The supply, and the plugs of encoders and of servo amplifiers, are those of their makers.
 
 use super::SizedAxis;
 use crate::machines::PreparedMachine;
@@ -12,23 +12,23 @@ use crate::text::{Citation, Grade, headed};
 pub struct TerminalRow {
     /// The terminal: its strip and its number, for instance `X2:4`.
     pub terminal: String,
-    /// What the wire carries.
+    /// Signal of the wire.
     pub signal: String,
-    /// Where it comes from.
+    /// Start of the wire.
     pub from: String,
-    /// Where it goes to.
+    /// End of the wire.
     pub to: String,
     /// Source and grade.
     pub cite: Citation,
 }
 
-/// Strips follow the rule that power, contacts and analog voltages are kept apart.
+/// Source of the strips: power, contacts and analog voltages are kept apart.
 const STRIPS: Citation = Citation::new("engineering choice", Grade::Inferred);
 
-/// Wires of a motor behind its amplifier or inverter.
+/// Wires of a motor from its amplifier or inverter.
 const PHASES: [&str; 4] = ["U", "V", "W", "PE"];
 
-/// The rows: strip X1 has the motors and their brakes, X2 the contacts and outputs of the PLC, X3 the set speed.
+/// The rows: strip X1 for the motors and their brakes, X2 for the contacts and outputs of the PLC, X3 for the set speed.
 pub(super) fn terminals(prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<TerminalRow> {
     let power = axes.iter().flat_map(motor_wires);
     let ladder = prepared.ladder();
@@ -57,7 +57,7 @@ pub(super) fn terminals(prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<T
 /// Signal, both ends, source.
 type Wire = (String, String, String, Citation);
 
-/// The wires of a motor, and of the brake at it.
+/// The wires of a motor and its brake.
 fn motor_wires(axis: &SizedAxis) -> Vec<Wire> {
     let end = |item| headed(say(axis.name), say(item));
     let amplifier = end(if axis.work.is_some() { "size.item.amplifier" } else { "size.item.inverter" });

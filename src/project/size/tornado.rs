@@ -1,16 +1,16 @@
-//! Tornado: which assumed facts move the results that are nearest to their limits, and how far. A fact may move the result or its limit: what
-//! counts is the share of the limit that the result uses.
+//! Tornado: assumed facts that move the results nearest to their limits, and how far.
+//! A fact may move the result or its limit: the measure is the share of the limit that the result uses.
 
 use crate::project::sensitivity::Sensitivity;
 use crate::view::{Limit, Readout};
 
-/// Results that are looked at.
+/// Number of results with a tornado.
 const RESULTS: usize = 3;
 
-/// Facts that are told of a result.
+/// Greatest number of facts shown for a result.
 const FACTS: usize = 8;
 
-/// A share that moves by less does not move in what is shown.
+/// Least change of a share that shows in its rounded text.
 const LEAST: f64 = 5e-4;
 
 /// The share of its limit that a result uses when an assumed fact changes by a tenth; 1 is at the limit.
@@ -37,7 +37,7 @@ pub struct Tornado {
     pub swings: Vec<Swing>,
 }
 
-/// The tornadoes of the results that are nearest to their limits or farthest beyond, the worst first.
+/// The tornadoes of the results nearest to their limits or farthest beyond, the worst first.
 pub(super) fn tornadoes(of: &Sensitivity) -> Vec<Tornado> {
     let mut judged: Vec<(f64, &Readout)> =
         of.before.iter().filter_map(|readout| Some((share(readout)?, readout))).collect();
@@ -49,7 +49,7 @@ pub(super) fn tornadoes(of: &Sensitivity) -> Vec<Tornado> {
     judged.into_iter().filter_map(tornado).take(RESULTS).collect()
 }
 
-/// The share of its limit that a result uses, 1 at the limit; none where it has none, or none that could be used up.
+/// Share of its limit that a result uses, 1 at the limit; none without a limit, or with one that cannot be used up.
 fn share(readout: &Readout) -> Option<f64> {
     let share = match readout.limit? {
         Limit::AtMost(most) | Limit::Within(most) => readout.value / most,
@@ -79,7 +79,7 @@ fn swings(of: &Sensitivity, readout: &Readout, now: f64) -> Vec<Swing> {
 }
 
 impl Swing {
-    /// How far it moves a share from `now`.
+    /// Greatest change of the share from `now`.
     fn reach(&self, now: f64) -> f64 {
         (self.low - now).abs().max((self.high - now).abs())
     }
