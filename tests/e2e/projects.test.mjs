@@ -44,7 +44,7 @@ async function project(page, called, mm) {
   await enter(pitch(page), mm);
 }
 
-test('projects are kept while one works, found again and opened, also after a reload', () =>
+test('projects are kept, found and opened, also after reload', () =>
   withPage(app, {}, async ({ page }) => {
     await project(page, 'Order 4711', '9.5');
     await project(page, 'Order 4712', '7.5');
@@ -85,7 +85,7 @@ test('a project is duplicated, renamed, deleted and brought back', () =>
     assert.equal(await pitch(page).inputValue(), '9.5');
   }));
 
-test('a version says what has changed since, and is opened without losing the last state', () =>
+test('version lists changes, opening it keeps the last state', () =>
   withPage(app, {}, async ({ page }) => {
     await project(page, 'Order 1', '9.5');
     await openProjects(page);
@@ -120,7 +120,7 @@ test('a version is kept before a program is opened over the form', () =>
     await dialog(page).getByText('Program edited').first().waitFor();
   }));
 
-test('the steps are listed in words, and one leads back over several', () =>
+test('steps are listed in words, one leads back over several', () =>
   withPage(app, {}, async ({ page }) => {
     await enter(pitch(page), '9.5');
     await enter(page.locator('#heads'), '7');
@@ -138,7 +138,7 @@ test('the steps are listed in words, and one leads back over several', () =>
     assert.equal(await page.locator('#heads').inputValue(), '7');
   }));
 
-test('all projects leave as one archive, and another browser takes them in once', async () => {
+test('archive has all projects, another browser adds them once', async () => {
   let archive;
   await withPage(app, {}, async ({ page }) => {
     await project(page, '印带机', '9.5');
@@ -163,7 +163,7 @@ test('all projects leave as one archive, and another browser takes them in once'
   });
 });
 
-test('an archive is taken in as a whole or not at all, and is told apart from the list', () =>
+test('archive is added whole or not at all', () =>
   withPage(app, { locale: 'zh-CN' }, async ({ page }) => {
     const say = words('zh');
     await page.getByRole('button', { name: say('projects.title'), exact: true }).click();
@@ -206,7 +206,7 @@ test('a browser that keeps no database loses nothing and says so', () =>
     assert.equal(await pitch(page).inputValue(), '9.5');
   }));
 
-test('what the database has is shown as text, and a row that is broken or newer stays as it is', () =>
+test('database rows show as text, broken or newer rows stay', () =>
   withPage(app, {}, async ({ page }) => {
     await project(page, '<img src=x onerror=alert(1)>', '9.5');
     await openProjects(page);
@@ -231,7 +231,7 @@ test('what the database has is shown as text, and a row that is broken or newer 
     await accessible(page);
   }));
 
-test('the projects are listed in Chinese without an English sentence', () =>
+test('projects list in Chinese has no English sentence', () =>
   withPage(app, { locale: 'zh-CN' }, async ({ page }) => {
     const say = words('zh');
     await enter(pitch(page), '9.5');
@@ -246,7 +246,7 @@ test('the projects are listed in Chinese without an English sentence', () =>
     assert.ok(!/[a-z]{3,} [a-z]{3,}/i.test(text), text);
   }));
 
-test('two projects are compared within five clicks: machines in motion, results and programs', () =>
+test('two projects compare in five clicks: motion, results, text', () =>
   withPage(app, {}, async ({ page }) => {
     await project(page, 'Order 1', '9.5');
     await project(page, 'Order 2', '12');
