@@ -9,7 +9,7 @@ use crate::text::{Citation, Grade, Message};
 
 const DESIGN: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
 
-/// What the spindle does.
+/// Reaction of the spindle to an interruption.
 pub(super) fn spindle(lathe: &TurningSpindle, at: Interruption) -> SpindleReaction {
     match at {
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Turns,

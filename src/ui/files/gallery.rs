@@ -100,7 +100,7 @@ fn ExampleCard(
     shown: Signal<bool>,
 ) -> impl IntoView {
     let page = Page::here();
-    // On the present control, where the machine goes with it.
+    // On the present control, if the machine can have it.
     let made = move || {
         let control = page.project.with_untracked(|project| project.control);
         let kept = Project::named(machine.id(), Some(control.id), Some(example.id));

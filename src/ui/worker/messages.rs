@@ -6,7 +6,7 @@ use web_sys::Blob;
 use crate::controls::Control;
 use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, Message, MessageValue, Place, Severity, Span, catalog};
 
-/// Lines of a program that are shown at most.
+/// Greatest number of shown lines of a program.
 pub(crate) const SHOWN: u32 = 5000;
 
 /// A request about a project, with the number that its answer carries.
@@ -29,9 +29,9 @@ pub(crate) enum Request {
     Sheets,
     /// Motors, operating envelope, limits and bill of materials.
     Sizing,
-    /// How often every verdict holds while the assumed facts lie within a tenth of their values.
+    /// Chance that every verdict holds, with the assumed facts within a tenth of their values.
     Chance,
-    /// Facts of the form that are only assumed and whose change by a tenth flips a verdict.
+    /// Assumed facts of the form whose change by a tenth flips a verdict.
     Flips,
     /// The present settings beside the variants of the project.
     Variants,
@@ -64,11 +64,11 @@ pub(crate) enum Request {
 /// A message from the worker.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) enum Reply {
-    /// The worker listens. A question sent before would be lost.
+    /// The worker is ready. A request sent earlier would be lost.
     Ready,
-    /// How far the question of this number is: the share of [`Request::Sizing`] and [`Request::Chance`], the bytes of [`Request::Check`].
+    /// Progress of the request with this number: the share of [`Request::Sizing`] and [`Request::Chance`], the bytes of [`Request::Check`].
     Progress(u32, f64),
-    /// The answer to the question of this number.
+    /// The answer to the request with this number.
     Answer(u32, Response),
 }
 
@@ -112,12 +112,12 @@ pub(crate) struct Caret {
     pub units: u32,
 }
 
-/// Proposals for what is typed.
+/// Completion proposals for the typed prefix.
 #[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Proposals {
-    /// UTF-16 units before the text that a proposal takes the place of.
+    /// UTF-16 units before the text that a proposal replaces.
     pub from: u32,
-    /// Whether the first of them name a program or a block: few, so that they are shown before anything is typed.
+    /// Whether the first of them name a program or a block: these are few, and are shown before anything is typed.
     pub few: bool,
     /// Texts, and the line beside each of them.
     pub rows: Vec<(String, String)>,
@@ -126,13 +126,13 @@ pub(crate) struct Proposals {
 /// Places of a program.
 #[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Places {
-    /// How many there are; more than rows where those are not all.
+    /// Number of all places; greater than the number of rows if the list is cut.
     pub count: u32,
-    /// The first of them.
+    /// The first places.
     pub rows: Vec<NamedPlace>,
 }
 
-/// A place with what a list shows of it.
+/// A place as a row of a list.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct NamedPlace {
     /// Name of a program, block or variable; or file and line.
@@ -151,7 +151,7 @@ pub(crate) const BEFORE_PROGRAM: &str = "auto:program";
 /// Note of a version that was kept before another one was opened.
 pub(crate) const BEFORE_VERSION: &str = "auto:version";
 
-/// Note of a project of another tab, whose place this one took.
+/// Note of a project of another tab that this tab replaced.
 pub(crate) const OTHER_TAB: &str = "auto:other-tab";
 
 /// A project that this browser keeps, or a version of one.
@@ -187,7 +187,7 @@ pub(crate) struct Shelf {
     pub dark: bool,
 }
 
-/// Where a project of the list is kept.
+/// Store of a listed project.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum ShelfPlace {
     /// On the page: the present project.
@@ -204,11 +204,11 @@ pub(crate) enum ShelfPlace {
 pub(crate) struct ListedProject {
     /// Id of its state.
     pub id: String,
-    /// Where it is kept.
+    /// Its store.
     pub place: ShelfPlace,
     /// Its name; empty where it has none.
     pub name: String,
-    /// The reason why its text is no project, where it is none.
+    /// The reason why its text is no project; none for a project.
     pub unread: Option<String>,
     /// Machine and control; empty where its text is no project.
     pub kind: String,
@@ -233,7 +233,7 @@ pub(crate) struct ListedVersion {
     pub kept: String,
     /// Changes since; empty where its text is no project.
     pub changes: String,
-    /// The reason why its text is no project, where it is none.
+    /// The reason why its text is no project; none for a project.
     pub unread: Option<String>,
 }
 
@@ -290,7 +290,7 @@ pub(crate) struct Hit {
 /// Parts that were read from a table.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct ReadParts {
-    /// The project with them, as the text of its file.
+    /// The project with these parts, as the text of its file.
     pub project: String,
     /// How many were added.
     pub added: u32,
@@ -298,7 +298,7 @@ pub(crate) struct ReadParts {
     pub remarks: Vec<(bool, String)>,
 }
 
-/// The documents of an export. The page exports the very programs that it runs; it has no table of GBK.
+/// The documents of an export. The page exports the programs that it runs; it has no table of GBK.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Documents {
     /// Bytes of the programs, in their order, where the control reads them in GBK.

@@ -1,4 +1,4 @@
-//! The worker beside the page: messages and both ends of the line.
+//! The worker beside the page: messages and both ends of the connection.
 
 pub(super) mod messages;
 

@@ -25,7 +25,7 @@ pub(in crate::ui) fn gallery(dark: bool) -> Vec<String> {
     examples.map(|example| drawn(example).unwrap_or_default()).collect()
 }
 
-/// A drawing as the address of an image, without labels, which nobody could read at this size.
+/// A drawing as the address of an image, without labels, which would be too small to read.
 fn address((mut scene, pose): (Scene, Pose), dark: bool) -> String {
     scene.nodes.retain(|node| node.label == 0);
     let drawn = picture(&scene, &pose, if dark { Theme::Dark } else { Theme::Light });

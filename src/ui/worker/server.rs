@@ -1,4 +1,4 @@
-//! The worker's end of the line: reviews programs, makes sheets and documents, checks large texts.
+//! The worker's end of the connection: reviews programs, makes sheets and documents, checks large texts.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -20,18 +20,18 @@ use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, LineIndex, catalog};
 use crate::ui::words::{counts, sign, t, tell, tone};
 
-/// Findings of a large text in its report at most.
+/// Greatest number of findings in the report of a large text.
 const ROWS: usize = 200;
 
 /// Bytes of a large text that are read between two reports of progress.
 const PIECE: f64 = 4_000_000.0;
 
 thread_local! {
-    /// The texts of help, once a question has loaded them.
+    /// The texts of help, after the first request for them.
     static TEXTS: Cell<Option<Texts>> = const { Cell::new(None) };
 }
 
-/// The texts of help, which `load` fetches; `None` where they cannot be had.
+/// The texts of help, fetched by `load`; `None` if they cannot be loaded.
 async fn texts(load: &Function) -> Option<Texts> {
     if let Some(texts) = TEXTS.get() {
         return Some(texts);
@@ -44,8 +44,8 @@ async fn texts(load: &Function) -> Option<Texts> {
     Some(texts)
 }
 
-/// Answers the questions of the page in the language of the sentences ([`catalog::speak`]), with lengths in the system of this id, as long as
-/// the worker lives. `load` fetches the texts of help, those of [`Texts::files`].
+/// Answers the requests of the page in the language of the sentences ([`catalog::speak`]), with lengths in the system of this id, as long
+/// as the worker lives. `load` fetches the texts of help, those of [`Texts::files`].
 pub fn work(sentences: String, lengths: &str, load: Function) {
     catalog::speak(sentences.leak());
     units::show(Lengths::of_id(lengths).unwrap_or(Lengths::Millimetres));
@@ -83,7 +83,7 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
                         (Some(texts), Request::FindHelp(query)) => {
                             Response::Found(help::found(&project, &texts, &query))
                         }
-                        // Nothing is found where the texts cannot be loaded.
+                        // Nothing is found if the texts cannot be loaded.
                         _ => Response::Found(Vec::new()),
                     };
                     send(&page, &Reply::Answer(number, response));

@@ -13,7 +13,7 @@ use crate::ui::words::{day, t};
 /// Version of the states that this page reads.
 const VERSION: f64 = 1.0;
 
-/// Pictures that are drawn: of the projects that were kept last.
+/// Greatest number of pictures: those of the projects kept last.
 const PICTURES: usize = 40;
 
 /// Notes of versions that the page has kept by itself, with the catalog ids of their sentences.
@@ -59,7 +59,7 @@ fn listed(
     }
 }
 
-/// The project of a state, or why it does not read.
+/// The project of a state, or the reason why it is unreadable.
 fn read(state: &ShelfState) -> Result<Project, String> {
     if state.version > VERSION {
         return Err(t("projects.newer").to_owned());

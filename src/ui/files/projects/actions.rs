@@ -1,4 +1,4 @@
-//! Actions on the projects in this browser, and the list that they leave.
+//! Actions on the projects in this browser, and the list of projects after them.
 
 use leptos::html;
 use leptos::prelude::*;
@@ -28,7 +28,7 @@ enum Deleted {
     Aside(String, String),
 }
 
-/// The list of projects and the actions on it. A handle: copies mean the same.
+/// The list of projects and the actions on it. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(super) struct ProjectActions {
     page: Page,
@@ -40,7 +40,7 @@ pub(super) struct ProjectActions {
     /// Sentence about the last action.
     pub said: RwSignal<String>,
     deleted: RwSignal<Option<Deleted>, LocalStorage>,
-    /// The button that brings back what was deleted last.
+    /// The button that undoes the last deletion.
     pub restore_button: NodeRef<html::Button>,
 }
 
@@ -83,7 +83,7 @@ impl ProjectActions {
         let _ = self.deleted.try_set(None);
     }
 
-    /// Works on the database and lists the projects anew.
+    /// Runs work on the database, then lists the projects anew.
     fn then(self, work: impl Future<Output = Result<String, String>> + 'static) {
         spawn_local(async move {
             match work.await {
@@ -145,7 +145,7 @@ impl ProjectActions {
         self.states.with_value(|states| states.iter().find(|state| state.id == id).cloned())
     }
 
-    /// A callback that does something with the state of an id.
+    /// A callback that calls `act` with the state of an id.
     pub(super) fn with_state(self, id: StoredValue<String>, act: fn(ProjectActions, ShelfState)) -> Callback<()> {
         Callback::new(move |()| {
             if let Some(state) = id.with_value(|id| self.state(id)) {
@@ -166,7 +166,7 @@ impl ProjectActions {
         });
     }
 
-    /// Undoes steps, below 0, or does them again.
+    /// Undoes steps (`steps` below 0), or does them again.
     pub(super) fn travel(self, steps: i32) {
         self.page.view.projects.set(false);
         self.page.travel(steps);
@@ -248,7 +248,7 @@ impl ProjectActions {
         self.then(async move { shelf::ask("put", &[&shelf::row(&state)]).await.map(|_| String::new()) });
     }
 
-    /// Deletes a project with its versions, or a version, until the next deletion or the end of the page to be undone.
+    /// Deletes a project with its versions, or a version; can be undone until the next deletion or the end of the page.
     pub(super) fn delete(self, state: ShelfState) {
         let name = Project::from_json(&state.text).project.map(|project| project.name).filter(|name| !name.is_empty());
         let name = name.unwrap_or_else(|| t("page.untitled").to_owned());
@@ -264,7 +264,7 @@ impl ProjectActions {
                 Ok(gone) => {
                     self.say(say(&said));
                     let _ = self.deleted.try_set(Some(gone));
-                    // The pressed button goes with its project.
+                    // The pressed button disappears with its project.
                     dom::soon(move || self.focus_restore());
                 }
                 Err(reason) => shelf::tell(self.page, &reason),
@@ -273,7 +273,7 @@ impl ProjectActions {
         });
     }
 
-    /// Brings back what was deleted last.
+    /// Undoes the last deletion.
     pub(super) fn restore(self) {
         let Some(gone) = self.deleted.get_untracked() else { return };
         self.then(async move {
@@ -306,7 +306,7 @@ impl ProjectActions {
             match added.await {
                 Ok(count) => Ok(say(&msg!("projects.unpacked", count = count.as_f64().unwrap_or_default()))),
                 Err(reason) => {
-                    // The list itself is as it was, and is kept.
+                    // The list itself is unchanged, and stays.
                     if !self.page.view.kept.is_disposed() {
                         let told = say(&msg!("projects.not-unpacked", file = name, reason));
                         self.page.notices.notify("fail", told);
@@ -317,7 +317,7 @@ impl ProjectActions {
         });
     }
 
-    /// Saves a state as a file; one that does not read as it is.
+    /// Saves a state as a file; an unreadable one byte for byte.
     pub(super) fn save(self, state: ShelfState) {
         let name = Project::from_json(&state.text).project.map(|project| project.file_name("json"));
         dom::download(name.as_deref().unwrap_or(set_aside::FILE), "text/plain", state.text.as_bytes());

@@ -74,9 +74,9 @@ fn FileButton(
     kind: &'static str,
     /// Catalog id of its words.
     label: &'static str,
-    /// Catalog id of what is said about it.
+    /// Catalog id of its tooltip.
     about: &'static str,
-    /// Takes the file.
+    /// Called with the chosen file.
     take: impl Fn(web_sys::File) + 'static,
 ) -> impl IntoView {
     let input = NodeRef::<html::Input>::new();
