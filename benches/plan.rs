@@ -10,7 +10,7 @@ use macroline::controls::{self, Address, Control, Dialect, Switches};
 use macroline::drives::Analog;
 use macroline::interp::{Interp, StartProgram};
 use macroline::motion::{
-    Action, AxisPlant, BenchPlc, Budget, Event, Panel, Planner, Plant, Progress, Retention, Setup, SpindlePlant,
+    Action, AxisPlant, BenchPlc, Budget, Event, Panel, PlanProgress, Planner, Plant, Retention, Setup, SpindlePlant,
 };
 use macroline::nc::{self, Files};
 
@@ -71,7 +71,7 @@ fn whole(keep: Retention) -> Planner<Interp> {
 }
 
 /// The knob is turned at the end of an hour, and two seconds are planned on.
-fn knob(run: &mut Planner<Interp>) -> Progress {
+fn knob(run: &mut Planner<Interp>) -> PlanProgress {
     run.event(Event { t: 3590.9, action: Action::SpindleOverride(80.0) });
     run.advance(3592.9, usize::MAX)
 }

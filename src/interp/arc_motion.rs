@@ -3,7 +3,7 @@
 use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent};
 use super::canon::{AXES, Canon, Feed, Target};
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::state::{ArcGeometry, RunState};
 use super::words::BlockWords;
 use crate::controls::{Address, Alarm, Code};
@@ -18,7 +18,7 @@ impl RunState {
         mut to: Target,
         feed: Feed,
         exact: bool,
-    ) -> Run<Canon> {
+    ) -> BlockResult<Canon> {
         let [first, second, _] = self.modal.plane;
         let scale = |axis: u8| cx.shared.rules.moved(axis);
         let delta = |axis: u8| {
@@ -102,13 +102,13 @@ impl RunState {
             let at = usize::from(axis).min(AXES - 1);
             (self.position[at] as f64 - from) * cx.shared.rules.moves[at]
         };
-        match self.came.arc {
+        match self.last_motion.arc {
             Some(ArcGeometry { plane, center, clockwise }) if plane == (first, second) => {
                 let (x, y) = (part(first, center.0), part(second, center.1));
                 if clockwise { (y, -x) } else { (-y, x) }
             }
             _ => {
-                let from = |axis: u8| self.came.from[usize::from(axis).min(AXES - 1)] as f64;
+                let from = |axis: u8| self.last_motion.from[usize::from(axis).min(AXES - 1)] as f64;
                 (part(first, from(first)), part(second, from(second)))
             }
         }

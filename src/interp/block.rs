@@ -7,7 +7,7 @@ use super::call::Caller;
 use super::canon::Canon;
 use super::codes::{BlockCodes, END, OPTIONAL_STOP, STOP, macro_kind};
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::state::RunState;
 use super::step::End;
 use super::words::BlockWords;
@@ -20,7 +20,7 @@ use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 impl RunState {
     /// Executes a block of words.
-    pub(super) fn words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
+    pub(super) fn words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> BlockResult<()> {
         let surface = self.modal.spindle.surface.then(|| self.surface_zero(cx));
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
@@ -54,7 +54,7 @@ impl RunState {
         block: &Block,
         words: &[Word],
         codes: &BlockCodes,
-    ) -> Run<bool> {
+    ) -> BlockResult<bool> {
         if let Some(call) = self.modal_call.as_ref().filter(|call| call.each_block).map(Rc::clone)
             && codes.special != Some(Code::MacroModalEnd)
             && codes.flow.is_none()
@@ -63,7 +63,7 @@ impl RunState {
             let caller = Caller { word: None, all: true };
             let arguments = self.arguments(cx, block, words, caller)?;
             self.counts.macros += 1;
-            return self.call_modal(cx, &call, arguments.given()).map(|()| true);
+            return self.call_modal(cx, &call, arguments.into_call_arguments()).map(|()| true);
         }
         if codes.special.is_none() && codes.call.is_none() {
             return Ok(false);
@@ -92,7 +92,7 @@ impl RunState {
         codes: &BlockCodes,
         values: &BlockWords,
         surface: Option<i64>,
-    ) -> Run<bool> {
+    ) -> BlockResult<bool> {
         if let Some(stage) = codes.gear {
             self.queue.push(Canon::Gear { stage });
         }
@@ -147,7 +147,7 @@ impl RunState {
         codes: &BlockCodes,
         values: &BlockWords,
         moved: bool,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         match (codes.flow, codes.call) {
             (_, Some(call)) => {
                 let program = f64::from(call.program);
@@ -170,7 +170,12 @@ impl RunState {
 
     /// Reads codes and values of a block without executing its commands. Returns whether the block calls or returns; `None` if that depends
     /// on the calling program.
-    pub(super) fn read_words(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word]) -> Run<Option<bool>> {
+    pub(super) fn read_words(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        words: &[Word],
+    ) -> BlockResult<Option<bool>> {
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
         if codes.call.is_some() {
@@ -194,7 +199,7 @@ impl RunState {
         words: &[Word],
         codes: &BlockCodes,
         kind: CallKind,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let here = |trap: Trap| match words.get(codes.caller) {
             Some(word) => trap.within(word.span(block)),
             None => trap,

@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use super::canon::Canon;
 use super::context::BlockContext;
-use super::error::{Run, Trap};
-use super::frame::{CallFrame, Given, ModalCall};
+use super::error::{BlockResult, Trap};
+use super::frame::{CallArguments, CallFrame, ModalCall};
 use super::state::RunState;
 use super::step::End;
 use super::vars::{LOCALS, Locals, VACANT};
@@ -31,7 +31,7 @@ struct Callee {
     /// The first block to run.
     entry: u32,
     repeats: u32,
-    arguments: Option<Given>,
+    arguments: Option<CallArguments>,
     modal_call: Option<Rc<ModalCall>>,
     by_code: bool,
 }
@@ -41,13 +41,13 @@ pub(super) struct Arguments {
     pub(super) program: Option<f64>,
     pub(super) repeats: Option<f64>,
     locals: Locals,
-    pointless: u64,
+    without_point: u64,
 }
 
 impl Arguments {
     /// The arguments without P and L.
-    pub(super) fn given(self) -> Given {
-        Given { locals: Rc::new(self.locals), pointless: self.pointless }
+    pub(super) fn into_call_arguments(self) -> CallArguments {
+        CallArguments { locals: Rc::new(self.locals), without_point: self.without_point }
     }
 }
 
@@ -65,7 +65,7 @@ impl RunState {
         self.frames.iter().any(|frame| frame.by_code)
     }
 
-    fn enter(&mut self, cx: &BlockContext, callee: Callee) -> Run<()> {
+    fn enter(&mut self, cx: &BlockContext, callee: Callee) -> BlockResult<()> {
         let limits = &cx.control.limits;
         let macros = self.macro_depth();
         if callee.arguments.is_some() && macros >= limits.macro_depth as usize {
@@ -101,7 +101,7 @@ impl RunState {
     }
 
     /// Index of the program with the number P.
-    fn program_of(&self, cx: &BlockContext, number: f64) -> Run<u32> {
+    fn program_of(&self, cx: &BlockContext, number: f64) -> BlockResult<u32> {
         let found = if (1.0..4e9).contains(&number) { cx.shared.index.program(number as u32) } else { None };
         let hint = msg!("interp.hint-program");
         let trap = || {
@@ -112,7 +112,7 @@ impl RunState {
         found.ok_or_else(trap)
     }
 
-    fn repeats(&self, cx: &BlockContext, repeats: Option<f64>, at: &'static [Address]) -> Run<u32> {
+    fn repeats(&self, cx: &BlockContext, repeats: Option<f64>, at: &'static [Address]) -> BlockResult<u32> {
         let max = cx.control.limits.repeat_max;
         // On controls with an alarm for repeats, 0 repeats raise it too.
         let min = u32::from(cx.control.raises(Alarm::RepeatRange));
@@ -135,7 +135,7 @@ impl RunState {
         h: Option<f64>,
         l: Option<f64>,
         by_code: bool,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let macros = &cx.control.macros;
         self.refuse_in_modal(cx)?;
         let at: &'static [Address] = if l.is_some() { &[Address::L] } else { &[Address::P] };
@@ -170,7 +170,12 @@ impl RunState {
     }
 
     /// A call of a program by its name.
-    pub(super) fn call_named(&mut self, cx: &mut BlockContext, name: TextId, repeats: Option<ExprId>) -> Run<()> {
+    pub(super) fn call_named(
+        &mut self,
+        cx: &mut BlockContext,
+        name: TextId,
+        repeats: Option<ExprId>,
+    ) -> BlockResult<()> {
         let name = cx.deck.text(Some(name));
         let Some(program) = cx.shared.index.named(name) else {
             let trap = Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", program = name));
@@ -193,7 +198,7 @@ impl RunState {
     }
 
     /// Raises the alarm of a call or jump during a modal macro call, on controls that have it.
-    fn refuse_in_modal(&self, cx: &BlockContext) -> Run<()> {
+    fn refuse_in_modal(&self, cx: &BlockContext) -> BlockResult<()> {
         if self.modal_call.is_some() && cx.control.raises(Alarm::ReturnInModal) {
             return Err(Trap::alarm(Alarm::ReturnInModal, msg!("interp.call-in-modal")));
         }
@@ -205,17 +210,22 @@ impl RunState {
         &mut self,
         cx: &BlockContext,
         (program, repeats): (u32, u32),
-        arguments: Given,
+        arguments: CallArguments,
         modal_call: Option<Rc<ModalCall>>,
         by_code: bool,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let program = self.program_of(cx, f64::from(program))?;
         let entry = cx.deck.programs.get(program as usize).map_or(0, |program| program.first);
         self.enter(cx, Callee { program, entry, repeats, arguments: Some(arguments), modal_call, by_code })
     }
 
     /// One call of the modal macro in force.
-    pub(super) fn call_modal(&mut self, cx: &BlockContext, call: &ModalCall, arguments: Given) -> Run<()> {
+    pub(super) fn call_modal(
+        &mut self,
+        cx: &BlockContext,
+        call: &ModalCall,
+        arguments: CallArguments,
+    ) -> BlockResult<()> {
         self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), call.by_code)
     }
 
@@ -227,7 +237,7 @@ impl RunState {
         words: &[Word],
         caller: Caller,
         kind: CallKind,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let arguments = self.arguments(cx, block, words, caller)?;
         let Some(number) = arguments.program else {
             return Err(Trap::alarm(Alarm::NoCallProgram, msg!("interp.call-without-program")));
@@ -245,7 +255,7 @@ impl RunState {
         words: &[Word],
         caller: Caller,
         call: CodeCall,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         // On controls where codes cannot be arguments, the calling code has to be the only code of its block.
         let letter = caller.word.and_then(|at| words.get(at)).map(|word| word.letter);
         let first = words.iter().position(|word| Some(word.letter) == letter).filter(|at| caller.word != Some(*at));
@@ -265,9 +275,9 @@ impl RunState {
         arguments: Arguments,
         kind: CallKind,
         by_code: bool,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let repeats = self.repeats(cx, arguments.repeats, &[Address::L])?;
-        let arguments = arguments.given();
+        let arguments = arguments.into_call_arguments();
         if matches!(kind, CallKind::Modal | CallKind::ModalBlock) {
             let (each_block, outer) = (kind == CallKind::ModalBlock, self.modal_call.take());
             self.modal_call = Some(Rc::new(ModalCall { program, repeats, arguments, each_block, by_code, outer }));
@@ -286,8 +296,8 @@ impl RunState {
         block: &Block,
         words: &[Word],
         caller: Caller,
-    ) -> Run<Arguments> {
-        let mut found = Arguments { program: None, repeats: None, locals: [VACANT; LOCALS], pointless: 0 };
+    ) -> BlockResult<Arguments> {
+        let mut found = Arguments { program: None, repeats: None, locals: [VACANT; LOCALS], without_point: 0 };
         let all = caller.all;
         // For argument sets in order: the present set of I, J, K and its last letter. For sets per letter: the counts of I, J and K.
         let (mut set, mut last, mut counts) = (0, None, [0; 3]);
@@ -339,7 +349,7 @@ impl RunState {
                 *place = value;
                 let bit = 1_u64 << (variable - 1);
                 let increments = self.counts_argument(cx, word);
-                found.pointless = if increments { found.pointless | bit } else { found.pointless & !bit };
+                found.without_point = if increments { found.without_point | bit } else { found.without_point & !bit };
             }
         }
         if let (true, Some(number)) = (all, block.number) {
@@ -349,14 +359,14 @@ impl RunState {
     }
 
     /// Whether a local variable still has the value of an argument that was written without a decimal point and counted increments.
-    pub(super) fn came_without_point(&self, variable: u32, value: f64) -> bool {
+    pub(super) fn was_written_without_point(&self, variable: u32, value: f64) -> bool {
         let given = self.frames.iter().rev().find_map(|frame| frame.arguments.as_ref());
         let at = (variable as usize).wrapping_sub(1);
-        given.is_some_and(|given| given.pointless >> at.min(63) & 1 == 1 && given.locals.get(at) == Some(&value))
+        given.is_some_and(|given| given.without_point >> at.min(63) & 1 == 1 && given.locals.get(at) == Some(&value))
     }
 
     /// `M99 P`: returns from a subprogram or macro, or restarts the main program.
-    pub(super) fn end_sub(&mut self, cx: &BlockContext, at: u32, p: Option<f64>) -> Run<()> {
+    pub(super) fn end_sub(&mut self, cx: &BlockContext, at: u32, p: Option<f64>) -> BlockResult<()> {
         let keep = cx.shared.rules.running.keep_locals;
         if p.is_some() {
             self.refuse_in_modal(cx)?;

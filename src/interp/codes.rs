@@ -2,7 +2,7 @@
 
 use super::canon::Canon;
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::rules::M_CODES;
 use super::state::RunState;
 use crate::controls::Address;
@@ -72,7 +72,7 @@ impl RunState {
         block: &Block,
         words: &[Word],
         codes: &mut BlockCodes,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         for (at, word) in words.iter().enumerate() {
             match word.letter {
                 Address::G => {
@@ -112,7 +112,7 @@ impl RunState {
 
     /// Handles an M word of a second spindle; returns whether the word addresses one.
     #[cold]
-    fn other_spindle(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<bool> {
+    fn other_spindle(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<bool> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(word.index.is_some()) };
         let sign = match cx.codes().row(CodeId::M(number as u32)).map(|row| row.code) {
             Some(Code::SpindleCw) => 1,
@@ -131,7 +131,7 @@ impl RunState {
     }
 
     /// Whether the block has enough further M codes for this one not to act.
-    fn is_overtaken(&self, cx: &mut BlockContext, block: &Block, words: &[Word], at: usize) -> Run<bool> {
+    fn is_overtaken(&self, cx: &mut BlockContext, block: &Block, words: &[Word], at: usize) -> BlockResult<bool> {
         let most = cx.shared.rules.running.m_codes;
         let mut behind = 0;
         for word in words.get(at + 1..).unwrap_or_default() {
@@ -216,7 +216,7 @@ impl RunState {
         word: &Word,
         at: usize,
         codes: &mut BlockCodes,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(()) };
         if !(0.0..=99_999_999.0).contains(&number) {
             return Err(self.out_of_range(cx, block, word, 0.0, 99_999_999.0));

@@ -7,7 +7,7 @@ use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
 
 /// An alarm before it is located.
 #[derive(Debug)]
-pub(super) struct Fault {
+pub(super) struct RaisedAlarm {
     alarm: Alarm,
     /// The reader's finding about the block; replaces the other fields.
     reported: Option<Diagnostic>,
@@ -28,17 +28,17 @@ pub(super) enum Trap {
     /// The machine has to come to rest first.
     Sync,
     /// An alarm.
-    Alarm(Box<Fault>),
+    Alarm(Box<RaisedAlarm>),
 }
 
 /// Result of a part of a block.
-pub(super) type Run<T> = Result<T, Trap>;
+pub(super) type BlockResult<T> = Result<T, Trap>;
 
 impl Trap {
     /// An alarm with its message.
     #[cold]
     pub(super) fn alarm(alarm: Alarm, message: Message) -> Trap {
-        Trap::Alarm(Box::new(Fault {
+        Trap::Alarm(Box::new(RaisedAlarm {
             alarm,
             reported: None,
             message,
@@ -107,7 +107,7 @@ impl Trap {
     }
 }
 
-impl Fault {
+impl RaisedAlarm {
     /// Kind of the alarm.
     pub(super) fn kind(&self) -> Alarm {
         self.alarm

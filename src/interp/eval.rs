@@ -1,7 +1,7 @@
 //! Evaluation of formulas, vacant variables included, and location of the part that raises an alarm.
 
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::operators::{calculate, divides_not, function, or_zero, truth};
 use super::state::RunState;
 use crate::controls::syntax::Function;
@@ -12,7 +12,7 @@ use crate::text::catalog::number_text;
 
 impl RunState {
     /// Value of an expression; vacant if it is only a vacant variable. An alarm is located at the part without a value.
-    pub(super) fn value(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
+    pub(super) fn value(&self, cx: &mut BlockContext, id: ExprId) -> BlockResult<f64> {
         match self.part(cx, id) {
             Err(trap @ Trap::Alarm(_)) => Err(self.blame(cx, id, trap)),
             value => value,
@@ -22,7 +22,7 @@ impl RunState {
     /// Value of a part of an expression.
     ///
     /// The recursion is as deep as the formula; the parser limits formulas to a few hundred parts.
-    fn part(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
+    fn part(&self, cx: &mut BlockContext, id: ExprId) -> BlockResult<f64> {
         match cx.deck.expr(id) {
             Expr::Number(dec) => Ok(dec.to_f64()),
             Expr::Var(number) => self.read(cx, number),
@@ -40,7 +40,7 @@ impl RunState {
             Expr::Call(Function::AddPoint, x) => {
                 let value = or_zero(self.part(cx, x)?);
                 let Expr::Var(number) = cx.deck.expr(x) else { return Ok(value) };
-                Ok(if self.came_without_point(number, value) { value * cx.shared.units.per_unit } else { value })
+                Ok(if self.was_written_without_point(number, value) { value * cx.shared.units.per_unit } else { value })
             }
             Expr::Call(name, x) => {
                 let x = self.part(cx, x)?;
@@ -66,7 +66,7 @@ impl RunState {
     }
 
     /// Value stored by an assignment: vacant only if the right side is a variable alone, never `-0`.
-    pub(super) fn assigned(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
+    pub(super) fn assigned(&self, cx: &mut BlockContext, id: ExprId) -> BlockResult<f64> {
         let alone = matches!(cx.deck.expr(id), Expr::Var(_) | Expr::Indirect(_));
         let value = self.value(cx, id)?;
         // Adding 0 turns -0 into 0 and changes no other value.
@@ -75,17 +75,17 @@ impl RunState {
 
     /// The value of an expression as a number.
     #[inline]
-    pub(super) fn number(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
+    pub(super) fn number(&self, cx: &mut BlockContext, id: ExprId) -> BlockResult<f64> {
         Ok(or_zero(self.value(cx, id)?))
     }
 
     /// Checks that the right operand is non-vacant and valid for every left operand.
-    pub(super) fn operand(&self, cx: &mut BlockContext, op: Op, right: ExprId) -> Run<()> {
+    pub(super) fn operand(&self, cx: &mut BlockContext, op: Op, right: ExprId) -> BlockResult<()> {
         let value = self.number(cx, right)?;
         if divides_not(cx, op, value) { Err(self.division_by_zero(cx, right)) } else { Ok(()) }
     }
 
-    fn binary(&self, cx: &mut BlockContext, op: Op, left: ExprId, right: ExprId) -> Run<f64> {
+    fn binary(&self, cx: &mut BlockContext, op: Op, left: ExprId, right: ExprId) -> BlockResult<f64> {
         let left = self.part(cx, left)?;
         let divisor = right;
         let right = self.part(cx, right)?;
@@ -138,7 +138,7 @@ impl RunState {
 }
 
 /// Variable number from a calculated value; vacant gives `#0`.
-pub(super) fn variable_number(cx: &BlockContext, x: f64) -> Run<u32> {
+pub(super) fn variable_number(cx: &BlockContext, x: f64) -> BlockResult<u32> {
     let whole = or_zero(x).round();
     if (0.0..=4e9).contains(&whole) {
         Ok(whole as u32)

@@ -2,7 +2,7 @@
 
 use super::canon::Feed;
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::state::RunState;
 use crate::controls::{Address, Alarm};
 use crate::msg;
@@ -10,7 +10,7 @@ use crate::msg;
 impl RunState {
     /// Feed of a cut; `None` if F0 means rapid traverse.
     #[inline]
-    pub(super) fn feed_in_force(&self, cx: &BlockContext) -> Run<Option<Feed>> {
+    pub(super) fn feed_in_force(&self, cx: &BlockContext) -> BlockResult<Option<Feed>> {
         match self.modal.feed {
             Some(0.0) if cx.shared.rules.running.feed_zero_rapid => Ok(None),
             None | Some(0.0) => Err(no_feed(cx, self.modal.feed)),
@@ -21,7 +21,7 @@ impl RunState {
     }
     /// Speed in r/min of a master spindle other than the machine's own spindle.
     #[cold]
-    fn other_speed(&self) -> Run<f64> {
+    fn other_speed(&self) -> BlockResult<f64> {
         match self.modal.spindle.other {
             (rpm, true) if rpm > 0.0 => Ok(rpm),
             _ => Err(Trap::alarm(

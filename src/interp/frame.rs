@@ -18,18 +18,18 @@ pub(super) struct CallFrame {
     /// Number of repeats left.
     pub(super) again: u32,
     /// Arguments of a macro; a subprogram has none and shares its caller's locals.
-    pub(super) arguments: Option<Given>,
+    pub(super) arguments: Option<CallArguments>,
     /// Called by a code: within the program codes call no program.
     pub(super) by_code: bool,
 }
 
 /// Arguments of a macro call.
 #[derive(Debug, Clone)]
-pub(super) struct Given {
+pub(super) struct CallArguments {
     /// By local variable; vacant if not passed.
     pub(super) locals: Rc<Locals>,
     /// Local variables (bit 0 for `#1`) whose argument had no decimal point and counted increments.
-    pub(super) pointless: u64,
+    pub(super) without_point: u64,
 }
 
 /// G66 or G66.1 in force.
@@ -40,7 +40,7 @@ pub(super) struct ModalCall {
     /// Runs of the macro per call.
     pub(super) repeats: u32,
     /// Arguments of each call; G66.1 uses the words of each block instead.
-    pub(super) arguments: Given,
+    pub(super) arguments: CallArguments,
     /// G66.1: each block is only a call.
     pub(super) each_block: bool,
     /// Set by a code bound to a program.

@@ -1,7 +1,7 @@
 //! `G65 Hnn P Q R`: calculations and jumps by function number.
 
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::operators::{function, operate, or_zero};
 use super::state::RunState;
 use super::system_variables::user_alarm;
@@ -19,7 +19,13 @@ impl RunState {
     }
 
     /// Executes a `G65 H` function.
-    pub(super) fn function_words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
+    pub(super) fn function_words(
+        &mut self,
+        cx: &mut BlockContext,
+        at: u32,
+        block: &Block,
+        words: &[Word],
+    ) -> BlockResult<()> {
         let word = |letter: Address| words.iter().rfind(|word| word.letter == letter);
         let number = match word(Address::H) {
             Some(word) => self.whole(cx, block, word)?.unwrap_or(0.0),
@@ -73,7 +79,13 @@ impl RunState {
         }
     }
 
-    fn calculate(&self, cx: &mut BlockContext, operation: Operation, (q, r): (f64, f64), target: u32) -> Run<f64> {
+    fn calculate(
+        &self,
+        cx: &mut BlockContext,
+        operation: Operation,
+        (q, r): (f64, f64),
+        target: u32,
+    ) -> BlockResult<f64> {
         use Operation::*;
         match operation {
             Add => operate(cx, Op::Add, q, r),

@@ -9,7 +9,7 @@ use crate::nc::{Deck, Expr, ExprId, Program, Stmt};
 
 /// Storage of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Slot {
+pub(super) enum VariableSlot {
     /// No variable with this number.
     None,
     /// Local variable `#n`, as index from 0.
@@ -61,7 +61,7 @@ struct Jumps {
 pub(super) struct Index {
     /// Axis by address, with [`INCREMENTAL`]; [`u8::MAX`] for no axis.
     axes: [u8; 64],
-    direct: Vec<Slot>,
+    direct: Vec<VariableSlot>,
     /// Start of each variable row in the store, or [`NOT_STORED`].
     bases: Vec<u32>,
     /// Number of stored variables.
@@ -132,21 +132,21 @@ impl Index {
         (axis != u8::MAX).then_some(((axis & !INCREMENTAL) as usize, axis & INCREMENTAL != 0))
     }
 
-    fn find_slot(&self, control: &Control, number: u32) -> Slot {
+    fn find_slot(&self, control: &Control, number: u32) -> VariableSlot {
         let Some(at) = control.vars.iter().position(|row| row.first <= number && number <= row.last) else {
-            return Slot::None;
+            return VariableSlot::None;
         };
         match (control.vars[at].kind, self.stored_at(&control.vars[at], at, number)) {
-            (VarKind::Local, _) => Slot::Local((number - control.vars[at].first).min(32) as u8),
-            (kind, _) if kind.common() && !is_fitted(self.fitted, number) => Slot::None,
-            (VarKind::Common | VarKind::Retained, Some(slot)) => Slot::Common(slot),
-            _ => Slot::Row(at as u16),
+            (VarKind::Local, _) => VariableSlot::Local((number - control.vars[at].first).min(32) as u8),
+            (kind, _) if kind.common() && !is_fitted(self.fitted, number) => VariableSlot::None,
+            (VarKind::Common | VarKind::Retained, Some(slot)) => VariableSlot::Common(slot),
+            _ => VariableSlot::Row(at as u16),
         }
     }
 
     /// Storage of a variable.
     #[inline]
-    pub(super) fn slot(&self, control: &Control, number: u32) -> Slot {
+    pub(super) fn slot(&self, control: &Control, number: u32) -> VariableSlot {
         match self.direct.get(number as usize) {
             Some(&slot) => slot,
             None => self.find_slot(control, number),

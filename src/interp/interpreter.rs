@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::canon::{AXES, Canon, CanonNames};
 use super::context::Shared;
-use super::index::{Index, Slot};
+use super::index::{Index, VariableSlot};
 use super::rules::{Rules, Units};
 use super::state::RunState;
 use super::step::{Counts, End, StartProgram, Step};
@@ -75,9 +75,9 @@ impl Interp {
     /// Value of a variable; `None` if vacant or not stored by the interpreter.
     pub fn variable(&self, number: u32) -> Option<f64> {
         let value = match self.shared.index.slot(self.shared.control, number) {
-            Slot::Local(index) => self.state.vars.local(index),
-            Slot::Common(slot) => self.state.vars.common(slot),
-            Slot::Row(_) | Slot::None => return None,
+            VariableSlot::Local(index) => self.state.vars.local(index),
+            VariableSlot::Common(slot) => self.state.vars.common(slot),
+            VariableSlot::Row(_) | VariableSlot::None => return None,
         };
         (!value.is_nan()).then_some(value)
     }
@@ -86,9 +86,9 @@ impl Interp {
     pub fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool {
         let value = value.filter(|value| value.is_finite()).unwrap_or(vars::VACANT);
         match self.shared.index.slot(self.shared.control, number) {
-            Slot::Local(index) => self.state.vars.set_local(index, value),
-            Slot::Common(slot) => self.state.vars.set_common(slot, value),
-            Slot::Row(_) | Slot::None => return false,
+            VariableSlot::Local(index) => self.state.vars.set_local(index, value),
+            VariableSlot::Common(slot) => self.state.vars.set_common(slot, value),
+            VariableSlot::Row(_) | VariableSlot::None => return false,
         }
         true
     }

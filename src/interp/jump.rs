@@ -1,7 +1,7 @@
 //! Jumps to labels and sequence numbers, and from DO to END and back.
 
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::index::Partner;
 use super::operators::WHOLE;
 use super::state::RunState;
@@ -12,7 +12,7 @@ use crate::text::{Diagnostic, DiagnosticKind, Place, Severity, Span};
 
 impl RunState {
     /// Block of the END for a DO, or of the DO for an END.
-    pub(super) fn partner(&self, cx: &BlockContext, at: u32, block: &Block) -> Run<u32> {
+    pub(super) fn partner(&self, cx: &BlockContext, at: u32, block: &Block) -> BlockResult<u32> {
         match cx.shared.index.partner(self.program, at) {
             Partner::Block(partner) => Ok(partner),
             Partner::Fault(alarm) => Err(self.faulty_loop(cx, block, alarm)),
@@ -39,7 +39,7 @@ impl RunState {
         Trap::alarm(alarm, message).reported_as(reported.or_else(|| within(program).next()))
     }
 
-    pub(super) fn go_to(&mut self, cx: &mut BlockContext, from: u32, target: ExprId) -> Run<()> {
+    pub(super) fn go_to(&mut self, cx: &mut BlockContext, from: u32, target: ExprId) -> BlockResult<()> {
         if cx.control.syntax.names().is_some() {
             self.at = cx
                 .shared
@@ -53,7 +53,13 @@ impl RunState {
     }
 
     /// Jumps to a sequence number of the running program. `from` is the jumping block, `missing` the alarm if no block has the number.
-    pub(super) fn go_to_number(&mut self, cx: &BlockContext, from: u32, number: f64, missing: Alarm) -> Run<()> {
+    pub(super) fn go_to_number(
+        &mut self,
+        cx: &BlockContext,
+        from: u32,
+        number: f64,
+        missing: Alarm,
+    ) -> BlockResult<()> {
         // A calculated number may differ from a whole one by rounding; sequence numbers have no decimals.
         let whole = (number - number.round()).abs() < WHOLE;
         let number = if whole { number.round() } else { number };

@@ -13,9 +13,9 @@ const COMMANDS: usize = 256;
 
 /// Modal states of the newest commands, in order.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Given(VecDeque<Rc<Modal>>);
+pub(super) struct ModalHistory(VecDeque<Rc<Modal>>);
 
-impl Given {
+impl ModalHistory {
     /// Records the modal state of an issued command.
     pub(super) fn note(&mut self, canon: &Canon, modal: &Modal) {
         if canon.acts_when_read() {

@@ -1,7 +1,7 @@
 //! Operators and functions of formulas: angles in degrees, 32-bit logic, and an alarm for each calculation without a result.
 
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use crate::controls::Alarm;
 use crate::controls::dialect::AsinRange;
 use crate::controls::syntax::Function;
@@ -19,7 +19,7 @@ pub(super) fn or_zero(x: f64) -> f64 {
 pub(super) const WHOLE: f64 = 1e-6;
 
 /// A value as a 32-bit number, for AND, OR and XOR.
-fn bits(cx: &BlockContext, x: f64) -> Run<i32> {
+fn bits(cx: &BlockContext, x: f64) -> BlockResult<i32> {
     let whole = x.round();
     if cx.control.macros.whole_bits && (x - whole).abs() >= WHOLE {
         return Err(Trap::alarm(Alarm::NotWhole, msg!("interp.not-whole", value = (x, 9))));
@@ -32,7 +32,7 @@ fn bits(cx: &BlockContext, x: f64) -> Run<i32> {
 }
 
 /// Converts decimal digits to groups of four bits (BCD), or back.
-fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
+fn regroup(x: f64, from: i64, to: i64) -> BlockResult<f64> {
     let error = || Trap::alarm(Alarm::Calculation, msg!("interp.not-bcd", value = x));
     let mut rest = x.round() as i64;
     if rest < 0 || rest > 99_999_999 && from == 10 || rest > 0x9999_9999 {
@@ -51,7 +51,7 @@ fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
 }
 
 /// The value of a function.
-pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> Run<f64> {
+pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> BlockResult<f64> {
     let outside = |alarm: Alarm| {
         let name = cx.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
         Err(Trap::alarm(alarm, msg!("interp.outside-domain", function = name, value = (x, 9))))
@@ -92,7 +92,7 @@ pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> Run<f64
 
 /// A result within the control's range of numbers.
 #[inline]
-fn in_range(cx: &BlockContext, x: f64) -> Run<f64> {
+fn in_range(cx: &BlockContext, x: f64) -> BlockResult<f64> {
     let (least, most) = cx.shared.rules.result;
     let size = x.abs();
     if size <= most && (size >= least || size == 0.0) {
@@ -108,7 +108,7 @@ fn out_of_range(large: bool) -> Trap {
 }
 
 /// Result of an operator between two numbers, outside the hot path of formulas. Comparisons give 1 or 0.
-pub(super) fn operate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
+pub(super) fn operate(cx: &BlockContext, op: Op, a: f64, b: f64) -> BlockResult<f64> {
     calculate(cx, op, a, b)
 }
 
@@ -125,7 +125,7 @@ pub(super) fn divides_not(cx: &BlockContext, op: Op, b: f64) -> bool {
 
 /// Result of an operator between two numbers, inlined into the evaluation of formulas.
 #[inline(always)]
-pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
+pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> BlockResult<f64> {
     match op {
         Op::Add => in_range(cx, a + b),
         Op::Subtract => in_range(cx, a - b),
@@ -170,6 +170,6 @@ fn close(cx: &BlockContext, a: f64, b: f64) -> bool {
 }
 
 #[inline]
-pub(super) fn truth(x: bool) -> Run<f64> {
+pub(super) fn truth(x: bool) -> BlockResult<f64> {
     Ok(f64::from(u8::from(x)))
 }

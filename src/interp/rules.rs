@@ -41,7 +41,7 @@ pub(super) struct Rules {
 impl Rules {
     pub(super) fn new(control: &Control, dialect: &Rc<Dialect>) -> Rules {
         let macros = &control.macros;
-        let square = control.axes.iter().position(|axis| axis.diameter).or(control.axis(Address::X));
+        let diameter_axis = control.axes.iter().position(|axis| axis.diameter).or(control.axis(Address::X));
         let running = RunningRules { m_codes: dialect.running.m_codes.clamp(1, M_CODES), ..dialect.running };
         Rules {
             numbers: dialect.numbers,
@@ -53,7 +53,7 @@ impl Rules {
             modulo: core::array::from_fn(|k| control.raises(Alarm::PositiveWay) && dialect.is_rotary(k)),
             tangents: control.can(Code::ArcTangent),
             points: [0, 1].map(|at| point(control, &dialect.points[at])),
-            surface_axis: square.unwrap_or(0).min(AXES - 1),
+            surface_axis: diameter_axis.unwrap_or(0).min(AXES - 1),
             spindle: dialect.spindle(),
             dialect: Rc::clone(dialect),
         }

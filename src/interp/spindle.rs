@@ -3,7 +3,7 @@
 use super::canon::{AXES, Canon, Target};
 use super::codes::BlockCodes;
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::state::RunState;
 use super::words::BlockWords;
 use crate::controls::Address;
@@ -23,7 +23,7 @@ impl RunState {
         codes: &BlockCodes,
         values: &BlockWords,
         surface: Option<i64>,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let speed = values.speed;
         if speed.is_none() && surface.is_none() && !self.modal.spindle.surface {
             return Ok(());
@@ -59,7 +59,7 @@ impl RunState {
     }
 
     /// Switches constant surface speed on.
-    fn surface(&mut self, cx: &BlockContext, speed: Option<f64>, before: Option<i64>) -> Run<()> {
+    fn surface(&mut self, cx: &BlockContext, speed: Option<f64>, before: Option<i64>) -> BlockResult<()> {
         if self.modal.spindle.master > 1 && before.is_none() {
             return Err(self.other_spindle_asked());
         }
@@ -114,7 +114,7 @@ impl RunState {
     }
 
     /// Queues spindle positioning to an angle in degrees, during the motion of the block.
-    pub(super) fn orient(&mut self, cx: &BlockContext, angle: f64, approach: Approach) -> Run<()> {
+    pub(super) fn orient(&mut self, cx: &BlockContext, angle: f64, approach: Approach) -> BlockResult<()> {
         let within = approach == Approach::Incremental || (0.0..360.0).contains(&angle);
         if !within && !cx.shared.rules.spindle.angle_wraps {
             return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", angle = (angle, 9))));

@@ -8,10 +8,10 @@ use super::context::{BlockContext, Shared};
 use super::error::Trap;
 use super::frame::{CallFrame, ModalCall};
 use super::modal::Modal;
-use super::modal_history::Given;
+use super::modal_history::ModalHistory;
 use super::queue::CommandQueue;
 use super::step::{Counts, End};
-use super::vars::{VACANT, Vars};
+use super::vars::{VACANT, VariableStore};
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::Deck;
@@ -38,17 +38,17 @@ pub(super) struct LastMotion {
 /// A run between two steps.
 #[derive(Debug, Clone)]
 pub(super) struct RunState {
-    pub(super) vars: Vars,
+    pub(super) vars: VariableStore,
     pub(super) modal: Modal,
     /// Commanded position in command increments, machine frame.
     pub(super) position: [i64; AXES],
     /// The last motion, for arcs that continue in its direction.
-    pub(super) came: LastMotion,
+    pub(super) last_motion: LastMotion,
     /// End of the last motion with skip signal, machine frame.
     pub(super) skip: [i64; AXES],
     pub(super) queue: CommandQueue,
     /// Modal states of the issued commands, if the program reads them.
-    pub(super) given: Given,
+    pub(super) given: ModalHistory,
     pub(super) frames: Vec<CallFrame>,
     pub(super) modal_call: Option<Rc<ModalCall>>,
     /// Running program, with its file and its blocks.
@@ -73,13 +73,13 @@ pub(super) struct RunState {
 impl RunState {
     pub(super) fn new(shared: &Shared) -> RunState {
         let mut state = RunState {
-            vars: Vars::new(shared.index.stored),
+            vars: VariableStore::new(shared.index.stored),
             modal: Modal::new(shared.control, shared.rules.dialect.startup.iter().copied()),
             position: [0; AXES],
-            came: LastMotion::default(),
+            last_motion: LastMotion::default(),
             skip: [0; AXES],
             queue: CommandQueue::default(),
-            given: Given::default(),
+            given: ModalHistory::default(),
             frames: Vec::new(),
             modal_call: None,
             program: 0,
@@ -126,14 +126,14 @@ impl RunState {
     /// Reset key: modal codes as after power-on, locals vacant, common variables by the control's parameter.
     pub(super) fn reset(&mut self, shared: &Shared) {
         let (position, counts, clock_zero, modal) = (self.position, self.counts, self.clock_zero, self.modal.clone());
-        let vars = core::mem::replace(&mut self.vars, Vars::new(shared.index.stored));
+        let vars = core::mem::replace(&mut self.vars, VariableStore::new(shared.index.stored));
         *self = RunState::new(shared);
         (self.position, self.counts, self.clock_zero) = (position, counts, clock_zero);
         self.modal.keep_zeros(&modal);
         self.keep_stored(shared, &vars);
     }
 
-    fn keep_stored(&mut self, shared: &Shared, old: &Vars) {
+    fn keep_stored(&mut self, shared: &Shared, old: &VariableStore) {
         use crate::controls::VarKind::*;
         for (at, row) in shared.control.vars.iter().enumerate() {
             let kept = match row.kind {

@@ -2,7 +2,7 @@
 
 use super::canon::Canon;
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::state::RunState;
 use crate::controls::Address;
 use crate::msg;
@@ -10,7 +10,7 @@ use crate::nc::{BadBlock, Block, Stmt};
 use crate::text::{Diagnostic, Place, Severity};
 
 impl RunState {
-    pub(super) fn block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> Run<()> {
+    pub(super) fn block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> BlockResult<()> {
         if block.skip > 0 && cx.world.block_skip(block.skip) {
             self.counts.macros += 1;
             self.counts.empty += 1;

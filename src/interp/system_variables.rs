@@ -2,9 +2,9 @@
 
 use super::canon::{AXES, Canon};
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::eval::variable_number;
-use super::index::Slot;
+use super::index::VariableSlot;
 use super::state::RunState;
 use super::vars::VACANT;
 use crate::controls::vars::Width;
@@ -16,16 +16,16 @@ use crate::nc::{Block, Expr, ExprId};
 impl RunState {
     /// Value of a variable; NaN for vacant.
     #[inline]
-    pub(super) fn read(&self, cx: &mut BlockContext, number: u32) -> Run<f64> {
+    pub(super) fn read(&self, cx: &mut BlockContext, number: u32) -> BlockResult<f64> {
         match cx.shared.index.slot(cx.control, number) {
-            Slot::Common(slot) => Ok(self.vars.common(slot)),
-            Slot::Local(index) => Ok(self.vars.local(index)),
-            Slot::Row(at) => self.read_row(cx, at, number),
-            Slot::None => Err(no_such_variable(cx, number)),
+            VariableSlot::Common(slot) => Ok(self.vars.common(slot)),
+            VariableSlot::Local(index) => Ok(self.vars.local(index)),
+            VariableSlot::Row(at) => self.read_row(cx, at, number),
+            VariableSlot::None => Err(no_such_variable(cx, number)),
         }
     }
 
-    fn read_row(&self, cx: &mut BlockContext, at: u16, number: u32) -> Run<f64> {
+    fn read_row(&self, cx: &mut BlockContext, at: u16, number: u32) -> BlockResult<f64> {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         let axis = (number - row.first) as usize;
         let millimetres = |increments: i64| increments as f64 / cx.shared.units.per_unit;
@@ -86,7 +86,13 @@ impl RunState {
     }
 
     /// Executes `to = value`. The comment of the block is the message of alarms and stops.
-    pub(super) fn assign(&mut self, cx: &mut BlockContext, block: &Block, to: ExprId, value: ExprId) -> Run<()> {
+    pub(super) fn assign(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        to: ExprId,
+        value: ExprId,
+    ) -> BlockResult<()> {
         let value = self.assigned(cx, value)?;
         let number = self.variable_of(cx, to)?;
         self.write(cx, block, number, value).map_err(|trap| trap.part(to))
@@ -94,7 +100,7 @@ impl RunState {
 
     /// Variable number of an expression that is a variable.
     #[inline]
-    pub(super) fn variable_of(&self, cx: &mut BlockContext, id: ExprId) -> Run<u32> {
+    pub(super) fn variable_of(&self, cx: &mut BlockContext, id: ExprId) -> BlockResult<u32> {
         match cx.deck.expr(id) {
             Expr::Var(number) => Ok(number),
             Expr::Indirect(number) => {
@@ -107,22 +113,22 @@ impl RunState {
 
     /// Writes a variable; NaN for vacant.
     #[inline]
-    pub(super) fn write(&mut self, cx: &mut BlockContext, block: &Block, number: u32, value: f64) -> Run<()> {
+    pub(super) fn write(&mut self, cx: &mut BlockContext, block: &Block, number: u32, value: f64) -> BlockResult<()> {
         match cx.shared.index.slot(cx.control, number) {
-            Slot::Common(slot) => {
+            VariableSlot::Common(slot) => {
                 if self.vars.common(slot).to_bits() != value.to_bits() {
                     self.vars.set_common(slot, value);
                     cx.world.changed(number, (!value.is_nan()).then_some(value));
                 }
             }
-            Slot::Local(index) => self.vars.set_local(index, value),
-            Slot::Row(at) => self.write_row(cx, block, at, number, value)?,
-            Slot::None => return Err(no_such_variable(cx, number)),
+            VariableSlot::Local(index) => self.vars.set_local(index, value),
+            VariableSlot::Row(at) => self.write_row(cx, block, at, number, value)?,
+            VariableSlot::None => return Err(no_such_variable(cx, number)),
         }
         Ok(())
     }
 
-    fn write_row(&mut self, cx: &mut BlockContext, block: &Block, at: u16, number: u32, value: f64) -> Run<()> {
+    fn write_row(&mut self, cx: &mut BlockContext, block: &Block, at: u16, number: u32, value: f64) -> BlockResult<()> {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         if !row.kind.writable() {
             let alarm = if row.kind == VarKind::Vacant { Alarm::VacantWritten } else { Alarm::ReadOnly };
@@ -191,7 +197,7 @@ impl RunState {
 
 impl RunState {
     /// `#3003` and `#3004`: bits that suppress single block, FIN, feed hold, override and exact stop.
-    fn suppress(&mut self, cx: &BlockContext, kind: VarKind, slot: Option<u16>, value: f64) -> Run<()> {
+    fn suppress(&mut self, cx: &BlockContext, kind: VarKind, slot: Option<u16>, value: f64) -> BlockResult<()> {
         let whole = value.round();
         if !(0.0..=255.0).contains(&whole) {
             return Err(Trap::alarm(
@@ -213,7 +219,14 @@ impl RunState {
     }
 
     /// Writes a work offset in millimetres.
-    fn write_offset(&mut self, cx: &BlockContext, row: &VarRange, system: u8, number: u32, value: f64) -> Run<()> {
+    fn write_offset(
+        &mut self,
+        cx: &BlockContext,
+        row: &VarRange,
+        system: u8,
+        number: u32,
+        value: f64,
+    ) -> BlockResult<()> {
         let units = &cx.shared.units;
         let increments = (value * units.per_unit).round();
         let axis = (number - row.first) as usize;
@@ -238,7 +251,7 @@ impl RunState {
 
     /// Stores the bits of a PLC word.
     fn store(&mut self, cx: &BlockContext, word: u32, bits: i64) {
-        let Slot::Row(at) = cx.shared.index.slot(cx.control, word) else { return };
+        let VariableSlot::Row(at) = cx.shared.index.slot(cx.control, word) else { return };
         let Some(row) = cx.control.vars.get(at as usize) else { return };
         let value = if row.width(word) == Some(Width::Long) { f64::from(bits as i32) } else { f64::from(bits as i16) };
         if let Some(slot) = cx.shared.index.stored_at(row, at as usize, word) {

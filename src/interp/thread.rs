@@ -2,7 +2,7 @@
 
 use super::canon::{AXES, Target};
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::feed::no_feed;
 use super::state::RunState;
 use super::words::BlockWords;
@@ -14,7 +14,7 @@ const CENTRES: [Address; 3] = [Address::I, Address::J, Address::K];
 
 impl RunState {
     /// The lead in force, along the path.
-    pub(super) fn lead(&self, cx: &BlockContext, values: &BlockWords, to: Target) -> Run<f64> {
+    pub(super) fn lead(&self, cx: &BlockContext, values: &BlockWords, to: Target) -> BlockResult<f64> {
         let Some(lead) = self.modal.lead.filter(|lead| *lead != 0.0) else {
             if cx.control.raises(Alarm::NoLead) {
                 return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));

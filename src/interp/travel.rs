@@ -3,7 +3,7 @@
 use super::canon::{AXES, Canon, Feed, Target};
 use super::codes::BlockCodes;
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::state::{ArcGeometry, LastMotion, RunState};
 use super::words::BlockWords;
 use crate::controls::{Address, Alarm, Code, Point};
@@ -13,7 +13,7 @@ use crate::nc::Dimensioning;
 impl RunState {
     /// Queues the command for the axis words of a block; returns whether axes move.
     #[inline]
-    pub(super) fn motion(&mut self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> Run<bool> {
+    pub(super) fn motion(&mut self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> BlockResult<bool> {
         match codes.special {
             None => {}
             Some(Code::Dwell) => {
@@ -63,7 +63,7 @@ impl RunState {
             self.arc_within(cx, to, arc, area)?;
         }
         if cx.shared.rules.tangents && to.position != self.position {
-            self.came = LastMotion { from: self.position, arc };
+            self.last_motion = LastMotion { from: self.position, arc };
         }
         self.position = to.position;
         self.queue.push(motion);
@@ -75,7 +75,7 @@ impl RunState {
         let mut to = Target { position: self.position, mask: values.mask };
         let place = cx.shared.rules.point(point);
         (0..AXES).filter(|k| values.mask & 1 << k != 0).for_each(|k| to.position[k] = place[k]);
-        self.came = LastMotion { from: self.position, arc: None };
+        self.last_motion = LastMotion { from: self.position, arc: None };
         self.position = to.position;
         self.queue.push(Canon::Rapid { to });
     }
@@ -94,7 +94,7 @@ impl RunState {
 
     /// End point of the axis words: absolute, incremental or in the machine frame.
     #[inline]
-    fn end_point(&self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> Run<Target> {
+    fn end_point(&self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> BlockResult<Target> {
         let machine = matches!(codes.special, Some(Code::MachineCoordinates | Code::MachineRapid));
         let incremental = if self.modal.absolute || machine { values.incremental } else { u8::MAX } & !values.absolute;
         let mut to = Target { position: self.position, mask: values.mask };
@@ -123,7 +123,7 @@ impl RunState {
         values: &BlockWords,
         code: Code,
         to: Target,
-    ) -> Run<Option<Canon>> {
+    ) -> BlockResult<Option<Canon>> {
         Ok(Some(match code {
             Code::Rapid => Canon::Rapid { to },
             Code::Linear | Code::ArcCw | Code::ArcCcw | Code::ArcThrough | Code::ArcTangent => {
@@ -148,7 +148,7 @@ impl RunState {
     }
 
     /// Tapping: a feed of lead times spindle speed.
-    fn tapping(&mut self, cx: &BlockContext, values: &BlockWords, to: Target) -> Run<Canon> {
+    fn tapping(&mut self, cx: &BlockContext, values: &BlockWords, to: Target) -> BlockResult<Canon> {
         let rpm = if self.modal.spindle.master > 1 {
             Some(self.modal.spindle.other.0)
         } else {
@@ -174,7 +174,7 @@ impl RunState {
     /// End point of a rotary axis for an absolute angle, by the shortest, positive or negative way or without passing 0: less than a turn
     /// away.
     #[cold]
-    fn turned(&self, cx: &BlockContext, axis: usize, to: i64, angle: i64, way: Dimensioning) -> Run<i64> {
+    fn turned(&self, cx: &BlockContext, axis: usize, to: i64, angle: i64, way: Dimensioning) -> BlockResult<i64> {
         let turn = (360.0 * cx.shared.units.per_unit) as i64;
         if !(0..turn).contains(&angle) && !cx.shared.rules.spindle.angle_wraps {
             let angle = angle as f64 / cx.shared.units.per_unit;

@@ -1,7 +1,7 @@
 //! Words as numbers: command increments, feeds, whole numbers, with the effect of the decimal point and the range of each address.
 
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::operators::WHOLE;
 use super::state::RunState;
 use crate::controls::Address;
@@ -32,7 +32,7 @@ fn cut(value: f64) -> f64 {
 
 impl RunState {
     /// Value of a word as written; `None` if it is vacant and the word is left out. On some controls a vacant word is 0.
-    pub(super) fn raw(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn raw(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         if !cx.shared.rules.numbers.round_to_step {
             return self.as_written(cx, block, word);
         }
@@ -50,7 +50,7 @@ impl RunState {
     }
 
     /// Value of a word as written, with ROUND to a whole number, as in macro arguments.
-    fn as_written(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
+    fn as_written(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         match word.value {
             WordValue::Number(dec) => Ok(Some(dec.to_f64())),
             WordValue::Expr(id) => match self.value(cx, id) {
@@ -68,7 +68,7 @@ impl RunState {
     }
 
     /// Value of a word as a macro argument.
-    pub(super) fn argument(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn argument(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         match word.value {
             WordValue::Number(dec) if self.counts_argument(cx, word) => {
                 Ok(Some(dec.to_f64() / cx.shared.units.per_unit))
@@ -85,7 +85,7 @@ impl RunState {
     }
 
     /// Value of a word in the unit of its address, such as seconds or millimetres.
-    pub(super) fn plain(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn plain(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         match word.value {
             WordValue::Number(dec) if self.counts_increments(cx, word.letter, dec) => {
                 Ok(Some(dec.to_f64() / cx.shared.units.per_unit))
@@ -95,7 +95,7 @@ impl RunState {
     }
 
     /// Value of a word as a whole number. Decimals are dropped; on some controls a calculated value is rounded instead.
-    pub(super) fn whole(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn whole(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         let value = self.raw(cx, block, word)?;
         self.note_cut(cx, block, word);
         let round = cx.control.macros.round_words && matches!(word.value, WordValue::Expr(_));
@@ -115,7 +115,12 @@ impl RunState {
 
     /// Number of a G code, for a look-up; `None` if the word is left out.
     #[inline]
-    pub(super) fn code_number(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<CodeNumber>> {
+    pub(super) fn code_number(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+    ) -> BlockResult<Option<CodeNumber>> {
         if let WordValue::Number(Dec { mantissa, scale: 0, .. }) = word.value {
             return Ok(Some(CodeNumber::from_decimal(mantissa, 0).unwrap_or(CodeNumber::NONE)));
         }
@@ -125,7 +130,13 @@ impl RunState {
 
     /// A length or angle in command increments, rounded half away from zero; `None` if the word is left out.
     #[inline]
-    pub(super) fn dimension(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<i64>> {
+    pub(super) fn dimension(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        inch: bool,
+    ) -> BlockResult<Option<i64>> {
         let units = &cx.shared.units;
         let increments = match word.value {
             WordValue::Number(dec) if !inch => {
@@ -161,7 +172,13 @@ impl RunState {
 
     /// F in mm/min, rounded to the control's feed step, or in mm/rev.
     #[inline]
-    pub(super) fn feed_word(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
+    pub(super) fn feed_word(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        inch: bool,
+    ) -> BlockResult<Option<f64>> {
         if self.modal.per_revolution {
             return self.lead_word(cx, block, word, inch);
         }
@@ -173,7 +190,13 @@ impl RunState {
     }
 
     /// F in mm/rev: a feed, or the lead of a thread. The lead of a left-hand tap is negative.
-    pub(super) fn lead_word(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
+    pub(super) fn lead_word(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        inch: bool,
+    ) -> BlockResult<Option<f64>> {
         let Some(value) = self.plain(cx, block, word)? else { return Ok(None) };
         let lead = if inch { value * INCH } else { value };
         let limits = &cx.control.limits;
@@ -186,7 +209,7 @@ impl RunState {
     }
 
     /// Lead of a thread in mm/rev from its threads per inch.
-    pub(super) fn threads_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn threads_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         let Some(threads) = self.raw(cx, block, word)? else { return Ok(None) };
         let least = INCH / cx.control.limits.revolution_feed_max;
         if threads >= least && threads.is_finite() {
@@ -203,7 +226,7 @@ impl RunState {
         block: &Block,
         word: &Word,
         surface: bool,
-    ) -> Run<Option<f64>> {
+    ) -> BlockResult<Option<f64>> {
         let whole = cx.shared.units.integer_letters.contains(word.letter);
         let speed = match self.raw(cx, block, word)? {
             None => return Ok(None),
@@ -231,7 +254,7 @@ impl RunState {
     }
 
     /// Dwell time: P in whole milliseconds, S in spindle revolutions, other addresses in seconds.
-    pub(super) fn dwell_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn dwell_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         let seconds = match word.letter {
             Address::P => self.whole(cx, block, word)?.map(|milliseconds| milliseconds / 1000.0),
             _ => self.plain(cx, block, word)?,

@@ -14,7 +14,7 @@ const PAGE: usize = 32;
 
 /// All variables stored by the interpreter.
 #[derive(Debug, Clone)]
-pub(super) struct Vars {
+pub(super) struct VariableStore {
     pages: Vec<Rc<[f64; PAGE]>>,
     /// Local variables of the main program and of each macro level entered so far.
     levels: Vec<Rc<Locals>>,
@@ -26,11 +26,11 @@ pub(super) fn no_locals() -> Rc<Locals> {
     Rc::new([VACANT; LOCALS])
 }
 
-impl Vars {
+impl VariableStore {
     /// `count` vacant variables and vacant locals.
-    pub(super) fn new(count: u32) -> Vars {
+    pub(super) fn new(count: u32) -> VariableStore {
         let page = Rc::new([VACANT; PAGE]);
-        Vars { pages: vec![page; (count as usize).div_ceil(PAGE)], levels: vec![no_locals()], level: 0 }
+        VariableStore { pages: vec![page; (count as usize).div_ceil(PAGE)], levels: vec![no_locals()], level: 0 }
     }
 
     /// Reads a variable of the store.

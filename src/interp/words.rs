@@ -3,7 +3,7 @@
 use super::canon::AXES;
 use super::codes::BlockCodes;
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::modal::Radii;
 use super::state::RunState;
 use crate::controls::Address;
@@ -86,7 +86,7 @@ impl RunState {
         words: &[Word],
         codes: &BlockCodes,
         values: &mut BlockWords,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let inch = self.modal.inch;
         let dwell = codes.special == Some(Code::Dwell);
         // Limits by S, and the first S of a surface speed, are handled elsewhere.
@@ -152,7 +152,7 @@ impl RunState {
         word: &Word,
         (axis, incremental): (usize, bool),
         values: &mut BlockWords,
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let inch = self.modal.inch && !cx.control.axes[axis].rotary;
         let bit = 1 << axis;
         let yields = incremental && values.mask & bit != 0 && cx.control.syntax.absolute_holds;
@@ -173,7 +173,7 @@ impl RunState {
 
     /// F: the feed, or the lead of a thread.
     #[inline]
-    fn f_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<()> {
+    fn f_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<()> {
         let lead = self.cuts_threads() && !cx.control.syntax.lead_by_axis;
         let value = match lead {
             true => self.lead_word(cx, block, word, self.modal.inch)?,
@@ -187,7 +187,7 @@ impl RunState {
     }
 
     /// T: a tool number within its range.
-    fn tool_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<u32>> {
+    fn tool_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<u32>> {
         let Some(tool) = self.whole(cx, block, word)? else { return Ok(None) };
         let most = f64::from(cx.control.limits.tool_max);
         if (0.0..=most).contains(&tool) {
@@ -199,7 +199,13 @@ impl RunState {
 
     /// Reads the lead of a thread by I, J, K or by threads per inch; returns whether the word is one.
     #[cold]
-    fn thread_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<bool> {
+    fn thread_word(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        values: &mut BlockWords,
+    ) -> BlockResult<bool> {
         let inch = self.modal.inch;
         let lead = match word.letter {
             letter if cx.control.syntax.threads_per_inch == Some(letter) => match cx.shared.rules.numbers.fine_lead {
@@ -217,7 +223,13 @@ impl RunState {
     }
 
     /// Reads a word that few blocks have: AR, LIMS, SPOS, P, L, Q, D, H, B, E.
-    fn rare_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
+    fn rare_word(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        values: &mut BlockWords,
+    ) -> BlockResult<()> {
         match word.letter {
             Address::Ar => {
                 values.turn = self.raw(cx, block, word)?;
@@ -269,7 +281,13 @@ impl RunState {
 
     /// Reads a word of a second spindle or of an intermediate point; other indexed words are not simulated.
     #[cold]
-    fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
+    fn indexed_word(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        values: &mut BlockWords,
+    ) -> BlockResult<()> {
         let at = word.letter.after(Address::I).unwrap_or(usize::MAX);
         if word.letter == Address::S {
             self.modal.spindle.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.spindle.other.0);
@@ -308,7 +326,7 @@ impl RunState {
         block: &Block,
         words: &[Word],
         (codes, values): (&BlockCodes, &BlockWords),
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let (uses, dwell) = (self.uses(codes, values), codes.special == Some(Code::Dwell));
         for word in words {
             let class = match word.letter {

@@ -3,7 +3,7 @@
 use super::arc::passes;
 use super::canon::{AXES, Target};
 use super::context::BlockContext;
-use super::error::{Run, Trap};
+use super::error::{BlockResult, Trap};
 use super::state::{ArcGeometry, RunState};
 use crate::controls::{Address, Alarm};
 use crate::math;
@@ -21,7 +21,7 @@ impl RunState {
 
     /// Refuses an end point outside the working area.
     #[cold]
-    pub(super) fn within(&self, cx: &BlockContext, to: Target, [low, high]: &[[i64; AXES]; 2]) -> Run<()> {
+    pub(super) fn within(&self, cx: &BlockContext, to: Target, [low, high]: &[[i64; AXES]; 2]) -> BlockResult<()> {
         for (k, axis) in cx.control.axes.iter().enumerate().take(AXES).filter(|(k, _)| to.mask & 1 << k != 0) {
             let at = to.position[k];
             if !(low[k]..=high[k]).contains(&at) {
@@ -47,7 +47,7 @@ impl RunState {
         to: Target,
         round: ArcGeometry,
         area: &[[i64; AXES]; 2],
-    ) -> Run<()> {
+    ) -> BlockResult<()> {
         let ArcGeometry { plane: (first, second), center, clockwise } = round;
         let scale = |axis: u8| cx.shared.rules.moved(axis);
         let from_center = |place: &[i64; AXES]| {

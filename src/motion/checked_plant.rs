@@ -128,7 +128,7 @@ impl CheckedPlant {
     }
 
     /// Index of the diameter axis, which is perpendicular to the spindle.
-    pub(super) fn square(&self) -> Option<u8> {
+    pub(super) fn diameter_axis(&self) -> Option<u8> {
         self.axes.iter().position(|axis| axis.diameter).map(|at| at as u8)
     }
 

@@ -1,6 +1,6 @@
 //! The states of the executor: idle, moving, waiting, stopped, ended.
 
-use super::moves::{Move, Pace};
+use super::moves::{ActiveMove, Pace};
 use super::setup::RunEnd;
 use super::snapshot::Mode;
 use crate::interp::Canon;
@@ -19,9 +19,9 @@ pub(super) enum Exec {
     /// Takes the next command as soon as it is ready.
     Idle,
     /// Moves the axes.
-    Moving(Move),
+    Moving(ActiveMove),
     /// Waits for the spindle speed before this movement.
-    Spinning(Box<Move>),
+    Spinning(Box<ActiveMove>),
     /// Waits until this time (s) for the axes to settle.
     Settling(f64),
     /// Waits until this time (s) for standstill, before this command.
@@ -58,7 +58,7 @@ impl Exec {
     #[inline(always)]
     pub(super) fn returning(&self) -> Option<bool> {
         match self {
-            Exec::Moving(Move { pace: Pace::Return { ended }, .. }) => Some(*ended),
+            Exec::Moving(ActiveMove { pace: Pace::Return { ended }, .. }) => Some(*ended),
             _ => None,
         }
     }
@@ -88,8 +88,8 @@ impl Exec {
 
     pub(super) fn mode(&self, holding: bool) -> Mode {
         match self {
-            Exec::Moving(Move { pace: Pace::Return { ended: true }, .. }) => Mode::Ended,
-            Exec::Moving(Move { pace: Pace::Return { ended: false }, .. }) => Mode::Stopped,
+            Exec::Moving(ActiveMove { pace: Pace::Return { ended: true }, .. }) => Mode::Ended,
+            Exec::Moving(ActiveMove { pace: Pace::Return { ended: false }, .. }) => Mode::Stopped,
             Exec::Stopped | Exec::Ready => Mode::Stopped,
             Exec::Finished | Exec::OutOfBlocks => Mode::Ended,
             Exec::Alarm(_) => Mode::Alarm,

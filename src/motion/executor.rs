@@ -1,7 +1,7 @@
 //! Executes commands in order: moves the axes, waits for standstill, for the PLC, for the operator.
 
 use super::exec::Exec;
-use super::moves::{Move, Pace};
+use super::moves::{ActiveMove, Pace};
 use super::path::Segment;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
@@ -110,17 +110,17 @@ impl<P: RunningProgram> Sim<'_, P> {
         match canon {
             Canon::Rapid { to } => {
                 let end = self.goal(&to);
-                let motion = Move::line(self.s.path.position, end, Pace::Rapid, true, &self.plant.axes);
+                let motion = ActiveMove::line(self.s.path.position, end, Pace::Rapid, true, &self.plant.axes);
                 self.begin(t, &motion);
             }
             Canon::Linear { to, feed, exact } => {
                 let end = self.goal(&to);
-                let motion = Move::line(self.s.path.position, end, Pace::Feed(feed), exact, &self.plant.axes);
+                let motion = ActiveMove::line(self.s.path.position, end, Pace::Feed(feed), exact, &self.plant.axes);
                 self.cut(t, &motion);
             }
             Canon::Thread { to, lead } => {
                 let end = self.goal(&to);
-                let motion = Move::line(self.s.path.position, end, Pace::Thread(lead), false, &self.plant.axes);
+                let motion = ActiveMove::line(self.s.path.position, end, Pace::Thread(lead), false, &self.plant.axes);
                 self.cut(t, &motion);
             }
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
@@ -128,7 +128,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let scale = |axis: u8| self.plant.scale.get(axis as usize).copied().unwrap_or(0.0);
                 let center = (center.0 * scale(plane.0), center.1 * scale(plane.1));
                 let axes = &self.plant.axes;
-                let motion = Move::line(self.s.path.position, end, Pace::Feed(feed), exact, axes);
+                let motion = ActiveMove::line(self.s.path.position, end, Pace::Feed(feed), exact, axes);
                 self.cut(t, &motion.around(plane, center, clockwise, axes));
             }
             Canon::SurfaceSpeed { speed, axis, zero } => {
@@ -170,7 +170,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let missing = to.mask & !self.plant.fitted;
         for k in (0..AXES).filter(|k| missing & (1 << k) != 0) {
             let letter = self.plant.axes[k].name();
-            self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", axis = letter));
+            self.warn(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", axis = letter));
         }
         let scale = &self.plant.scale;
         core::array::from_fn(|k| {

@@ -1,7 +1,7 @@
 //! Start and speed of movements: clamps, overrides, hold, and feeds that follow the spindle.
 
 use super::exec::{Exec, MEASURE};
-use super::moves::{Move, Pace};
+use super::moves::{ActiveMove, Pace};
 use super::plc::percent;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
@@ -13,19 +13,19 @@ use crate::text::{Diagnostic, DiagnosticKind};
 
 impl<P: RunningProgram> Sim<'_, P> {
     /// Begins a cut, or waits for the spindle speed on controls that do so.
-    pub(super) fn cut(&mut self, t: f64, motion: &Move) {
+    pub(super) fn cut(&mut self, t: f64, motion: &ActiveMove) {
         let turning = &self.s.spindle;
         if turning.orienting.is_some() && motion.length > 0.0 {
             let (locked, driven) = (turning.locked, turning.driven || self.plant.spindle.driven_tool);
             if !locked {
-                self.say(Once::NotLocked as u32, || msg!("motion.not-locked"));
+                self.warn(Once::NotLocked as u32, || msg!("motion.not-locked"));
             }
             if !driven {
-                self.say(Once::NoDrivenTool as u32, || msg!("motion.no-driven-tool"));
+                self.warn(Once::NoDrivenTool as u32, || msg!("motion.no-driven-tool"));
             }
         }
         if self.feeds_without_rotation(motion) {
-            self.say(Once::FeedWithoutRotation as u32, || msg!("motion.feed-without-rotation"));
+            self.warn(Once::FeedWithoutRotation as u32, || msg!("motion.feed-without-rotation"));
         }
         if self.plant.spindle.rules.reached.is_some() {
             self.aim_at_cut(t);
@@ -40,7 +40,7 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Whether a movement ends deeper in the work than it began without rotation: the spindle and the PMC axes are at rest, and the spindle
     /// is not positioned for a driven tool.
-    fn feeds_without_rotation(&self, motion: &Move) -> bool {
+    fn feeds_without_rotation(&self, motion: &ActiveMove) -> bool {
         let turning = &self.s.spindle;
         let turns = turning.direction != 0
             || turning.orienting.is_some()
@@ -53,7 +53,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         !turns && x.1.abs() < self.plant.stock && z.1 < 0.0 && (x.1.abs() < x.0.abs() || z.1 < z.0)
     }
 
-    pub(super) fn begin(&mut self, t: f64, motion: &Move) {
+    pub(super) fn begin(&mut self, t: f64, motion: &ActiveMove) {
         if motion.length <= 0.0 {
             self.s.path.position = motion.end;
             return;
@@ -61,15 +61,15 @@ impl<P: RunningProgram> Sim<'_, P> {
         if self.s.path.flow_end.take().is_some_and(|end| t > end) {
             self.s.starved += 1;
             let (block_time, macro_time) = (self.plant.block_time * 1e3, self.plant.macro_time * 1e3);
-            self.say_kind(Once::Starved as u32, DiagnosticKind::Starved, || {
+            self.warn_kind(Once::Starved as u32, DiagnosticKind::Starved, || {
                 msg!("motion.starved", block_time, macro_time)
             });
         }
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
-            self.say_clamped(motion.limit, motion.limiting, feed);
+            self.warn_axis_clamp(motion.limit, motion.limiting, feed);
         }
         if self.s.spindle.commanded {
-            self.say_ramping(t, motion.pace);
+            self.report_motion_on_ramp(t, motion.pace);
         }
         self.s.exec = Exec::Moving(*motion);
         self.s.path.moving = true;
@@ -80,7 +80,7 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Reports, once per block, axis motion while the spindle is still on its ramp to a commanded speed: a warning for a cut, a remark for
     /// a rapid.
-    fn say_ramping(&mut self, t: f64, pace: Pace) {
+    fn report_motion_on_ramp(&mut self, t: f64, pace: Pace) {
         let plant = &self.plant.spindle;
         let Some(ramp) = self.out.timeline.ramps.last().filter(|_| plant.drives_cut) else { return };
         let part = plant.rules.reached.unwrap_or(REACHED);
@@ -95,15 +95,15 @@ impl<P: RunningProgram> Sim<'_, P> {
             Pace::Rapid => Diagnostic::info(msg!("motion.rapid-while-ramping", speed, commanded, time)),
             _ => Diagnostic::warning(msg!("motion.cut-while-ramping", speed, commanded, time)),
         };
-        self.say_here(finding);
+        self.report_in_block(finding);
     }
 
     /// Warns once that an axis is too slow for a feed (mm/min) and limits the path speed to `limit` (mm/s).
-    fn say_clamped(&mut self, limit: f64, limiting: usize, feed: f64) {
+    fn warn_axis_clamp(&mut self, limit: f64, limiting: usize, feed: f64) {
         let slowed = limit * 60.0;
         if feed > slowed * (1.0 + 1e-9) {
             let axis = self.plant.axes[limiting];
-            self.say(Once::Clamp as u32 + limiting as u32, || {
+            self.warn(Once::Clamp as u32 + limiting as u32, || {
                 msg!("motion.axis-clamp", axis = axis.name(), clamp = axis.clamp, feed, slowed)
             });
         }
@@ -115,7 +115,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let Exec::Moving(motion) = &mut self.s.exec else { return };
         if asked.0.min(motion.limit) == motion.speed {
             motion.again = asked.1;
-            self.say_at_rest();
+            self.warn_spindle_at_rest();
         } else {
             self.put_segment(t);
         }
@@ -132,19 +132,19 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.out.timeline.put_segment(segment, circle);
         self.watch(t);
         if matches!(pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
-            self.say_clamped(limit, limiting, asked * 60.0);
-            self.say_at_rest();
+            self.warn_axis_clamp(limit, limiting, asked * 60.0);
+            self.warn_spindle_at_rest();
         }
     }
 
     /// Warns once that a feed per revolution waits for a spindle at rest or without encoder.
-    fn say_at_rest(&mut self) {
+    fn warn_spindle_at_rest(&mut self) {
         if self.waits_for_spindle() {
             let (once, message) = match self.plant.spindle.encoder {
                 true => (Once::SpindleAtRest, msg!("motion.spindle-at-rest")),
                 false => (Once::NoEncoder, msg!("motion.no-encoder")),
             };
-            self.say(once as u32, || message);
+            self.warn(once as u32, || message);
         }
     }
 

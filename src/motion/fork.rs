@@ -6,7 +6,7 @@ use super::gate::Gatekeeper;
 use super::plan::{Checkpoint, Planner};
 use super::program::RunningProgram;
 use super::records::Records;
-use super::setup::{Progress, Retention};
+use super::setup::{PlanProgress, Retention};
 use crate::interp::{Canon, World};
 
 /// Number of newest commands kept for the debugger.
@@ -14,7 +14,7 @@ const GIVEN: usize = 8;
 
 impl<P: RunningProgram> Planner<P> {
     /// Plans like [`advance`](Planner::advance), but stops at a shut gate; returns whether it did. The log keeps the newest commands.
-    pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> (Progress, bool) {
+    pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> (PlanProgress, bool) {
         let answer = self.plan(until, budget, Some(gate));
         self.records.forget_log(GIVEN);
         answer

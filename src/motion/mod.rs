@@ -83,7 +83,7 @@ pub use plan::Planner;
 pub use plant::{AxisPlant, PMC_AXES, Plant, SpindlePlant};
 pub use plc::{BenchPlc, GearShift, Io, Plc, ProgramState, Stops, Strobes, WordPart};
 pub use program::RunningProgram;
-pub use setup::{Budget, Progress, Retention, RunEnd, Setup};
+pub use setup::{Budget, PlanProgress, Retention, RunEnd, Setup};
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
 pub use stretches::{Mover, Stretch};
 pub use timeline::{Timeline, Visit};

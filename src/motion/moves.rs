@@ -38,7 +38,7 @@ struct ArcMove {
 
 /// The executing movement.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Move {
+pub(super) struct ActiveMove {
     /// Start point.
     pub(super) start: [f64; AXES],
     /// Travel in proportion to the path: all of a line; on an arc, the travel of other axes and the rounding error in the plane.
@@ -65,7 +65,7 @@ pub(super) struct Move {
     pub(super) again: f64,
 }
 
-impl Move {
+impl ActiveMove {
     /// A straight line.
     pub(super) fn line(
         start: [f64; AXES],
@@ -73,12 +73,12 @@ impl Move {
         pace: Pace,
         exact: bool,
         axes: &[AxisPlant; AXES],
-    ) -> Move {
+    ) -> ActiveMove {
         let line: [f64; AXES] = core::array::from_fn(|k| end[k] - start[k]);
         let length = line.iter().map(|d| d * d).sum::<f64>().sqrt();
         let (limit, limiting, speed, done, since, again) = (0.0, 0, 0.0, 0.0, 0.0, f64::INFINITY);
         let mut motion =
-            Move { start, line, bow: None, end, length, pace, exact, limit, limiting, speed, done, since, again };
+            ActiveMove { start, line, bow: None, end, length, pace, exact, limit, limiting, speed, done, since, again };
         motion.set_limit(axes);
         motion
     }
@@ -91,7 +91,7 @@ impl Move {
         center: (f64, f64),
         clockwise: bool,
         axes: &[AxisPlant; AXES],
-    ) -> Move {
+    ) -> ActiveMove {
         let (a, b) = (plane.0 as usize, plane.1 as usize);
         if a >= AXES || b >= AXES || a == b {
             return self;

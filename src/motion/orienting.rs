@@ -3,7 +3,7 @@
 use super::plc::sense;
 use super::program::RunningProgram;
 use super::sim::Sim;
-use super::spindle::{Ramp, SpeedCommand, SpindleMode};
+use super::spindle::{InverterRamp, SpeedCommand, SpindleMode};
 use super::spindle_control::{Orienting, TravelPart};
 use crate::drives::orient::{Approach, Travel, first_travel, travel, turn};
 use crate::msg;
@@ -81,7 +81,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let incremental = approach == Approach::Incremental;
                 let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
                 let turns = last.turns(&self.plant.spindle, t);
-                self.put(Ramp { t, start: 0.0, target: 0.0, rate: 0.0, turns, ..last });
+                self.put(InverterRamp { t, start: 0.0, target: 0.0, rate: 0.0, turns, ..last });
                 self.set_off(t, if incremental { target - turns * 360.0 } else { target }, approach);
             }
             TravelPart::ToPeak => {
@@ -100,7 +100,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let command = SpeedCommand { sign: 0, stage: last.command.stage, ..SpeedCommand::default() };
                 self.s.plc.io.spindle_command = 0.0;
                 let control = SpindleMode::Held;
-                self.put(Ramp { t, start: 0.0, target: 0.0, rate: 0.0, turns: goal, command, control, ..last });
+                self.put(InverterRamp { t, start: 0.0, target: 0.0, rate: 0.0, turns: goal, command, control, ..last });
             }
             TravelPart::Held => {}
         }
@@ -115,7 +115,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let command =
             SpeedCommand { from: start.abs(), to: target.abs(), span: seconds, sign, stage, ..SpeedCommand::default() };
         self.s.plc.io.spindle_command = target;
-        self.put(Ramp { t, start, target, rate, turns, command, control: SpindleMode::Position, ..last });
+        self.put(InverterRamp { t, start, target, rate, turns, command, control: SpindleMode::Position, ..last });
         if t + seconds > t {
             self.s.spindle.reached_at = t + seconds;
         } else {

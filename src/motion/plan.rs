@@ -12,7 +12,7 @@ use super::panel::{Action, Event, Panel};
 use super::path::Segment;
 use super::program::RunningProgram;
 use super::records::{RecordLengths, Records};
-use super::setup::{Progress, Retention, RunEnd, Setup};
+use super::setup::{PlanProgress, Retention, RunEnd, Setup};
 use super::sim::Sim;
 use super::state::SimState;
 use super::timeline::Timeline;
@@ -50,7 +50,7 @@ impl<P: RunningProgram> Planner<P> {
     pub fn new(setup: Setup<'_, P>) -> Planner<P> {
         let plant = CheckedPlant::new(setup.control, setup.plant, setup.limits, setup.keep != Retention::Timeline);
         let mut timeline = Timeline::new(plant.axes, super::pmc::axes(&setup.plant.pmc), plant.spindle);
-        let mut state = SimState::new(setup.program, setup.plc, plant.square());
+        let mut state = SimState::new(setup.program, setup.plc, plant.diameter_axis());
         let home = plant.axes.map(|axis| axis.home);
         if home != [0.0; AXES] {
             let increments = core::array::from_fn(|k| (home[k] / plant.scale[k]).round() as i64);
@@ -72,12 +72,12 @@ impl<P: RunningProgram> Planner<P> {
     }
 
     /// Plans on until machine time `until`, standstill after the end of the run, or `budget` events: whichever is first.
-    pub fn advance(&mut self, until: f64, budget: usize) -> Progress {
+    pub fn advance(&mut self, until: f64, budget: usize) -> PlanProgress {
         self.plan(until, budget, None).0
     }
 
     /// Plans like [`advance`](Planner::advance), with an optional gate before each step of the program; returns whether the gate shut.
-    pub(super) fn plan(&mut self, until: f64, budget: usize, mut gate: Option<Gatekeeper<P>>) -> (Progress, bool) {
+    pub(super) fn plan(&mut self, until: f64, budget: usize, mut gate: Option<Gatekeeper<P>>) -> (PlanProgress, bool) {
         let mut shut = false;
         let until = until.min(self.plant.limits.seconds);
         for _ in 0..budget {
@@ -131,7 +131,7 @@ impl<P: RunningProgram> Planner<P> {
             // Other events may follow at the same time; the time counts as planned only after them.
             self.records.timeline.end = t.max(self.records.timeline.end);
         }
-        (Progress { planned_to: self.records.timeline.end, ended: self.ended.clone() }, shut)
+        (PlanProgress { planned_to: self.records.timeline.end, ended: self.ended.clone() }, shut)
     }
 
     /// Records a checkpoint before the first event at or after a whole second. All earlier events come before `due`.

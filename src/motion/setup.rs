@@ -63,7 +63,7 @@ pub enum RunEnd {
 
 /// Progress of planning.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Progress {
+pub struct PlanProgress {
     /// Machine time (s) planned so far.
     pub planned_to: f64,
     /// Cause of the end; set after axes and spindle have settled.

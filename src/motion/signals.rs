@@ -39,7 +39,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.plc_alarm(t, alarm);
             }
             if let Some(notice) = self.s.plc.io.notice.take() {
-                self.say(Once::Notice as u32, || notice);
+                self.warn(Once::Notice as u32, || notice);
             }
             let io = &mut self.s.plc.io;
             let waiting = io.m_strobe.is_some() || io.s_strobe.is_some() || io.t_strobe.is_some();

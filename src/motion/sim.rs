@@ -35,12 +35,12 @@ pub(super) struct Sim<'a, P> {
 
 impl<P> Sim<'_, P> {
     /// Adds a warning, once per run.
-    pub(super) fn say(&mut self, bit: u32, message: impl FnOnce() -> Message) {
-        self.say_kind(bit, DiagnosticKind::Plain, message);
+    pub(super) fn warn(&mut self, bit: u32, message: impl FnOnce() -> Message) {
+        self.warn_kind(bit, DiagnosticKind::Plain, message);
     }
 
     /// Adds a warning with a kind that code tests for, once per run.
-    pub(super) fn say_kind(&mut self, bit: u32, kind: DiagnosticKind, message: impl FnOnce() -> Message) {
+    pub(super) fn warn_kind(&mut self, bit: u32, kind: DiagnosticKind, message: impl FnOnce() -> Message) {
         self.once(bit, || Diagnostic::warning(message()).kind(kind));
     }
 
@@ -50,14 +50,14 @@ impl<P> Sim<'_, P> {
     }
 
     fn once(&mut self, bit: u32, finding: impl FnOnce() -> Diagnostic) {
-        if self.s.said & (1 << bit) == 0 {
-            self.s.said |= 1 << bit;
+        if self.s.reported & (1 << bit) == 0 {
+            self.s.reported |= 1 << bit;
             self.out.diagnostics.push(Diagnostic { place: self.s.place, ..finding() });
         }
     }
 
     /// Adds a finding, once per block of the program, up to [`REMARKS`] findings.
-    pub(super) fn say_here(&mut self, finding: Diagnostic) {
+    pub(super) fn report_in_block(&mut self, finding: Diagnostic) {
         let finding = Diagnostic { place: self.s.place, ..finding };
         let told = |other: &Diagnostic| (other.place, other.id()) == (finding.place, finding.id());
         let said = &mut self.out.diagnostics;

@@ -51,7 +51,7 @@ pub(super) enum SpindleMode {
 
 /// Ramp of the inverter from `start` toward `target`, valid from `t` until the next segment.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Ramp {
+pub(super) struct InverterRamp {
     /// Seconds.
     pub(super) t: f64,
     /// Speed at `t` after the ramp and before slip, signed, r/min.
@@ -66,10 +66,10 @@ pub(super) struct Ramp {
     pub(super) command: SpeedCommand,
     pub(super) control: SpindleMode,
     /// The axis perpendicular to the spindle, and its position in mm at diameter 0.
-    pub(super) square: Option<(u8, f64)>,
+    pub(super) diameter_axis: Option<(u8, f64)>,
 }
 
-impl Timed for Ramp {
+impl Timed for InverterRamp {
     fn t(&self) -> f64 {
         self.t
     }
@@ -108,7 +108,7 @@ impl Slip {
     }
 }
 
-impl Ramp {
+impl InverterRamp {
     /// Duration (s) of the ramp.
     fn whole(&self) -> f64 {
         let change = (self.target - self.start).abs();
@@ -177,7 +177,7 @@ impl Ramp {
         let command = speed * f64::from(self.command.sign);
         let out = if plant.rules.volts_stay && self.command.sign == 0 { speed } else { command };
         let (actual, turns) = (self.actual(plant, t), self.turns(plant, t));
-        let diameter = self.square.map(|(axis, zero)| 2.0 * (place(usize::from(axis)) - zero).abs());
+        let diameter = self.diameter_axis.map(|(axis, zero)| 2.0 * (place(usize::from(axis)) - zero).abs());
         SpindleState {
             command,
             actual,

@@ -65,7 +65,7 @@ pub(super) struct SpindleControl {
     /// Gear stages are selected by S.
     pub(super) automatic: bool,
     /// The axis perpendicular to the spindle, and its position in mm at diameter 0.
-    pub(super) square: Option<(u8, f64)>,
+    pub(super) diameter_axis: Option<(u8, f64)>,
     /// End (s) of the ramp, or of a part of a travel to an angle.
     pub(super) reached_at: f64,
     /// Travel to an angle.
@@ -81,8 +81,8 @@ pub(super) struct SpindleControl {
 }
 
 impl SpindleControl {
-    /// State at power-on; the diameter axis `square` is perpendicular to the spindle.
-    pub(super) fn new(square: Option<u8>) -> SpindleControl {
+    /// State at power-on; `diameter_axis` is the axis perpendicular to the spindle.
+    pub(super) fn new(diameter_axis: Option<u8>) -> SpindleControl {
         SpindleControl {
             speed: 0.0,
             direction: 0,
@@ -91,7 +91,7 @@ impl SpindleControl {
             surface_high: f64::INFINITY,
             centre: None,
             automatic: false,
-            square: square.map(|axis| (axis, 0.0)),
+            diameter_axis: diameter_axis.map(|axis| (axis, 0.0)),
             reached_at: f64::INFINITY,
             orienting: None,
             synced: false,

@@ -3,7 +3,7 @@
 use super::plc::percent;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
-use super::spindle::{Ramp, SpeedCommand, SpindleMode};
+use super::spindle::{InverterRamp, SpeedCommand, SpindleMode};
 use crate::drives::{Bound, SpeedLimits};
 use crate::msg;
 
@@ -59,7 +59,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let coasted = last.is_some_and(|last| last.command.coasts) && sign == 0;
         let command =
             SpeedCommand { from, to, span, sign, stage: self.gear(), bound, coasts: without_current || coasted };
-        let is_followed = |last: &Ramp| {
+        let is_followed = |last: &InverterRamp| {
             let same = if span > 0.0 { last.t == t && command.agrees(&last.command) } else { command == last.command };
             same && last.control == SpindleMode::Speed
         };
@@ -70,7 +70,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if limited && bound.is_upper() {
             let wanted = now * self.override_share();
             let stage = command.stage;
-            self.say(Once::SpindleClamp as u32, || match bound {
+            self.warn(Once::SpindleClamp as u32, || match bound {
                 Bound::Output => {
                     msg!("motion.output-full", commanded = wanted, stage = f64::from(stage), full = (to, 3))
                 }
@@ -141,13 +141,13 @@ impl<P: RunningProgram> Sim<'_, P> {
             rate = rate.min((target - start).abs() / command.span);
         }
         self.s.plc.io.spindle_command = target;
-        let square = self.s.spindle.square;
-        let ramp = Ramp { t, start, target, rate, turns, command, control: SpindleMode::Speed, square };
+        let diameter_axis = self.s.spindle.diameter_axis;
+        let ramp = InverterRamp { t, start, target, rate, turns, command, control: SpindleMode::Speed, diameter_axis };
         self.put(ramp);
     }
 
     /// Records a ramp and schedules its end as an event.
-    pub(super) fn put(&mut self, ramp: Ramp) {
+    pub(super) fn put(&mut self, ramp: InverterRamp) {
         let reached = ramp.reached();
         self.s.spindle.reached_at = if reached > ramp.t { reached } else { f64::INFINITY };
         self.out.timeline.ramps.put(ramp);

@@ -165,12 +165,12 @@ pub(super) struct SimState<P> {
     /// Number of blocks read too late to follow without a stop.
     pub(super) starved: u64,
     /// Bits of [`Once`](super::sim::Once).
-    pub(super) said: u32,
+    pub(super) reported: u32,
     pub(super) mode: Mode,
 }
 
 impl<P> SimState<P> {
-    pub(super) fn new(program: P, plc: Box<dyn Plc>, square: Option<u8>) -> SimState<P> {
+    pub(super) fn new(program: P, plc: Box<dyn Plc>, diameter_axis: Option<u8>) -> SimState<P> {
         let knobs = Knobs { feed: 100.0, rapid: 100.0, single_block: false, optional_stop: false, block_skip: false };
         SimState {
             now: 0.0,
@@ -190,10 +190,10 @@ impl<P> SimState<P> {
             operator: OperatorState { knobs, held: false, stepped: false, events_done: 0 },
             suppressed: Suppressed::default(),
             plc: PlcState { program: plc, next_scan: f64::INFINITY, io: Io::default(), shown: BTreeMap::new() },
-            spindle: SpindleControl::new(square),
+            spindle: SpindleControl::new(diameter_axis),
             clock: RunClock::default(),
             starved: 0,
-            said: 0,
+            reported: 0,
             mode: Mode::Running,
         }
     }

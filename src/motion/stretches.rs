@@ -2,7 +2,7 @@
 
 use super::path::Path;
 use super::plant::AxisPlant;
-use super::spindle::Ramp;
+use super::spindle::InverterRamp;
 use super::timeline::Timeline;
 
 /// An axis or the spindle of a run.
@@ -118,7 +118,7 @@ fn put(out: &mut Vec<Stretch>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64
     }
 }
 
-impl Ramp {
+impl InverterRamp {
     /// Moments (s) of changes of acceleration: the end of the ramp, and the speeds at which slip starts or stops to grow.
     fn bends(&self, plant: &super::plant::SpindlePlant) -> Vec<f64> {
         let slip = self.slip(plant);

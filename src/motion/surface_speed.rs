@@ -70,7 +70,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let until = before.map_or(f64::NEG_INFINITY, |before| before.until);
         self.s.spindle.surface =
             Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY, seen: (f64::NEG_INFINITY, 0.0) });
-        self.s.spindle.square = Some((axis, zero));
+        self.s.spindle.diameter_axis = Some((axis, zero));
         // If the turning centre is unknown, it is assumed to be at the first work zero.
         let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
         let offset = (zero - centre).abs();
@@ -81,7 +81,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                     msg!("motion.small-offset", axis = letter, offset = (offset, 4))
                 });
             } else {
-                self.say(Once::OffCentre as u32, || msg!("motion.off-centre", axis = letter, offset = (offset, 4)));
+                self.warn(Once::OffCentre as u32, || msg!("motion.off-centre", axis = letter, offset = (offset, 4)));
             }
         }
         if self.plant.spindle.rules.surface_at_once || before.is_some_and(|before| before.until.is_finite()) {

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::path::{Circle, Path, Segment};
 use super::plant::{AxisPlant, PMC_AXES, SpindlePlant};
 use super::snapshot::{Mode, Snapshot};
-use super::spindle::Ramp;
+use super::spindle::InverterRamp;
 use super::time_series::{TimeSeries, Timed};
 use crate::interp::canon::AXES;
 use crate::text::Place;
@@ -91,7 +91,7 @@ pub struct Timeline {
     pub(super) path: Path,
     /// Commanded angles of the PMC axes, °.
     pub(super) pmc: Path,
-    pub(super) ramps: TimeSeries<Ramp>,
+    pub(super) ramps: TimeSeries<InverterRamp>,
     pub(super) marks: TimeSeries<Activity>,
     messages: TimeSeries<MessageChange>,
     pub(super) changes: TimeSeries<VariableChange>,

@@ -1,7 +1,7 @@
 //! Program zero return: motion of the axes to the program's reference point, started by the operator.
 
 use super::exec::Exec;
-use super::moves::{Move, Pace};
+use super::moves::{ActiveMove, Pace};
 use super::plant::AxisPlant;
 use super::program::RunningProgram;
 use super::sim::Sim;
@@ -46,7 +46,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.rest(t);
             return;
         };
-        self.s.exec = Exec::Moving(Move::line(at, end, Pace::Return { ended }, false, axes));
+        self.s.exec = Exec::Moving(ActiveMove::line(at, end, Pace::Return { ended }, false, axes));
         self.s.path.moving = true;
         self.put_segment(t);
     }

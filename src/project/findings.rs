@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::json::{self, Entries};
+use super::json::{self, JsonMembers};
 use crate::msg;
 use crate::text::escape::clip;
 use crate::text::{Diagnostic, Message, Severity};
@@ -43,12 +43,12 @@ impl<'t> Findings<'t> {
         self.add(Diagnostic::error(message), part);
     }
 
-    /// Adds an error for each key of an object that an earlier entry has.
-    pub(super) fn repeated(&mut self, entries: &Entries<'t>) {
+    /// Adds an error for each key of an object that an earlier member has.
+    pub(super) fn repeated(&mut self, members: &JsonMembers<'t>) {
         let mut known = BTreeSet::new();
-        for entry in &entries.0 {
-            if !known.insert(entry.key.as_str()) {
-                self.error(msg!("project.twice", name = clip(&entry.key)), entry.source);
+        for member in &members.0 {
+            if !known.insert(member.key.as_str()) {
+                self.error(msg!("project.twice", name = clip(&member.key)), member.source);
             }
         }
     }

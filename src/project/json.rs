@@ -45,59 +45,59 @@ impl Serialize for Located<'_> {
 
 /// A key of an object with its value.
 #[derive(Debug, Clone)]
-pub(super) struct Entry<'t> {
+pub(super) struct JsonMember<'t> {
     pub(super) key: String,
     /// The key in the text, with its quotes.
     pub(super) source: &'t str,
     pub(super) value: Located<'t>,
 }
 
-/// The entries of an object in the order of the text, repeated keys too.
+/// The members of an object in the order of the text, repeated keys too.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Entries<'t>(pub(super) Vec<Entry<'t>>);
+pub(super) struct JsonMembers<'t>(pub(super) Vec<JsonMember<'t>>);
 
-impl Entries<'_> {
+impl JsonMembers<'_> {
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 }
 
-impl<K: Into<String>> FromIterator<(K, Value)> for Entries<'_> {
+impl<K: Into<String>> FromIterator<(K, Value)> for JsonMembers<'_> {
     fn from_iter<I: IntoIterator<Item = (K, Value)>>(pairs: I) -> Self {
-        let entry = |(key, value): (K, Value)| Entry { key: key.into(), source: "", value: Located::new(value) };
-        Entries(pairs.into_iter().map(entry).collect())
+        let member = |(key, value): (K, Value)| JsonMember { key: key.into(), source: "", value: Located::new(value) };
+        JsonMembers(pairs.into_iter().map(member).collect())
     }
 }
 
-impl<'de: 't, 't> Deserialize<'de> for Entries<'t> {
+impl<'de: 't, 't> Deserialize<'de> for JsonMembers<'t> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Pairs;
         impl<'de> Visitor<'de> for Pairs {
-            type Value = Entries<'de>;
+            type Value = JsonMembers<'de>;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str(words("project.json.entries"))
             }
 
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries<'de>, A::Error> {
-                let mut entries = Vec::new();
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<JsonMembers<'de>, A::Error> {
+                let mut members = Vec::new();
                 while let Some(key) = map.next_key::<&'de RawValue>()? {
                     let source = key.get();
                     let key = serde_json::from_str(source).map_err(|error| A::Error::custom(reason(&error)))?;
-                    entries.push(Entry { key, source, value: map.next_value()? });
+                    members.push(JsonMember { key, source, value: map.next_value()? });
                 }
-                Ok(Entries(entries))
+                Ok(JsonMembers(members))
             }
         }
         deserializer.deserialize_map(Pairs)
     }
 }
 
-impl Serialize for Entries<'_> {
+impl Serialize for JsonMembers<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for entry in &self.0 {
-            map.serialize_entry(&entry.key, &entry.value)?;
+        for member in &self.0 {
+            map.serialize_entry(&member.key, &member.value)?;
         }
         map.end()
     }

@@ -20,13 +20,13 @@ use super::machine::{CompareDialog, Machine};
 use super::parts::Later;
 use super::parts::divider::Divider;
 use super::parts::meaning::MeaningPopover;
-use super::parts::scene::Still;
+use super::parts::scene::StillDrawing;
 use super::program::ProgramTab;
 use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, SizingTab, VariablesTab};
 use super::state::notices::Notice;
 use super::state::view::Tab;
 use super::state::{Begun, Page, stepping};
-use super::words::{say, t};
+use super::words::{sentence, t};
 use super::worker::client::Client;
 use super::worker::diagnostics;
 use crate::msg;
@@ -78,14 +78,14 @@ fn name_browser_tab(page: Page) {
             if project.name.is_empty() { machine.to_owned() } else { project.name.clone() }
         })
     });
-    Effect::new(move |_| document().set_title(&say(&msg!("page.browser-title", name = name.get()))));
+    Effect::new(move |_| document().set_title(&sentence(&msg!("page.browser-title", name = name.get()))));
 }
 
 /// Everything on the page, in place of the still in its HTML.
 #[component]
 fn Screen() -> impl IntoView {
     let page = Page::here();
-    Still::provide();
+    StillDrawing::provide();
     let busy = RwSignal::new(true);
     let view = view! {
         <a class="skip" href="#machine">{t("page.skip")}</a>
@@ -111,7 +111,7 @@ fn Screen() -> impl IntoView {
             <Tour />
             <LargeFileDialog />
         </Later>
-        <div class="hidden" role="status">{page.notices.said}</div>
+        <div class="hidden" role="status">{page.notices.announcement}</div>
     };
     in_turn(move || page.player.begin());
     // The page may be gone.
@@ -217,14 +217,14 @@ mod tests {
 
     use super::*;
     use crate::ui::dom::turns;
-    use crate::ui::testing::{Bench, mount_project, project, settled, until};
+    use crate::ui::testing::{ViewBench, mount_project, project, settled, until};
 
-    async fn app() -> Bench {
+    async fn app() -> ViewBench {
         dom::storage().unwrap().clear().unwrap();
         app_of_the_last_visit().await
     }
 
-    async fn app_of_the_last_visit() -> Bench {
+    async fn app_of_the_last_visit() -> ViewBench {
         // Nothing can be waited for until something was mounted, and this may be the first test.
         drop(mount_project(project(), || ()).await);
         let begun = Rc::new(RefCell::new(None));
@@ -249,7 +249,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn browser_tab_has_the_name_of_the_project_or_its_machine() {
         let bench = app().await;
-        let titled = |name: &str| say(&msg!("page.browser-title", name));
+        let titled = |name: &str| sentence(&msg!("page.browser-title", name));
         assert_eq!(document().title(), titled(t(crate::machines::ALL[0].name())));
         bench.type_into("input.name", "Order 7").await;
         assert_eq!(document().title(), titled("Order 7"));

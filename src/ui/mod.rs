@@ -63,7 +63,7 @@ fn broken(reason: &str) {
     let Some(body) = web_sys::window().and_then(|window| window.document()?.body()) else { return };
     let Ok(told) = document().create_element("p") else { return };
     told.set_class_name("broken");
-    told.set_text_content(Some(&words::say(&crate::msg!("page.broken", reason))));
+    told.set_text_content(Some(&words::sentence(&crate::msg!("page.broken", reason))));
     let _ = body.prepend_with_node_1(&told);
 }
 

@@ -22,7 +22,7 @@ use crate::text::units::{self, Lengths};
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
 
 /// A mounted view with the state of its page; removed when this is dropped.
-pub(crate) struct Bench {
+pub(crate) struct ViewBench {
     /// The state of the page.
     pub page: Page,
     /// The client of the worker. No worker answers, except by [`Client::answer_here`].
@@ -48,7 +48,7 @@ pub(crate) fn field(id: &str) -> FieldInfo {
 }
 
 /// Mounts a view in a browser that remembers nothing.
-pub(crate) async fn mount<V: IntoView + 'static>(view: impl FnOnce() -> V + 'static) -> Bench {
+pub(crate) async fn mount<V: IntoView + 'static>(view: impl FnOnce() -> V + 'static) -> ViewBench {
     dom::storage().unwrap().clear().unwrap();
     mount_project(project(), view).await
 }
@@ -57,18 +57,18 @@ pub(crate) async fn mount<V: IntoView + 'static>(view: impl FnOnce() -> V + 'sta
 pub(crate) async fn mount_project<V: IntoView + 'static>(
     project: Project,
     view: impl FnOnce() -> V + 'static,
-) -> Bench {
+) -> ViewBench {
     let bench = begin(project, view).await;
     until(turns::are_over).await;
     bench
 }
 
 /// Mounts a view, before anything that is built in its turn.
-pub(crate) async fn mount_begun<V: IntoView + 'static>(view: impl FnOnce() -> V + 'static) -> Bench {
+pub(crate) async fn mount_begun<V: IntoView + 'static>(view: impl FnOnce() -> V + 'static) -> ViewBench {
     begin(project(), view).await
 }
 
-async fn begin<V: IntoView + 'static>(project: Project, view: impl FnOnce() -> V + 'static) -> Bench {
+async fn begin<V: IntoView + 'static>(project: Project, view: impl FnOnce() -> V + 'static) -> ViewBench {
     let body = document().body().unwrap();
     // A test that failed leaves its view in the page.
     dom::all(&body, ".bench").iter().for_each(Element::remove);
@@ -86,7 +86,7 @@ async fn begin<V: IntoView + 'static>(project: Project, view: impl FnOnce() -> V
     });
     let (page, worker) = provided.get().unwrap();
     settled().await;
-    Bench { page, worker, host, _mounted: Box::new(mounted) }
+    ViewBench { page, worker, host, _mounted: Box::new(mounted) }
 }
 
 /// Waits until all effects of a change are in the page.
@@ -128,7 +128,7 @@ pub(crate) fn event(class: &str, kind: &str, members: &[(&str, JsValue)]) -> Eve
     js_sys::Reflect::construct(&class, &js_sys::Array::of2(&kind.into(), &options)).unwrap().unchecked_into()
 }
 
-impl Bench {
+impl ViewBench {
     /// The actions of the operator in the project.
     pub(crate) fn actions(&self) -> Vec<Action> {
         let actions = |project: &Project| project.panel.events().iter().map(|event| event.action.clone()).collect();
@@ -270,7 +270,7 @@ impl Bench {
     }
 }
 
-impl Drop for Bench {
+impl Drop for ViewBench {
     fn drop(&mut self) {
         self.host.remove();
     }

@@ -14,13 +14,13 @@ pub(crate) fn t(id: &'static str) -> &'static str {
 }
 
 /// A message as a sentence.
-pub(crate) fn say(message: &Message) -> String {
+pub(crate) fn sentence(message: &Message) -> String {
     catalog::sentence(message)
 }
 
 /// Message and hints of a diagnostic in one line.
-pub(crate) fn tell(diagnostic: &Diagnostic) -> String {
-    sentences([&diagnostic.message].into_iter().chain(&diagnostic.hints).map(say))
+pub(crate) fn sentence_with_hints(diagnostic: &Diagnostic) -> String {
+    sentences([&diagnostic.message].into_iter().chain(&diagnostic.hints).map(sentence))
 }
 
 /// The class of a severity.
@@ -46,7 +46,7 @@ pub(crate) fn sign(tone: &str) -> &'static str {
 /// Number and wording of the control's alarm, then message and hints.
 pub(crate) fn tell_alarm(diagnostic: &Diagnostic) -> String {
     let alarm = diagnostic.alarm.iter().map(|number| number.as_ref()).chain(diagnostic.wording.map(Phrase::words));
-    alarm.map(|part| format!("{part} ")).collect::<String>() + &tell(diagnostic)
+    alarm.map(|part| format!("{part} ")).collect::<String>() + &sentence_with_hints(diagnostic)
 }
 
 /// Why a run is over.
@@ -180,7 +180,7 @@ pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
 
 /// Limit of a result as text, with the decimals of its value.
 pub(crate) fn limit_text(readout: &Readout) -> Option<String> {
-    readout.limit.map(|limit| say(&limit.message(short(limit.value(), readout.decimals))))
+    readout.limit.map(|limit| sentence(&limit.message(short(limit.value(), readout.decimals))))
 }
 
 #[cfg(test)]

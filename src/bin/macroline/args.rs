@@ -10,7 +10,7 @@ use macroline::text::units::Lengths;
 /// Sizes special CNC machines, writes their macro programs and runs that very text.
 #[derive(Parser)]
 #[command(name = "macroline", version)]
-pub(crate) struct Line {
+pub(crate) struct CommandLine {
     /// Units of lengths in texts and reports; programs, JSON and CSV have mm
     #[arg(long, global = true, value_enum, default_value_t)]
     pub(crate) lengths: LengthUnits,

@@ -22,7 +22,9 @@ use macroline::view::svg::picture;
 use crate::args::{Command, Format};
 use crate::input;
 use crate::language::{self, failed};
-use crate::output::{self, Failure, print, print_json, refuse, refused, say, tell, tell_as, tell_silenced, verdict};
+use crate::output::{
+    self, Failure, print, print_error, print_json, refuse, refused, tell, tell_as, tell_silenced, verdict,
+};
 use crate::{export, lsp, run};
 
 pub(crate) fn main() -> ExitCode {
@@ -119,7 +121,7 @@ fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<()
     let made = Project::named(machine, control, example);
     let project = made.map_err(|unknown| Failure::usage(&unknown.message(machine, control, example)))?;
     output::print_data(&project.to_json())?;
-    say(&origins::faults_text(&project))
+    print_error(&origins::faults_text(&project))
 }
 
 fn design(path: &Path, json: bool) -> Result<(), Failure> {
@@ -236,7 +238,7 @@ fn check(
     tell_as(format, &checked.findings)?;
     if format == Format::Text {
         if checked.findings.iter().all(|findings| findings.list.is_empty()) {
-            say(&(summary(&[]) + "\n"))?;
+            print_error(&(summary(&[]) + "\n"))?;
         }
         tell_silenced(checked.silenced)?;
     }

@@ -15,18 +15,19 @@ use macroline::msg;
 use macroline::text::catalog::{self, Language, sentence, words};
 use macroline::text::{Message, clauses, headed, listed};
 
-use crate::args::Line;
-use crate::output::say;
+use crate::args::CommandLine;
+use crate::output::print_error;
 
 /// Name of the option.
 const OPTION: &str = "language";
 
 /// The arguments, read in the language that they or the system choose. The exit status where they ask for help, or are wrong.
-pub(crate) fn line() -> Result<Line, ExitCode> {
+pub(crate) fn line() -> Result<CommandLine, ExitCode> {
     catalog::speak(chosen(std::env::args_os().skip(1)).unwrap_or_else(of_system).sentences());
-    let mut command = translated(Line::command().arg(option()));
+    let mut command = translated(CommandLine::command().arg(option()));
     let read = command.try_get_matches_from_mut(std::env::args_os());
-    read.and_then(|matches| Line::from_arg_matches(&matches)).map_err(|error| refused(error.format(&mut command)))
+    read.and_then(|matches| CommandLine::from_arg_matches(&matches))
+        .map_err(|error| refused(error.format(&mut command)))
 }
 
 /// The option that chooses the language.
@@ -154,7 +155,7 @@ fn refused(error: Error) -> ExitCode {
     let _ = if catalog::spoken() == Language::English || is_help {
         error.print().map_err(Into::into)
     } else {
-        say(&error_text(&error))
+        print_error(&error_text(&error))
     };
     ExitCode::from(status)
 }

@@ -57,12 +57,12 @@ pub(crate) fn status(done: Result<(), Failure>) -> ExitCode {
         Err(Failure::Usage(message)) => (message, 2),
     };
     // A closed standard error leaves only the exit status to report the error.
-    let _ = say(&format!("macroline: {message}\n"));
+    let _ = print_error(&format!("macroline: {message}\n"));
     ExitCode::from(status)
 }
 
 /// Prints text to standard error.
-pub(crate) fn say(text: &str) -> Result<(), Failure> {
+pub(crate) fn print_error(text: &str) -> Result<(), Failure> {
     Ok(io::stderr().write_all(terminal(text).as_bytes())?)
 }
 
@@ -114,11 +114,11 @@ pub(crate) fn tell(all: &[FileFindings]) -> Result<(), Failure> {
     for findings in all.iter().filter(|findings| !findings.list.is_empty()) {
         let renderer = findings.sources.renderer();
         for finding in &findings.list {
-            say(&(renderer.text(finding) + "\n"))?;
+            print_error(&(renderer.text(finding) + "\n"))?;
         }
         list.extend(findings.list.iter().cloned());
     }
-    if list.is_empty() { Ok(()) } else { say(&(summary(&list) + "\n")) }
+    if list.is_empty() { Ok(()) } else { print_error(&(summary(&list) + "\n")) }
 }
 
 /// Prints diagnostics.
@@ -145,7 +145,7 @@ pub(crate) fn refused(why: Refused, format: impl Into<Format>) -> Failure {
 
 /// Prints the number of warnings that were left out.
 pub(crate) fn tell_silenced(count: usize) -> Result<(), Failure> {
-    if count > 0 { say(&(sentence(&msg!("cli.silenced", count = count as u32)) + "\n")) } else { Ok(()) }
+    if count > 0 { print_error(&(sentence(&msg!("cli.silenced", count = count as u32)) + "\n")) } else { Ok(()) }
 }
 
 /// Prints a text that is JSON already.

@@ -13,7 +13,7 @@ use serde_json::{Value as Json, json};
 
 use crate::args::RunArgs;
 use crate::input;
-use crate::output::{Failure, Printer, refused, say, tell, tell_silenced, verdict};
+use crate::output::{Failure, Printer, print_error, refused, tell, tell_silenced, verdict};
 
 fn ready(args: &RunArgs, keep: Retention, json: bool) -> Result<ReadyRun, Failure> {
     let settings = args.set.iter().map(|text| Setting::read(text)).collect::<Option<Vec<_>>>();
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> 
     if !json {
         tell(&finished.findings)?;
         tell_silenced(finished.silenced)?;
-        say(&(finished.summary.text() + "\n"))?;
+        print_error(&(finished.summary.text() + "\n"))?;
     }
     verdict(&finished.findings)?;
     match finished.summary.ended {
@@ -109,7 +109,7 @@ fn prompted(terminal: bool) -> impl Iterator<Item = io::Result<String>> {
     let mut lines = io::stdin().lines();
     std::iter::from_fn(move || {
         if terminal {
-            let _ = say("> ");
+            let _ = print_error("> ");
         }
         lines.next()
     })

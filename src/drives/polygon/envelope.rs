@@ -6,7 +6,7 @@ use crate::math::PI;
 
 /// Half of a pass on one side of its normal, over one branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct OutlinePiece {
     pub(super) curve: Curve,
     pub(super) branch: Branch,
     pub(super) pass: Pass,
@@ -21,10 +21,10 @@ pub(super) struct Piece {
 pub(super) struct Arc {
     pub(super) from: f64,
     pub(super) to: f64,
-    pub(super) cut: Option<Piece>,
+    pub(super) cut: Option<OutlinePiece>,
 }
 
-impl Piece {
+impl OutlinePiece {
     /// The σ at an angle of the section.
     pub(super) fn sigma(&self, angle: f64, guess: f64) -> f64 {
         self.curve.sigma(&self.branch, self.hand * (angle - self.normal), guess)
@@ -47,8 +47,8 @@ impl Piece {
     }
 
     /// The piece, turned to another side.
-    fn moved(self, by: f64) -> Piece {
-        Piece { normal: self.normal + by, ..self }
+    fn moved(self, by: f64) -> OutlinePiece {
+        OutlinePiece { normal: self.normal + by, ..self }
     }
 }
 
@@ -104,9 +104,10 @@ pub(super) fn halve(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> 
 }
 
 /// Both halves of a pass within the stock, in the order of their angles.
-fn pieces(curve: Curve, pass: Pass, stock: f64) -> impl Iterator<Item = Piece> {
+fn pieces(curve: Curve, pass: Pass, stock: f64) -> impl Iterator<Item = OutlinePiece> {
     let halves = curve.branches(stock).into_iter().filter(|branch| !branch.is_empty());
-    halves.flat_map(move |branch| [-1.0, 1.0].map(|hand| Piece { curve, branch, pass, normal: pass.normal, hand }))
+    halves
+        .flat_map(move |branch| [-1.0, 1.0].map(|hand| OutlinePiece { curve, branch, pass, normal: pass.normal, hand }))
 }
 
 /// The outline over one turn, from the normal of side 0.
@@ -133,7 +134,7 @@ fn even(setup: &CutterSetup, whole: Arc, stock: f64) -> Option<Vec<Arc>> {
         let place = |arc: &Arc, (from, to): (f64, f64), by: f64, side: u32, hand: f64| {
             let insert = owner.get(side as usize).copied().unwrap_or_default();
             let pass = Pass { insert, side: side as usize, normal: whole.from + f64::from(side) * pitch };
-            Arc { from, to, cut: arc.cut.map(|piece| Piece { hand, pass, ..piece.moved(by) }) }
+            Arc { from, to, cut: arc.cut.map(|piece| OutlinePiece { hand, pass, ..piece.moved(by) }) }
         };
         for arc in &half {
             push(&mut arcs, place(arc, (arc.from + at, arc.to + at), at, side, 1.0));

@@ -1,6 +1,6 @@
 //! Remainder of the stock after all inserts have passed: the exact section, and its measures.
 
-use super::envelope::{self, Arc, Piece, halve};
+use super::envelope::{self, Arc, OutlinePiece, halve};
 use super::setup::CutterSetup;
 use crate::math::{self, PI};
 
@@ -248,7 +248,7 @@ impl Section {
     }
 
     /// Least and greatest distance of an arc from the plane of its side: `ρ cos(φ - ψ) - d`.
-    fn deviations(&self, arc: &Arc, piece: &Piece, normal: f64) -> (f64, f64) {
+    fn deviations(&self, arc: &Arc, piece: &OutlinePiece, normal: f64) -> (f64, f64) {
         let off = |sigma: f64| piece.curve.reach(sigma) * math::cos(piece.angle(sigma) - normal) - self.apothem;
         let rises = |sigma: f64| {
             let (sin, cos) = math::sin_cos(piece.angle(sigma) - normal);
@@ -283,7 +283,7 @@ impl Section {
 }
 
 /// The σ at both ends of an arc.
-fn ends(arc: &Arc, piece: &Piece) -> (f64, f64) {
+fn ends(arc: &Arc, piece: &OutlinePiece) -> (f64, f64) {
     let guess = piece.branch.sigma.0;
     (piece.sigma(arc.from, guess), piece.sigma(arc.to, guess))
 }

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use super::super::context::BlockContext;
-use super::super::error::{Run, Trap};
+use super::super::error::{BlockResult, Trap};
 use super::super::modal::Modal;
 use super::super::state::RunState;
 use super::super::world::{Still, World};
@@ -91,7 +91,12 @@ impl<'a> Precheck<'a> {
     }
 
     /// Alarm and finding of an outcome with one of these alarms; any alarm if the list is empty.
-    pub(super) fn finding(&self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) -> Option<(Alarm, Diagnostic)> {
+    pub(super) fn finding(
+        &self,
+        block: &Block,
+        outcome: BlockResult<()>,
+        alarms: &[Alarm],
+    ) -> Option<(Alarm, Diagnostic)> {
         let Err(Trap::Alarm(mut fault)) = outcome else { return None };
         let kind = fault.kind();
         if !alarms.is_empty() && !alarms.contains(&kind) {
@@ -102,7 +107,7 @@ impl<'a> Precheck<'a> {
         Some((kind, fault.diagnostic(&self.cx.shared.parsed, here)))
     }
 
-    pub(super) fn tell(&mut self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) {
+    pub(super) fn report(&mut self, block: &Block, outcome: BlockResult<()>, alarms: &[Alarm]) {
         let finding = self.finding(block, outcome, alarms);
         self.note(finding.map(|(_, finding)| finding));
     }
@@ -117,7 +122,7 @@ impl<'a> Precheck<'a> {
         &mut self,
         block: &Block,
         alarms: &[Alarm],
-        run: &mut dyn FnMut(&mut RunState, &mut BlockContext) -> Run<()>,
+        run: &mut dyn FnMut(&mut RunState, &mut BlockContext) -> BlockResult<()>,
     ) -> Option<Diagnostic> {
         let mut common: Option<(Alarm, Diagnostic)> = None;
         for at in 0..=self.modals.len() {

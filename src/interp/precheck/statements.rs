@@ -39,7 +39,7 @@ impl Precheck<'_> {
                     cond.into_iter().chain([target]).for_each(|id| self.formula(block, id));
                     if self.is_constant(target) {
                         let jumped = self.state.go_to(&mut self.cx, at, target);
-                        self.tell(
+                        self.report(
                             block,
                             jumped,
                             &[Alarm::IntoLoop, Alarm::JumpNumber, Alarm::GotoTarget, Alarm::NoSequence],
@@ -76,7 +76,7 @@ impl Precheck<'_> {
         match outcome {
             // With another value the warning may differ.
             Ok(()) if self.is_constant(value) => self.found.extend(self.heard.take()),
-            outcome => self.tell(block, outcome, &WRITES),
+            outcome => self.report(block, outcome, &WRITES),
         }
     }
 
@@ -86,7 +86,7 @@ impl Precheck<'_> {
         if self.is_constant(id) {
             if !matches!(expr, Expr::Number(_) | Expr::Var(_)) {
                 let value = self.state.value(&mut self.cx, id).map(|_| ());
-                self.tell(block, value, &[]);
+                self.report(block, value, &[]);
             }
             return;
         }
@@ -94,14 +94,14 @@ impl Precheck<'_> {
             Expr::Number(_) | Expr::Label(_) | Expr::Var(_) => {}
             Expr::Indirect(x) if self.is_constant(x) => {
                 let value = self.state.value(&mut self.cx, id).map(|_| ());
-                self.tell(block, value, &[]);
+                self.report(block, value, &[]);
             }
             Expr::Indirect(x) | Expr::Negate(x) | Expr::Call(_, x) => self.formula(block, x),
             Expr::Binary(op, left, right) => {
                 self.formula(block, left);
                 if self.is_constant(right) {
                     let value = self.state.operand(&mut self.cx, op, right);
-                    self.tell(block, value, &[]);
+                    self.report(block, value, &[]);
                 } else {
                     self.formula(block, right);
                 }

@@ -1,6 +1,6 @@
 //! The formulas of the polygon lathe, each once: results that need no run.
 
-use super::load::Load;
+use super::load::PolygonLoad;
 use super::params::Params;
 use crate::drives::polygon::choose::{Choice, choices};
 use crate::drives::polygon::cut::{self, InsertLoad};
@@ -78,7 +78,7 @@ pub(super) struct Derived {
     pub ready: f64,
     pub cutting_time: f64,
     /// Force and torque of the cuts.
-    pub load: Load,
+    pub load: PolygonLoad,
 }
 
 impl Params {

@@ -21,7 +21,7 @@ pub(super) const OURS: Citation =
 pub(super) const GO_TO_ANGLE: [Bit; PMC_AXES] = [Bit::Block("AXIS7.INDEX"), Bit::Block("AXIS6.INDEX")];
 pub(super) const RUN: [Bit; PMC_AXES] = [Bit::Block("AXIS7.RUN"), Bit::Block("AXIS6.RUN")];
 pub(super) const DONE: [Bit; PMC_AXES] = [Bit::Block("AXIS7.DONE"), Bit::Block("AXIS6.DONE")];
-pub(super) const STANDS: [Bit; PMC_AXES] = [Bit::Block("AXIS7.STANDS"), Bit::Block("AXIS6.STANDS")];
+pub(super) const AT_STANDSTILL: [Bit; PMC_AXES] = [Bit::Block("AXIS7.STANDS"), Bit::Block("AXIS6.STANDS")];
 pub(super) const ANGLE: [PlcNumber; PMC_AXES] = [PlcNumber::Block("AXIS7.ANGLE"), PlcNumber::Block("AXIS6.ANGLE")];
 pub(super) const RPM: [PlcNumber; PMC_AXES] = [PlcNumber::Block("AXIS7.SPEED"), PlcNumber::Block("AXIS6.SPEED")];
 /// Slow down and stop: channels 7 and 6.
@@ -99,8 +99,8 @@ fn sequence(book: &mut Book, settling: f64) {
     let taken = vec![
         vec![on(index), off(STOPPING), off(SPENT)],
         vec![on(TAKEN), off(STOPPING)],
-        vec![on(TAKEN), off(STANDS[0])],
-        vec![on(TAKEN), off(STANDS[1])],
+        vec![on(TAKEN), off(AT_STANDSTILL[0])],
+        vec![on(TAKEN), off(AT_STANDSTILL[1])],
     ];
     book.coil(TAKEN, taken, "polygon.ladder.index");
     for (go, note) in [(GO_TO_ANGLE[1], "polygon.ladder.index-tool"), (GO_TO_ANGLE[0], "polygon.ladder.index-work")] {
@@ -158,7 +158,7 @@ fn meanings(book: &mut Book) {
         (GO_TO_ANGLE, ["polygon.ladder.index-work", "polygon.ladder.index-tool"]),
         (RUN, ["polygon.ladder.run-work", "polygon.ladder.run-tool"]),
         (DONE, ["polygon.block.done-work", "polygon.block.done-tool"]),
-        (STANDS, ["polygon.block.stands-work", "polygon.block.stands-tool"]),
+        (AT_STANDSTILL, ["polygon.block.stands-work", "polygon.block.stands-tool"]),
     ];
     for (bits, meanings) in both {
         bits.into_iter().zip(meanings).for_each(|(bit, meaning)| book.means(bit, meaning, OURS));

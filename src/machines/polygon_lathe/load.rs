@@ -25,7 +25,7 @@ pub(super) struct Torque {
 
 /// The cuts of one feed: greatest force of an insert (N), torque of work and tool.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Cut {
+pub(super) struct CutLoad {
     pub force: f64,
     /// Of work and tool.
     pub torque: [Torque; 2],
@@ -33,14 +33,14 @@ pub(super) struct Cut {
 
 /// All cuts of a polygon, by feed.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Load {
-    pub cuts: [Cut; 3],
+pub(super) struct PolygonLoad {
+    pub cuts: [CutLoad; 3],
     /// Inserts in the cut at once.
     pub at_once: f64,
 }
 
 /// A spindle with its motor. Speeds in r/min.
-pub(super) struct Drive {
+pub(super) struct SpindleDrive {
     pub speed: f64,
     pub motor: MotorCurve,
     pub inertia: f64,
@@ -49,12 +49,12 @@ pub(super) struct Drive {
     pub gain: f64,
 }
 
-impl Cut {
+impl CutLoad {
     /// The worse of both in each number.
-    fn worst(self, other: Cut) -> Cut {
+    fn worst(self, other: CutLoad) -> CutLoad {
         let both = |a: Torque, b: Torque| Torque { peak: a.peak.max(b.peak), mean: a.mean.max(b.mean) };
         let torque = [both(self.torque[0], other.torque[0]), both(self.torque[1], other.torque[1])];
-        Cut { force: self.force.max(other.force), torque }
+        CutLoad { force: self.force.max(other.force), torque }
     }
 }
 
@@ -66,8 +66,8 @@ impl Params {
 
     /// Loads of passes of these `sizes` across flats. The chip is as wide as the layer is deep and as thick as the marks on a flat are apart;
     /// on the way down as wide as the insert, and its force acts at the tip circle and at the stock at most.
-    pub(super) fn load(&self, sizes: &[f64]) -> Load {
-        let Some(ratio) = self.ratio() else { return Load::default() };
+    pub(super) fn load(&self, sizes: &[f64]) -> PolygonLoad {
+        let Some(ratio) = self.ratio() else { return PolygonLoad::default() };
         let inserts = self.inserts as u32;
         let row = self.specific();
         let force = |depth: f64, feed: f64, edge: f64| {
@@ -75,7 +75,7 @@ impl Params {
             kienzle(row.unit_force, row.exponent, (depth, thick), (edge, self.rake))
         };
         let down = if self.is_behind_face() { force(self.insert_width, self.infeed, 90.0) } else { 0.0 };
-        let mut all = Load::default();
+        let mut all = PolygonLoad::default();
         let loads = load::passes(sizes, self.tip_radius, ratio, inserts, 0.5 * self.stock_diameter);
         for (at, pass) in loads.enumerate() {
             let last = at + 1 == sizes.len();
@@ -88,8 +88,8 @@ impl Params {
                 peak: f64::from(pass.at_once) * down * lever / 1000.0,
                 mean: pass.engaged * down * lever / 1000.0,
             };
-            let cut = Cut { force: along * pass.depth, torque: [torque(pass.work), torque(pass.tool)] };
-            let plunge = Cut { force: down, torque: [lever(0.5 * self.stock_diameter), lever(self.tip_radius)] };
+            let cut = CutLoad { force: along * pass.depth, torque: [torque(pass.work), torque(pass.tool)] };
+            let plunge = CutLoad { force: down, torque: [lever(0.5 * self.stock_diameter), lever(self.tip_radius)] };
             let own = usize::from(last);
             all.cuts[own] = all.cuts[own].worst(cut);
             all.cuts[2] = all.cuts[2].worst(plunge);
@@ -99,7 +99,7 @@ impl Params {
     }
 
     /// A spindle with its motor behind the gear of its axis.
-    pub(super) fn drive(&self, spindle: Spindle) -> Drive {
+    pub(super) fn drive(&self, spindle: Spindle) -> SpindleDrive {
         let (kilowatts, base, ratio, speed) = match spindle {
             Spindle::Work => {
                 (self.work_power, self.work_base, self.work_motor_teeth / self.work_teeth, self.work_speed())
@@ -113,7 +113,7 @@ impl Params {
             Spindle::Tool => (self.tool_inertia, self.tool_time_constant, self.tool_gain),
         };
         let motor = MotorCurve::new(kilowatts, self.drive_efficiency / 100.0, (base, base), base * ratio);
-        Drive { speed, motor, inertia, ramp: milliseconds / 1000.0, gain }
+        SpindleDrive { speed, motor, inertia, ramp: milliseconds / 1000.0, gain }
     }
 
     /// Torque (Nm) that the drive gives at its speed: continuously at its site, and for a short time.

@@ -1,7 +1,7 @@
 //! The parts list of the polygon lathe: work with its drive, cutters with theirs, slides.
 
 use super::resolved::PolygonLathe;
-use super::scene::{View, group};
+use super::scene::{Layout, group};
 use crate::machines::driven::FormMotor;
 use crate::view::DrawnPart;
 
@@ -23,7 +23,7 @@ pub(super) const MOTORS: &[FormMotor] = &[
 
 /// All parts with their places in the drawing.
 pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
-    let view = View::new(lathe);
+    let layout = Layout::new(lathe);
     let part = |name: &'static str, group: u16, at: (f64, f64), data: &[(&'static str, &'static str)]| DrawnPart {
         name,
         quantity: 1,
@@ -31,27 +31,27 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
         group,
         at,
     };
-    let (chuck, stock) = (view.chuck, 0.5 * lathe.p.stock_diameter * view.scale);
+    let (chuck, stock) = (layout.chuck, 0.5 * lathe.p.stock_diameter * layout.scale);
     let mut cutters: Vec<f64> = Vec::new();
     for polygon in lathe.polygons().filter(|polygon| polygon.p.tool != lathe.p.tool) {
         if !cutters.contains(&polygon.p.tool) {
             cutters.push(polygon.p.tool);
         }
     }
-    let r = lathe.p.tip_radius * view.scale;
-    let body = (lathe.p.tip_radius - lathe.p.overhang).max(0.0) * view.scale;
+    let r = lathe.p.tip_radius * layout.scale;
+    let body = (lathe.p.tip_radius - lathe.p.overhang).max(0.0) * layout.scale;
     vec![
         part(
             "polygon.part.headstock",
             0,
-            (view.work.0 - 0.7 * chuck, view.work.1 + chuck + 22.0),
+            (layout.work.0 - 0.7 * chuck, layout.work.1 + chuck + 22.0),
             &[("", "work-power"), ("", "work-base"), ("", "work-limit")],
         ),
-        part("polygon.part.chuck", 0, (view.work.0 - 0.8 * chuck, view.work.1), &[]),
+        part("polygon.part.chuck", 0, (layout.work.0 - 0.8 * chuck, layout.work.1), &[]),
         part(
             "polygon.part.work",
             0,
-            (view.work.0 - 0.3 * stock, view.work.1 + 0.3 * stock),
+            (layout.work.0 - 0.3 * stock, layout.work.1 + 0.3 * stock),
             &[("Ø ", "stock-diameter"), ("AF ", "across-flats"), ("L ", "length")],
         ),
         DrawnPart {
@@ -73,7 +73,7 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
             (0.0, 150.0),
             &[("", "tool-power"), ("", "tool-base"), ("", "tool-limit")],
         ),
-        part("polygon.part.cross", 0, (view.cutter.0, 542.0), &[("", "lead-x"), ("", "rapid-x")]),
+        part("polygon.part.cross", 0, (layout.cutter.0, 542.0), &[("", "lead-x"), ("", "rapid-x")]),
         part("polygon.part.along", group::SIDE, (0.0, 88.0), &[("", "lead-z"), ("", "rapid-z")]),
     ]
 }

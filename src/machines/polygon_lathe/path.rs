@@ -17,7 +17,7 @@ pub(super) enum To {
 
 /// A step of a pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Step {
+pub(super) enum PassStep {
     /// One axis at rapid traverse.
     Rapid(To),
     /// One axis at a feed in mm/min.
@@ -67,18 +67,18 @@ impl Params {
     }
 
     /// The steps of a pass, from 1. The last pass waits where an end of the polygon gets its shape, until every insert has been there.
-    pub(super) fn steps(&self, pass: f64) -> Vec<Step> {
+    pub(super) fn steps(&self, pass: f64) -> Vec<PassStep> {
         let feed = self.per_minute(self.feed_of(pass));
         let (size, clear) = (To::Across(self.size(pass)), To::Across(self.clear_diameter()));
         let (begin, end) = (To::Along(self.approach()), To::Along(-self.far_end()));
-        let wait = (pass >= self.passes()).then_some(Step::Dwell(self.round()));
-        let out = Step::Feed(clear, self.way_out());
-        let (along, beside) = ([Step::Feed(end, feed)], begin != end);
+        let wait = (pass >= self.passes()).then_some(PassStep::Dwell(self.round()));
+        let out = PassStep::Feed(clear, self.way_out());
+        let (along, beside) = ([PassStep::Feed(end, feed)], begin != end);
         if !self.is_behind_face() {
-            let steps = [Step::Rapid(size)].into_iter().chain(along).chain(wait);
-            return steps.chain([out, Step::Rapid(begin)]).collect();
+            let steps = [PassStep::Rapid(size)].into_iter().chain(along).chain(wait);
+            return steps.chain([out, PassStep::Rapid(begin)]).collect();
         }
-        let down = [Step::Rapid(begin), Step::Feed(size, self.per_minute(self.infeed))];
+        let down = [PassStep::Rapid(begin), PassStep::Feed(size, self.per_minute(self.infeed))];
         // Going down alone cuts as much as the insert is wide.
         let along = along.into_iter().chain(wait).filter(|_| beside);
         down.into_iter().chain(wait).chain(along).chain([out]).collect()
@@ -92,22 +92,22 @@ impl Params {
 }
 
 /// Time of steps from a diameter and a place along the work but for rapid traverse, s: `60 way / F`, step by step; threads at a speed in r/min.
-pub(super) fn time((mut across, mut along): (f64, f64), steps: impl Iterator<Item = Step>, rpm: f64) -> f64 {
+pub(super) fn time((mut across, mut along): (f64, f64), steps: impl Iterator<Item = PassStep>, rpm: f64) -> f64 {
     let mut total = 0.0;
     for step in steps {
         let from = (across, along);
         match step {
-            Step::Rapid(To::Across(to)) | Step::Feed(To::Across(to), _) => across = to,
-            Step::Rapid(To::Along(to)) | Step::Feed(To::Along(to), _) | Step::Thread(to, _) => along = to,
-            Step::Slope(x, z, _) => (across, along) = (x, z),
-            Step::Dwell(_) => {}
+            PassStep::Rapid(To::Across(to)) | PassStep::Feed(To::Across(to), _) => across = to,
+            PassStep::Rapid(To::Along(to)) | PassStep::Feed(To::Along(to), _) | PassStep::Thread(to, _) => along = to,
+            PassStep::Slope(x, z, _) => (across, along) = (x, z),
+            PassStep::Dwell(_) => {}
         }
         let way = math::hypot(0.5 * (across - from.0), along - from.1);
         total += match step {
-            Step::Rapid(_) => 0.0,
-            Step::Feed(_, feed) | Step::Slope(_, _, feed) => 60.0 * way / feed,
-            Step::Thread(_, pitch) => 60.0 * way / (pitch * rpm),
-            Step::Dwell(seconds) => seconds,
+            PassStep::Rapid(_) => 0.0,
+            PassStep::Feed(_, feed) | PassStep::Slope(_, _, feed) => 60.0 * way / feed,
+            PassStep::Thread(_, pitch) => 60.0 * way / (pitch * rpm),
+            PassStep::Dwell(seconds) => seconds,
         };
     }
     total

@@ -4,7 +4,7 @@
 //! emergency stop end polygon turning (in ratio, or coasting with the drives off), and only a new request starts it again. Feed hold stops the
 //! slide alone.
 
-use super::ladder::{ANGLE, DONE, GO_TO_ANGLE, RPM, RUN, STANDS, STOP, ladder};
+use super::ladder::{ANGLE, AT_STANDSTILL, DONE, GO_TO_ANGLE, RPM, RUN, STOP, ladder};
 use super::resolved::PolygonLathe;
 use crate::drives::speed::Steps;
 use crate::machines::ladder::plc::{LadderPlc, NamedBlock, Wiring};
@@ -133,9 +133,9 @@ impl NamedBlock for Axes {
     fn act(&mut self, t: f64, image: &mut Image, io: &mut Io) -> Option<f64> {
         self.enter(t, image, io);
         let next = self.turn(t, image, io);
-        for (k, (done, stands)) in DONE.into_iter().zip(STANDS).enumerate() {
+        for (k, (done, at_standstill)) in DONE.into_iter().zip(AT_STANDSTILL).enumerate() {
             image.set(done, matches!(self.stage, Stage::Indexing(until) if until.get(k).is_some_and(|at| t >= *at)));
-            image.set(stands, self.stage == Stage::Rest);
+            image.set(at_standstill, self.stage == Stage::Rest);
         }
         next
     }

@@ -3,7 +3,7 @@
 use super::outlines::closed;
 use super::progress::{self, GRID, Progress};
 use super::resolved::{PolygonLathe, TOOL, WORK};
-use super::scene::{self, TIPS, View, group, node};
+use super::scene::{self, Layout, TIPS, group, node};
 use crate::machines::machine::{Frame, Samples};
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
@@ -22,7 +22,7 @@ const SEEN_JAWS: f64 = 40.0;
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
     let p = &lathe.p;
-    let view = View::new(lathe);
+    let layout = Layout::new(lathe);
     let progress = progress::progress(lathe, run, now);
     let (across_flats, z) = lathe.slide(now);
     let mut pose = Pose::default();
@@ -36,8 +36,8 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     let present = progress::present(lathe, run, now, &progress);
     let polygon = lathe.polygons().nth(present).unwrap_or(lathe);
     // The cutter of the present polygon, from its own last place, and from that of the first.
-    let own = 0.5 * (across_flats - polygon.p.across_flats) * view.scale;
-    let aside = view.of(polygon).cutter.0 + own - view.cutter.0;
+    let own = 0.5 * (across_flats - polygon.p.across_flats) * layout.scale;
+    let aside = layout.of(polygon).cutter.0 + own - layout.cutter.0;
     let turned = |axis: usize, limit: f64| Frame::seen((now.pmc[axis].feed / 60.0 * frame.step).abs(), limit);
     let (seen, jaws) = (turned(TOOL, SEEN / polygon.p.inserts.max(1.0)), turned(WORK, SEEN_JAWS));
     place(group::WORK, work, near, 1.0);
@@ -53,13 +53,13 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
             place(group::of(group, at), 0.0, near, shown);
         }
     }
-    place(group::DISTANCE, 0.0, (scene::figure_at(&view, aside), 0.0), 1.0);
-    place(group::SIDE, 0.0, (z * view.side, away * view.side), 1.0);
+    place(group::DISTANCE, 0.0, (scene::figure_at(&layout, aside), 0.0), 1.0);
+    place(group::SIDE, 0.0, (z * layout.side, away * layout.side), 1.0);
     if let Some((_, tips)) = progress::tips(polygon, now) {
         let near = 1.02 * 0.5 * p.stock_diameter;
         for (group, (x, y)) in (group::TIPS..group::TIPS + TIPS).zip(tips) {
             let opacity = f64::from(u8::from(math::hypot(x, y) <= near));
-            place(group, 0.0, (x * view.close, -y * view.close), opacity);
+            place(group, 0.0, (x * layout.close, -y * layout.close), opacity);
         }
     }
     let grid = progress::outline(lathe, &progress, now);
@@ -71,22 +71,23 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     };
     let angle = now.pmc[WORK].actual / 180.0 * PI;
     pose.paths = vec![
-        (node::SECTION, closed(points(), (0.0, 0.0), view.scale)),
-        (node::CLOSE, closed(points(), (0.0, 0.0), view.close)),
-        (node::BAR, scene::bar(lathe, &view, &progress)),
-        (node::EDGES, edges(lathe, &view, &progress, angle)),
-        (node::DISTANCE, scene::distance(polygon, &view, aside)),
-        (node::LEADER, scene::leader(polygon, &view, aside)),
-        (node::IDEAL, scene::wanted(polygon, &view)),
+        (node::SECTION, closed(points(), (0.0, 0.0), layout.scale)),
+        (node::CLOSE, closed(points(), (0.0, 0.0), layout.close)),
+        (node::BAR, scene::bar(lathe, &layout, &progress)),
+        (node::EDGES, edges(lathe, &layout, &progress, angle)),
+        (node::DISTANCE, scene::distance(polygon, &layout, aside)),
+        (node::LEADER, scene::leader(polygon, &layout, aside)),
+        (node::IDEAL, scene::wanted(polygon, &layout)),
     ];
-    pose.texts = texts((lathe, polygon), &view, now, &progress);
+    pose.texts = texts((lathe, polygon), &layout, now, &progress);
     pose
 }
 
 /// The polygon from above: where the passes have cut deepest.
-fn edges(lathe: &PolygonLathe, view: &View, progress: &Progress, angle: f64) -> String {
-    let cut =
-        |(near, far, size): (f64, f64, f64)| scene::edges(lathe.at(0.5 * (near + far)), view, size, (near, far), angle);
+fn edges(lathe: &PolygonLathe, layout: &Layout, progress: &Progress, angle: f64) -> String {
+    let cut = |(near, far, size): (f64, f64, f64)| {
+        scene::edges(lathe.at(0.5 * (near + far)), layout, size, (near, far), angle)
+    };
     scene::profile(lathe, progress).into_iter().map(cut).collect()
 }
 
@@ -101,12 +102,12 @@ fn pass(lathe: &PolygonLathe, progress: &Progress) -> String {
 
 fn texts(
     (lathe, polygon): (&PolygonLathe, &PolygonLathe),
-    view: &View,
+    layout: &Layout,
     now: &Snapshot,
     progress: &Progress,
 ) -> Vec<(u16, String)> {
     let (across_flats, z) = lathe.slide(now);
-    let [form, flatness, scales] = scene::form(polygon, view);
+    let [form, flatness, scales] = scene::form(polygon, layout);
     let [across, radius] = scene::sizes(polygon);
     let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
     let turns = now.pmc[TOOL].feed != 0.0;

@@ -4,7 +4,7 @@
 //! them, and the bits to and from the PMC, is ours.
 
 use super::params::Slot;
-use super::path::{Step, To};
+use super::path::{PassStep, To};
 use super::resolved::{ALONG, CROSS, PolygonLathe};
 use crate::controls::Address;
 use crate::controls::Code;
@@ -46,7 +46,7 @@ const OTHERS: [u32; 12] = [3, 9, 11, 13, 19, 20, 21, 22, 23, 24, 25, 26];
 /// Arguments that G512 does not have: I, J, K, R. (L, N, O, P are no arguments.)
 const UNKNOWN: [u32; 4] = [4, 5, 6, 18];
 /// Variable that receives a position: reading one makes the control wait for standstill.
-const STANDS: u32 = 32;
+const STANDSTILL: u32 = 32;
 
 /// Number of the alarm of a cutter that is not clear of the work.
 const AWAY: u32 = 11;
@@ -108,20 +108,20 @@ fn cross(lathe: &PolygonLathe, size: f64) -> NewWord {
 }
 
 /// The words of a step.
-pub(super) fn block(lathe: &PolygonLathe, step: Step) -> Vec<NewWord> {
+pub(super) fn block(lathe: &PolygonLathe, step: PassStep) -> Vec<NewWord> {
     let word = |to: To| match to {
         To::Across(size) => cross(lathe, size),
         To::Along(place) => z(real(place, 3)),
     };
     match step {
-        Step::Rapid(to) => vec![g(0), word(to)],
-        Step::Feed(to, feed) => vec![g(1), word(to), f(real(feed, 3))],
-        Step::Slope(size, place, feed) => vec![g(1), cross(lathe, size), z(real(place, 3)), f(real(feed, 3))],
-        Step::Thread(place, pitch) => {
+        PassStep::Rapid(to) => vec![g(0), word(to)],
+        PassStep::Feed(to, feed) => vec![g(1), word(to), f(real(feed, 3))],
+        PassStep::Slope(size, place, feed) => vec![g(1), cross(lathe, size), z(real(place, 3)), f(real(feed, 3))],
+        PassStep::Thread(place, pitch) => {
             let cut = writing::codes(lathe.control, [Code::Thread]).into_iter().take(1);
             cut.chain([z(real(place, 3)), f(real(pitch, 3))]).collect()
         }
-        Step::Dwell(seconds) => writing::dwell(lathe.control, seconds).into(),
+        PassStep::Dwell(seconds) => writing::dwell(lathe.control, seconds).into(),
     }
 }
 
@@ -270,7 +270,7 @@ fn refuse(b: &mut Builder, arguments: &[u32], target: u32) {
 
 /// Waits for standstill of the slide by reading its position.
 fn wait_for_slide(b: &mut Builder) {
-    b.assign(STANDS, v(5041)).note("WAITS FOR STANDSTILL");
+    b.assign(STANDSTILL, v(5041)).note("WAITS FOR STANDSTILL");
 }
 
 /// Waits for a bit of the PMC.

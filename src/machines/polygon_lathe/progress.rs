@@ -22,7 +22,7 @@ const PASSES: usize = 200;
 
 /// A pass of the slide.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pass {
+pub(super) struct SlidePass {
     /// Number of passes before it.
     pub(super) before: usize,
     /// Across flats.
@@ -33,14 +33,14 @@ pub(super) struct Pass {
     since: Snapshot,
 }
 
-impl Pass {
+impl SlidePass {
     /// Distance of its middle from the face, mm.
     pub(super) fn middle(&self) -> f64 {
         0.5 * (self.stretch.0 + self.stretch.1)
     }
 
     /// Both have cut some of the same stretch.
-    fn overlaps(&self, other: &Pass) -> bool {
+    fn overlaps(&self, other: &SlidePass) -> bool {
         self.stretch.0 < other.stretch.1 && other.stretch.0 < self.stretch.1
     }
 }
@@ -49,16 +49,16 @@ impl Pass {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Progress {
     /// All passes, or the newest of very many; the present one is the last.
-    pub(super) passes: Vec<Pass>,
+    pub(super) passes: Vec<SlidePass>,
     /// The deepest pass before the last one on its stretch.
-    pub(super) done: Option<Pass>,
+    pub(super) done: Option<SlidePass>,
     /// Stretches that the spindle has turned: distances of both ends from the face, and the diameter.
     pub(super) turned: Vec<(f64, f64, f64)>,
 }
 
 impl Progress {
     /// The present pass, or the last.
-    pub(super) fn now(&self) -> Option<&Pass> {
+    pub(super) fn now(&self) -> Option<&SlidePass> {
         self.passes.last()
     }
 }
@@ -83,7 +83,7 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
         }
         // The commanded end of the pass: the position at this moment may already belong to the retract.
         let stretch = ((-visit.along.1 - p.insert_width).max(0.0), -visit.along.0);
-        progress.passes.push(Pass { before: progress.passes.len(), size: 2.0 * visit.across, stretch, since });
+        progress.passes.push(SlidePass { before: progress.passes.len(), size: 2.0 * visit.across, stretch, since });
     }
     if let Some((now, before)) = progress.passes.split_last() {
         let before = before.iter().filter(|pass| pass.overlaps(now));
@@ -110,7 +110,7 @@ pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, p
 
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
 pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot) -> Vec<f64> {
-    let middle = progress.now().map_or(0.5 * lathe.p.length + lathe.p.from_face, Pass::middle);
+    let middle = progress.now().map_or(0.5 * lathe.p.length + lathe.p.from_face, SlidePass::middle);
     let over = progress.turned.iter().filter(|turned| (turned.0..=turned.1).contains(&middle));
     let stock = over.map(|turned| turned.2).fold(lathe.p.stock_diameter, f64::min);
     let mut grid = vec![0.5 * stock; GRID];
@@ -121,7 +121,7 @@ pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot)
 }
 
 /// Cuts the insert passes since the slide reached the face, up to one closed pattern.
-fn cut(grid: &mut [f64], lathe: &PolygonLathe, slide: &Pass, now: &Snapshot) {
+fn cut(grid: &mut [f64], lathe: &PolygonLathe, slide: &SlidePass, now: &Snapshot) {
     let Some(setup) = lathe.at(slide.middle()).p.setup(slide.size) else { return };
     let k = setup.ratio.value();
     let [work, tool] = [WORK, TOOL].map(|axis| slide.since.pmc[axis].actual / 360.0);

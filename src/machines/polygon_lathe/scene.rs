@@ -27,28 +27,28 @@ use crate::view::scene::{Font, SceneGroup};
 pub(super) use cutter::{distance, figure_at};
 pub(super) use front::traces;
 pub(super) use ids::{TIPS, group, node};
-pub(super) use layout::View;
+pub(super) use layout::Layout;
 use layout::{UNIT, VIEW};
 pub(super) use lens::{form, wanted};
 pub(super) use side::{bar, edges, profile};
 
 /// The drawing at rest.
 pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
-    let view = View::new(lathe);
+    let layout = Layout::new(lathe);
     let mut d = Drawing::new(UNIT);
-    front::draw_back(&mut d, &view);
-    cutter::draw_base(&mut d, lathe, &view);
-    front::draw_chuck(&mut d, lathe, &view);
-    front::draw_work(&mut d, lathe, &view);
-    cutter::draw(&mut d, lathe, &view);
-    front::draw_arrows(&mut d, lathe, &view);
-    side::draw(&mut d, lathe, &view);
-    lens::draw(&mut d, lathe, &view);
-    lens::draw_close(&mut d, lathe, &view);
-    labels(&mut d, lathe, &view);
+    front::draw_back(&mut d, &layout);
+    cutter::draw_base(&mut d, lathe, &layout);
+    front::draw_chuck(&mut d, lathe, &layout);
+    front::draw_work(&mut d, lathe, &layout);
+    cutter::draw(&mut d, lathe, &layout);
+    front::draw_arrows(&mut d, lathe, &layout);
+    side::draw(&mut d, lathe, &layout);
+    lens::draw(&mut d, lathe, &layout);
+    lens::draw_close(&mut d, lathe, &layout);
+    labels(&mut d, lathe, &layout);
     d.stations = vec![
-        ("polygon.station.work", view.work.0),
-        ("polygon.station.cutter", view.cutter.0),
+        ("polygon.station.work", layout.work.0),
+        ("polygon.station.cutter", layout.cutter.0),
         ("polygon.station.details", 860.0),
     ];
     d.scene(VIEW, "polygon.scene.alt")
@@ -66,14 +66,14 @@ const CUTTER: f64 = 350.0;
 const RIGHT: f64 = 1008.0;
 
 /// Names, dimensions and live values; every one has its own place, whatever the sizes.
-fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let p = &lathe.p;
     let mm = |value: f64| units::text(value, 3, "mm");
     let callout =
         |d: &mut Drawing, field: &'static str, at, anchor, name: &str, values: &[(Option<u16>, &str)], part| {
             d.showing(field, |d| d.callout(&Callout { at, anchor, name, values, part }));
         };
-    let chuck = (view.work.0 + 0.62 * view.chuck, view.work.1 - 0.72 * view.chuck);
+    let chuck = (layout.work.0 + 0.62 * layout.chuck, layout.work.1 - 0.72 * layout.chuck);
     callout(d, "speed", (WORK, ROW), "start", &say("polygon.scene.work"), &[(Some(node::WORK_SPEED), "")], Some(chuck));
     d.path(String::new(), Look::LEAD).id = Some(node::LEADER);
     let (name, [across, radius]) = (say("polygon.scene.cutter"), sizes(lathe));
@@ -98,7 +98,7 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     d.text((670.0, SLIDES + 24.0), "start", "", Font::Value, Paint::Ink).id = Some(node::ALONG);
     // The distance of the axes, in the middle between them.
     d.path(String::new(), Look::LEAD.edge(Paint::Accent, 1.2)).id = Some(node::DISTANCE);
-    let middle = (0.5 * (view.work.0 + view.cutter.0), cutter::DISTANCE);
+    let middle = (0.5 * (layout.work.0 + layout.cutter.0), cutter::DISTANCE);
     d.place(group::DISTANCE, SceneGroup { at: middle, ..SceneGroup::default() });
     d.within(group::DISTANCE, |d| {
         d.rect([-cutter::FIGURE, -13.0, 2.0 * cutter::FIGURE, 24.0, 4.0], Look::fill(Paint::Page).faint(0.9));
@@ -113,9 +113,9 @@ pub(super) fn sizes(lathe: &PolygonLathe) -> [String; 2] {
 }
 
 /// Leader of the cutter's label to its disc, `away` units from its last place; none where the disc has left the drawing.
-pub(super) fn leader(lathe: &PolygonLathe, view: &View, away: f64) -> String {
-    let r = 0.6 * lathe.p.tip_radius * view.scale;
-    let (x, y) = (view.cutter.0 + away + 0.3 * r, view.cutter.1 - 0.95 * r);
+pub(super) fn leader(lathe: &PolygonLathe, layout: &Layout, away: f64) -> String {
+    let r = 0.6 * lathe.p.tip_radius * layout.scale;
+    let (x, y) = (layout.cutter.0 + away + 0.3 * r, layout.cutter.1 - 0.95 * r);
     if x > layout::RIGHT {
         return String::new();
     }

@@ -1,7 +1,7 @@
 //! Turning before and after the polygons: to a diameter from the face, with a chamfer and a thread. The spindle turns the work.
 
 use super::params::{Params, Slot};
-use super::path::{Step, To, time};
+use super::path::{PassStep, To, time};
 use crate::math;
 
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.
@@ -33,38 +33,39 @@ impl Slot {
     }
 
     /// Turning: cuts to depth, the last with the chamfer. Each ends at feed out of the stock and goes back in front of the face.
-    pub(super) fn steps(&self, p: &Params) -> Vec<Step> {
+    pub(super) fn steps(&self, p: &Params) -> Vec<PassStep> {
         let (feed, end) = (self.feed * self.speed, To::Along(-self.length));
-        let back = [Step::Feed(To::Across(p.clear_diameter()), p.way_out()), Step::Rapid(To::Along(p.clearance))];
+        let back =
+            [PassStep::Feed(To::Across(p.clear_diameter()), p.way_out()), PassStep::Rapid(To::Along(p.clearance))];
         let cuts = self.cuts(p.stock_diameter).min(MOST) as u32;
         let mut all = Vec::new();
         for cut in 1..=cuts {
             let last = cut == cuts;
             let size = if last { self.diameter } else { p.stock_diameter - 2.0 * f64::from(cut) * self.depth };
             if last && self.chamfer > 0.0 {
-                all.push(Step::Rapid(To::Across(size - 2.0 * self.chamfer)));
-                all.push(Step::Feed(To::Along(0.0), feed));
-                all.push(Step::Slope(size, -self.chamfer, feed));
+                all.push(PassStep::Rapid(To::Across(size - 2.0 * self.chamfer)));
+                all.push(PassStep::Feed(To::Along(0.0), feed));
+                all.push(PassStep::Slope(size, -self.chamfer, feed));
             } else {
-                all.push(Step::Rapid(To::Across(size)));
+                all.push(PassStep::Rapid(To::Across(size)));
             }
-            all.push(Step::Feed(end, feed));
+            all.push(PassStep::Feed(end, feed));
             all.extend(back);
         }
         all
     }
 
     /// Thread cutting, each cut from in front of the face.
-    pub(super) fn thread(&self, p: &Params) -> Vec<Step> {
+    pub(super) fn thread(&self, p: &Params) -> Vec<PassStep> {
         let depth = FLANKS * self.pitch;
         let cuts = self.thread_cuts().min(MOST) as u32;
         let one = |cut: u32| {
             let down = depth * (f64::from(cut) / f64::from(cuts)).sqrt();
             [
-                Step::Rapid(To::Across(self.diameter - 2.0 * down)),
-                Step::Thread(-self.thread_length, self.pitch),
-                Step::Feed(To::Across(p.clear_diameter()), p.way_out()),
-                Step::Rapid(To::Along(p.clearance)),
+                PassStep::Rapid(To::Across(self.diameter - 2.0 * down)),
+                PassStep::Thread(-self.thread_length, self.pitch),
+                PassStep::Feed(To::Across(p.clear_diameter()), p.way_out()),
+                PassStep::Rapid(To::Along(p.clearance)),
             ]
         };
         if self.pitch > 0.0 { (1..=cuts).flat_map(one).collect() } else { Vec::new() }

@@ -1,6 +1,6 @@
 //! The charts of the ribbon line: speeds, analog output, slack and register error over time.
 
-use super::pose::State;
+use super::pose::LineState;
 use super::resolved::RibbonLine;
 use crate::controls::Address;
 use crate::machines::chart_rows::{ChartLine, ChartRow};
@@ -20,9 +20,9 @@ pub(super) const ROWS: &[ChartRow<RibbonLine>] = &[
         ChartLine { label: |_| "ribbon.chart.output", tone: 2, address: |_| Some(Address::S), value: |_, now| now.spindle.volts },
     ] },
     ChartRow { id: "slack", title: "ribbon.chart.slack", unit: "mm", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "ribbon.chart.loop", tone: 3, address: |_| None, value: |line, now| State::new(line, now).slack },
+        ChartLine { label: |_| "ribbon.chart.loop", tone: 3, address: |_| None, value: |line, now| LineState::new(line, now).slack },
     ] },
     ChartRow { id: "register", title: "ribbon.chart.register", unit: "mm", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "ribbon.chart.dot", tone: 4, address: |_| None, value: |line, now| State::new(line, now).register(&line.p) },
+        ChartLine { label: |_| "ribbon.chart.dot", tone: 4, address: |_| None, value: |line, now| LineState::new(line, now).register(&line.p) },
     ] },
 ];

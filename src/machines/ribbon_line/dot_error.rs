@@ -57,20 +57,22 @@ impl DotError {
     }
 
     /// The greatest part.
-    pub(super) fn greatest(&self) -> (Part, f64) {
+    pub(super) fn greatest(&self) -> (ErrorSource, f64) {
         let others = [
-            (Part::Encoders, self.encoders),
-            (Part::Backlash, self.backlash),
-            (Part::Lag, self.lag),
-            (Part::Strain, self.strain),
+            (ErrorSource::Encoders, self.encoders),
+            (ErrorSource::Backlash, self.backlash),
+            (ErrorSource::Lag, self.lag),
+            (ErrorSource::Strain, self.strain),
         ];
-        others.into_iter().fold((Part::RunOut, self.run_out), |most, part| if part.1 > most.1 { part } else { most })
+        others
+            .into_iter()
+            .fold((ErrorSource::RunOut, self.run_out), |most, part| if part.1 > most.1 { part } else { most })
     }
 }
 
-/// A part of the error.
+/// A source of the error of a dot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum ErrorSource {
     /// Pulses of the encoders.
     Encoders,
     /// Run-out of the rollers.
@@ -83,15 +85,15 @@ pub(super) enum Part {
     Strain,
 }
 
-impl Part {
+impl ErrorSource {
     /// Catalog id of its name.
     pub(super) fn name(self) -> &'static str {
         match self {
-            Part::Encoders => "ribbon.readout.dot-encoders",
-            Part::RunOut => "ribbon.readout.dot-run-out",
-            Part::Backlash => "ribbon.readout.dot-backlash",
-            Part::Lag => "ribbon.readout.register-error",
-            Part::Strain => "ribbon.readout.dot-strain",
+            ErrorSource::Encoders => "ribbon.readout.dot-encoders",
+            ErrorSource::RunOut => "ribbon.readout.dot-run-out",
+            ErrorSource::Backlash => "ribbon.readout.dot-backlash",
+            ErrorSource::Lag => "ribbon.readout.register-error",
+            ErrorSource::Strain => "ribbon.readout.dot-strain",
         }
     }
 }

@@ -2,7 +2,7 @@
 //! the web.
 
 use super::mechanics::{ServoAxis, unwinder_load};
-use super::pose::State;
+use super::pose::LineState;
 use super::resolved::RibbonLine;
 use super::rules_of_drives::SHORT_TIME;
 use crate::drives::duty::Strikes;
@@ -154,7 +154,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         decimals: 1,
         limit: |line| Some(Limit::AtMost(line.p.loop_capacity)),
         field: Some("loop-capacity"),
-        value: |line, now| State::new(line, now).slack,
+        value: |line, now| LineState::new(line, now).slack,
     },
     GaugeRow {
         id: "tension",
@@ -169,7 +169,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
 
 /// Tension of the web in N: that of the brake, and with an empty loop that of the length that is missing.
 fn tension(line: &RibbonLine, now: &Snapshot) -> f64 {
-    let (p, slack) = (&line.p, State::new(line, now).slack);
+    let (p, slack) = (&line.p, LineState::new(line, now).slack);
     let missing = (-slack).max(0.0) / p.web.span;
     p.web.tension_before + web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, missing)
 }

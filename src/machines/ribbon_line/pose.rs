@@ -2,7 +2,7 @@
 
 use super::params::Params;
 use super::resolved::RibbonLine;
-use super::scene::layout::Reel;
+use super::scene::layout::DrawnReel;
 use super::scene::lens::Lens;
 use super::scene::parts::group::{self, Station as Part};
 use super::scene::parts::node;
@@ -27,7 +27,7 @@ const TIGHT: f64 = -0.5;
 const AT_DOT: f64 = 1e-4;
 
 /// The state of the line at a moment, in the units of the drawing's figures.
-pub(super) struct State {
+pub(super) struct LineState {
     /// Revolutions of the unwinding roller.
     unwinder_turns: f64,
     /// Revolutions of the pull roller.
@@ -44,8 +44,8 @@ pub(super) struct State {
     speeds: [f64; 3],
 }
 
-impl State {
-    pub(super) fn new(line: &RibbonLine, now: &Snapshot) -> State {
+impl LineState {
+    pub(super) fn new(line: &RibbonLine, now: &Snapshot) -> LineState {
         let p = &line.p;
         let (x, y) = (&now.axes[line.pull()], &now.axes[line.print()]);
         // The axis itself, which lags its command.
@@ -53,7 +53,7 @@ impl State {
         let turns = now.spindle.turns / p.reduction_ratio;
         let unwound = turns * PI * p.press_roller_diameter;
         let degrees = if line.degrees() { 1.0 } else { 360.0 / (PI * p.print_roller_diameter) };
-        State {
+        LineState {
             unwinder_turns: turns,
             pull_turns: pulled / (PI * p.x_roller_diameter),
             print_angle: y.actual * degrees,
@@ -82,7 +82,7 @@ impl State {
 
 /// Whether the first dot is on the ribbon.
 pub(super) fn has_printed(line: &RibbonLine, now: &Snapshot) -> bool {
-    State::new(line, now).passed(&line.p).1 >= 1.0
+    LineState::new(line, now).passed(&line.p).1 >= 1.0
 }
 
 /// A group turned about its own origin.
@@ -97,7 +97,7 @@ fn shown(group: u16, opacity: f64) -> Placement {
 
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(line: &RibbonLine, now: &Snapshot, frame: Frame) -> Pose {
-    let state = State::new(line, now);
+    let state = LineState::new(line, now);
     let mut pose = Pose::default();
     stations(line, now, frame, &state, &mut pose);
     reels(line, &state, &mut pose);
@@ -115,7 +115,7 @@ fn seen(step: f64) -> f64 {
 }
 
 /// Rollers below the ribbon turn with the clock, those above against it; a motor turns as its gear says.
-fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
+fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose: &mut Pose) {
     let p = &line.p;
     let pinch = 1.0 / scene::layout::PINCH;
     let motor = now.spindle.turns;
@@ -148,9 +148,9 @@ fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose
 }
 
 /// Reels turn with the ribbon on their radius, and shrink and grow by its thickness.
-fn reels(line: &RibbonLine, state: &State, pose: &mut Pose) {
+fn reels(line: &RibbonLine, state: &LineState, pose: &mut Pose) {
     let (layout, t) = (line.layout(), line.p.ribbon_thickness);
-    let rows: [(&Reel, f64, [u16; 3]); 2] = [
+    let rows: [(&DrawnReel, f64, [u16; 3]); 2] = [
         (&layout.supply, -state.unwound.max(0.0), [group::REEL_BODY, group::REEL_FACE, group::REEL_HUB]),
         (&layout.take_up, state.pulled.max(0.0), [group::TAKE_UP_BODY, group::TAKE_UP_FACE, group::TAKE_UP_HUB]),
     ];
@@ -170,7 +170,7 @@ fn reels(line: &RibbonLine, state: &State, pose: &mut Pose) {
 }
 
 /// The print roller with its heads, also in the lens. The stroboscope flashes when a head meets the ribbon.
-fn print_roller(line: &RibbonLine, frame: Frame, state: &State, pose: &mut Pose) {
+fn print_roller(line: &RibbonLine, frame: Frame, state: &LineState, pose: &mut Pose) {
     let head = 360.0 / line.p.heads;
     let angle = state.print_angle + 1e-6;
     let flash = if frame.option { (angle / head).floor() * head } else { angle };
@@ -186,7 +186,7 @@ fn print_roller(line: &RibbonLine, frame: Frame, state: &State, pose: &mut Pose)
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.
-fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
+fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose: &mut Pose) {
     let (p, layout) = (&line.p, line.layout());
     let (part, _) = state.passed(p);
     let part = if frame.option { 0.0 } else { part };
@@ -212,12 +212,12 @@ fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &m
 }
 
 /// Whether the loop is within its range: neither tight nor beyond its capacity.
-fn holds(line: &RibbonLine, state: &State) -> bool {
+fn holds(line: &RibbonLine, state: &LineState) -> bool {
     state.slack >= TIGHT && (state.slack <= line.p.loop_capacity || line.p.loop_capacity <= 0.0)
 }
 
 /// The loop hangs as deep as its slack, at most on the floor.
-fn slack_loop(line: &RibbonLine, state: &State, pose: &mut Pose) {
+fn slack_loop(line: &RibbonLine, state: &LineState, pose: &mut Pose) {
     let layout = line.layout();
     let slack = state.slack.min(layout.on_floor);
     pose.paths.extend(node::LOOP.into_iter().zip(band(layout, &layout.slack.web(layout.unwinder.x, slack))));
@@ -228,13 +228,13 @@ fn slack_loop(line: &RibbonLine, state: &State, pose: &mut Pose) {
 }
 
 /// A lamp is on while its drive turns.
-fn lamps(now: &Snapshot, state: &State, pose: &mut Pose) {
+fn lamps(now: &Snapshot, state: &LineState, pose: &mut Pose) {
     for (lamp, speed) in node::LAMPS.into_iter().zip([now.spindle.actual, state.speeds[1]]) {
         pose.fills.push((lamp, if speed.abs() > 1e-6 { Paint::Good } else { Paint::DarkShade }));
     }
 }
 
-fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)> {
+fn texts(line: &RibbonLine, now: &Snapshot, state: &LineState) -> Vec<(u16, String)> {
     let p = &line.p;
     let heads = p.heads.max(1.0);
     let met = (state.print_angle * heads / 360.0 + 1e-6).floor();

@@ -1,6 +1,6 @@
 //! The rule of the error budget of a dot: all parts together stay within its tolerance.
 
-use super::dot_error::{DotError, Part};
+use super::dot_error::{DotError, ErrorSource};
 use super::params::FIELDS;
 use super::resolved::RibbonLine;
 use super::rules_of_slack::equal_entries;
@@ -24,7 +24,7 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
     let (part, mm) = of.greatest();
     // To what share the greatest part shrinks for the tolerance; half where the others leave it almost nothing.
     let room = match part {
-        Part::Lag | Part::Strain => p.dot_tolerance - (of.total() - mm),
+        ErrorSource::Lag | ErrorSource::Strain => p.dot_tolerance - (of.total() - mm),
         _ => {
             let (room, varying) = ((p.dot_tolerance - of.lasting()).max(0.0), of.varying());
             (room * room - (varying * varying - mm * mm)).max(0.0).sqrt()
@@ -34,22 +34,22 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
     let share = if alone { room / mm } else { 0.5 };
     let one = |button: fn(&str) -> Message, entry: (&'static str, String)| (button(&entry.1), vec![entry]);
     let (button, entries) = match part {
-        Part::RunOut => {
+        ErrorSource::RunOut => {
             one(|run_out| msg!("advice.set-run-out", run_out), down(FIELDS, "roller-run-out", p.roller_run_out * share))
         }
-        Part::Encoders => one(
+        ErrorSource::Encoders => one(
             |pulses| msg!("advice.set-encoder", pulses),
             up(FIELDS, "encoder-resolution", p.encoder_resolution / share),
         ),
-        Part::Backlash => one(
+        ErrorSource::Backlash => one(
             |backlash| msg!("advice.set-backlash", backlash),
             down(FIELDS, "gear-backlash", p.gear_backlash * share),
         ),
-        Part::Strain => one(
+        ErrorSource::Strain => one(
             |force| msg!("advice.set-tension-behind", force),
             down(FIELDS, "tension-behind", p.web.tension_behind * share),
         ),
-        Part::Lag => (msg!("advice.make-equal"), equal_entries(p)),
+        ErrorSource::Lag => (msg!("advice.make-equal"), equal_entries(p)),
     };
     let (error, tolerance, part, part_error) = ((of.total(), 3), (p.dot_tolerance, 3), say(part.name()), (mm, 3));
     let told = if alone {

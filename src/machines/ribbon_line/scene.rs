@@ -24,7 +24,7 @@ pub(super) mod labels;
 
 use self::layout::Layout;
 use self::parts::{group, node};
-use self::stations::Drive;
+use self::stations::DriveKind;
 use self::web::Web;
 use super::resolved::RibbonLine;
 use crate::math;
@@ -67,8 +67,8 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     drawing.showing("loop-capacity", |drawing| labels::limit(drawing, line, layout));
     reels::before(&mut drawing, layout, &layout.supply, reels::SUPPLY, wound);
     reels::before(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);
-    stations::before(&mut drawing, layout, &layout.unwinder, group::UNWINDER, Drive::Inverter);
-    stations::before(&mut drawing, layout, &layout.pull, group::PULL, Drive::Servo);
+    stations::before(&mut drawing, layout, &layout.unwinder, group::UNWINDER, DriveKind::Inverter);
+    stations::before(&mut drawing, layout, &layout.pull, group::PULL, DriveKind::Servo);
     printing::before(&mut drawing, layout, p);
     printing::deflector(&mut drawing, layout);
     lens::lens(&mut drawing, layout, p, line.d.smear, line.d.smear > p.smear_limit);

@@ -1,7 +1,7 @@
 //! The parts list of the turning spindle, from the headstock to the tailstock.
 
 use super::resolved::TurningSpindle;
-use super::scene::{View, group};
+use super::scene::{Layout, group};
 use crate::machines::driven::FormMotor;
 use crate::view::DrawnPart;
 
@@ -20,7 +20,7 @@ pub(super) const MOTORS: &[FormMotor] = &[FormMotor {
 
 /// All parts with their places in the drawing.
 pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
-    let view = View::new(&lathe.p);
+    let layout = Layout::new(&lathe.p);
     let part = |name: &'static str, group: u16, at: (f64, f64), data: &[(&'static str, &'static str)]| DrawnPart {
         name,
         quantity: 1,
@@ -28,7 +28,7 @@ pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
         group,
         at,
     };
-    let work = view.tip(0.28 * lathe.p.stock_diameter, -0.5 * view.behind);
+    let work = layout.tip(0.28 * lathe.p.stock_diameter, -0.5 * layout.behind);
     let mut all = vec![
         part(
             "turning.part.headstock",
@@ -39,14 +39,14 @@ pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
         part("turning.part.gear", 0, (76.0, 380.0), &[("", "gear")]),
         part("turning.part.speed", 0, (30.0, 150.0), &[]),
         part("turning.part.output", 0, (180.0, 150.0), &[("", "output")]),
-        part("turning.part.chuck", 0, (view.chuck.face() - 20.0, 460.0), &[("", "chuck-limit")]),
+        part("turning.part.chuck", 0, (layout.chuck.face() - 20.0, 460.0), &[("", "chuck-limit")]),
         part("turning.part.work", 0, work, &[("Ø ", "stock-diameter"), ("L ", "length")]),
         part("turning.part.tool", group::TURRET, (14.0, -30.0), &[("T ", "tool"), ("", "edge-angle"), ("", "rake")]),
         part("turning.part.turret", group::TURRET, (78.0, -110.0), &[]),
         part("turning.part.cross", group::TURRET, (150.0, -80.0), &[("", "lead-x"), ("", "rapid-x")]),
         part("turning.part.bed", 0, (700.0, 518.0), &[("", "lead-z"), ("", "rapid-z")]),
     ];
-    if view.has_tailstock() {
+    if layout.has_tailstock() {
         all.push(part("turning.part.tailstock", 0, (980.0, 420.0), &[]));
     }
     all

@@ -3,7 +3,7 @@
 use super::keyway;
 use super::progress::{self, Progress};
 use super::resolved::TurningSpindle;
-use super::scene::{self, View, group, node};
+use super::scene::{self, Layout, group, node};
 use crate::controls::{Code, CodeId};
 use crate::drives::Bound;
 use crate::drives::speed::surface_speed;
@@ -23,13 +23,13 @@ const SEEN: f64 = 40.0;
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
     let p = &lathe.p;
-    let view = View::new(p);
+    let layout = Layout::new(p);
     let tool = lathe.tool(now);
     let progress = progress::progress(lathe, run, now);
     let cuts = progress::cuts(lathe, progress, now);
     let spindle = &now.spindle;
     let seen = Frame::seen((spindle.actual * 6.0 * frame.step).abs(), SEEN);
-    let tip = view.tip(tool.0, tool.1);
+    let tip = layout.tip(tool.0, tool.1);
     let mut pose = Pose::default();
     let placements = &mut pose.placements;
     placements.push(Placement { dx: tip.0, dy: tip.1, ..Placement::of(group::TURRET) });
@@ -43,29 +43,29 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     placements.push(Placement { opacity: 0.4 * (1.0 - seen), ..Placement::of(group::BLUR) });
     let knob = scene::knob(spindle.stage.max(1), spindle.bound == Bound::Shift, p.stages().count());
     placements.push(Placement { dx: knob.0, dy: knob.1, ..Placement::of(group::KNOB) });
-    scene::pose_work(lathe, &view, progress, spindle.turns, &mut pose.paths);
+    scene::pose_work(lathe, &layout, progress, spindle.turns, &mut pose.paths);
     if lathe.keyway().is_some() {
         let cut = keyway::groove(lathe, run, now);
-        pose.paths.push((node::GROOVE, scene::pose_groove(lathe, &view, cut)));
+        pose.paths.push((node::GROOVE, scene::pose_groove(lathe, &layout, cut)));
     }
-    view.chuck.pose(spindle.turns, &mut pose.paths);
-    let stretches = scene::stretches(lathe, &view, progress);
-    scene::pose_lens(p, &view, &stretches, (tool, cuts), placements, &mut pose.paths);
+    layout.chuck.pose(spindle.turns, &mut pose.paths);
+    let sections = scene::sections(lathe, &layout, progress);
+    scene::pose_lens(p, &layout, &sections, (tool, cuts), placements, &mut pose.paths);
     let chips = (cuts, progress::removed(lathe, progress));
     scene::pose_chips(tip, chips, (now.t, frame.step), placements, &mut pose.paths);
     pose.paths.push((node::LEVER, scene::lever(knob)));
     pose.paths.push((node::TOOL_LEADER, scene::tool_leader(tip)));
-    pose.paths.push((node::ORIENTATION, orientation(lathe, &view, now)));
+    pose.paths.push((node::ORIENTATION, orientation(lathe, &layout, now)));
     pose.texts = texts(lathe, now, progress);
     pose
 }
 
 /// The angle from the top to the zero mark of the spindle, where the spindle is held.
-fn orientation(lathe: &TurningSpindle, view: &View, now: &Snapshot) -> String {
+fn orientation(lathe: &TurningSpindle, layout: &Layout, now: &Snapshot) -> String {
     let mut d = String::new();
     if lathe.positions() && now.spindle.held {
         let angle = 2.0 * PI * (now.spindle.turns - now.spindle.turns.floor());
-        let (x, radius) = view.side(0.0, lathe.p.stock_diameter);
+        let (x, radius) = layout.side(0.0, lathe.p.stock_diameter);
         scene::arc(&mut d, x, 0.82 * radius, 0.0, angle);
     }
     d

@@ -35,38 +35,38 @@ use crate::view::scene::{Font, LETTER, SceneGroup};
 pub(super) use frame::{knob, lever};
 pub(super) use ids::{group, node};
 pub(super) use instruments::needles;
-pub(super) use layout::View;
+pub(super) use layout::Layout;
 use layout::{UNIT, VIEW};
 use solid::AXIS;
 pub(super) use turret::pose_chips;
 
 /// Paths of the part, and of its piece in the lens.
-pub(super) use {lens::pose as pose_lens, solid::arc, work::pose as pose_work, work::pose_groove, work::stretches};
+pub(super) use {lens::pose as pose_lens, solid::arc, work::pose as pose_work, work::pose_groove, work::sections};
 
 /// The drawing at rest.
 pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     let p = &lathe.p;
-    let view = View::new(p);
+    let layout = Layout::new(p);
     let mut d = Drawing::new(UNIT);
     frame::draw_bed(&mut d);
     turret::draw_column(&mut d);
-    frame::draw_tailstock(&mut d, &view);
-    view.chuck.draw_nose(&mut d);
+    frame::draw_tailstock(&mut d, &layout);
+    layout.chuck.draw_nose(&mut d);
     frame::draw_headstock(&mut d, p);
-    view.chuck.draw_body(&mut d);
-    work::draw(&mut d, lathe, &view);
-    view.chuck.draw_near_jaws(&mut d);
+    layout.chuck.draw_body(&mut d);
+    work::draw(&mut d, lathe, &layout);
+    layout.chuck.draw_near_jaws(&mut d);
     d.path(String::new(), Look::POINTER).id = Some(node::ORIENTATION);
     turret::draw_axis(&mut d);
-    turret::draw_way(&mut d, p, &view);
+    turret::draw_way(&mut d, p, &layout);
     turret::draw(&mut d);
     turret::draw_chips(&mut d);
     for (group, at) in [group::SPEED, group::NEEDLE].into_iter().zip(instruments::PIVOTS) {
         d.place(group, SceneGroup { at, ..SceneGroup::default() });
     }
     instruments::draw(&mut d, lathe);
-    lens::draw(&mut d, p, &view);
-    labels(&mut d, lathe, &view);
+    lens::draw(&mut d, p, &layout);
+    labels(&mut d, lathe, &layout);
     d.stations =
         vec![("turning.station.spindle", 130.0), ("turning.station.work", 430.0), ("turning.station.turret", 860.0)];
     d.scene(VIEW, "turning.scene.alt")
@@ -76,7 +76,7 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
 const ROW: f64 = 46.0;
 
 /// Names, dimensions and live values; every one has its own place, whatever the sizes.
-fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
+fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let p = &lathe.p;
     let mm = |value: f64| units::text(value, 3, "mm");
     let callout =
@@ -84,8 +84,8 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
             d.showing(field, |d| d.callout(&Callout { at, anchor, name: &say(id), values, part }));
         };
     d.text((252.0, 18.0), "start", "", Font::Label, Paint::Dim).id = Some(node::BOUND);
-    let (left, radius) = view.side(-view.behind, p.stock_diameter);
-    let middle = 0.45 * (left.max(view.chuck.front()) + view.face) + 0.1 * view.face;
+    let (left, radius) = layout.side(-layout.behind, p.stock_diameter);
+    let middle = 0.45 * (left.max(layout.chuck.front()) + layout.face) + 0.1 * layout.face;
     callout(
         d,
         "stock-diameter",
@@ -99,7 +99,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
     let finished = [(None, from.as_str()), (None, to.as_str())];
     let count = if p.path == Path::Taper { 2 } else { 1 };
     let low = p.finished_diameter.min(p.stock_diameter);
-    let end = view.tip(0.5 * low, if p.path == Path::Facing { 0.0 } else { -0.2 * p.length });
+    let end = layout.tip(0.5 * low, if p.path == Path::Facing { 0.0 } else { -0.2 * p.length });
     callout(d, "finished-diameter", (376.0, ROW), "start", "turning.scene.finished", &finished[..count], Some(end));
     d.path(String::new(), Look::LEAD).id = Some(node::TOOL_LEADER);
     let tool = [(Some(node::SURFACE), ""), (Some(node::DIAMETER), "")];
@@ -115,7 +115,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
     });
     let slides = [(Some(node::X), ""), (Some(node::Z), "")];
     callout(d, "", (RIGHT, 252.0), "end", "turning.scene.slides", &slides, None);
-    if view.has_tailstock() {
+    if layout.has_tailstock() {
         d.text((RIGHT, 478.0), "end", &say("turning.scene.tailstock"), Font::Label, Paint::Dim);
     }
     d.text((4.0, 250.0), "start", "", Font::Label, Paint::Rim).id = Some(node::STAGE);
@@ -123,7 +123,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
     if lathe.positions() {
         callout(d, "keyway-angle", (RIGHT, 112.0), "end", "turning.scene.angle", &[(Some(node::ANGLE), "")], None);
     }
-    length(d, p, view);
+    length(d, p, layout);
 }
 
 /// Right end of labels, left end of the label at the tool.
@@ -139,13 +139,13 @@ pub(super) fn tool_leader((x, y): (f64, f64)) -> String {
 }
 
 /// The length of the cut along the part, or the allowance of a face.
-fn length(d: &mut Drawing, p: &Params, view: &View) {
+fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
     let (field, id, from, to) = match p.path {
         Path::Facing => ("allowance", "turning.scene.allowance", 0.0, p.allowance),
         _ => ("length", "turning.scene.length", -p.length, 0.0),
     };
-    let (y, top) = (476.0, AXIS + 0.5 * p.stock_diameter * view.scale);
-    let (left, right) = (view.face + from * view.scale, view.face + to * view.scale);
+    let (y, top) = (476.0, AXIS + 0.5 * p.stock_diameter * layout.scale);
+    let (left, right) = (layout.face + from * layout.scale, layout.face + to * layout.scale);
     d.showing(field, |d| {
         // Arrows between the lines, or from outside where there is no room.
         let arrows = if right - left > 26.0 {

@@ -2,7 +2,7 @@
 
 use crate::msg;
 use crate::nc::lex::spelling::prose;
-use crate::nc::parse::failure::{Failure, Mend};
+use crate::nc::parse::failure::{Mend, ParseFailure};
 use crate::nc::parse::reader::Reader;
 use crate::text::{Diagnostic, Message};
 
@@ -23,7 +23,7 @@ const PI: &str = "3.14159265";
 
 impl Reader<'_> {
     /// The finding that replaces a failure caused by foreign syntax; the alarm stays.
-    pub(in crate::nc) fn foreign_syntax(&self, failure: &Failure) -> Option<Diagnostic> {
+    pub(in crate::nc) fn foreign_syntax(&self, failure: &ParseFailure) -> Option<Diagnostic> {
         if self.names().is_some() {
             return None;
         }
@@ -53,7 +53,7 @@ impl Reader<'_> {
         String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase()
     }
 
-    fn foreign_word(&self, failure: &Failure, at: usize) -> Option<Diagnostic> {
+    fn foreign_word(&self, failure: &ParseFailure, at: usize) -> Option<Diagnostic> {
         let word = self.letters_at(at);
         let end = at + word.len();
         if prose(self.cursor.line.get(end..).unwrap_or_default().trim_ascii()) {
@@ -73,7 +73,7 @@ impl Reader<'_> {
     }
 
     /// Finding for a sign or number in an impossible position.
-    fn foreign_form(&self, failure: &Failure, at: usize) -> Option<Diagnostic> {
+    fn foreign_form(&self, failure: &ParseFailure, at: usize) -> Option<Diagnostic> {
         let byte = *self.cursor.line.get(at)?;
         let before = self.cursor.line.get(..at).unwrap_or_default().trim_ascii_end();
         let rest = self.cursor.line.get(at..).unwrap_or_default();

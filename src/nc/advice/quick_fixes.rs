@@ -7,7 +7,7 @@ use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
 use crate::nc::dec::{Dec, POW10};
 use crate::nc::lex::keywords::letters_of;
 use crate::nc::lex::spelling::prose;
-use crate::nc::parse::failure::{Failure, Mend, Read};
+use crate::nc::parse::failure::{Mend, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message};
@@ -143,7 +143,7 @@ impl Reader<'_> {
     }
 
     /// Failure of a `WHILE` without `DO`. The fix uses the loop number of the next unpaired `END`.
-    pub(in crate::nc) fn while_without_do(&self, start: usize) -> Box<Failure> {
+    pub(in crate::nc) fn while_without_do(&self, start: usize) -> Box<ParseFailure> {
         let at = self.ended_at().max(start + 5);
         let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
         failure.finding = self.mend(failure.finding, Mend::Do(at));

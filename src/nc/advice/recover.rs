@@ -6,7 +6,7 @@
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::lex::spelling::prose;
-use crate::nc::parse::failure::{Failure, Read};
+use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::Mark;
 use crate::nc::parse::reader::{FINDINGS, Reader};
 use crate::text::{DiagnosticKind, Place};
@@ -19,7 +19,7 @@ const LOOKED_AT: usize = 1000;
 
 impl Reader<'_> {
     /// Reports the reason why the present line does not parse.
-    pub(in crate::nc) fn recover(&mut self, mark: Mark, first: Box<Failure>) {
+    pub(in crate::nc) fn recover(&mut self, mark: Mark, first: Box<ParseFailure>) {
         let (alarm, whole) = (first.alarm, self.cursor.line);
         if whole.len() > LOOKED_AT || self.findings.list.len() > FINDINGS {
             return self.add_finding(first.finding);
@@ -60,7 +60,7 @@ impl Reader<'_> {
     }
 
     /// Reads the line again with round brackets that group. If it parses then, they are the mistake.
-    fn try_rounds(&mut self, mark: &Mark, failure: Failure) {
+    fn try_rounds(&mut self, mark: &Mark, failure: ParseFailure) {
         if !self.cursor.line.contains(&b'(') {
             return self.add_finding(failure.finding);
         }
@@ -85,7 +85,7 @@ impl Reader<'_> {
     }
 
     /// Start of an unbracketed comment: a run of dashes, or prose in place of a word.
-    fn remark(&self, failure: &Failure) -> Option<usize> {
+    fn remark(&self, failure: &ParseFailure) -> Option<usize> {
         let mut at = 0;
         let mut comment = false;
         while let Some(&byte) = self.cursor.line.get(at) {

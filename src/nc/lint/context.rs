@@ -80,7 +80,7 @@ impl<'a> Lint<'a> {
     }
 
     /// Adds a warning.
-    pub(super) fn say(&mut self, place: Place, message: Message) -> Option<&mut Diagnostic> {
+    pub(super) fn warn(&mut self, place: Place, message: Message) -> Option<&mut Diagnostic> {
         if self.is_full() {
             return None;
         }

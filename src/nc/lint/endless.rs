@@ -41,7 +41,7 @@ pub(super) fn endless(lint: &mut Lint, flow: &Flow) {
             let names: Vec<String> = names.iter().map(|&number| flow.control.variable(number)).collect();
             let block = place + flow.base;
             let (place, condition) = lint.written(block, lint.part(block, cond));
-            lint.say(place, msg!("lint.endless-loop", condition, variables = listed(names)));
+            lint.warn(place, msg!("lint.endless-loop", condition, variables = listed(names)));
         }
     }
 }

@@ -18,7 +18,7 @@ const MISSED: usize = 100;
 
 /// Facts about one program.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Part {
+pub(super) struct ProgramFacts {
     /// It has a program end.
     pub(super) ends: bool,
     /// A program of these files calls it.
@@ -34,7 +34,7 @@ pub(super) struct Part {
     return_at: u32,
 }
 
-impl Part {
+impl ProgramFacts {
     /// Whether its jumps are followed: it has jumps and no errors.
     pub(super) fn follows(&self) -> bool {
         self.bends && !self.faulty
@@ -56,7 +56,7 @@ pub(super) struct Call {
 #[derive(Default)]
 pub(super) struct Facts {
     /// One per program.
-    pub(super) parts: Vec<Part>,
+    pub(super) programs: Vec<ProgramFacts>,
     /// Calls in the order of the blocks.
     pub(super) calls: Vec<Call>,
     /// A program is called by a calculated number, so any may be called.
@@ -86,7 +86,7 @@ impl Facts {
         bits: u32,
     ) {
         let number = |letter: Address| words.iter().find(|word| word.letter == letter).map(|word| whole(word.value));
-        let Some(part) = self.parts.get_mut(program as usize) else { return };
+        let Some(part) = self.programs.get_mut(program as usize) else { return };
         part.ends |= bits & END != 0;
         if bits & RETURN != 0 {
             part.returns += 1;
@@ -112,7 +112,7 @@ impl Facts {
                 (None, None) => {
                     if sub && macros.sub_sequence && number(Address::H).is_none() {
                         let (place, code) = lint.written_word(block, words, Address::M);
-                        lint.say(place, msg!("lint.calls-itself", code));
+                        lint.warn(place, msg!("lint.calls-itself", code));
                     }
                     sub.then_some(program)
                 }
@@ -125,7 +125,7 @@ impl Facts {
                 self.entry(to.unwrap_or(NONE), number(Address::H));
             }
             if let Some(to) = to
-                && let Some(part) = self.parts.get_mut(to as usize)
+                && let Some(part) = self.programs.get_mut(to as usize)
             {
                 part.each_block |= bits & EACH_BLOCK != 0;
                 self.call(Call { block, from: program, to, with_locals: !sub });
@@ -140,7 +140,7 @@ impl Facts {
             self.missed.push(number);
             let alarm = lint.control.alarm_number(Alarm::NoProgram).unwrap_or("");
             let (place, _) = lint.written_word(block, words, Address::P);
-            let finding = lint.say(place, msg!("lint.no-such-program", program = format!("O{number}"), alarm));
+            let finding = lint.warn(place, msg!("lint.no-such-program", program = format!("O{number}"), alarm));
             if let Some(finding) = finding.filter(|_| number >= STANDARD) {
                 finding.severity = Severity::Info;
             }
@@ -148,7 +148,7 @@ impl Facts {
     }
 
     pub(super) fn call(&mut self, call: Call) {
-        if let Some(part) = self.parts.get_mut(call.to as usize) {
+        if let Some(part) = self.programs.get_mut(call.to as usize) {
             // A call by the program itself is not a call from elsewhere.
             part.called |= call.to != call.from;
             self.calls.push(call);
@@ -176,14 +176,14 @@ impl Facts {
         if lint.control.macros.main_ends {
             return;
         }
-        let ends = self.any_called || self.parts.iter().any(|part| part.ends);
+        let ends = self.any_called || self.programs.iter().any(|part| part.ends);
         let main = match lint.start {
             Some(number) => lint.programs.number(number),
             None => lint.deck.programs.first().filter(|row| row.number < STANDARD && !ends).map(|_| 0),
         };
         let end = lint.control.codes.iter().find(|row| row.code == Code::EndRewind);
         if let (Some(main), Some(end)) = (main, end)
-            && let Some(part) = self.parts.get(main as usize)
+            && let Some(part) = self.programs.get(main as usize)
             && part.returns > 0
             && !part.faulty
             && !part.called
@@ -194,7 +194,7 @@ impl Facts {
             let span = word.span(block);
             let end = lint.control.code_name(end.id);
             let (place, code) = lint.written(part.return_at, span);
-            lint.say(place, msg!("lint.main-returns", code, end = end.as_str()));
+            lint.warn(place, msg!("lint.main-returns", code, end = end.as_str()));
             if part.returns == 1 {
                 lint.fix(msg!("nc.fix.end-main", code = end.as_str()), &[(span, Dec::default())], &|_| end.clone());
             }

@@ -20,7 +20,7 @@ impl Facts {
         let errors = lint.parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
         for Place { file, span } in errors.filter_map(|finding| finding.place) {
             let behind = starts.partition_point(|start| *start <= (file, span.start));
-            if let Some(part) = self.parts.get_mut(behind.saturating_sub(1)) {
+            if let Some(part) = self.programs.get_mut(behind.saturating_sub(1)) {
                 part.faulty = true;
             }
         }
@@ -34,7 +34,7 @@ impl Facts {
         self.any_called |= lint.control.syntax.names().is_some() || any(&["G65", "G66", "M98"]);
         self.any_called |= !lint.parsed.codes().calls().is_empty();
         self.any_entry |= any(&["M98", "M99"]);
-        if let Some(part) = self.parts.get_mut(program as usize) {
+        if let Some(part) = self.programs.get_mut(program as usize) {
             part.ends |= any(&["M30", "M02", "M2"]);
         }
         any(&["G"])

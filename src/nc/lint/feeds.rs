@@ -79,14 +79,14 @@ impl Feeds {
     }
 
     /// Reports the findings from all programs together.
-    pub(super) fn tell(&self, lint: &mut Lint, facts: &Facts) {
+    pub(super) fn report(&self, lint: &mut Lint, facts: &Facts) {
         self.tell_unit(lint);
         // A called program that is missing here, or a caller, may set a feed.
         let silent = self.any || !facts.missed.is_empty() || facts.any_called;
-        if let Some((at, span)) = self.first_cut.filter(|_| !silent && facts.parts.iter().any(|part| part.ends)) {
+        if let Some((at, span)) = self.first_cut.filter(|_| !silent && facts.programs.iter().any(|part| part.ends)) {
             let alarm = lint.control.alarm_number(Alarm::NoFeed).unwrap_or("");
             let (place, code) = lint.written(at, span);
-            lint.say(place, msg!("lint.no-feed", code, alarm));
+            lint.warn(place, msg!("lint.no-feed", code, alarm));
         }
     }
 
@@ -112,7 +112,7 @@ impl Feeds {
                 true => msg!("lint.feed-per-revolution", word, feed, code = code.as_str(), count),
                 false => msg!("lint.feed-per-minute", word, feed, code = code.as_str(), count),
             };
-            lint.say(place, message);
+            lint.warn(place, message);
             lint.fix(msg!("lint.fix.unit", code = code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));
         }
     }
@@ -128,5 +128,5 @@ fn tell_zero(lint: &mut Lint, at: u32, span: Span) {
         _ => msg!("lint.feed-zero-digit", parameter),
     };
     let (place, _) = lint.written(at, span);
-    lint.say(place, message);
+    lint.warn(place, message);
 }

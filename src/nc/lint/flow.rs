@@ -151,7 +151,7 @@ impl<'a> Flow<'a> {
             let [first, second] = [pair[0], pair[1]].map(|row| self.base + row.1 as u32);
             let (place, block) = lint.written(second, lint.number(second));
             let line = lint.line(first);
-            lint.say(place, msg!("lint.number-twice", block, line));
+            lint.warn(place, msg!("lint.number-twice", block, line));
         }
     }
 
@@ -169,7 +169,7 @@ impl<'a> Flow<'a> {
 
     /// Reports unreachable blocks, each run of them once.
     pub(super) fn unreachable(&self, lint: &mut Lint, facts: &Facts) {
-        let part = facts.parts[self.program as usize];
+        let part = facts.programs[self.program as usize];
         let mut seen = vec![false; self.blocks.len()];
         let mut open = vec![0];
         let firsts = self.numbers.chunk_by(|a, b| a.0 == b.0).filter_map(<[_]>::first);
@@ -213,7 +213,7 @@ impl<'a> Flow<'a> {
             } else if count > 0 {
                 let span = self.blocks[first].span;
                 let (place, _) = lint.written(self.base + first as u32, span);
-                lint.say(place, msg!("lint.unreachable", count));
+                lint.warn(place, msg!("lint.unreachable", count));
                 count = 0;
             }
         }

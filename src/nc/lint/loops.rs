@@ -47,7 +47,7 @@ pub(super) fn loops(lint: &mut Lint, facts: &Facts, flows: &[Flow]) {
     let Some(flow) = flows.first() else { return };
     let mut at = 0;
     while let Some(&program) = called.get(at).filter(|_| at < CALLED) {
-        if !called[..at].contains(&program) && !facts.parts[program as usize].faulty {
+        if !called[..at].contains(&program) && !facts.programs[program as usize].faulty {
             let flow = Flow::new(flow.deck, flow.control, flow.roles, program as usize);
             let end = flow.blocks.len().saturating_sub(1) as u32;
             pass(lint, &flow, facts, (0, end), &mut called);
@@ -85,7 +85,7 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
             pass.words(flow, (here, block), bits, always);
         }
     }
-    pass.tell(lint, flow);
+    pass.report(lint, flow);
 }
 
 /// Actions of the blocks of a pass.
@@ -145,18 +145,18 @@ impl<'a> Pass<'a> {
         self.rests || spindle.iter().enumerate().any(twice) || spindle.iter().any(changes)
     }
 
-    fn tell(&self, lint: &mut Lint, flow: &Flow) {
+    fn report(&self, lint: &mut Lint, flow: &Flow) {
         if !self.controls_spindle(flow) {
-            self.spindle.tell(lint, DiagnosticKind::SpindleInLoop, |code| msg!("lint.spindle-in-loop", code));
+            self.spindle.report(lint, DiagnosticKind::SpindleInLoop, |code| msg!("lint.spindle-in-loop", code));
         }
         if self.auxiliary.all.len() == 1 && (self.cuts || self.moves && !self.rapid) {
-            self.auxiliary.tell(lint, DiagnosticKind::AuxiliaryInLoop, |code| msg!("lint.auxiliary-in-loop", code));
+            self.auxiliary.report(lint, DiagnosticKind::AuxiliaryInLoop, |code| msg!("lint.auxiliary-in-loop", code));
         }
     }
 }
 
 impl Function<'_> {
-    fn tell(&self, lint: &mut Lint, kind: DiagnosticKind, message: fn(&str) -> Message) {
+    fn report(&self, lint: &mut Lint, kind: DiagnosticKind, message: fn(&str) -> Message) {
         for &(block, span) in &self.always {
             if lint.is_full() {
                 return;
@@ -165,7 +165,7 @@ impl Function<'_> {
             // An inner loop, or a program called by two loops, is visited twice.
             let start = |place: Place| (place.file, place.span.start);
             if lint.found.iter().all(|d| d.kind != kind || d.place.map(start) != Some(start(place)))
-                && let Some(finding) = lint.say(place, message(code))
+                && let Some(finding) = lint.warn(place, message(code))
             {
                 finding.kind = kind;
             }

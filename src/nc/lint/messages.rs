@@ -25,5 +25,5 @@ pub(super) fn length(lint: &mut Lint, at: u32, block: &Block) {
     let from = block.span.start + (start + cut) as u32;
     let span = Span::new(from, block.span.start + (start + text.len()) as u32);
     let (place, _) = lint.written(at, span);
-    lint.say(place, msg!("lint.long-message", count = text.chars().count() as u32, most = most as u32));
+    lint.warn(place, msg!("lint.long-message", count = text.chars().count() as u32, most = most as u32));
 }

@@ -42,8 +42,8 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     facts.main_returns(&mut lint);
     if !facts.functions {
         let mut flows: Vec<Flow> = Vec::new();
-        let each_block = facts.parts.iter().any(|part| part.each_block);
-        for program in (0..deck.programs.len()).filter(|&program| facts.parts[program].follows()) {
+        let each_block = facts.programs.iter().any(|part| part.each_block);
+        for program in (0..deck.programs.len()).filter(|&program| facts.programs[program].follows()) {
             let flow = Flow::new(deck, lint.control, &roles, program);
             flow.unreachable(&mut lint, &facts);
             flow.twice(&mut lint, &facts);
@@ -56,7 +56,7 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
         if !deck.exprs.is_empty() {
             let mut vars = Vars::new(&lint, &facts);
             vars.settle();
-            vars.tell(&mut lint, &facts);
+            vars.report(&mut lint, &facts);
         }
     }
     let mut found = lint.found;

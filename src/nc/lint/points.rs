@@ -59,8 +59,8 @@ impl Points {
     }
 
     /// Reports the numbers of the program, one warning for each address and kind.
-    pub(super) fn tell(&self, lint: &mut Lint) {
-        self.rows.iter().filter(|_| !self.deliberate).for_each(|row| row.tell(lint));
+    pub(super) fn report(&self, lint: &mut Lint) {
+        self.rows.iter().filter(|_| !self.deliberate).for_each(|row| row.report(lint));
     }
 }
 
@@ -99,7 +99,7 @@ fn collect(
 }
 
 impl Pointless {
-    fn tell(&self, lint: &mut Lint) {
+    fn report(&self, lint: &mut Lint) {
         let Some(&(span, dec)) = self.words.first() else { return };
         let step = lint.control.limits.increment;
         let letter = self.letter.to_string();
@@ -111,7 +111,7 @@ impl Pointless {
             CALL => msg!("lint.no-point-argument", word, value, count, address),
             _ => msg!("lint.no-point", word, value, unit = if rotary { "°" } else { "mm" }, count, address),
         };
-        lint.say(place, message);
+        lint.warn(place, message);
         let meant = |dec: Dec| format!("{letter}{}", Dec { point: true, ..dec });
         if self.count == self.words.len() {
             lint.fix(msg!("lint.fix.point", word = meant(dec)), &self.words, &meant);

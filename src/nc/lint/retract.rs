@@ -64,7 +64,7 @@ pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
                 free = to;
             } else if out && at[1] < free[1] && to[1] > free[1] {
                 let (place, word) = lint.written(index, last.span(block));
-                lint.say(place, msg!("lint.slow-retract", word));
+                lint.warn(place, msg!("lint.slow-retract", word));
                 break;
             }
             at = to;

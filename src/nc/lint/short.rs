@@ -146,13 +146,13 @@ impl Short {
         self.end_run(false);
     }
 
-    pub(super) fn tell(mut self, lint: &mut Lint) {
+    pub(super) fn report(mut self, lint: &mut Lint) {
         self.end_run(false);
         if self.count > 0 {
             let (block, span, time) = self.told;
             let (place, _) = lint.written(block, span);
             let (time, needed) = ((time * 1e3, 1), (self.control.timing.block * 1e3, 1));
-            if let Some(finding) = lint.say(place, msg!("lint.short-blocks", time, needed, count = self.count)) {
+            if let Some(finding) = lint.warn(place, msg!("lint.short-blocks", time, needed, count = self.count)) {
                 finding.kind = DiagnosticKind::ShortBlocks;
             }
         }

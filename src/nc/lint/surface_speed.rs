@@ -163,7 +163,7 @@ impl Check<'_, '_, '_> {
             true => msg!("lint.small-offset", word, error),
             false => msg!("lint.offset-off-centre", word, error),
         };
-        let finding = self.lint.say(place, message);
+        let finding = self.lint.warn(place, message);
         if let Some(finding) = finding.filter(|_| small) {
             finding.severity = Severity::Info;
         }
@@ -180,6 +180,6 @@ impl Check<'_, '_, '_> {
             _ => "LIMS=".to_owned(),
         };
         let (place, word) = self.lint.written(index, span);
-        self.lint.say(place, msg!("lint.centre-unlimited", word, limit_word));
+        self.lint.warn(place, msg!("lint.centre-unlimited", word, limit_word));
     }
 }

@@ -6,7 +6,7 @@ use super::super::ast::{Expr, ExprId, Op, WordValue};
 use super::super::dec::{Dec, POW10};
 use super::context::{Lint, NONE};
 use super::facts::Facts;
-use super::vars::{Kind, LOCALS, Site, Var, Vars, visit};
+use super::vars::{FormulaSite, LOCALS, ValueKind, Var, Vars, visit};
 use crate::controls::Address;
 use crate::controls::address::LETTERS;
 use crate::controls::macros::{ARGUMENT, VacantWord};
@@ -25,12 +25,12 @@ impl Vars<'_> {
     /// Determines the possible values of each variable.
     pub(super) fn settle(&mut self) {
         for var in &mut self.list {
-            let entered = if var.word.0 == NONE { Kind::Entered } else { Kind::Decimals };
+            let entered = if var.word.0 == NONE { ValueKind::Entered } else { ValueKind::Decimals };
             var.kind = match self.control.var(var.number).map(|row| row.kind) {
                 Some(VarKind::Kept) => entered,
                 Some(VarKind::Local | VarKind::Common | VarKind::Retained) if var.sets == 0 => entered,
-                Some(VarKind::BlockEnd | VarKind::MachinePosition | VarKind::WorkPosition) => Kind::Calculated,
-                _ => Kind::Whole,
+                Some(VarKind::BlockEnd | VarKind::MachinePosition | VarKind::WorkPosition) => ValueKind::Calculated,
+                _ => ValueKind::Whole,
             };
         }
         for _ in 0..ROUNDS {
@@ -53,22 +53,22 @@ impl Vars<'_> {
         }
     }
 
-    fn kind(&self, group: u32, id: ExprId) -> Kind {
+    fn kind(&self, group: u32, id: ExprId) -> ValueKind {
         match self.deck.expr(id) {
             Expr::Number(number) => written(number),
-            Expr::Var(number) if number == 0 && self.local_count > 0 => Kind::Whole,
-            Expr::Var(number) => self.get(group, number).map_or(Kind::Entered, |var| var.kind),
-            Expr::Indirect(_) | Expr::Label(_) => Kind::Entered,
+            Expr::Var(number) if number == 0 && self.local_count > 0 => ValueKind::Whole,
+            Expr::Var(number) => self.get(group, number).map_or(ValueKind::Entered, |var| var.kind),
+            Expr::Indirect(_) | Expr::Label(_) => ValueKind::Entered,
             Expr::Negate(inner) | Expr::Call(Function::Abs, inner) => self.kind(group, inner),
-            Expr::Call(function, _) if rounds(function) => Kind::Whole,
-            Expr::Call(..) | Expr::Binary(Op::Divide | Op::Atan | Op::Power, ..) => Kind::Calculated,
+            Expr::Call(function, _) if rounds(function) => ValueKind::Whole,
+            Expr::Call(..) | Expr::Binary(Op::Divide | Op::Atan | Op::Power, ..) => ValueKind::Calculated,
             Expr::Binary(Op::Add | Op::Subtract | Op::Multiply | Op::Modulo, left, right) => {
                 match self.kind(group, left).max(self.kind(group, right)) {
-                    Kind::Decimals => Kind::Calculated,
+                    ValueKind::Decimals => ValueKind::Calculated,
                     kind => kind,
                 }
             }
-            Expr::Binary(..) => Kind::Whole,
+            Expr::Binary(..) => ValueKind::Whole,
         }
     }
 
@@ -104,16 +104,18 @@ impl Vars<'_> {
     }
 
     /// The part of a divisor that can be 0: a variable or a difference that was not compared before.
-    fn can_be_zero(&self, site: Site) -> Option<ExprId> {
+    fn can_be_zero(&self, site: FormulaSite) -> Option<ExprId> {
         match self.deck.expr(site.id) {
             // Variables without any assignment have their own warning.
             Expr::Var(number) => (!self.nonzero(site.group, site.id, Some(site.block))
                 && !self.unset(site.group, number))
             .then_some(site.id),
-            Expr::Negate(id) | Expr::Call(Function::Abs | Function::Sqrt, id) => self.can_be_zero(Site { id, ..site }),
-            Expr::Binary(Op::Multiply, left, right) => {
-                self.can_be_zero(Site { id: left, ..site }).or_else(|| self.can_be_zero(Site { id: right, ..site }))
+            Expr::Negate(id) | Expr::Call(Function::Abs | Function::Sqrt, id) => {
+                self.can_be_zero(FormulaSite { id, ..site })
             }
+            Expr::Binary(Op::Multiply, left, right) => self
+                .can_be_zero(FormulaSite { id: left, ..site })
+                .or_else(|| self.can_be_zero(FormulaSite { id: right, ..site })),
             Expr::Binary(Op::Subtract, left, right) => {
                 let open = |id| match self.deck.expr(id) {
                     Expr::Var(number) => Some(
@@ -141,7 +143,7 @@ impl Vars<'_> {
     }
 
     /// Reports all findings.
-    pub(super) fn tell(&self, lint: &mut Lint, facts: &Facts) {
+    pub(super) fn report(&self, lint: &mut Lint, facts: &Facts) {
         let divisors = self.divisors(lint);
         self.comparisons(lint);
         let unset = self.commons(lint, facts, &divisors);
@@ -170,7 +172,7 @@ impl Vars<'_> {
             };
             let key = (self.deck.programs.partition_point(|program| program.end <= site.block), number);
             if (told.insert(key) || number == NONE)
-                && let Some(finding) = lint.say(place, msg!("lint.zero-divisor", divisor, alarm))
+                && let Some(finding) = lint.warn(place, msg!("lint.zero-divisor", divisor, alarm))
             {
                 finding.hints.push(hint);
             }
@@ -182,7 +184,7 @@ impl Vars<'_> {
     fn comparisons(&self, lint: &mut Lint) {
         for site in &self.loose {
             let (place, condition) = lint.written(site.block, lint.part(site.block, site.id));
-            lint.say(place, msg!("lint.loose-comparison", condition));
+            lint.warn(place, msg!("lint.loose-comparison", condition));
         }
         for site in &self.cuts {
             let Expr::Call(function, inner) = self.deck.expr(site.id) else { continue };
@@ -191,12 +193,12 @@ impl Vars<'_> {
             let [value, result] = [format!("{value}"), format!("{cut}")];
             let function = self.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
             let (place, formula) = lint.written(site.block, lint.part(site.block, inner));
-            lint.say(place, msg!("lint.cut-decimal", formula, value, function, result));
+            lint.warn(place, msg!("lint.cut-decimal", formula, value, function, result));
         }
         let exact = self.control.macros.equal_within == 0.0;
         for site in self.equals.iter().filter(|site| exact && self.differs(site)) {
             let (place, condition) = lint.written(site.block, lint.part(site.block, site.id));
-            if let Some(finding) = lint.say(place, msg!("lint.equal-decimals", condition)) {
+            if let Some(finding) = lint.warn(place, msg!("lint.equal-decimals", condition)) {
                 finding.hints.push(msg!("lint.hint-equal"));
             }
         }
@@ -204,7 +206,7 @@ impl Vars<'_> {
 
     /// Checks variables that are not local; returns those read but never assigned, with their index in the list.
     fn commons(&self, lint: &mut Lint, facts: &Facts, divisors: &BTreeSet<u32>) -> Vec<(u64, usize)> {
-        let ends = facts.parts.iter().any(|part| part.ends);
+        let ends = facts.programs.iter().any(|part| part.ends);
         let mut unset: Vec<(u64, usize)> = Vec::new();
         for (slot, var) in self.list.iter().enumerate().filter(|row| row.1.number > self.local_count) {
             let Some(row) = self.control.var(var.number) else { continue };
@@ -222,12 +224,12 @@ impl Vars<'_> {
                 }
                 VarKind::Kept if var.scratch && var.used => {
                     let (place, variable) = lint.written(block, lint.part(block, id));
-                    lint.say(place, msg!("lint.kept-as-scratch", variable, meaning = row.text));
+                    lint.warn(place, msg!("lint.kept-as-scratch", variable, meaning = row.text));
                 }
                 // Safeguards switched off and never on again.
                 VarKind::SuppressSingleBlock | VarKind::SuppressOverride if !ends && var.nonzero && block != NONE => {
                     let (place, variable) = lint.written(block, lint.part(block, id));
-                    lint.say(place, msg!("lint.suppression-stays", variable));
+                    lint.warn(place, msg!("lint.suppression-stays", variable));
                 }
                 _ => {}
             }
@@ -236,7 +238,7 @@ impl Vars<'_> {
     }
 
     /// Whether a test for equality may be false because of rounding errors.
-    fn differs(&self, site: &Site) -> bool {
+    fn differs(&self, site: &FormulaSite) -> bool {
         let Expr::Binary(_, left, right) = self.deck.expr(site.id) else { return false };
         // A comparison with a rounded value tests for whole numbers.
         let mut whole = false;
@@ -251,7 +253,8 @@ impl Vars<'_> {
         }
         let (left, right) = (self.kind(site.group, left), self.kind(site.group, right));
         let most = left.max(right);
-        !whole && (most == Kind::Calculated || most == Kind::Decimals && left.min(right) == Kind::Entered)
+        !whole
+            && (most == ValueKind::Calculated || most == ValueKind::Decimals && left.min(right) == ValueKind::Entered)
     }
 
     /// Checks a local variable that is never assigned, or that not every call passes.
@@ -277,7 +280,7 @@ impl Vars<'_> {
                 _ => msg!("lint.hint-unset-local", variable),
             };
             if block != NONE
-                && let Some(finding) = lint.say(place, msg!("lint.unset-local", variable))
+                && let Some(finding) = lint.warn(place, msg!("lint.unset-local", variable))
             {
                 finding.hints.push(hint);
             }
@@ -291,7 +294,7 @@ impl Vars<'_> {
         if self.control.macros.vacant_word == VacantWord::Dropped && block != NONE {
             let (place, word) = lint.written(block, span);
             let variable = name(self.control, var);
-            if let Some(finding) = lint.say(place, msg!("lint.vacant-word", word, variable = variable.as_str())) {
+            if let Some(finding) = lint.warn(place, msg!("lint.vacant-word", word, variable = variable.as_str())) {
                 finding.hints.push(msg!("lint.hint-vacant", variable));
             }
         }
@@ -314,7 +317,7 @@ impl Vars<'_> {
         }
         if !names.is_empty() {
             let (place, _) = lint.written(first.0, lint.part(first.0, first.1));
-            if let Some(finding) = lint.say(place, msg!("lint.unset-common", variables = names)) {
+            if let Some(finding) = lint.warn(place, msg!("lint.unset-common", variables = names)) {
                 finding.severity = Severity::Info;
             }
         }
@@ -327,8 +330,8 @@ fn name(control: &Control, var: &Var) -> String {
 }
 
 /// Kind of a number as written.
-fn written(number: Dec) -> Kind {
-    if number.mantissa % POW10[number.scale.min(18) as usize] == 0 { Kind::Whole } else { Kind::Decimals }
+fn written(number: Dec) -> ValueKind {
+    if number.mantissa % POW10[number.scale.min(18) as usize] == 0 { ValueKind::Whole } else { ValueKind::Decimals }
 }
 
 /// Whether a function gives whole numbers.

@@ -23,7 +23,7 @@ const MANY: u32 = NONE - 1;
 
 /// Possible values of a variable or formula, for comparisons.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Kind {
+pub(super) enum ValueKind {
     /// Whole numbers.
     Whole,
     /// Entered by the operator: unknown.
@@ -37,7 +37,7 @@ pub(super) enum Kind {
 /// A variable. Blocks are indices in the deck, or [`NONE`].
 pub(super) struct Var {
     pub(super) number: u32,
-    pub(super) kind: Kind,
+    pub(super) kind: ValueKind,
     /// No assigned value can be 0, as far as is known; only for assigned variables.
     pub(super) nonzero: bool,
     /// Number of assignments, calls included.
@@ -71,7 +71,7 @@ pub(super) struct Set {
 
 /// A part of a formula, checked after all programs are read.
 #[derive(Clone, Copy)]
-pub(super) struct Site {
+pub(super) struct FormulaSite {
     pub(super) block: u32,
     pub(super) group: u32,
     pub(super) id: ExprId,
@@ -93,12 +93,12 @@ pub(super) struct Vars<'a> {
     pub(super) calls: Vec<u32>,
     pub(super) sets: Vec<Set>,
     /// Tests for equality.
-    pub(super) equals: Vec<Site>,
-    pub(super) divisors: Vec<Site>,
+    pub(super) equals: Vec<FormulaSite>,
+    pub(super) divisors: Vec<FormulaSite>,
     /// Comparisons as operands of AND, OR or XOR.
-    pub(super) loose: Vec<Site>,
+    pub(super) loose: Vec<FormulaSite>,
     /// FIX and FUP of constants that binary arithmetic leaves slightly beside a whole number.
-    pub(super) cuts: Vec<Site>,
+    pub(super) cuts: Vec<FormulaSite>,
     /// A variable is assigned by a calculated number.
     pub(super) wild: bool,
     /// Number of variables, from 1, local to each level.
@@ -132,7 +132,7 @@ impl<'a> Vars<'a> {
             vars.group[a as usize] = b;
         }
         let start = lint.start.and_then(|number| lint.programs.number(number));
-        for (index, part) in (0..).zip(&facts.parts) {
+        for (index, part) in (0..).zip(&facts.programs) {
             let group = vars.root(index);
             vars.group[index as usize] = group;
             vars.open[group as usize] |= part.each_block || !part.called && !part.ends && start != Some(index);
@@ -146,7 +146,7 @@ impl<'a> Vars<'a> {
         }
         for (index, program) in lint.deck.programs.iter().enumerate() {
             for (at, block) in (program.first..).zip(lint.deck.blocks_of(program)) {
-                vars.block(Site { block: at, group: vars.group[index], id: ExprId(NONE) }, block);
+                vars.block(FormulaSite { block: at, group: vars.group[index], id: ExprId(NONE) }, block);
             }
         }
         vars
@@ -202,7 +202,7 @@ impl<'a> Vars<'a> {
             for number in if local { 1..=LOCALS } else { number..=number } {
                 self.list.push(Var {
                     number,
-                    kind: Kind::Whole,
+                    kind: ValueKind::Whole,
                     nonzero: true,
                     sets: 0,
                     given: 0,
@@ -278,15 +278,15 @@ impl<'a> Vars<'a> {
         }
     }
 
-    fn block(&mut self, site: Site, block: &Block) {
+    fn block(&mut self, site: FormulaSite, block: &Block) {
         match block.stmt {
             Stmt::Assign { to, value } => self.assign(site, to, value),
             Stmt::IfThen { cond, to, value } => {
-                self.compare(Site { id: cond, ..site });
+                self.compare(FormulaSite { id: cond, ..site });
                 self.assign(site, to, value);
             }
             Stmt::If { cond, target, .. } => {
-                self.compare(Site { id: cond, ..site });
+                self.compare(FormulaSite { id: cond, ..site });
                 self.read(site, target, NONE);
             }
             Stmt::Goto { target, .. } => self.read(site, target, NONE),
@@ -297,11 +297,11 @@ impl<'a> Vars<'a> {
             }
             Stmt::Ifs { first, count } => {
                 for pair in self.deck.pairs_of(first, count) {
-                    self.compare(Site { id: pair.left, ..site });
+                    self.compare(FormulaSite { id: pair.left, ..site });
                 }
             }
             Stmt::Call { repeats: Some(repeats), .. } => self.read(site, repeats, NONE),
-            Stmt::While { cond: Some(cond), .. } => self.compare(Site { id: cond, ..site }),
+            Stmt::While { cond: Some(cond), .. } => self.compare(FormulaSite { id: cond, ..site }),
             Stmt::Words { .. } => {
                 let words = self.deck.words_of(block);
                 for word in words {
@@ -332,7 +332,7 @@ impl<'a> Vars<'a> {
         row.is_some_and(|row| matches!(row.code, Dwell | MacroCall | MacroModal | MacroModalBlock))
     }
 
-    fn assign(&mut self, site: Site, to: ExprId, id: ExprId) {
+    fn assign(&mut self, site: FormulaSite, to: ExprId, id: ExprId) {
         let Expr::Var(number) = self.deck.expr(to) else {
             self.wild = true;
             self.read(site, to, NONE);
@@ -356,7 +356,7 @@ impl<'a> Vars<'a> {
     }
 
     /// Records a condition.
-    fn compare(&mut self, site: Site) {
+    fn compare(&mut self, site: FormulaSite) {
         let deck = self.deck;
         let Expr::Binary(op, left, right) = deck.expr(site.id) else { return };
         let equal = matches!(op, Op::Equal | Op::NotEqual);
@@ -378,7 +378,7 @@ impl<'a> Vars<'a> {
     }
 
     /// Records everything that a formula reads and divides by; `to` is the variable assigned from it.
-    fn read(&mut self, site: Site, id: ExprId, to: u32) {
+    fn read(&mut self, site: FormulaSite, id: ExprId, to: u32) {
         visit(self.deck, id, &mut |id, expr| match expr {
             Expr::Var(number) => {
                 if let Some(var) = self.make(site.group, number) {
@@ -391,15 +391,17 @@ impl<'a> Vars<'a> {
             Expr::Call(Function::Fix | Function::Fup, inner)
                 if self.deck.constant(inner).is_some_and(is_beside_whole) =>
             {
-                self.cuts.push(Site { id, ..site });
+                self.cuts.push(FormulaSite { id, ..site });
             }
-            Expr::Binary(Op::Divide | Op::Modulo, _, divisor) => self.divisors.push(Site { id: divisor, ..site }),
+            Expr::Binary(Op::Divide | Op::Modulo, _, divisor) => {
+                self.divisors.push(FormulaSite { id: divisor, ..site })
+            }
             Expr::Binary(op, left, right)
                 if op.opposite() != op
                     && self.control.macros.truths
                     && [left, right].into_iter().any(|side| self.joins_number(side)) =>
             {
-                self.loose.push(Site { id, ..site });
+                self.loose.push(FormulaSite { id, ..site });
             }
             _ => {}
         });

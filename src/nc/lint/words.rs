@@ -2,7 +2,7 @@
 
 use super::super::ast::{Block, Program, Stmt, Word, WordValue};
 use super::context::Lint;
-use super::facts::{Call, Facts, Part};
+use super::facts::{Call, Facts, ProgramFacts};
 use super::feeds::Feeds;
 use super::messages;
 use super::points::Points;
@@ -18,7 +18,7 @@ const AGAIN: usize = 20;
 /// Visits every word once.
 pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     let programs = lint.deck.programs.len();
-    let facts = Facts { parts: vec![Part::default(); programs], ..Facts::default() };
+    let facts = Facts { programs: vec![ProgramFacts::default(); programs], ..Facts::default() };
     let mut survey = Survey {
         roles,
         increments: lint.increments(),
@@ -30,7 +30,7 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     for (index, program) in (0..).zip(&lint.deck.programs) {
         survey.program(lint, index, program);
     }
-    survey.feeds.tell(lint, &survey.facts);
+    survey.feeds.report(lint, &survey.facts);
     survey.facts
 }
 
@@ -66,11 +66,11 @@ impl Survey<'_> {
                 bends |= at + 1 < program.end;
             }
         }
-        if let Some(part) = self.facts.parts.get_mut(index as usize) {
+        if let Some(part) = self.facts.programs.get_mut(index as usize) {
             part.bends = bends;
         }
-        here.short.tell(lint);
-        here.points.tell(lint);
+        here.short.report(lint);
+        here.points.report(lint);
     }
 
     /// Records a statement other than words.
@@ -143,7 +143,7 @@ impl Lint<'_> {
                 self.again += 1;
                 let earlier = self.parsed.text(self.place(at, earlier.span(block)));
                 let (place, word) = self.written(at, word.span(block));
-                self.say(place, msg!("lint.word-again", word, earlier));
+                self.warn(place, msg!("lint.word-again", word, earlier));
             }
         }
     }
@@ -161,6 +161,6 @@ impl Lint<'_> {
         let span = Span::new(start, (start + name.len() as u32).min(place.span.end));
         let alarm = self.control.alarm_number(Alarm::NoProgram).unwrap_or("");
         let (place, _) = self.written(at, span);
-        self.say(place, msg!("lint.no-such-program", program = name, alarm));
+        self.warn(place, msg!("lint.no-such-program", program = name, alarm));
     }
 }

@@ -4,7 +4,7 @@ use crate::controls::{Address, Alarm, CodeId};
 use crate::text::{Diagnostic, Span};
 
 /// A block that does not parse, and the reason.
-pub(in crate::nc) struct Failure {
+pub(in crate::nc) struct ParseFailure {
     pub(in crate::nc) alarm: Alarm,
     /// Position of the error, in bytes from the start of the block.
     pub(in crate::nc) from: usize,
@@ -13,11 +13,11 @@ pub(in crate::nc) struct Failure {
     pub(in crate::nc) at_word: bool,
 }
 
-pub(in crate::nc) type Read<T> = Result<T, Box<Failure>>;
+pub(in crate::nc) type Read<T> = Result<T, Box<ParseFailure>>;
 
 /// A feature ignored by the simulation, reported once per file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::nc) enum LeftOut {
+pub(in crate::nc) enum IgnoredFeature {
     Code(CodeId),
     /// A cycle by the number in its name.
     Cycle(u32),

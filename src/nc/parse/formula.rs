@@ -8,7 +8,7 @@ use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::OPERATORS;
 use crate::nc::lex::spelling::meant;
-use crate::nc::parse::failure::{Failure, LeftOut, Mend, Misused, Read};
+use crate::nc::parse::failure::{IgnoredFeature, Mend, Misused, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::nc::parsed::ExprSpan;
 use crate::text::{Diagnostic, Message, Severity};
@@ -20,7 +20,7 @@ const PARTS: u32 = 250;
 const DEPTH: u32 = 40;
 
 /// An open bracket: its position and its closing byte.
-pub(in crate::nc) struct Open {
+pub(in crate::nc) struct OpenBracket {
     pub(super) at: usize,
     close: u8,
 }
@@ -452,7 +452,7 @@ impl Reader<'_> {
     }
 
     /// Opens a bracket around a formula, one level deeper.
-    fn open_group(&mut self, close: u8) -> Read<Open> {
+    fn open_group(&mut self, close: u8) -> Read<OpenBracket> {
         self.deeper()?;
         let open = self.open(close);
         if self.formulas.depth == u32::from(self.control.syntax.bracket_depth) + 1 {
@@ -467,13 +467,13 @@ impl Reader<'_> {
         if self.names().is_some() { self.named_formula(false) } else { self.formula(false) }
     }
 
-    pub(in crate::nc) fn open(&mut self, close: u8) -> Open {
+    pub(in crate::nc) fn open(&mut self, close: u8) -> OpenBracket {
         let at = self.cursor.at;
         self.cursor.at += 1;
-        Open { at, close }
+        OpenBracket { at, close }
     }
 
-    pub(in crate::nc) fn close(&mut self, open: Open) -> Read<()> {
+    pub(in crate::nc) fn close(&mut self, open: OpenBracket) -> Read<()> {
         let byte = self.skip();
         if byte == open.close {
             if byte == b')' && self.names().is_none() {
@@ -499,7 +499,7 @@ impl Reader<'_> {
 
     /// The failure of a bracket that is not closed before the next word, at the cursor.
     #[cold]
-    fn closed_late(&self, open: &Open) -> Option<Box<Failure>> {
+    fn closed_late(&self, open: &OpenBracket) -> Option<Box<ParseFailure>> {
         let rest = self.cursor.rest();
         let value = rest.get(1..).unwrap_or_default().trim_ascii_start().first();
         let word = rest.first().is_some_and(u8::is_ascii_alphabetic)
@@ -600,7 +600,7 @@ impl Reader<'_> {
                 VarKind::NotSimulated => {
                     let message =
                         msg!("nc.variable-stops", variable = self.control.variable(number), meaning = row.text);
-                    return self.say_once(LeftOut::Variables(row.first), start, self.cursor.at, message);
+                    return self.report_once(IgnoredFeature::Variables(row.first), start, self.cursor.at, message);
                 }
                 VarKind::Vacant if written => Alarm::VacantWritten,
                 kind if written && !kind.writable() => Alarm::ReadOnly,

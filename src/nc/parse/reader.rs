@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use super::failure::{LeftOut, Misused};
+use super::failure::{IgnoredFeature, Misused};
 use super::tables::Tables;
 use crate::controls::syntax::{Names, RoundBrackets};
 use crate::controls::{Alarm, Control};
@@ -51,10 +51,10 @@ pub(in crate::nc) struct SourceFile<'a> {
 
 /// Findings so far, and records for checks at the end.
 #[derive(Debug, Default)]
-pub(in crate::nc) struct Findings {
+pub(in crate::nc) struct ReaderFindings {
     pub(in crate::nc) list: Vec<Diagnostic>,
     /// Features reported as not simulated.
-    pub(in crate::nc) left_out: Vec<LeftOut>,
+    pub(in crate::nc) ignored: Vec<IgnoredFeature>,
     /// Variables missing or read-only on the control, reported at the end of the file.
     pub(in crate::nc) misused: Vec<Misused>,
     /// Blocks with calls and jumps in words, checked after all files are read.
@@ -129,7 +129,7 @@ pub(in crate::nc) struct Reader<'a> {
     pub(in crate::nc) comments: Cell<u32>,
     /// Index of the present program.
     pub(in crate::nc) program: Option<usize>,
-    pub(in crate::nc) findings: Findings,
+    pub(in crate::nc) findings: ReaderFindings,
     pub(in crate::nc) notes: FileNotes,
     pub(in crate::nc) cursor: Cursor<'a>,
     pub(in crate::nc) block: BlockParts,
@@ -159,7 +159,7 @@ impl<'a> Reader<'a> {
             expr_spans: Vec::new(),
             comments: Cell::new(0),
             program: None,
-            findings: Findings::default(),
+            findings: ReaderFindings::default(),
             notes: FileNotes::default(),
             cursor: Cursor { line: &[], base: 0, at: 0 },
             block: BlockParts::default(),
@@ -229,7 +229,7 @@ impl<'a> Reader<'a> {
 
     /// Drops everything since the mark and returns its findings.
     pub(in crate::nc) fn take_back(&mut self, mark: &Mark) -> BlockFindings {
-        let Findings { list, misused, .. } = &mut self.findings;
+        let ReaderFindings { list, misused, .. } = &mut self.findings;
         let findings = BlockFindings {
             list: list.split_off(mark.found.min(list.len())),
             misused: misused.split_off(mark.variables.min(misused.len())),

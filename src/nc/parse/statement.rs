@@ -5,7 +5,7 @@ use crate::msg;
 use crate::nc::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
 use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
 use crate::nc::lex::spelling::meant;
-use crate::nc::parse::failure::{Failure, LeftOut, Read};
+use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 
 /// Words and signs that join conditions in other languages.
@@ -39,7 +39,7 @@ impl Reader<'_> {
         let word = KEYWORDS.into_iter().find(|word| self.take(word)).or_else(|| self.take_goto().then_some("GOTO"));
         if let Some(index) = OUTSIDE.iter().position(|name| word.is_none() && self.cursor.ahead(name)) {
             let end = self.cursor.line.len();
-            self.not_simulated(LeftOut::Statement(index), start, end, OUTSIDE[index]);
+            self.not_simulated(IgnoredFeature::Statement(index), start, end, OUTSIDE[index]);
             self.cursor.at = end;
             return Ok(Some(Stmt::Empty));
         }
@@ -249,7 +249,7 @@ impl Reader<'_> {
     }
 
     /// The failure of a comparison ahead that does not belong to a condition.
-    pub(in crate::nc) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<Failure>> {
+    pub(in crate::nc) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<ParseFailure>> {
         let signs = SIGNS.iter().map(|(sign, ..)| *sign).filter(|sign| *sign != "=");
         let word = COMPARISONS.iter().map(|(word, _)| *word).chain(signs).find(|word| self.cursor.ahead(word))?;
         Some(self.one_comparison(alarm, word.len()))
@@ -267,7 +267,7 @@ impl Reader<'_> {
     }
 
     /// The failure of a misplaced or second comparison; its operator is the next `len` bytes.
-    fn one_comparison(&self, alarm: Alarm, len: usize) -> Box<Failure> {
+    fn one_comparison(&self, alarm: Alarm, len: usize) -> Box<ParseFailure> {
         let condition = matches!(alarm, Alarm::IfSentence | Alarm::WhileSentence);
         let message = if condition { msg!("nc.two-comparisons") } else { msg!("nc.lost-comparison") };
         let mut failure = self.failure(alarm, self.cursor.at, self.cursor.at + len, message, false);

@@ -9,7 +9,7 @@ use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use crate::nc::codes::{code_of, g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
-use crate::nc::parse::failure::{Failure, LeftOut, Mend, Read};
+use crate::nc::parse::failure::{IgnoredFeature, Mend, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::{DiagnosticKind, Message};
 
@@ -224,7 +224,7 @@ impl<'a> Reader<'a> {
         if let (true, Some((word, what))) = (motion, found) {
             let (start, letter) = (word.offset as usize, word.letter);
             self.not_simulated(
-                LeftOut::Address(word.letter),
+                IgnoredFeature::Address(word.letter),
                 start,
                 start + word.len as usize,
                 &format!("{letter} ({what})"),
@@ -290,7 +290,7 @@ impl<'a> Reader<'a> {
                 self.cursor.at += 1;
                 self.value(start, letter)?;
                 let name = format!(",{letter}");
-                self.not_simulated(LeftOut::Comma(letter), start, self.cursor.at, &name);
+                self.not_simulated(IgnoredFeature::Comma(letter), start, self.cursor.at, &name);
             }
             b'#' if self.deck.words.len() > first => {
                 return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), true));
@@ -445,14 +445,14 @@ impl<'a> Reader<'a> {
     #[inline]
     fn known_g_code(&mut self, row: &CodeDef, number: Dec, start: usize) -> bool {
         if row.code.is_left_out() || matches!(row.code, Code::Skip | Code::Tapping | Code::CancelForAxes) {
-            self.code_left_out(row, LeftOut::Code(row.id), &format!("G{number} ({})", row.text), start);
+            self.code_not_simulated(row, IgnoredFeature::Code(row.id), &format!("G{number} ({})", row.text), start);
         }
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
     }
 
     /// Reports a code that is not or not fully simulated, once per kind; `code` is its name in the message.
     #[cold]
-    pub(in crate::nc) fn code_left_out(&mut self, row: &CodeDef, key: LeftOut, code: &str, start: usize) {
+    pub(in crate::nc) fn code_not_simulated(&mut self, row: &CodeDef, key: IgnoredFeature, code: &str, start: usize) {
         let message = match row.code {
             Code::Skip => msg!("nc.no-skip", code),
             Code::Tapping => msg!("nc.no-tapping", code),
@@ -461,7 +461,7 @@ impl<'a> Reader<'a> {
             Code::CancelForAxes => msg!("nc.cancel-for-axes", code),
             _ => msg!("nc.not-simulated", code),
         };
-        self.say_once(key, start, self.cursor.at, message);
+        self.report_once(key, start, self.cursor.at, message);
     }
 
     /// Reports a G code missing on the control.
@@ -486,7 +486,7 @@ impl<'a> Reader<'a> {
         match self.tables.codes.row(id).map(|row| (row, row.code)) {
             Some((row, Code::NotSimulated)) => {
                 let name = format!("M{number} ({})", row.text);
-                self.not_simulated(LeftOut::Code(id), start, self.cursor.at, &name);
+                self.not_simulated(IgnoredFeature::Code(id), start, self.cursor.at, &name);
             }
             Some((_, Code::SubCall)) => self.note_later(),
             _ => {}
@@ -495,14 +495,14 @@ impl<'a> Reader<'a> {
     }
 
     /// Reports a feature of the control that is not simulated, once per kind.
-    pub(in crate::nc) fn not_simulated(&mut self, key: LeftOut, from: usize, to: usize, name: &str) {
-        self.say_once(key, from, to, msg!("nc.not-simulated", code = name));
+    pub(in crate::nc) fn not_simulated(&mut self, key: IgnoredFeature, from: usize, to: usize, name: &str) {
+        self.report_once(key, from, to, msg!("nc.not-simulated", code = name));
     }
 
     /// Adds a warning, once per kind.
-    pub(in crate::nc) fn say_once(&mut self, key: LeftOut, from: usize, to: usize, message: Message) {
-        if !self.findings.left_out.contains(&key) {
-            self.findings.left_out.push(key);
+    pub(in crate::nc) fn report_once(&mut self, key: IgnoredFeature, from: usize, to: usize, message: Message) {
+        if !self.findings.ignored.contains(&key) {
+            self.findings.ignored.push(key);
             let base = self.cursor.base as usize;
             self.warn(base + from, base + to, message);
         }
@@ -535,7 +535,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The failure of an unexpected byte.
-    pub(in crate::nc) fn unexpected(&self) -> Box<Failure> {
+    pub(in crate::nc) fn unexpected(&self) -> Box<ParseFailure> {
         let start = self.cursor.at;
         if self.cursor.ended() {
             let before = self.cursor.line.get(..start).unwrap_or_default();
@@ -581,7 +581,7 @@ impl<'a> Reader<'a> {
         to: usize,
         message: Message,
         at_word: bool,
-    ) -> Box<Failure> {
-        Box::new(Failure { alarm, from, finding: self.finding(alarm, from, to, message), at_word })
+    ) -> Box<ParseFailure> {
+        Box::new(ParseFailure { alarm, from, finding: self.finding(alarm, from, to, message), at_word })
     }
 }

@@ -80,7 +80,7 @@ pub struct HelpSection {
 
 /// A page.
 #[derive(Debug, Clone)]
-pub struct Page {
+pub struct HelpPage {
     /// Id: that of a machine or control, or `terms` or `programs`.
     pub id: &'static str,
     /// Title.
@@ -95,7 +95,7 @@ pub struct Page {
 #[derive(Debug, Clone, Copy)]
 pub struct HelpPlace<'h> {
     /// Page.
-    pub page: &'h Page,
+    pub page: &'h HelpPage,
     /// Section.
     pub section: &'h HelpSection,
     /// Entry; `None` for the section as a whole.
@@ -171,16 +171,16 @@ impl HelpSection {
     }
 }
 
-impl Page {
+impl HelpPage {
     /// A page without its empty sections.
     pub(super) fn new(
         id: &'static str,
         title: impl Into<String>,
         control: &'static Control,
         sections: Vec<HelpSection>,
-    ) -> Page {
+    ) -> HelpPage {
         let sections = sections.into_iter().filter(|section| !section.is_empty()).collect();
-        Page { id, title: title.into(), control, sections }
+        HelpPage { id, title: title.into(), control, sections }
     }
 
     /// The section or entry with an id of this page.

@@ -1,6 +1,6 @@
 //! The page of a control: loading, alarms with their causes, codes, variables, parameters, registers, open points; each with its source.
 
-use super::content::{HelpEntry, HelpKind, HelpSection, Page};
+use super::content::{HelpEntry, HelpKind, HelpPage, HelpSection};
 use super::texts::{Texts, id_of, plain};
 use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, AlarmDef, Control};
@@ -9,7 +9,7 @@ use crate::text::catalog::{sentence, words};
 use crate::text::{Grade, Message, clauses, sentences};
 
 /// The page of a control.
-pub(super) fn page(control: &'static Control, texts: &Texts) -> Page {
+pub(super) fn page(control: &'static Control, texts: &Texts) -> HelpPage {
     let mut about = HelpSection::new("about", texts.words("title.about"));
     about.text = texts.list(&format!("{}.about", control.id));
     let sections = vec![
@@ -22,7 +22,7 @@ pub(super) fn page(control: &'static Control, texts: &Texts) -> Page {
         signals(control, texts),
         switches(control, texts),
     ];
-    Page::new(control.id, control.name, control, sections)
+    HelpPage::new(control.id, control.name, control, sections)
 }
 
 /// The steps from an export to the first run.

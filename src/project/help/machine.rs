@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::content::{Fact, HelpEntry, HelpKind, HelpSection, Page};
+use super::content::{Fact, HelpEntry, HelpKind, HelpPage, HelpSection};
 use super::texts::{Texts, links, plain};
 use crate::controls::{self, Control};
 use crate::machines::AnyMachine;
@@ -14,7 +14,7 @@ use crate::text::{Phrase, clauses, units};
 use crate::view::Readout;
 
 /// The page of a machine on a control.
-pub(super) fn page(machine: &'static dyn AnyMachine, control: &'static Control, texts: &Texts) -> Page {
+pub(super) fn page(machine: &'static dyn AnyMachine, control: &'static Control, texts: &Texts) -> HelpPage {
     let id = machine.id();
     let project = Project::new(machine, control);
     let mut about = HelpSection::new("about", texts.words("title.about"));
@@ -35,7 +35,7 @@ pub(super) fn page(machine: &'static dyn AnyMachine, control: &'static Control, 
     sections.push(variables(&project, texts));
     sections.push(fields(&project, &depends, texts));
     sections.push(results(&project, &depends, texts));
-    Page::new(id, words(machine.name()), control, sections)
+    HelpPage::new(id, words(machine.name()), control, sections)
 }
 
 /// Variables that the operator reads and sets, without those described with their field.

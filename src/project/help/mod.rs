@@ -16,7 +16,7 @@ pub mod search;
 
 pub mod explain;
 
-use self::content::{HelpEntry, HelpPlace, Page};
+use self::content::{HelpEntry, HelpPage, HelpPlace};
 pub(super) use self::terms::open;
 use self::texts::{Piece, Text, Texts};
 use crate::controls::Control;
@@ -26,7 +26,7 @@ use crate::machines::AnyMachine;
 #[derive(Debug, Clone)]
 pub struct Help {
     /// Pages.
-    pub pages: Vec<Page>,
+    pub pages: Vec<HelpPage>,
 }
 
 impl Help {
@@ -48,7 +48,7 @@ impl Help {
     }
 
     /// Full id and name of the target of an id on a page: on that page, on the page of its control, or on any.
-    fn target(&self, page: &Page, id: &str) -> Option<(String, String)> {
+    fn target(&self, page: &HelpPage, id: &str) -> Option<(String, String)> {
         let own = |page: &str| self.find_on(page, id);
         let place = match id.split_once('/') {
             Some((page, id)) => self.find_on(page, id),

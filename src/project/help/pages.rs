@@ -1,6 +1,6 @@
 //! The pages of help in their order: the present machine and its control first.
 
-use super::content::Page;
+use super::content::HelpPage;
 use super::texts::Texts;
 use super::{control, machine, terms};
 use crate::controls::{self, Control};
@@ -10,7 +10,7 @@ use crate::view::balloons;
 use crate::view::svg::{self, Theme};
 
 /// All pages.
-pub(super) fn pages(present: &'static dyn AnyMachine, on: &'static Control, texts: &Texts) -> Vec<Page> {
+pub(super) fn pages(present: &'static dyn AnyMachine, on: &'static Control, texts: &Texts) -> Vec<HelpPage> {
     let mut pages = vec![machine::page(present, on, texts), control::page(on, texts)];
     pages.push(terms::programs(on, texts));
     let others = machines::ALL.iter().filter(|machine| machine.id() != present.id());

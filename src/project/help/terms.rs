@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use super::content::{HelpEntry, HelpKind, HelpSection, Page};
+use super::content::{HelpEntry, HelpKind, HelpPage, HelpSection};
 use super::texts::{Texts, plain};
 use crate::controls::Control;
 use crate::text::catalog::parts::{Form, SentencePart, parts};
 use crate::text::catalog::{self, Language, words};
 
 /// The page of the terms of the trade in both languages, from `docs/glossary.md`.
-pub(super) fn page(control: &'static Control, texts: &Texts) -> Page {
+pub(super) fn page(control: &'static Control, texts: &Texts) -> HelpPage {
     let chinese = catalog::spoken() == Language::Chinese;
     let mut sections: Vec<HelpSection> = Vec::new();
     let mut known = BTreeSet::new();
@@ -33,7 +33,7 @@ pub(super) fn page(control: &'static Control, texts: &Texts) -> Page {
         entry.fact(texts.words("fact.other-language"), *other);
         section.entries.push(entry);
     }
-    Page::new("terms", texts.words("title.terms"), control, sections)
+    HelpPage::new("terms", texts.words("title.terms"), control, sections)
 }
 
 /// A term as a part of an id: small letters and digits with hyphens.
@@ -44,7 +44,7 @@ fn slug(term: &str) -> String {
 }
 
 /// The page about programs: how the page works, and every warning by the id that leaves it out.
-pub(super) fn programs(control: &'static Control, texts: &Texts) -> Page {
+pub(super) fn programs(control: &'static Control, texts: &Texts) -> HelpPage {
     let mut about = HelpSection::new("use", texts.words("title.use"));
     about.text = texts.list("use");
     let mut rules = HelpSection::new("rules", texts.words("title.rules"));
@@ -55,7 +55,7 @@ pub(super) fn programs(control: &'static Control, texts: &Texts) -> Page {
         entry.text.push(plain(open(words(id))));
         rules.entries.push(entry);
     }
-    Page::new("programs", texts.words("title.programs"), control, vec![about, rules])
+    HelpPage::new("programs", texts.words("title.programs"), control, vec![about, rules])
 }
 
 /// A sentence with an ellipsis at each place of a value.

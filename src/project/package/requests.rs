@@ -32,9 +32,9 @@ pub(super) fn read_request<'t, T: Deserialize<'t>>(text: &'t str) -> Result<T, R
 
 /// A text of JSON that is itself given as JSON, or as the text of a file.
 #[derive(Deserialize)]
-pub(super) struct Given<'t>(#[serde(borrow)] &'t RawValue);
+pub(super) struct JsonOrText<'t>(#[serde(borrow)] &'t RawValue);
 
-impl Given<'_> {
+impl JsonOrText<'_> {
     /// The JSON, or the text where a text is given.
     fn text(&self) -> String {
         serde_json::from_str(self.0.get()).unwrap_or_else(|_| self.0.get().to_owned())
@@ -72,7 +72,7 @@ impl Given<'_> {
 
 /// A project, or programs with their control.
 #[derive(Deserialize)]
-pub(super) struct GivenSubject<'t>(#[serde(borrow)] Given<'t>);
+pub(super) struct RequestSubject<'t>(#[serde(borrow)] JsonOrText<'t>);
 
 /// Programs on a control.
 #[derive(Deserialize)]
@@ -95,7 +95,7 @@ struct HasFiles {
     files: Option<IgnoredAny>,
 }
 
-impl GivenSubject<'_> {
+impl RequestSubject<'_> {
     pub(super) fn read(&self) -> Result<ProgramSource, Refused> {
         let json = self.0.0.get();
         let has_files = serde_json::from_str::<HasFiles>(json).is_ok_and(|subject| subject.files.is_some());
@@ -127,7 +127,7 @@ pub(super) struct NewRequest {
 #[serde(deny_unknown_fields)]
 pub(super) struct ProjectRequest<'t> {
     #[serde(borrow)]
-    project: Given<'t>,
+    project: JsonOrText<'t>,
 }
 
 impl ProjectRequest<'_> {
@@ -140,7 +140,7 @@ impl ProjectRequest<'_> {
 #[serde(deny_unknown_fields)]
 pub(super) struct SizeRequest<'t> {
     #[serde(borrow)]
-    project: Given<'t>,
+    project: JsonOrText<'t>,
     draws: Option<u32>,
     seed: Option<u64>,
 }
@@ -161,7 +161,7 @@ impl SizeRequest<'_> {
 #[serde(deny_unknown_fields)]
 pub(super) struct ExportRequest<'t> {
     #[serde(borrow)]
-    project: Given<'t>,
+    project: JsonOrText<'t>,
     date: Option<String>,
 }
 
@@ -194,7 +194,7 @@ impl GivenChoices {
 #[serde(deny_unknown_fields)]
 pub(super) struct CheckRequest<'t> {
     #[serde(borrow)]
-    pub(super) subject: GivenSubject<'t>,
+    pub(super) subject: RequestSubject<'t>,
     #[serde(default)]
     pub(super) choices: GivenChoices,
 }
@@ -204,13 +204,13 @@ pub(super) struct CheckRequest<'t> {
 #[serde(deny_unknown_fields)]
 pub(super) struct RunArguments<'t> {
     #[serde(borrow)]
-    subject: GivenSubject<'t>,
+    subject: RequestSubject<'t>,
     #[serde(default)]
     choices: GivenChoices,
     #[serde(borrow)]
-    plant: Option<Given<'t>>,
+    plant: Option<JsonOrText<'t>>,
     #[serde(borrow)]
-    panel: Option<Given<'t>>,
+    panel: Option<JsonOrText<'t>>,
     start: Option<String>,
     #[serde(default)]
     set: BTreeMap<String, f64>,
@@ -261,7 +261,7 @@ impl RunArguments<'_> {
 #[serde(deny_unknown_fields)]
 pub(super) struct InterpretRequest<'t> {
     #[serde(borrow)]
-    pub(super) subject: GivenSubject<'t>,
+    pub(super) subject: RequestSubject<'t>,
     #[serde(default)]
     pub(super) choices: GivenChoices,
     pub(super) start: Option<String>,

@@ -11,7 +11,7 @@ mod objects;
 use std::sync::OnceLock;
 
 pub use self::objects::write_json;
-pub(in crate::project) use self::objects::{entries, from_entries};
+pub(in crate::project) use self::objects::{from_members, members};
 pub use self::row::MAX_PARTS;
 pub use self::table::write;
 use crate::controls::{Control, DriveRole};

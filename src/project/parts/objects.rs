@@ -9,7 +9,7 @@ use super::row::{Cell, Decimals, MAX_PARTS, PAIRS, Rows};
 use super::table;
 use crate::drives::parts::Part;
 use crate::msg;
-use crate::project::json::{self, Entries};
+use crate::project::json::{self, JsonMembers};
 use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 
@@ -19,8 +19,8 @@ const LISTED: usize = 20;
 /// Reads a list of parts.
 pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
-    match serde_json::from_str::<Vec<Entries>>(plain) {
-        Ok(list) => from_entries(text, &list),
+    match serde_json::from_str::<Vec<JsonMembers>>(plain) {
+        Ok(list) => from_members(text, &list),
         Err(error) => {
             let message = if error.is_data() {
                 msg!("parts.not-a-list")
@@ -37,27 +37,27 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
 }
 
 /// The parts of objects that were read from a text.
-pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) -> (Vec<Part>, Vec<Diagnostic>) {
+pub(in crate::project) fn from_members<'t>(text: &'t str, list: &[JsonMembers<'t>]) -> (Vec<Part>, Vec<Diagnostic>) {
     let mut rows = Rows::new(text, Decimals::default());
     if list.len() > MAX_PARTS {
         rows.found.error(msg!("parts.too-many", most = MAX_PARTS as u32), "");
         return rows.finish();
     }
     let mut unknown = BTreeSet::new();
-    for entries in list {
-        rows.found.repeated(entries);
+    for members in list {
+        rows.found.repeated(members);
         let mut cells = Vec::new();
         let mut sound = true;
-        for entry in &entries.0 {
-            let Some(column) = columns::column(&entry.key) else {
-                if unknown.len() < LISTED && unknown.insert(entry.key.as_str()) {
-                    let message = msg!("parts.unknown-column", column = clip(&entry.key), columns = listed(COLUMNS));
-                    rows.found.error(message, entry.source);
+        for member in &members.0 {
+            let Some(column) = columns::column(&member.key) else {
+                if unknown.len() < LISTED && unknown.insert(member.key.as_str()) {
+                    let message = msg!("parts.unknown-column", column = clip(&member.key), columns = listed(COLUMNS));
+                    rows.found.error(message, member.source);
                 }
                 continue;
             };
-            let source = entry.value.source;
-            let text = match &entry.value.value {
+            let source = member.value.source;
+            let text = match &member.value.value {
                 Json::Null => None,
                 Json::String(text) => Some(text.clone()),
                 // The source text of a number keeps its digits.
@@ -76,13 +76,13 @@ pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) 
             cells.extend(text.map(|text| Cell { column, text: text.into(), source }));
         }
         // The braces are not in the list: the first key is the place of the object.
-        rows.add(&cells, entries.0.first().map_or("", |entry| entry.source), sound);
+        rows.add(&cells, members.0.first().map_or("", |member| member.source), sound);
     }
     rows.finish()
 }
 
 /// Entries of a part's object: the known values alone.
-pub(in crate::project) fn entries(part: &Part) -> Entries<'static> {
+pub(in crate::project) fn members(part: &Part) -> JsonMembers<'static> {
     let value = |(column, text): (&'static str, String)| match text.parse() {
         Ok(number) if columns::is_number(column) => (column, json::number(number)),
         _ if column == "fits" => (column, part.fits.clone().into()),
@@ -93,7 +93,7 @@ pub(in crate::project) fn entries(part: &Part) -> Entries<'static> {
 
 /// The parts as a list in JSON.
 pub fn write_json<'p>(parts: impl IntoIterator<Item = &'p Part>) -> String {
-    let list: Vec<Entries> = parts.into_iter().map(entries).collect();
+    let list: Vec<JsonMembers> = parts.into_iter().map(members).collect();
     // Keys are texts and writing into a text does not fail.
     serde_json::to_string_pretty(&list).unwrap_or_default() + "\n"
 }

@@ -28,7 +28,7 @@ pub use self::link::{MAX_LINK, is_link};
 pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
 use self::v1::{ProgramV1, ProjectV1, TitleBlockV1, VariantV1};
 use super::findings::Findings;
-use super::json::{self, Entries, Located};
+use super::json::{self, JsonMembers, Located};
 use super::variant::Variant;
 use super::{Project, parts};
 use crate::controls::Switches;
@@ -74,9 +74,9 @@ impl Project {
             switches: switches(&self.switches),
             comments: (self.comments != Language::English).then(|| self.comments.code().to_owned()),
             silenced: self.silenced.clone(),
-            panel: self.panel.events().iter().map(panel::entry).collect(),
+            panel: self.panel.events().iter().map(panel::members).collect(),
             edited: self.edited.as_ref().map(|files| files.0.iter().map(program).collect()),
-            parts: self.parts.iter().map(parts::entries).collect(),
+            parts: self.parts.iter().map(parts::members).collect(),
             variants: self.variants.iter().map(variant).collect(),
         }
     }
@@ -99,8 +99,8 @@ impl Project {
     }
 }
 
-/// Values as entries.
-fn values(values: &Values) -> Entries<'static> {
+/// Values as members of an object.
+fn values(values: &Values) -> JsonMembers<'static> {
     let entry = |value: &Value| match value {
         Value::Number(number) => json::number(*number),
         Value::Flag(flag) => (*flag).into(),
@@ -109,8 +109,8 @@ fn values(values: &Values) -> Entries<'static> {
     values.iter().map(|(id, value)| (id, entry(value))).collect()
 }
 
-/// Settings of open points as entries.
-fn switches(switches: &Switches) -> Entries<'static> {
+/// Settings of open points as members of an object.
+fn switches(switches: &Switches) -> JsonMembers<'static> {
     switches.0.iter().map(|(id, setting)| (id, setting.as_str().into())).collect()
 }
 
@@ -174,7 +174,7 @@ fn located(message: Message, text: &str, json: &str, error: &serde_json::Error) 
 /// Reads a panel file: a JSON array of `{ "t": seconds, "spindle_override": 80, … }`.
 pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
     let read = sized(text).and_then(|json| {
-        serde_json::from_str::<Vec<Entries>>(json).map_err(|error| match error.is_data() {
+        serde_json::from_str::<Vec<JsonMembers>>(json).map_err(|error| match error.is_data() {
             true if !json.trim_start().starts_with('[') => Diagnostic::error(msg!("project.panel-not-a-list")),
             true => shape(text, json, &error),
             false => not_json(text, json, &error),
@@ -199,7 +199,7 @@ pub fn is_panel(text: &str) -> bool {
 /// A panel file, one event a line.
 pub fn panel_to_json(panel: &Panel) -> String {
     // Keys are texts and writing into a text does not fail.
-    let line = |event| serde_json::to_string(&panel::entry(event)).unwrap_or_default();
+    let line = |event| serde_json::to_string(&panel::members(event)).unwrap_or_default();
     let lines: Vec<String> = panel.events().iter().map(line).collect();
     if lines.is_empty() { "[]\n".to_owned() } else { format!("[\n  {}\n]\n", lines.join(",\n  ")) }
 }

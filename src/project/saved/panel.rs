@@ -11,7 +11,7 @@ use crate::drives::speed::SpeedLimit;
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
 use crate::project::findings::Findings;
-use crate::project::json::{Entries, Entry, number};
+use crate::project::json::{JsonMember, JsonMembers, number};
 use crate::text::escape::clip;
 
 /// Events of a panel at most.
@@ -41,14 +41,14 @@ enum PanelAction<'t> {
     SurfaceSpeedLimit(f64),
     /// Values by input.
     #[serde(borrow)]
-    Input(Entries<'t>),
+    Input(JsonMembers<'t>),
     /// Values by variable, `#107`; `null` is vacant.
     #[serde(borrow)]
-    Variable(Entries<'t>),
+    Variable(JsonMembers<'t>),
 }
 
 /// Reads the entries of a panel.
-pub(super) fn read<'t>(entries: &[Entries<'t>], found: &mut Findings<'t>) -> Panel {
+pub(super) fn read<'t>(entries: &[JsonMembers<'t>], found: &mut Findings<'t>) -> Panel {
     if entries.len() > MAX_EVENTS {
         found.error(msg!("project.panel-too-long", most = MAX_EVENTS as u32, count = entries.len() as u32), "");
         return Panel::default();
@@ -73,7 +73,7 @@ pub(super) fn read<'t>(entries: &[Entries<'t>], found: &mut Findings<'t>) -> Pan
 }
 
 /// The actions of a key; `None` where it is no action or its value does not fit.
-fn actions<'t>(entry: &Entry<'t>, found: &mut Findings<'t>) -> Option<Vec<Action>> {
+fn actions<'t>(entry: &JsonMember<'t>, found: &mut Findings<'t>) -> Option<Vec<Action>> {
     let value: &'t RawValue = serde_json::from_str(entry.value.source).ok()?;
     let pair = MapDeserializer::<_, serde_json::Error>::new(once((entry.key.as_str(), value)));
     let action = PanelAction::deserialize(MapAccessDeserializer::new(pair)).ok()?;
@@ -98,7 +98,7 @@ fn actions<'t>(entry: &Entry<'t>, found: &mut Findings<'t>) -> Option<Vec<Action
         PanelAction::SurfaceSpeedLimit(rpm) => fitting(Action::SpeedLimit(SpeedLimit::Surface, rpm)),
         PanelAction::Input(inputs) => {
             found.repeated(&inputs);
-            let input = |row: Entry| Some(Action::Input(row.key, row.value.value.as_f64()?));
+            let input = |row: JsonMember| Some(Action::Input(row.key, row.value.value.as_f64()?));
             inputs.0.into_iter().map(input).collect()
         }
         PanelAction::Variable(variables) => {
@@ -108,7 +108,7 @@ fn actions<'t>(entry: &Entry<'t>, found: &mut Findings<'t>) -> Option<Vec<Action
     }
 }
 
-fn variable(row: Entry) -> Option<Action> {
+fn variable(row: JsonMember) -> Option<Action> {
     let number = row.key.trim_start_matches('#').parse().ok()?;
     match row.value.value {
         Value::Null => Some(Action::Variable(number, None)),
@@ -116,8 +116,8 @@ fn variable(row: Entry) -> Option<Action> {
     }
 }
 
-/// An event as an entry.
-pub(super) fn entry(event: &Event) -> Entries<'static> {
+/// An event as an object of JSON.
+pub(super) fn members(event: &Event) -> JsonMembers<'static> {
     let (key, value) = match &event.action {
         Action::SpindleOverride(percent) => ("spindle_override", number(*percent)),
         Action::FeedOverride(percent) => ("feed_override", number(*percent)),

@@ -13,7 +13,7 @@ use crate::machines::form::{KindInfo, Provenance, Value, Values};
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::findings::Findings;
-use crate::project::json::{Entries, Located, kind_word};
+use crate::project::json::{JsonMembers, Located, kind_word};
 use crate::project::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::project::{Project, parts};
 use crate::text::catalog::Language;
@@ -68,7 +68,7 @@ pub(super) fn project<'t>(
     project.comments = saved.comments.as_deref().and_then(Language::of_code).unwrap_or(Language::English);
     project.silenced = saved.silenced.iter().map(|id| clip(&warning_id(id))).collect();
     project.panel = panel::read(&saved.panel, &mut found);
-    let (parts, about_parts) = parts::from_entries(found.text(), &saved.parts);
+    let (parts, about_parts) = parts::from_members(found.text(), &saved.parts);
     about_parts.into_iter().for_each(|finding| found.add(finding, ""));
     project.parts = parts;
     project.variants = variants(&saved.variants, machine, &mut found);
@@ -110,7 +110,12 @@ fn variants<'t>(saved: &[VariantV1<'t>], machine: &'static dyn AnyMachine, found
 }
 
 /// The form's values. A value out of range is kept: the field shows its range, and no input is lost.
-fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, values: &mut Values, found: &mut Findings<'t>) {
+fn values<'t>(
+    saved: &JsonMembers<'t>,
+    machine: &'static dyn AnyMachine,
+    values: &mut Values,
+    found: &mut Findings<'t>,
+) {
     found.repeated(saved);
     let fields = machine.fields();
     for entry in &saved.0 {
@@ -138,7 +143,12 @@ fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, values: &mu
 }
 
 /// Reads the sources of the values.
-fn origins<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &mut Project, found: &mut Findings<'t>) {
+fn origins<'t>(
+    saved: &JsonMembers<'t>,
+    machine: &'static dyn AnyMachine,
+    project: &mut Project,
+    found: &mut Findings<'t>,
+) {
     found.repeated(saved);
     for entry in &saved.0 {
         let known = machine.fields().iter().any(|field| field.id == entry.key);
@@ -153,7 +163,7 @@ fn origins<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &
 }
 
 /// The settings of a control's switches. A switch that the file does not name is at its default.
-fn switches<'t>(saved: &Entries<'t>, control: &Control, found: &mut Findings<'t>) -> Switches {
+fn switches<'t>(saved: &JsonMembers<'t>, control: &Control, found: &mut Findings<'t>) -> Switches {
     found.repeated(saved);
     let mut switches = Switches::default();
     for entry in &saved.0 {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::project::json::{Entries, Located};
+use crate::project::json::{JsonMembers, Located};
 
 /// A project file of version 1. Keys that have no default here are missed later, with a sentence of their own.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -22,13 +22,13 @@ pub(super) struct ProjectV1<'t> {
     pub(super) control: Option<Located<'t>>,
     /// Number, flag or text by field id.
     #[serde(borrow)]
-    pub(super) values: Option<Entries<'t>>,
+    pub(super) values: Option<JsonMembers<'t>>,
     /// `measured`, `data-sheet` or `assumed` by field id.
-    #[serde(borrow, default, skip_serializing_if = "Entries::is_empty")]
-    pub(super) provenance: Entries<'t>,
+    #[serde(borrow, default, skip_serializing_if = "JsonMembers::is_empty")]
+    pub(super) provenance: JsonMembers<'t>,
     /// Setting by id of the switch.
-    #[serde(borrow, default, skip_serializing_if = "Entries::is_empty")]
-    pub(super) switches: Entries<'t>,
+    #[serde(borrow, default, skip_serializing_if = "JsonMembers::is_empty")]
+    pub(super) switches: JsonMembers<'t>,
     /// Code of the language of comments; English where it is missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) comments: Option<String>,
@@ -37,12 +37,12 @@ pub(super) struct ProjectV1<'t> {
     pub(super) silenced: Vec<String>,
     /// Entries of a panel file.
     #[serde(borrow, default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) panel: Vec<Entries<'t>>,
+    pub(super) panel: Vec<JsonMembers<'t>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) edited: Option<Vec<ProgramV1>>,
     /// Parts with the names of the columns of a table of parts.
     #[serde(borrow, default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) parts: Vec<Entries<'t>>,
+    pub(super) parts: Vec<JsonMembers<'t>>,
     #[serde(borrow, default, skip_serializing_if = "Vec::is_empty")]
     pub(super) variants: Vec<VariantV1<'t>>,
 }
@@ -58,10 +58,10 @@ pub(super) struct VariantV1<'t> {
     pub(super) control: Located<'t>,
     /// Number, flag or text by field id.
     #[serde(borrow)]
-    pub(super) values: Entries<'t>,
+    pub(super) values: JsonMembers<'t>,
     /// Setting by id of the switch.
-    #[serde(borrow, default, skip_serializing_if = "Entries::is_empty")]
-    pub(super) switches: Entries<'t>,
+    #[serde(borrow, default, skip_serializing_if = "JsonMembers::is_empty")]
+    pub(super) switches: JsonMembers<'t>,
 }
 
 /// The title block of the report.

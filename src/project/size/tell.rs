@@ -13,10 +13,6 @@ use crate::project::sensitivity::Flip;
 use crate::text::catalog::{sentence, words};
 use crate::view::{Limit, Sheet, SheetKind};
 
-fn say(id: &'static str) -> &'static str {
-    words(id)
-}
-
 /// Word of a part's grade in a table of parts.
 pub(super) fn grade(grade: PartGrade) -> &'static str {
     PartGrade::WORDS.iter().find(|row| row.1 == grade).map_or("", |row| row.0)
@@ -66,7 +62,7 @@ fn axis(axis: &SizedAxis) -> Json {
     });
     json!({
         "axis": axis.id,
-        "name": say(axis.name),
+        "name": words(axis.name),
         "turning": percent(axis.turning),
         "loaded": percent(axis.loaded),
         "least": axis.least().map(Part::name),
@@ -170,7 +166,7 @@ fn terminal(row: &TerminalRow) -> Json {
 
 fn bill(row: &BillRow) -> Json {
     json!({
-        "item": say(row.item), "axis": row.axis.map(say), "part": row.part(), "maker": row.maker, "model": row.model, "proposal": row.proposed,
+        "item": words(row.item), "axis": row.axis.map(words), "part": row.part(), "maker": row.maker, "model": row.model, "proposal": row.proposed,
         "quantity": row.quantity, "refused": row.refusal.as_ref().map(sentence), "status": status(row.status), "grade": grade(row.grade), "source": row.source,
     })
 }
@@ -188,7 +184,7 @@ impl Sizing {
 
 /// A sheet as lines: its title, and at most `rows` of its rows.
 pub fn sheet_text(sheet: &Sheet, rows: usize) -> String {
-    let mut out = format!("{}\n", say(sheet.title));
+    let mut out = format!("{}\n", words(sheet.title));
     for row in sheet.rows.iter().take(rows) {
         let cells: Vec<&str> = row.cells.iter().map(String::as_str).filter(|cell| !cell.is_empty()).collect();
         out += &format!("  {}\n", cells.join("  "));

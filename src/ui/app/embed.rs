@@ -9,10 +9,10 @@ use crate::ui::dom;
 use crate::ui::dom::turns::{at_last, in_turn};
 use crate::ui::form::FirstFields;
 use crate::ui::machine::EmbeddedMachine;
-use crate::ui::parts::scene::Still;
+use crate::ui::parts::scene::StillDrawing;
 use crate::ui::state::notices::Notice;
 use crate::ui::state::{Begun, Page};
-use crate::ui::words::{t, tell, tone};
+use crate::ui::words::{sentence_with_hints, t, tone};
 
 /// Fields that are shown.
 const FIELDS: usize = 3;
@@ -33,7 +33,7 @@ impl Embedded {
     /// machine has a control. An address that names no project has the first machine's.
     pub fn in_turns(then: impl FnOnce(Option<Embedded>) + 'static) {
         let asked = embedded(&dom::address().1);
-        let notice = |found: &crate::text::Diagnostic| Notice::new(tone(found.severity), tell(found));
+        let notice = |found: &crate::text::Diagnostic| Notice::new(tone(found.severity), sentence_with_hints(found));
         let found = asked.iter().flat_map(|asked| &asked.diagnostics).map(notice).collect();
         let first = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
         let Some(project) = asked.and_then(|asked| asked.project).or_else(first) else { return then(None) };
@@ -48,7 +48,7 @@ pub fn EmbeddedApp(
     embedded: Embedded,
 ) -> impl IntoView {
     let page = Page::provide(embedded.begun, embedded.found);
-    Still::provide();
+    StillDrawing::provide();
     let busy = RwSignal::new(true);
     begin_anew_at_another_address(page);
     in_turn(move || page.player.begin());
@@ -61,7 +61,7 @@ pub fn EmbeddedApp(
             <FirstFields count=FIELDS />
             <footer><h1>{t(page.project.with_untracked(|project| project.machine.name()))}</h1><Open /></footer>
         </main>
-        <div class="hidden" role="status">{page.notices.said}</div>
+        <div class="hidden" role="status">{page.notices.announcement}</div>
     }
 }
 
@@ -96,10 +96,10 @@ mod tests {
     use super::*;
     use crate::machines::form::Value;
     use crate::ui::dom::turns;
-    use crate::ui::testing::{Bench, mount_project, project, settled, until};
+    use crate::ui::testing::{ViewBench, mount_project, project, settled, until};
 
     /// The page that an address asks for, in a browser that remembers nothing.
-    async fn embedded_by(fragment: &str) -> Bench {
+    async fn embedded_by(fragment: &str) -> ViewBench {
         dom::storage().unwrap().clear().unwrap();
         // Nothing can be waited for until something was mounted, and this may be the first test.
         drop(mount_project(project(), || ()).await);

@@ -14,7 +14,7 @@ use web_sys::{
 };
 
 use crate::text::catalog::{self, Language};
-use crate::ui::words::say;
+use crate::ui::words::sentence;
 
 /// Milliseconds since the page began.
 pub(crate) fn now() -> f64 {
@@ -284,7 +284,7 @@ pub(crate) fn told(error: &JsValue) -> String {
     }
     match property(error, "message").filter(|text| !text.is_empty()) {
         Some(text) if catalog::spoken() == Language::English => text,
-        _ => say(&crate::msg!("page.browser-reports", name = error_name(error))),
+        _ => sentence(&crate::msg!("page.browser-reports", name = error_name(error))),
     }
 }
 

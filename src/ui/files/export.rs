@@ -15,7 +15,7 @@ use crate::ui::dom::script::{call, load, table};
 use crate::ui::dom::{self, go_to_field};
 use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
-use crate::ui::words::{figure, say, t, tell};
+use crate::ui::words::{figure, sentence, sentence_with_hints, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Range, Remark, Request, Response};
 use crate::view::report::TitleBlock;
@@ -58,7 +58,7 @@ struct Reason {
 fn reasons(page: Page, export: &Export) -> Vec<Reason> {
     let wrong = page.wrong_fields().into_iter().map(|found| Reason {
         alarm: String::new(),
-        text: tell(&found),
+        text: sentence_with_hints(&found),
         field: found.field.unwrap_or_default().to_owned(),
         place: None,
     });
@@ -182,7 +182,7 @@ fn Offered(
     let row = move |at: usize| {
         let files = Arc::clone(&files);
         let (name, bytes) = files.get(at)?;
-        let (name, size) = (name.clone(), say(&crate::msg!("page.bytes", count = figure(bytes.len() as f64, 0))));
+        let (name, size) = (name.clone(), sentence(&crate::msg!("page.bytes", count = figure(bytes.len() as f64, 0))));
         Some(view! {
             <tr>
                 <th scope="row">{name}</th>
@@ -225,7 +225,9 @@ fn save_all(page: Page, files: Arc<[NamedBytes]>) {
         let archive = load(ARCHIVE).await.and_then(|module| call(&module, "zip", &[&list]));
         match archive.and_then(|archive| archive.dyn_into::<js_sys::Uint8Array>()) {
             Ok(bytes) => dom::download(&name, "application/zip", &bytes.to_vec()),
-            Err(error) => page.notices.notify("fail", say(&crate::msg!("page.no-archive", reason = dom::told(&error)))),
+            Err(error) => {
+                page.notices.notify("fail", sentence(&crate::msg!("page.no-archive", reason = dom::told(&error))))
+            }
         }
     });
 }
@@ -237,7 +239,7 @@ fn show(page: Page, html: &str) {
     };
     if let Err(error) = print(&tab, html) {
         let _ = tab.close();
-        page.notices.notify("fail", say(&crate::msg!("page.no-print", reason = dom::told(&error))));
+        page.notices.notify("fail", sentence(&crate::msg!("page.no-print", reason = dom::told(&error))));
     }
 }
 
@@ -253,18 +255,18 @@ mod tests {
 
     use super::*;
     use crate::text::{FileId, Span};
-    use crate::ui::testing::{Bench, field, mount, settled};
-    use crate::ui::worker::messages::Documents;
+    use crate::ui::testing::{ViewBench, field, mount, settled};
+    use crate::ui::worker::messages::ExportDocuments;
 
     fn documents(_: &crate::project::Project, _: Request) -> Option<Response> {
-        Some(Response::Export(Documents {
+        Some(Response::Export(ExportDocuments {
             programs: Vec::new(),
             files: vec![("report.html".to_owned(), "<p>".to_owned())],
             remarks: Vec::new(),
         }))
     }
 
-    async fn asked(bench: &Bench) {
+    async fn asked(bench: &ViewBench) {
         bench.page.view.exporting.set(true);
         settled().await;
     }
@@ -303,7 +305,7 @@ mod tests {
         bench.page.entries.refuse("pitch", wrong.clone());
         asked(&bench).await;
         assert!(!bench.has("#save-all"));
-        assert!(bench.text(".remarks .fail").contains(&tell(&wrong)));
+        assert!(bench.text(".remarks .fail").contains(&sentence_with_hints(&wrong)));
         bench.press_button(t("page.go-to-field")).await;
         assert!(!bench.has("dialog[open]"));
         assert_eq!(document().active_element().unwrap().id(), "pitch");
@@ -322,7 +324,7 @@ mod tests {
                 place: Some(Place { file: FileId(1), span: Span::new(0, 1) }.into()),
             };
             let remarks = vec![remark(true, "refuses"), remark(false, "remarks")];
-            Some(Response::Export(Documents { programs: Vec::new(), files: Vec::new(), remarks }))
+            Some(Response::Export(ExportDocuments { programs: Vec::new(), files: Vec::new(), remarks }))
         });
         asked(&bench).await;
         assert_eq!(bench.all(".remarks li").len(), 1);

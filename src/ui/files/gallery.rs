@@ -9,7 +9,7 @@ use crate::text::listed;
 use crate::ui::dom;
 use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 use crate::view::Readout;
@@ -121,7 +121,7 @@ fn ExampleCard(
         if !failed.is_empty() {
             page.notices.notify(
                 "warn",
-                say(&crate::msg!("page.example-fails", example = t(example.name), results = failed.as_str())),
+                sentence(&crate::msg!("page.example-fails", example = t(example.name), results = failed.as_str())),
             );
         }
     };
@@ -133,7 +133,7 @@ fn ExampleCard(
     let reasons = (count > 0).then(|| {
         view! {
             <details>
-                <summary>{say(&crate::msg!("page.example-faults", count = count))}</summary>
+                <summary>{sentence(&crate::msg!("page.example-faults", count = count))}</summary>
                 <ul>{faults.iter().map(fault).collect_view()}</ul>
             </details>
         }
@@ -160,11 +160,11 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{Bench, mount, until};
+    use crate::ui::testing::{ViewBench, mount, until};
     use crate::ui::worker::pictures;
 
     /// The open gallery.
-    async fn gallery() -> Bench {
+    async fn gallery() -> ViewBench {
         let bench = mount(|| {
             Client::here().answer_here(|_, request| match request {
                 Request::Gallery(dark) => Some(Response::Pictures(pictures::gallery(dark))),
@@ -178,13 +178,13 @@ mod tests {
     }
 
     /// Names of the shown examples.
-    fn names(bench: &Bench) -> Vec<String> {
+    fn names(bench: &ViewBench) -> Vec<String> {
         let cards = bench.all(".gallery section:not(.gone) .example:not(.gone) button b");
         cards.into_iter().filter_map(|name| name.text_content()).collect()
     }
 
     /// Presses the card of an example.
-    async fn press(bench: &Bench, example: &str) {
+    async fn press(bench: &ViewBench, example: &str) {
         bench.press(&format!("button[aria-describedby={example}]")).await;
     }
 

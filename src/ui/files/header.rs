@@ -149,9 +149,9 @@ mod tests {
 
     use super::*;
     use crate::ui::dom;
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
 
-    async fn header() -> Bench {
+    async fn header() -> ViewBench {
         mount(|| view! { <Header /> }).await
     }
 

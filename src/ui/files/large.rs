@@ -11,7 +11,7 @@ use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
 use crate::ui::words::{figure, t};
 use crate::ui::worker::client::Running;
-use crate::ui::worker::messages::{Question, Reply, Report, Request, Response, SHOWN};
+use crate::ui::worker::messages::{Question, Reply, Request, Response, SHOWN, TextReport};
 
 /// A text that is too large for the page.
 pub(super) enum Source {
@@ -29,7 +29,7 @@ struct Check {
     /// Bytes read, and bytes in all. All are read when the check itself runs.
     progress: (f64, f64),
     /// The findings, at the end of the check.
-    report: Option<Report>,
+    report: Option<TextReport>,
     /// The worker that checks; it ends with this.
     worker: Rc<Running>,
 }
@@ -130,7 +130,7 @@ pub(crate) fn LargeFileDialog() -> impl IntoView {
 #[component]
 fn Findings(
     /// The report of the worker.
-    report: Report,
+    report: TextReport,
 ) -> impl IntoView {
     let mut told = format!("{} {}  {}", figure(report.lines.into(), 0), t("page.lines"), report.counts);
     if report.lines > SHOWN {
@@ -153,7 +153,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn report_counts_lines_and_lists_findings() {
-        let report = Report {
+        let report = TextReport {
             lines: SHOWN + 1,
             counts: "✕ 1".to_owned(),
             head: "G01\n".to_owned(),

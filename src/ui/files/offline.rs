@@ -59,14 +59,14 @@ mod tests {
     use super::*;
     use crate::machines::form::Value;
     use crate::ui::state::view::Kept;
-    use crate::ui::testing::{Bench, mount};
+    use crate::ui::testing::{ViewBench, mount};
 
     thread_local! {
         static TAKEN: Cell<u32> = const { Cell::new(0) };
     }
 
     /// A page whose offer is there, with a changed project that is not stored yet.
-    async fn announced(kept: Kept) -> Bench {
+    async fn announced(kept: Kept) -> ViewBench {
         TAKEN.set(0);
         let bench = mount(|| ()).await;
         bench.page.set("pitch", Value::Number(9.0));
@@ -76,7 +76,7 @@ mod tests {
     }
 
     /// Presses the button of the last notice.
-    fn press(bench: &Bench) {
+    fn press(bench: &ViewBench) {
         let offer = bench.page.notices.list.with_untracked(|list| list.last().and_then(|notice| notice.offer));
         offer.unwrap().1.run(());
     }

@@ -19,7 +19,7 @@ use crate::project::saved::{is_panel, with_line};
 use crate::ui::dom;
 use crate::ui::state::view::Tab;
 use crate::ui::state::{Page, operator};
-use crate::ui::words::{say, t, tone};
+use crate::ui::words::{sentence, t, tone};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::BEFORE_PROGRAM;
 
@@ -37,8 +37,10 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
         if files.len() == 1 {
             check(page, large, Source::File(big.clone()));
         } else {
-            page.notices
-                .notify("fail", say(&crate::msg!("page.none-taken-large", file = big.name(), most = (BIG / 1e6, 0))));
+            page.notices.notify(
+                "fail",
+                sentence(&crate::msg!("page.none-taken-large", file = big.name(), most = (BIG / 1e6, 0))),
+            );
         }
         return;
     }
@@ -46,12 +48,14 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
         let mut texts = Vec::new();
         for file in files {
             let Ok(buffer) = JsFuture::from(file.array_buffer()).await else {
-                return page.notices.notify("fail", say(&crate::msg!("page.none-taken-unread", file = file.name())));
+                return page
+                    .notices
+                    .notify("fail", sentence(&crate::msg!("page.none-taken-unread", file = file.name())));
             };
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
             let decoded = Decoded::new(bytes);
             if let Some(other) = decoded.other {
-                return page.notices.notify("fail", format!("{}: {}", file.name(), say(&other)));
+                return page.notices.notify("fail", format!("{}: {}", file.name(), sentence(&other)));
             }
             let gbk = decoded.encoding == Encoding::Unknown && page.project.with_untracked(reads_gbk);
             let text = gbk.then(|| dom::gbk(&buffer)).flatten().unwrap_or(decoded.text);
@@ -90,7 +94,7 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
         shelf::version_before(page, BEFORE_PROGRAM);
     }
     show(page, project);
-    page.notices.say(t("page.opened"));
+    page.notices.announce(t("page.opened"));
     true
 }
 
@@ -178,9 +182,9 @@ mod tests {
 
     use super::*;
     use crate::motion::{Action, Event};
-    use crate::ui::testing::{Bench, mount, project, settled, until};
+    use crate::ui::testing::{ViewBench, mount, project, settled, until};
 
-    async fn opened(name: &str, text: &str) -> Bench {
+    async fn opened(name: &str, text: &str) -> ViewBench {
         let bench = mount(|| view! { <OpenButton /> }).await;
         read(bench.page, bench.worker, vec![nc::File { name: name.to_owned(), text: text.to_owned() }]);
         settled().await;
@@ -222,7 +226,7 @@ mod tests {
         assert!(bench.page.program.edited.get_untracked());
         assert!(bench.page.program.text(0).contains("G01 X1."));
         assert!(bench.notices().contains(&t("page.opened-program").to_owned()));
-        assert_eq!(bench.page.notices.said.get_untracked(), t("page.opened"));
+        assert_eq!(bench.page.notices.announcement.get_untracked(), t("page.opened"));
     }
 
     #[wasm_bindgen_test]

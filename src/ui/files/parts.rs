@@ -7,7 +7,7 @@ use crate::nc;
 use crate::project::Project;
 use crate::ui::state::Page;
 use crate::ui::state::view::Tab;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{ReadParts, Request, Response};
 
@@ -25,12 +25,12 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
             page.notices.notify(if *refuses { "fail" } else { "info" }, format!("{name}: {text}"));
         }
         if remarks.len() > TOLD {
-            page.notices.notify("info", say(&msg!("page.more-of-parts", count = (remarks.len() - TOLD) as u32)));
+            page.notices.notify("info", sentence(&msg!("page.more-of-parts", count = (remarks.len() - TOLD) as u32)));
         }
         let Some(read) = Project::from_json(&project).project.filter(|_| added > 0) else { return };
         page.edit("", |project| project.parts = read.parts);
         page.view.tab.set(Tab::Sizing);
-        page.notices.say(say(&msg!("page.parts-added", count = added)));
+        page.notices.announce(sentence(&msg!("page.parts-added", count = added)));
     };
     let request = Request::Parts(table.name.clone(), table.text.clone());
     // The answer may come at once, and changes the project.
@@ -44,11 +44,11 @@ mod tests {
 
     use super::*;
     use crate::project::parts;
-    use crate::ui::testing::{Bench, mount, project, settled};
+    use crate::ui::testing::{ViewBench, mount, project, settled};
     use crate::ui::worker::documents;
 
     /// A table opened on a page whose worker is here.
-    async fn opened(text: &str) -> Bench {
+    async fn opened(text: &str) -> ViewBench {
         let bench = mount(|| ()).await;
         bench.worker.answer_here(|project, request| match request {
             Request::Parts(name, text) => Some(Response::Parts(documents::parts(project.clone(), &name, &text))),
@@ -63,7 +63,7 @@ mod tests {
     async fn parts_of_a_table_are_kept_with_the_project() {
         let table = parts::write(parts::shipped().iter().take(3));
         let bench = opened(&table).await;
-        let models = |bench: &Bench| bench.page.project.with_untracked(|project| project.parts.len());
+        let models = |bench: &ViewBench| bench.page.project.with_untracked(|project| project.parts.len());
         assert_eq!(models(&bench), 3);
         assert_eq!(bench.page.view.tab.get_untracked(), Tab::Sizing);
         bench.page.undo();

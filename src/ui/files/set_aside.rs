@@ -17,7 +17,7 @@ pub(super) const FILE: &str = "macroline-set-aside.txt";
 
 /// Why a state was set aside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Reason {
+pub(super) enum SetAsideReason {
     /// The state is unreadable.
     Unread,
     /// Another project replaced it.
@@ -26,14 +26,14 @@ pub(super) enum Reason {
     OtherTab,
 }
 
-impl Reason {
+impl SetAsideReason {
     /// The reason of a word in a key.
-    fn of(word: &str) -> Option<Reason> {
+    fn of(word: &str) -> Option<SetAsideReason> {
         match word {
-            "unread" => Some(Reason::Unread),
+            "unread" => Some(SetAsideReason::Unread),
             // Words that the page had until November 2026 too.
-            "opened" | "new" | "link" => Some(Reason::Replaced),
-            "other-tab" => Some(Reason::OtherTab),
+            "opened" | "new" | "link" => Some(SetAsideReason::Replaced),
+            "other-tab" => Some(SetAsideReason::OtherTab),
             _ => None,
         }
     }
@@ -41,22 +41,22 @@ impl Reason {
     /// The word in the key of the store, and the catalog id of the sentence.
     pub(super) fn words(self) -> (&'static str, &'static str) {
         match self {
-            Reason::Unread => ("unread", "page.aside-unread"),
-            Reason::Replaced => ("opened", "page.aside-opened"),
-            Reason::OtherTab => ("other-tab", "page.aside-other-tab"),
+            SetAsideReason::Unread => ("unread", "page.aside-unread"),
+            SetAsideReason::Replaced => ("opened", "page.aside-opened"),
+            SetAsideReason::OtherTab => ("other-tab", "page.aside-other-tab"),
         }
     }
 }
 
 /// A state that was set aside.
 #[derive(Clone, PartialEq)]
-pub(super) struct State {
+pub(super) struct SetAsideState {
     /// Its key in the store.
     pub key: String,
     /// Milliseconds since 1970; 0 where it is not known.
     pub at: f64,
     /// Why it was set aside.
-    pub reason: Reason,
+    pub reason: SetAsideReason,
     /// Id of the project; none where it may be that of another state.
     pub id: Option<String>,
     /// The text.
@@ -69,21 +69,21 @@ pub(super) fn is_key(key: &str) -> bool {
 }
 
 /// The states, the newest first.
-pub(super) fn list() -> Vec<State> {
+pub(super) fn list() -> Vec<SetAsideState> {
     let state = |key: String| {
         let mut parts = key.strip_prefix(KEYS).unwrap_or("0.unread").splitn(3, '.');
         let (at, reason) = (parts.next()?.parse().ok()?, parts.next()?);
         let id = parts.next().map(str::to_owned);
-        Some(State { at, reason: Reason::of(reason)?, id, text: dom::stored(&key)?, key })
+        Some(SetAsideState { at, reason: SetAsideReason::of(reason)?, id, text: dom::stored(&key)?, key })
     };
     let keys = dom::stored_keys().into_iter().filter(|key| is_key(key));
-    let mut states: Vec<State> = keys.filter_map(state).collect();
+    let mut states: Vec<SetAsideState> = keys.filter_map(state).collect();
     states.sort_by(|a, b| b.at.total_cmp(&a.at));
     states
 }
 
 /// Sets a state aside, with the id of its project; false where the store has no room for it. The oldest one is removed only after the copy is stored.
-pub(super) fn keep(text: &str, reason: Reason, id: Option<&str>) -> bool {
+pub(super) fn keep(text: &str, reason: SetAsideReason, id: Option<&str>) -> bool {
     let before = list();
     if before.iter().any(|state| state.text == text) {
         return true;
@@ -105,7 +105,7 @@ pub(super) fn is_untouched(project: &Project) -> bool {
 }
 
 /// Sets a project aside, unless it is an untouched example; false where the store has no room for it.
-pub(super) fn keep_project(project: &Project, reason: Reason) -> bool {
+pub(super) fn keep_project(project: &Project, reason: SetAsideReason) -> bool {
     is_untouched(project) || keep(&project.to_json(), reason, project.id.as_deref())
 }
 
@@ -124,36 +124,36 @@ mod tests {
     async fn several_states_are_kept_and_the_oldest_goes_last() {
         let _bench = mount(|| ()).await;
         for at in 0..MOST + 2 {
-            assert!(keep(&named(&at.to_string()), Reason::Replaced, None));
+            assert!(keep(&named(&at.to_string()), SetAsideReason::Replaced, None));
         }
         let names: Vec<_> =
             list().iter().filter_map(|state| Some(Project::from_json(&state.text).project?.name)).collect();
         assert_eq!(names, ["9", "8", "7", "6", "5", "4", "3", "2"]);
-        assert!(keep(&named("5"), Reason::Replaced, None));
+        assert!(keep(&named("5"), SetAsideReason::Replaced, None));
         assert_eq!(list().len(), MOST);
     }
 
     #[wasm_bindgen_test]
     async fn nothing_is_removed_where_there_is_no_room() {
         let _bench = mount(|| ()).await;
-        (0..MOST).for_each(|at| assert!(keep(&named(&at.to_string()), Reason::Replaced, None)));
+        (0..MOST).for_each(|at| assert!(keep(&named(&at.to_string()), SetAsideReason::Replaced, None)));
         let before = list();
-        assert!(!keep(&"x".repeat(12_000_000), Reason::Unread, None));
+        assert!(!keep(&"x".repeat(12_000_000), SetAsideReason::Unread, None));
         assert!(list() == before);
     }
 
     #[wasm_bindgen_test]
     async fn state_keeps_the_id_of_its_project() {
         let _bench = mount(|| ()).await;
-        keep_project(&project().with_id(Some("p1.x".to_owned())), Reason::Replaced);
-        keep("{ not a project", Reason::Unread, None);
+        keep_project(&project().with_id(Some("p1.x".to_owned())), SetAsideReason::Replaced);
+        keep("{ not a project", SetAsideReason::Unread, None);
         let ids: Vec<_> = list().into_iter().map(|state| (state.reason, state.id)).collect();
-        assert_eq!(ids, [(Reason::Unread, None), (Reason::Replaced, Some("p1.x".to_owned()))]);
+        assert_eq!(ids, [(SetAsideReason::Unread, None), (SetAsideReason::Replaced, Some("p1.x".to_owned()))]);
     }
 
     #[wasm_bindgen_test]
     async fn untouched_project_is_not_set_aside() {
         let _bench = mount(|| ()).await;
-        assert!(keep_project(&first_project(), Reason::Replaced) && list().is_empty());
+        assert!(keep_project(&first_project(), SetAsideReason::Replaced) && list().is_empty());
     }
 }

@@ -10,7 +10,7 @@ use crate::ui::dom;
 use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
 use crate::ui::state::notices::Notice;
-use crate::ui::words::{figure, say, t, tell, tone};
+use crate::ui::words::{figure, sentence, sentence_with_hints, t, tone};
 
 /// Characters above which the user is warned that some mail programs cut a link. Our choice.
 const LONG: usize = 2000;
@@ -32,7 +32,7 @@ pub(super) fn forget_link() {
 pub(super) fn notices(linked: &Loaded) -> Vec<Notice> {
     let copy = Notice::new("info", t("page.link-opened").to_owned());
     let found = linked.diagnostics.iter();
-    let found = found.map(|found| Notice::new(tone(found.severity), tell(found)));
+    let found = found.map(|found| Notice::new(tone(found.severity), sentence_with_hints(found)));
     linked.project.is_some().then_some(copy).into_iter().chain(found).collect()
 }
 
@@ -80,7 +80,7 @@ pub(crate) fn ShareDialog() -> impl IntoView {
                 let long = (text.len() > LONG).then(|| view! { <p class="warn">{t("page.link-long")}</p> });
                 view! { <Copied text=text about=LINK /> {long} }.into_any()
             }
-            Err(reason) => view! { <p class="fail">{say(&reason)}</p> }.into_any(),
+            Err(reason) => view! { <p class="fail">{sentence(&reason)}</p> }.into_any(),
         })
     };
     // An `<iframe>` with the project, for a page of another host.
@@ -167,7 +167,7 @@ fn Copied(
     let field: NodeRef<html::Input> = NodeRef::new();
     let said = RwSignal::new("");
     let select = move || field.get_untracked().iter().for_each(|field| field.select());
-    let size = say(&crate::msg!("page.link-length", count = figure(text.len() as f64, 0)));
+    let size = sentence(&crate::msg!("page.link-length", count = figure(text.len() as f64, 0)));
     let to_copy = text.clone();
     let copy = move |_| {
         select();
@@ -175,7 +175,7 @@ fn Copied(
             let words = t(if copied { about.copied } else { "page.link-not-copied" });
             // The dialog may be gone.
             let _ = said.try_set(words);
-            page.notices.say(words);
+            page.notices.announce(words);
         });
     };
     view! {
@@ -198,16 +198,16 @@ mod tests {
     use super::*;
     use crate::machines::form::Value;
     use crate::nc::Files;
-    use crate::ui::testing::{Bench, mount, project, settled};
+    use crate::ui::testing::{ViewBench, mount, project, settled};
 
-    async fn shared(project: Project) -> Bench {
+    async fn shared(project: Project) -> ViewBench {
         let bench = crate::ui::testing::mount_project(project, || view! { <ShareButton /> <ShareDialog /> }).await;
         bench.press("#share").await;
         bench
     }
 
     /// Puts a fragment into the address and opens what it has.
-    async fn opened(bench: &Bench, fragment: &str) {
+    async fn opened(bench: &ViewBench, fragment: &str) {
         window().location().set_hash(fragment).unwrap();
         open(bench.page);
         settled().await;

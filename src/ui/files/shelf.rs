@@ -6,14 +6,14 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 
-use super::set_aside::{self, Reason};
+use super::set_aside::{self, SetAsideReason};
 use crate::msg;
 use crate::project::Project;
 use crate::ui::dom;
 use crate::ui::dom::script::call;
 use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use crate::ui::worker::messages::{OTHER_TAB, ShelfState};
 
 /// Delay after the last change before the project is put on the shelf; until then the browser's other store has it.
@@ -97,9 +97,9 @@ pub(super) async fn states() -> Result<Vec<ShelfState>, String> {
 }
 
 /// Reports that the shelf refuses a project. It is in the browser's other store, so it is not lost.
-pub(super) fn tell(page: Page, reason: &str) {
+pub(super) fn warn_refused(page: Page, reason: &str) {
     if !page.view.kept.is_disposed() {
-        page.notices.notify("warn", say(&msg!("projects.refused", reason)));
+        page.notices.notify("warn", sentence(&msg!("projects.refused", reason)));
     }
 }
 
@@ -108,7 +108,7 @@ pub(super) fn version_before(page: Page, note: &'static str) {
     let before = present(page);
     spawn_local(async move {
         if let Err(reason) = keep_version(&before.id, note, before.text).await {
-            tell(page, &reason);
+            warn_refused(page, &reason);
         }
     });
 }
@@ -117,7 +117,7 @@ pub(super) fn version_before(page: Page, note: &'static str) {
 /// stay there.
 pub(super) async fn take_in(page: Page) -> Result<(), String> {
     for state in set_aside::list() {
-        if state.reason == Reason::Unread || page.view.kept.is_disposed() {
+        if state.reason == SetAsideReason::Unread || page.view.kept.is_disposed() {
             continue;
         }
         let now = present(page);
@@ -128,7 +128,7 @@ pub(super) async fn take_in(page: Page) -> Result<(), String> {
                 // Two tabs give the same state the same id.
                 id: own.map_or_else(|| format!("a{:x}", state.at as u64), str::to_owned),
                 at: state.at,
-                note: if state.reason == Reason::OtherTab { OTHER_TAB.to_owned() } else { String::new() },
+                note: if state.reason == SetAsideReason::OtherTab { OTHER_TAB.to_owned() } else { String::new() },
                 text: state.text.clone(),
                 ..ShelfState::default()
             };
@@ -141,7 +141,7 @@ pub(super) async fn take_in(page: Page) -> Result<(), String> {
 
 /// Sets a replaced project aside, unless it is an untouched example, until the shelf has it; reports a lack of room.
 pub(super) fn leave(page: Page, before: &Project) {
-    if !set_aside::keep_project(before, Reason::Replaced) {
+    if !set_aside::keep_project(before, SetAsideReason::Replaced) {
         page.notices.notify("warn", t("page.aside-full").to_owned());
     }
     take_in_soon(page);
@@ -149,12 +149,12 @@ pub(super) fn leave(page: Page, before: &Project) {
 
 /// Moves the states in the background: after one was set aside, and those that the last visit left.
 pub(super) fn take_in_soon(page: Page) {
-    if set_aside::list().iter().all(|state| state.reason == Reason::Unread) {
+    if set_aside::list().iter().all(|state| state.reason == SetAsideReason::Unread) {
         return;
     }
     spawn_local(async move {
         if let Err(reason) = take_in(page).await {
-            tell(page, &reason);
+            warn_refused(page, &reason);
         }
     });
 }
@@ -168,7 +168,7 @@ pub(super) fn soon(page: Page) {
     let put = move || {
         spawn_local(async move {
             if let Err(reason) = keep_present(page).await {
-                tell(page, &reason);
+                warn_refused(page, &reason);
             }
         });
     };
@@ -240,10 +240,10 @@ mod tests {
     use super::*;
     use crate::machines::form::Value;
     use crate::text::catalog::{self, Language};
-    use crate::ui::testing::{Bench, first_project, mount, mount_project, project};
+    use crate::ui::testing::{ViewBench, first_project, mount, mount_project, project};
     use crate::ui::worker::messages::{BEFORE_PROGRAM, BEFORE_VERSION};
 
-    async fn bench() -> Bench {
+    async fn bench() -> ViewBench {
         pretend::empty();
         mount(|| ()).await
     }
@@ -292,19 +292,19 @@ mod tests {
     #[wasm_bindgen_test]
     async fn states_that_were_set_aside_go_to_the_shelf() {
         let bench = bench().await;
-        set_aside::keep_project(&named("Order 7").with_id(Some("p1".to_owned())), Reason::Replaced);
-        set_aside::keep("{ not a project", Reason::Unread, None);
+        set_aside::keep_project(&named("Order 7").with_id(Some("p1".to_owned())), SetAsideReason::Replaced);
+        set_aside::keep("{ not a project", SetAsideReason::Unread, None);
         take_in(bench.page).await.unwrap();
         let kept = states().await.unwrap();
         assert_eq!((kept.len(), kept[0].id.as_str()), (1, "p1"));
-        assert_eq!(set_aside::list().iter().map(|state| state.reason).collect::<Vec<_>>(), [Reason::Unread]);
+        assert_eq!(set_aside::list().iter().map(|state| state.reason).collect::<Vec<_>>(), [SetAsideReason::Unread]);
     }
 
     #[wasm_bindgen_test]
     async fn state_of_another_tab_never_takes_the_place_of_a_project() {
         let bench = bench().await;
         keep_present(bench.page).await.unwrap();
-        set_aside::keep(&named("Of the other").to_json(), Reason::OtherTab, None);
+        set_aside::keep(&named("Of the other").to_json(), SetAsideReason::OtherTab, None);
         take_in(bench.page).await.unwrap();
         assert_eq!(names().await, ["", "Of the other"]);
     }
@@ -312,7 +312,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn refused_state_stays_where_it_was_set_aside() {
         let bench = bench().await;
-        set_aside::keep_project(&named("Order 7"), Reason::Replaced);
+        set_aside::keep_project(&named("Order 7"), SetAsideReason::Replaced);
         for (fault, reason) in [
             ("QuotaExceededError", "projects.no-room"),
             ("SecurityError", "projects.denied"),
@@ -321,8 +321,8 @@ mod tests {
             let reason = t(reason);
             pretend::refuse(fault);
             let refused = take_in(bench.page).await.unwrap_err();
-            tell(bench.page, &refused);
-            assert!(bench.notices().contains(&say(&msg!("projects.refused", reason))), "{refused}");
+            warn_refused(bench.page, &refused);
+            assert!(bench.notices().contains(&sentence(&msg!("projects.refused", reason))), "{refused}");
             assert_eq!(set_aside::list().len(), 1);
         }
     }

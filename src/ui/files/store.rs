@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{PageTransitionEvent, StorageEvent};
 
-use super::set_aside::{self, Reason};
+use super::set_aside::{self, SetAsideReason};
 use super::share;
 use super::shelf;
 use crate::machines;
@@ -49,7 +49,7 @@ const LEAVES: &str = "leaves";
 const PATIENCE: (f64, f64) = (4000.0, 1000.0);
 
 /// The state of the last visit.
-pub(crate) struct Visit {
+pub(crate) struct LastVisit {
     /// Its project, or a fresh one. `None` only if no machine has a control.
     pub project: Option<Project>,
     /// Notices about it.
@@ -68,7 +68,7 @@ pub(crate) struct Stored {
 }
 
 /// The project of the link that the page was opened with, or the state of the last visit.
-pub(crate) fn load() -> Visit {
+pub(crate) fn load() -> LastVisit {
     match share::linked() {
         Some(linked) => by_link(last_visit(), linked),
         None => last_visit(),
@@ -76,16 +76,16 @@ pub(crate) fn load() -> Visit {
 }
 
 /// Puts the project of a link in the place of the last visit's, which is set aside. An unreadable link changes nothing.
-fn by_link(last: Visit, linked: Loaded) -> Visit {
+fn by_link(last: LastVisit, linked: Loaded) -> LastVisit {
     let mut notices = share::notices(&linked);
     notices.extend(last.notices);
-    let Some(project) = linked.project else { return Visit { notices, ..last } };
-    let aside = last.project.as_ref().is_none_or(|before| set_aside::keep_project(before, Reason::Replaced));
+    let Some(project) = linked.project else { return LastVisit { notices, ..last } };
+    let aside = last.project.as_ref().is_none_or(|before| set_aside::keep_project(before, SetAsideReason::Replaced));
     if !aside {
         notices.push(no_room(last.project.as_ref().map(Project::to_json)));
     }
     let stored = Stored { occupied: last.stored.occupied || !aside, replaced: last.project };
-    Visit { project: Some(project), notices, stored }
+    LastVisit { project: Some(project), notices, stored }
 }
 
 /// Notice that the store has no room to set a state aside, with the state as a file.
@@ -95,19 +95,19 @@ fn no_room(state: Option<String>) -> Notice {
 }
 
 /// The state of the last visit. An unreadable text is set aside; without room for that, it stays.
-fn last_visit() -> Visit {
+fn last_visit() -> LastVisit {
     let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
     let Some(text) = dom::stored(KEY) else {
-        return Visit { project: fresh(), notices: Vec::new(), stored: Stored::default() };
+        return LastVisit { project: fresh(), notices: Vec::new(), stored: Stored::default() };
     };
     let loaded = Project::from_json(&text);
     if let Some(mut project) = loaded.project {
         project.id = dom::stored(ID);
         let notice = |found| Notice::new("warn", with_line(found, &text));
         let notices = loaded.diagnostics.iter().map(notice).collect();
-        return Visit { project: Some(project), notices, stored: Stored::default() };
+        return LastVisit { project: Some(project), notices, stored: Stored::default() };
     }
-    let aside = set_aside::keep(&text, Reason::Unread, None);
+    let aside = set_aside::keep(&text, SetAsideReason::Unread, None);
     if aside {
         dom::forget(KEY);
         dom::forget(STEPS);
@@ -115,7 +115,7 @@ fn last_visit() -> Visit {
     let reason = loaded.diagnostics.first().map(|found| with_line(found, &text)).unwrap_or_default();
     let said = format!("{} {reason}", t(if aside { "page.set-aside" } else { "page.set-aside-full" }));
     let notice = Notice::new("warn", said).with_file(set_aside::FILE, text);
-    Visit { project: fresh(), notices: vec![notice], stored: Stored { occupied: !aside, replaced: None } }
+    LastVisit { project: fresh(), notices: vec![notice], stored: Stored { occupied: !aside, replaced: None } }
 }
 
 /// Stores the project now, then its steps, and notes whether the store had room.
@@ -154,7 +154,7 @@ fn make_room(text: &str) -> bool {
 }
 
 /// Sends a word to the other tabs.
-fn say(word: &str) {
+fn notify_tabs(word: &str) {
     // Only a changed value notifies other tabs.
     dom::store(TABS, &format!("{word} {}", js_sys::Math::random()));
 }
@@ -163,11 +163,11 @@ fn say(word: &str) {
 pub(crate) fn take_over(page: Page) {
     let own = page.project.with_untracked(Project::to_json);
     if let Some(text) = dom::stored(KEY).filter(|text| *text != own)
-        && !set_aside::keep(&text, Reason::OtherTab, None)
+        && !set_aside::keep(&text, SetAsideReason::OtherTab, None)
     {
         page.notices.show(no_room(Some(text)));
     }
-    say(TAKES);
+    notify_tabs(TAKES);
     store_now(page);
     shelf::take_in_soon(page);
     ["page.other-tab", "page.other-tab-open", "page.link-other-tab"]
@@ -181,7 +181,8 @@ pub(super) fn store_before_reload(page: Page) -> bool {
     page.take_typed();
     if page.view.kept.get_untracked() == Kept::Elsewhere {
         let own = page.project.with_untracked(Project::to_json);
-        return dom::stored(KEY).is_some_and(|stored| stored == own) || set_aside::keep(&own, Reason::OtherTab, None);
+        return dom::stored(KEY).is_some_and(|stored| stored == own)
+            || set_aside::keep(&own, SetAsideReason::OtherTab, None);
     }
     store_now(page);
     page.view.kept.get_untracked() == Kept::Yes
@@ -210,7 +211,7 @@ fn follow(page: Page) {
 fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValue<Option<Project>, LocalStorage>) {
     let watches = page.view.kept.get_untracked() == Kept::Elsewhere;
     match (key, value.split(' ').next().unwrap_or_default()) {
-        (TABS, ASKS) if !watches => say(HOLDS),
+        (TABS, ASKS) if !watches => notify_tabs(HOLDS),
         (TABS, HOLDS) if !watches => {
             shown.set_value((!by_link).then(|| page.project.get_untracked()));
             watch(page, if by_link { "page.link-other-tab" } else { "page.other-tab-open" });
@@ -292,7 +293,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
             hear(page, by_link, (&key, &value), shown);
         }
     });
-    say(ASKS);
+    notify_tabs(ASKS);
     // A page that is closed during the delay loses nothing either.
     let hide = move || {
         stepping::keep(page);
@@ -307,13 +308,13 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     dom::hear("pagehide", move |_| {
         hide();
         if !page.view.kept.is_disposed() && page.view.kept.get_untracked() != Kept::Elsewhere {
-            say(LEAVES);
+            notify_tabs(LEAVES);
         }
     });
     // A page restored from the browser's history asks like a new one.
     dom::hear("pageshow", move |event| {
         if event.unchecked_ref::<PageTransitionEvent>().persisted() {
-            say(ASKS);
+            notify_tabs(ASKS);
         }
     });
     dom::hear("visibilitychange", move |_| hide());
@@ -325,7 +326,7 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{Bench, event, first_project, mount, pause, project, settled, until};
+    use crate::ui::testing::{ViewBench, event, first_project, mount, pause, project, settled, until};
 
     async fn stored_soon(page: Page) {
         settled().await;
@@ -339,7 +340,7 @@ mod tests {
         settled().await;
     }
 
-    async fn kept() -> Bench {
+    async fn kept() -> ViewBench {
         let bench = mount(|| ()).await;
         keep(bench.page, Stored::default());
         settled().await;

@@ -145,7 +145,7 @@ mod tests {
 
     use super::super::field::FormField;
     use super::*;
-    use crate::ui::testing::{Bench, event, field, mount, settled};
+    use crate::ui::testing::{ViewBench, event, field, mount, settled};
 
     #[wasm_bindgen_test]
     fn step_is_a_round_part_of_the_number() {
@@ -154,11 +154,11 @@ mod tests {
         assert_eq!(steps.map(|(value, decimals)| step(value, decimals, true)), [2.0, 0.1, 0.01, 1.0, 0.001, 0.01]);
     }
 
-    async fn pitch() -> Bench {
+    async fn pitch() -> ViewBench {
         mount(|| view! { <FormField info=field("pitch") /> }).await
     }
 
-    async fn send(bench: &Bench, selector: &str, kind: &str, x: f64, fine: bool) {
+    async fn send(bench: &ViewBench, selector: &str, kind: &str, x: f64, fine: bool) {
         let members = [("clientX", x.into()), ("shiftKey", fine.into()), ("pointerId", 1.into())];
         bench.find(selector).dispatch_event(&event("PointerEvent", kind, &members)).unwrap();
         settled().await;

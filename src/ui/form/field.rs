@@ -15,7 +15,7 @@ use crate::text::{Severity, headed, units};
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
 use crate::ui::state::Page;
-use crate::ui::words::{t, tell};
+use crate::ui::words::{sentence_with_hints, t};
 
 /// A field with label, unit, error, help and the origin of its value; a product field also with a slider.
 #[component]
@@ -27,11 +27,11 @@ pub(super) fn FormField(
     let id = info.id;
     let wrong = Memo::new(move |_| {
         if let Some(problem) = page.entries.refused(id) {
-            return tell(&problem);
+            return sentence_with_hints(&problem);
         }
         page.results.design.with(|design| {
             let errors = design.diagnostics.iter().filter(|d| d.severity == Severity::Error && d.field == Some(id));
-            errors.map(tell).next().unwrap_or_default()
+            errors.map(sentence_with_hints).next().unwrap_or_default()
         })
     });
     let is_wrong = Signal::derive(move || !wrong.with(String::is_empty));
@@ -201,9 +201,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, InInches, field, mount, settled};
+    use crate::ui::testing::{InInches, ViewBench, field, mount, settled};
 
-    async fn mounted(id: &'static str) -> Bench {
+    async fn mounted(id: &'static str) -> ViewBench {
         mount(move || view! { <FormField info=field(id) /> }).await
     }
 

@@ -125,9 +125,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, InInches, field, mount, settled};
+    use crate::ui::testing::{InInches, ViewBench, field, mount, settled};
 
-    async fn about(id: &'static str) -> Bench {
+    async fn about(id: &'static str) -> ViewBench {
         let bench = mount(|| view! { <FieldHelp /> }).await;
         assert!(bench.text("#about").is_empty());
         bench.page.view.about.set(Some(id));

@@ -84,9 +84,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, field, mount};
+    use crate::ui::testing::{ViewBench, field, mount};
 
-    async fn mounted(answer: fn(&crate::project::Project, Request) -> Option<Response>) -> Bench {
+    async fn mounted(answer: fn(&crate::project::Project, Request) -> Option<Response>) -> ViewBench {
         mount(move || {
             Client::here().answer_here(answer);
             view! { <MeasureFirst /> <input id="heads" /> }

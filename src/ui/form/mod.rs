@@ -18,7 +18,7 @@ use crate::machines::form::{FieldInfo, Provenance};
 use crate::text::number::filled;
 use crate::ui::parts::Later;
 use crate::ui::state::Page;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use field::FormField;
 use measure_first::MeasureFirst;
 
@@ -105,7 +105,7 @@ fn MachineData(
         <details class="data" on:toggle=move |event| open.set(event_target::<web_sys::HtmlDetailsElement>(&event).open())>
             <summary>
                 <b>{t("page.machine-data")}</b>
-                <span class="count">{move || say(&crate::msg!("page.assumed-of", count = count.get().0 as f64, all = count.get().1 as f64))}</span>
+                <span class="count">{move || sentence(&crate::msg!("page.assumed-of", count = count.get().0 as f64, all = count.get().1 as f64))}</span>
             </summary>
             <div class="known" style:--part=known></div>
             <Show when=move || open.get()><MeasureFirst /></Show>
@@ -145,7 +145,7 @@ fn WrongFields() -> impl IntoView {
     let count = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
     let words = move || match page.is_stale() {
         true => t("page.stale").to_owned(),
-        false => say(&crate::msg!("page.refused-values", count = count.get() as u32)),
+        false => sentence(&crate::msg!("page.refused-values", count = count.get() as u32)),
     };
     view! {
         <p class="stale" class:shown=move || { count.get() > 0 }>
@@ -162,9 +162,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
 
-    async fn form() -> Bench {
+    async fn form() -> ViewBench {
         mount(|| view! { <Form /> }).await
     }
 
@@ -185,7 +185,7 @@ mod tests {
         let fields = crate::ui::testing::project().machine.fields();
         let hidden = bench.page.results.hidden.get_untracked();
         let all = fields.iter().filter(|field| field.fact && !hidden.contains(&field.id)).count() as f64;
-        let count = |assumed: f64| say(&crate::msg!("page.assumed-of", count = assumed, all));
+        let count = |assumed: f64| sentence(&crate::msg!("page.assumed-of", count = assumed, all));
         assert_eq!(
             (bench.text(".data > summary .count"), bench.style(".known", "--part")),
             (count(all), "0%".to_owned())
@@ -223,7 +223,7 @@ mod tests {
     async fn impossible_value_is_counted_and_has_results_of_its_own() {
         let bench = form().await;
         bench.type_into("#press-roller-diameter", "150").await;
-        assert!(bench.text(".stale.shown").contains(&say(&crate::msg!("page.refused-values", count = 2_u32))));
+        assert!(bench.text(".stale.shown").contains(&sentence(&crate::msg!("page.refused-values", count = 2_u32))));
         assert!(!untrack(|| bench.page.is_stale()));
     }
 

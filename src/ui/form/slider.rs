@@ -80,9 +80,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, InInches, field, mount, settled, until};
+    use crate::ui::testing::{InInches, ViewBench, field, mount, settled, until};
 
-    async fn mounted() -> Bench {
+    async fn mounted() -> ViewBench {
         mount(|| view! { <Slider info=Arc::new(field("pitch")) /> }).await
     }
 

@@ -12,9 +12,9 @@ use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{ContrastButton, LanguageButtons, LengthsButton, ThemeButton};
 use crate::ui::state::Page;
 use crate::ui::state::stepping::COMMANDS;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{HelpPage, Hit, Request, Response};
+use crate::ui::worker::messages::{HelpPageHtml, Hit, Request, Response};
 
 /// Keys and their effects.
 const KEYS: [(&str, &str); 14] = [
@@ -57,7 +57,7 @@ struct Reading {
     page: Page,
     worker: Client,
     /// The page that is shown; `None` until the worker has answered.
-    shown: RwSignal<Option<HelpPage>>,
+    shown: RwSignal<Option<HelpPageHtml>>,
     /// Whether the worker gives no answer.
     silent: RwSignal<bool>,
     /// Ids of the places before, the last one at the end.
@@ -112,7 +112,7 @@ impl Reading {
         }
         let then = move |response| match response {
             Some(Response::Found(hits)) if self.query.try_get_untracked().as_ref() == Some(&query) => {
-                self.page.notices.say(say(&msg!("help.hits", count = hits.len() as u32)));
+                self.page.notices.announce(sentence(&msg!("help.hits", count = hits.len() as u32)));
                 self.hits.set(hits);
             }
             _ => {}
@@ -202,7 +202,7 @@ pub(super) fn Reader() -> impl IntoView {
 }
 
 /// The pages, the present one marked.
-fn pages(shown: &HelpPage) -> impl IntoView + use<> {
+fn pages(shown: &HelpPageHtml) -> impl IntoView + use<> {
     let row = |(id, title): &(String, String)| {
         let current = (*id == shown.page).then_some("page");
         view! {
@@ -253,7 +253,7 @@ fn Hits(
         }
     };
     let rows = move || reading.hits.get().into_iter().map(row).collect_view();
-    let title = move || say(&msg!("help.hits", count = reading.hits.with(Vec::len) as u32));
+    let title = move || sentence(&msg!("help.hits", count = reading.hits.with(Vec::len) as u32));
     view! {
         <h2 id="help-page-title" class="lead">{title}</h2>
         <ol class="hits">{rows}</ol>
@@ -307,7 +307,7 @@ mod tests {
     use crate::project::help::texts::Texts;
     use crate::text::catalog;
     use crate::ui::help::HelpDialog;
-    use crate::ui::testing::{Bench, mount, mount_project, project, settled};
+    use crate::ui::testing::{ViewBench, mount, mount_project, project, settled};
     use crate::ui::worker::help;
 
     fn focused() -> Option<Element> {
@@ -323,7 +323,7 @@ mod tests {
         }
     }
 
-    async fn opened(id: &str) -> Bench {
+    async fn opened(id: &str) -> ViewBench {
         let bench = mount(|| view! { <HelpDialog /> }).await;
         bench.worker.answer_here(answer);
         bench.page.view.explain(id);

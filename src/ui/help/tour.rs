@@ -99,9 +99,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, mount_project, project, settled};
+    use crate::ui::testing::{ViewBench, mount, mount_project, project, settled};
 
-    async fn page() -> Bench {
+    async fn page() -> ViewBench {
         mount(|| view! { <div class="form"></div><div class="centre"></div><div class="side"></div><Tour /> }).await
     }
 

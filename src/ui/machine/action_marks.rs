@@ -13,7 +13,7 @@ use crate::project::operator::{in_steps, name, time_step};
 use crate::text::number::filled;
 use crate::ui::dom;
 use crate::ui::state::Page;
-use crate::ui::state::operator::{change, event_at, place_after, remove, say_of};
+use crate::ui::state::operator::{announce_action, change, event_at, place_after, remove};
 use crate::ui::words::{clock, t};
 
 /// Pixels before a press is a pull.
@@ -212,7 +212,7 @@ impl State {
     fn put(self, at: usize, seconds: f64, key: &str) {
         let Some(event) = event_at(self.page, at).map(|event| Event { t: seconds, ..event }) else { return };
         if let Some(to) = change(self.page, at, event.clone(), key) {
-            say_of(self.page, &event, |time, action| msg!("operator.at", time, action));
+            announce_action(self.page, &event, |time, action| msg!("operator.at", time, action));
             self.current.update(|current| *current = place_after(*current, (at, to)));
             focus(to);
         }
@@ -272,14 +272,14 @@ mod tests {
 
     use super::*;
     use crate::motion::Action;
-    use crate::ui::testing::{Bench, event, mount, settled};
+    use crate::ui::testing::{ViewBench, event, mount, settled};
 
     fn feed(t: f64, percent: f64) -> Event {
         Event { t, action: Action::FeedOverride(percent) }
     }
 
     /// Three actions on an axis of ten seconds and 500 pixels.
-    async fn marks() -> (Bench, RwSignal<(f64, f64)>) {
+    async fn marks() -> (ViewBench, RwSignal<(f64, f64)>) {
         let axis = RwSignal::new((0.0, 10.0));
         let bench = mount(move || {
             view! { <div style="position:relative;width:500px;height:16px"><ActionMarks axis=axis /></div> }
@@ -290,11 +290,11 @@ mod tests {
         (bench, axis)
     }
 
-    fn times(bench: &Bench) -> Vec<f64> {
+    fn times(bench: &ViewBench) -> Vec<f64> {
         bench.page.project.with_untracked(|project| project.panel.events().iter().map(|event| event.t).collect())
     }
 
-    async fn pointer(bench: &Bench, at: usize, kind: &str, x: f64) {
+    async fn pointer(bench: &ViewBench, at: usize, kind: &str, x: f64) {
         let members = [("clientX", x.into()), ("pointerId", 1.into())];
         bench.find(&format!("#action-mark-{at}")).dispatch_event(&event("PointerEvent", kind, &members)).unwrap();
         settled().await;

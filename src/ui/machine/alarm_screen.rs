@@ -9,7 +9,7 @@ use crate::text::catalog::of_program;
 use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Phrase, Place};
 use crate::ui::state::Page;
 use crate::ui::state::outlook::CycleStart;
-use crate::ui::words::{say, t, tell, value_of};
+use crate::ui::words::{sentence, sentence_with_hints, t, value_of};
 use crate::view::Advice;
 
 /// Content of the screen.
@@ -81,7 +81,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
     let meaning = match alarm.kind {
         DiagnosticKind::ProgramAlarm if at_once => t("page.own-alarm-at-once").to_owned(),
         DiagnosticKind::ProgramAlarm => t("page.own-alarm").to_owned(),
-        _ => tell(alarm),
+        _ => sentence_with_hints(alarm),
     };
     let way_out = match alarm.place {
         Some(_) if at_once => "page.way-value",
@@ -157,7 +157,7 @@ fn Remedy(
     advice: Advice,
 ) -> impl IntoView {
     let page = Page::here();
-    let (words, why) = (advice.button.as_ref().map(say), say(&advice.message));
+    let (words, why) = (advice.button.as_ref().map(sentence), sentence(&advice.message));
     view! {
         <p class="way-out">
             {t("page.way-remedy")} " "
@@ -177,9 +177,9 @@ mod tests {
     use crate::project::Project;
     use crate::text::catalog::{self, Language};
     use crate::ui::state::operator::act;
-    use crate::ui::testing::{Bench, mount, mount_project};
+    use crate::ui::testing::{ViewBench, mount, mount_project};
 
-    async fn screen(control: &str) -> Bench {
+    async fn screen(control: &str) -> ViewBench {
         let project = Project::named("ribbon-line", Some(control), Some("paper")).unwrap();
         let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
         bench.run().await;

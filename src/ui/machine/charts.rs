@@ -7,7 +7,7 @@ use crate::math;
 use crate::text::number::filled;
 use crate::ui::dom;
 use crate::ui::parts::chart_figure;
-use crate::ui::state::player::Moment;
+use crate::ui::state::player::RunMoment;
 use crate::ui::words::{figure, t};
 use crate::view::{Chart, Series};
 
@@ -33,7 +33,7 @@ impl Charts {
 
     /// Shows a moment: draws the chart after a change of plan or axis (some times a second) or of the choice, moves the cursor, and writes
     /// the values some times a second. Returns whether the charts were computed anew.
-    pub(super) fn frame(&mut self, host: &Element, moment: &Moment, chosen: usize) -> bool {
+    pub(super) fn frame(&mut self, host: &Element, moment: &RunMoment, chosen: usize) -> bool {
         let changed = moment.slow && (self.axis != moment.axis || self.plans != Some(moment.plans));
         if changed {
             (self.axis, self.plans) = (moment.axis, Some(moment.plans));

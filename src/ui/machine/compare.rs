@@ -25,7 +25,7 @@ use crate::ui::parts::{Dialog, Glyph, IconButton};
 use crate::ui::state::player::begin;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{clock, say, t};
+use crate::ui::words::{clock, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 
@@ -75,7 +75,7 @@ pub(crate) fn CompareDialog() -> impl IntoView {
     let content = move || {
         let present = page.project.get_untracked();
         let name = if present.name.is_empty() { t("page.untitled") } else { present.name.as_str() };
-        let mut all = vec![(say(&msg!("compare.present", name)), present.clone())];
+        let mut all = vec![(sentence(&msg!("compare.present", name)), present.clone())];
         all.extend(present.each_variant());
         let right = match other.get()? {
             Compared::Variant(at) => at + 1,
@@ -308,7 +308,7 @@ fn Programs(
     let options = move || files.with(|[left, _]| left.0.iter().enumerate().map(option).collect::<Vec<_>>());
     let title = move || {
         let [left, right] = pair.names();
-        say(&msg!("compare.program", left, right))
+        sentence(&msg!("compare.program", left, right))
     };
     Effect::new(move |_| {
         let (at, Some(host)) = (chosen.get(), host.get()) else { return };
@@ -352,11 +352,11 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{Bench, mount, project, settled, until};
+    use crate::ui::testing::{ViewBench, mount, project, settled, until};
     use crate::ui::worker::documents;
 
     /// The dialog on a page whose worker is here.
-    async fn dialog() -> Bench {
+    async fn dialog() -> ViewBench {
         mount(|| {
             Client::here().answer_here(|project, request| match request {
                 Request::Compare(names, text) => Some(Response::Html(documents::compared_with(project, names, &text))),
@@ -368,7 +368,7 @@ mod tests {
     }
 
     /// The comparison with a project of the name "Order 7".
-    async fn compared(change: impl FnOnce(&mut Project)) -> Bench {
+    async fn compared(change: impl FnOnce(&mut Project)) -> ViewBench {
         let mut other = project();
         change(&mut other);
         let bench = dialog().await;
@@ -378,7 +378,7 @@ mod tests {
     }
 
     /// The project "Order 8" of pitch 7 with the variants A of pitch 8 and B of pitch 9, compared with the variant at a place.
-    async fn compared_with_variant(at: usize) -> Bench {
+    async fn compared_with_variant(at: usize) -> ViewBench {
         let bench = dialog().await;
         for pitch in [8.0, 9.0] {
             bench.page.set("pitch", Value::Number(pitch));
@@ -392,12 +392,12 @@ mod tests {
     }
 
     /// The names over the table.
-    fn heads(bench: &Bench) -> Vec<String> {
+    fn heads(bench: &ViewBench) -> Vec<String> {
         bench.all(".compare thead th").iter().skip(1).filter_map(|cell| cell.text_content()).collect()
     }
 
     /// The pitch of both in the table.
-    fn pitches(bench: &Bench) -> Vec<String> {
+    fn pitches(bench: &ViewBench) -> Vec<String> {
         let rows = bench.all(".compare tbody tr");
         let row = rows.iter().find(|row| row.text_content().is_some_and(|text| text.starts_with("Pitch"))).unwrap();
         dom::all(row, "td").iter().filter_map(|cell| cell.text_content()).collect()
@@ -406,11 +406,11 @@ mod tests {
     #[wasm_bindgen_test]
     async fn variant_is_compared_with_the_project_under_its_name() {
         let bench = compared_with_variant(0).await;
-        assert_eq!(heads(&bench), [say(&msg!("compare.present", name = "Order 8")), "A".to_owned()]);
+        assert_eq!(heads(&bench), [sentence(&msg!("compare.present", name = "Order 8")), "A".to_owned()]);
         assert_eq!(pitches(&bench), ["7", "8"]);
         assert_eq!(bench.all(".sides .scene").len(), 2);
         let [left, right] = [heads(&bench)[0].clone(), "A".to_owned()];
-        assert_eq!(bench.text(".compare h3"), say(&msg!("compare.program", left, right)));
+        assert_eq!(bench.text(".compare h3"), sentence(&msg!("compare.program", left, right)));
     }
 
     #[wasm_bindgen_test]

@@ -146,10 +146,10 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, event, mount, until};
+    use crate::ui::testing::{ViewBench, event, mount, until};
     use leptos::wasm_bindgen::JsValue;
 
-    async fn film() -> Bench {
+    async fn film() -> ViewBench {
         let bench = mount(|| view! { <Film /> }).await;
         bench.run().await;
         bench
@@ -198,13 +198,13 @@ mod tests {
     }
 
     /// Ends of the axis, in milliseconds.
-    fn ends(bench: &Bench) -> (f64, f64) {
+    fn ends(bench: &ViewBench) -> (f64, f64) {
         let end = |name| bench.attribute("#head", name).parse::<f64>().unwrap();
         (end("min"), end("max"))
     }
 
     /// An event of the pointer in the middle of the chart.
-    async fn at_middle(bench: &Bench, class: &str, kind: &str, more: &[(&str, JsValue)]) {
+    async fn at_middle(bench: &ViewBench, class: &str, kind: &str, more: &[(&str, JsValue)]) {
         let over = bench.find(".over");
         let area = over.get_bounding_client_rect();
         let mut members = vec![("clientX", (area.left() + 0.5 * area.width()).into()), ("bubbles", true.into())];

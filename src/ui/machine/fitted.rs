@@ -6,12 +6,12 @@ use leptos::prelude::*;
 use super::scene_view::Drawn;
 use crate::ui::dom;
 use crate::ui::dom::turns::in_turn;
-use crate::ui::state::player::Moment;
+use crate::ui::state::player::RunMoment;
 use crate::ui::state::{Page, put};
 
 /// The drawing. A handle: copies share its state.
 #[derive(Clone, Copy)]
-pub(super) struct Fitted {
+pub(super) struct FittedDrawing {
     page: Page,
     /// Its room.
     pub host: NodeRef<html::Div>,
@@ -25,10 +25,10 @@ pub(super) struct Fitted {
     due: StoredValue<bool>,
 }
 
-impl Fitted {
+impl FittedDrawing {
     /// A room without a drawing.
-    pub(super) fn new(page: Page) -> Fitted {
-        let fitted = Fitted {
+    pub(super) fn new(page: Page) -> FittedDrawing {
+        let fitted = FittedDrawing {
             page,
             host: NodeRef::new(),
             drawn: StoredValue::new_local(None),
@@ -60,7 +60,7 @@ impl Fitted {
     }
 
     /// Moves the parts to where they are at a moment.
-    pub(super) fn show(self, moment: &Moment) {
+    pub(super) fn show(self, moment: &RunMoment) {
         let longer = self.drawn.try_update_value(|drawn| {
             let pose = || moment.machine.pose(moment.run, moment.now, moment.frame);
             drawn.as_mut().is_some_and(|drawn| drawn.pose(&pose()))

@@ -9,7 +9,7 @@ use crate::motion::{Milestone, Mode};
 use crate::text::columns;
 use crate::text::number::filled;
 use crate::ui::dom;
-use crate::ui::state::player::Moment;
+use crate::ui::state::player::RunMoment;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{clock, t};
 
@@ -30,7 +30,7 @@ struct Named {
 }
 
 /// The milestones of a moment's plan in the order of time.
-fn milestones(moment: &Moment, control: &Control) -> Vec<Named> {
+fn milestones(moment: &RunMoment, control: &Control) -> Vec<Named> {
     let timeline = moment.run.timeline();
     let named = |(t, milestone): (f64, Milestone)| {
         let (words, weight) = match milestone {
@@ -197,7 +197,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, settled, until};
+    use crate::ui::testing::{ViewBench, mount, settled, until};
 
     fn rows(rows: &[(f64, &str, u8)]) -> Vec<Named> {
         rows.iter().map(|(t, words, weight)| Named { t: *t, words: (*words).to_owned(), weight: *weight }).collect()
@@ -257,7 +257,7 @@ mod tests {
         assert!(titles[first].starts_with(&clock(bench.page.player.head())));
     }
 
-    async fn marks() -> (Bench, RwSignal<(f64, f64)>) {
+    async fn marks() -> (ViewBench, RwSignal<(f64, f64)>) {
         let axis = RwSignal::new((0.0, 10.0));
         (mount(move || view! { <Marks axis=axis /> }).await, axis)
     }

@@ -21,7 +21,7 @@ use crate::ui::parts::input::Choice;
 use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
 use crate::ui::state::operator::{add, change, clear, event_at, place_after, remove};
-use crate::ui::words::{clock, say, t};
+use crate::ui::words::{clock, sentence, t};
 
 /// Pixels of a row, as in the style sheet.
 const ROW: f64 = 40.0;
@@ -153,7 +153,7 @@ fn AddAction(list: List) -> impl IntoView {
         let column = if action.value().is_some() { "value" } else { "time" };
         list.focus(add(page, page.player.now.with_untracked(|now| now.t), action), column);
     };
-    let when = move || say(&msg!("operator.add", time = clock(page.player.now.with(|now| now.t))));
+    let when = move || sentence(&msg!("operator.add", time = clock(page.player.now.with(|now| now.t))));
     view! {
         <div class="add">
             <select id=KIND aria-label=t("operator.to-add") on:change=move |event| chosen.set(event_target_value(&event).parse().unwrap_or_default())>
@@ -222,7 +222,7 @@ fn Row(
     let named = Memo::new(move |_| of_project(|action, project| name(action, project.control)));
     let time =
         Memo::new(move |_| event.with(|event| event.as_ref().map_or_else(String::new, |event| typed_time(event.t))));
-    let about = move |message: fn(String, String) -> Message| say(&message(time.get(), named.get()));
+    let about = move |message: fn(String, String) -> Message| sentence(&message(time.get(), named.get()));
     let set_time = move |event: web_sys::Event| {
         let read = read_time(&event_target_value(&event));
         list.take(&event, at, "time", read.map(|t| move |present: Event| Event { t, ..present }));
@@ -301,7 +301,7 @@ fn Value(
         let read = read_value(&action, &event_target_value(&event), control);
         list.take(&event, at, "value", read.map(|action| move |present: Event| Event { action, ..present }));
     };
-    let label = Signal::derive(move || say(&msg!("operator.value-of", kind = kind.get())));
+    let label = Signal::derive(move || sentence(&msg!("operator.value-of", kind = kind.get())));
     let turn = move |state: String| {
         let turned = event_at(list.page, at).and_then(|present| {
             let action = present.action.with_value(ActionValue::State(state == "1"))?;
@@ -365,7 +365,9 @@ impl List {
         let Some(present) = event_at(self.page, at) else { return };
         let event = match read {
             Ok(new) => new(present.clone()),
-            Err(message) => return self.wrong.set(Some(Wrong { at, column, event: present, told: say(&message) })),
+            Err(message) => {
+                return self.wrong.set(Some(Wrong { at, column, event: present, told: sentence(&message) }));
+            }
         };
         self.wrong.set(None);
         let input: HtmlInputElement = event_target(typed);
@@ -506,13 +508,13 @@ mod tests {
 
     use super::*;
     use crate::motion::Panel;
-    use crate::ui::testing::{Bench, event, mount, settled, until};
+    use crate::ui::testing::{ViewBench, event, mount, settled, until};
 
     fn feed(t: f64, percent: f64) -> Event {
         Event { t, action: Action::FeedOverride(percent) }
     }
 
-    async fn list(events: impl IntoIterator<Item = Event>) -> Bench {
+    async fn list(events: impl IntoIterator<Item = Event>) -> ViewBench {
         let panel = Panel::new(events);
         let bench = mount(|| {
             view! { <div style="height:360px;overflow:hidden;display:grid"><OperatorList /></div> }
@@ -523,12 +525,12 @@ mod tests {
         bench
     }
 
-    async fn three() -> Bench {
+    async fn three() -> ViewBench {
         let hold = Event { t: 6.0, action: Action::SingleBlock(true) };
         list([feed(2.0, 80.0), Event { t: 4.0, action: Action::Hold }, hold]).await
     }
 
-    fn events(bench: &Bench) -> Vec<Event> {
+    fn events(bench: &ViewBench) -> Vec<Event> {
         bench.page.project.with_untracked(|project| project.panel.events().to_vec())
     }
 
@@ -541,7 +543,7 @@ mod tests {
         format!("#action-{at} [data-column={column}]")
     }
 
-    fn focus(bench: &Bench, selector: &str) {
+    fn focus(bench: &ViewBench, selector: &str) {
         bench.find(selector).unchecked_into::<HtmlElement>().focus().unwrap();
     }
 
@@ -668,7 +670,7 @@ mod tests {
         let values: Vec<String> = bench.all("option").iter().filter_map(|option| option.text_content()).collect();
         let reset = values.iter().position(|words| words == t("page.reset")).unwrap();
         bench.choose(&format!("#{KIND}"), &reset.to_string()).await;
-        bench.press_button(&say(&msg!("operator.add", time = clock(3.1234)))).await;
+        bench.press_button(&sentence(&msg!("operator.add", time = clock(3.1234)))).await;
         assert_eq!(events(&bench)[1], Event { t: 3.1234, action: Action::Reset });
         assert_eq!(place(), Some((1, "time".to_owned())));
         bench.page.undo();

@@ -232,9 +232,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, mount_project};
+    use crate::ui::testing::{ViewBench, mount, mount_project};
 
-    async fn panel() -> Bench {
+    async fn panel() -> ViewBench {
         let bench = mount(|| view! { <OperatorPanel /> }).await;
         bench.run().await;
         bench

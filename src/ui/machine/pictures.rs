@@ -12,7 +12,7 @@ use crate::text::catalog::number_text;
 use crate::ui::dom;
 use crate::ui::parts::{Glyph, Icon};
 use crate::ui::state::Page;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 
 /// Pixels of a PNG per pixel of the drawing.
 const FINE: f64 = 2.0;
@@ -51,7 +51,7 @@ pub(super) fn SavePicture() -> impl IntoView {
                         type="button" class="quiet" popovertarget="pictures" popovertargetaction="hide"
                         disabled=move || clip.with(Option::is_some) on:click=record
                     >
-                        {say(&crate::msg!("page.clip", time = clip::SECONDS))}
+                        {sentence(&crate::msg!("page.clip", time = clip::SECONDS))}
                     </button>
                 }
             })}
@@ -106,12 +106,12 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, until};
+    use crate::ui::testing::{ViewBench, mount, until};
 
     const SIGNATURE: [u8; 8] = [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n'];
 
     /// The buttons, with downloads noted in place of the browser's own.
-    async fn buttons() -> Bench {
+    async fn buttons() -> ViewBench {
         let note =
             "window.saved = []; HTMLAnchorElement.prototype.click = function () { window.saved.push(this.download); }";
         js_sys::Function::new_no_args(note).call0(&js_sys::global()).unwrap();
@@ -153,7 +153,7 @@ mod tests {
         if !clip::is_possible() {
             return;
         }
-        let record = say(&crate::msg!("page.clip", time = clip::SECONDS));
+        let record = sentence(&crate::msg!("page.clip", time = clip::SECONDS));
         bench.press_button(&record).await;
         assert!(bench.has(".clip progress"));
         bench.press_button(t("page.cancel")).await;

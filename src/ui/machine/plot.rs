@@ -146,10 +146,10 @@ mod tests {
 
     use super::*;
     use crate::ui::machine::film::Film;
-    use crate::ui::testing::{Bench, event, mount, until};
+    use crate::ui::testing::{ViewBench, event, mount, until};
 
     /// A pointer at a part of the chart's width; `buttons` is 1 for a press.
-    async fn point(bench: &Bench, kind: &str, part: f64, buttons: i32) {
+    async fn point(bench: &ViewBench, kind: &str, part: f64, buttons: i32) {
         let over = bench.find(".over");
         let area = over.get_bounding_client_rect();
         let members = [("clientX", (area.left() + part * area.width()).into()), ("buttons", buttons.into())];
@@ -157,7 +157,7 @@ mod tests {
         bench.drawn().await;
     }
 
-    async fn film() -> Bench {
+    async fn film() -> ViewBench {
         let bench = mount(|| view! { <Film /> }).await;
         bench.run().await;
         bench.choose(".window", "2").await;

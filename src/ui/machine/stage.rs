@@ -7,16 +7,16 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::Element;
 
 use super::alarm_screen::AlarmScreen;
-use super::fitted::Fitted;
+use super::fitted::FittedDrawing;
 use super::notices::NoticeBand;
 use super::pictures::SavePicture;
 use super::scene_view::Drawn;
 use crate::motion::{Mode, RunEnd};
 use crate::ui::dom;
-use crate::ui::parts::scene::{Shown, Still};
+use crate::ui::parts::scene::{Shown, StillDrawing};
 use crate::ui::parts::{Glyph, IconButton, Later};
 use crate::ui::state::Page;
-use crate::ui::words::{end_words, mode_tone, mode_words, say, t};
+use crate::ui::words::{end_words, mode_tone, mode_words, sentence, t};
 
 /// The drawing, moved by the run.
 #[component]
@@ -24,10 +24,10 @@ pub(crate) fn Stage() -> impl IntoView {
     let page = Page::here();
     let player = page.player;
     let section: NodeRef<html::Section> = NodeRef::new();
-    let fitted = Fitted::new(page);
+    let fitted = FittedDrawing::new(page);
     let (host, pans) = (fitted.host, fitted.pans);
     // The still is this drawing, which replaces it in place.
-    let still = StoredValue::new_local(Still::take());
+    let still = StoredValue::new_local(StillDrawing::take());
     Effect::new(move |shown: Option<Shown>| {
         let shown = shown.unwrap_or_default();
         let Some(host) = host.get() else { return shown };
@@ -120,7 +120,7 @@ fn WrongValues() -> impl IntoView {
     let count = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
     let words = move || match page.is_stale() {
         true => t("page.stale-short").to_owned(),
-        false => say(&crate::msg!("page.wrong-values", count = count.get() as u32)),
+        false => sentence(&crate::msg!("page.wrong-values", count = count.get() as u32)),
     };
     view! {
         <button
@@ -178,15 +178,15 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, mount_project};
+    use crate::ui::testing::{ViewBench, mount, mount_project};
 
-    async fn stage() -> Bench {
+    async fn stage() -> ViewBench {
         let bench = mount(|| view! { <Stage /> <input id="heads" /> }).await;
         bench.run().await;
         bench
     }
 
-    fn transforms(bench: &Bench) -> Vec<String> {
+    fn transforms(bench: &ViewBench) -> Vec<String> {
         bench.all("[data-g]").iter().map(|group| group.get_attribute("transform").unwrap_or_default()).collect()
     }
 
@@ -245,7 +245,7 @@ mod tests {
         bench.page.set("heads", crate::machines::form::Value::Number(6.0));
         bench.page.set("press-roller-diameter", crate::machines::form::Value::Number(150.0));
         crate::ui::testing::settled().await;
-        assert_eq!(bench.text(".wrong-values"), say(&crate::msg!("page.wrong-values", count = 2_u32)));
+        assert_eq!(bench.text(".wrong-values"), sentence(&crate::msg!("page.wrong-values", count = 2_u32)));
     }
 
     #[wasm_bindgen_test]
@@ -290,7 +290,7 @@ mod tests {
         bench.seek(3.0).await;
         let stayed = parts.iter().filter(|part| part.is_connected()).count();
         assert!(stayed > parts.len() / 2 && stayed < parts.len(), "{stayed} of {}", parts.len());
-        let drawing = |bench: &Bench| bench.find("svg.scene").inner_html();
+        let drawing = |bench: &ViewBench| bench.find("svg.scene").inner_html();
         let changed = drawing(&bench);
         let project = bench.page.project.get_untracked();
         drop(bench);

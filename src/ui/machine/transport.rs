@@ -126,15 +126,15 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, settled, until};
+    use crate::ui::testing::{ViewBench, mount, settled, until};
 
-    async fn transport() -> Bench {
+    async fn transport() -> ViewBench {
         let bench = mount(|| view! { <Transport /> }).await;
         bench.run().await;
         bench
     }
 
-    async fn shows(bench: &Bench, time: &'static str) {
+    async fn shows(bench: &ViewBench, time: &'static str) {
         let clock = bench.find("#clock");
         until(move || clock.text_content().as_deref() == Some(time)).await;
     }

@@ -82,23 +82,23 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, mount_project, project};
+    use crate::ui::testing::{ViewBench, mount, mount_project, project};
 
     type Choices = [(&'static str, &'static str); 3];
 
     /// Presses a button through all choices: each with its effect and words, the first one last.
-    async fn goes_round(bench: &Bench, class: &str, choices: Choices, effect: fn(&Bench) -> String) {
+    async fn goes_round(bench: &ViewBench, class: &str, choices: Choices, effect: fn(&ViewBench) -> String) {
         for (id, words) in [choices[1], choices[2], choices[0]] {
             bench.press(class).await;
             assert_eq!((effect(bench).as_str(), bench.attribute(class, "aria-label").as_str()), (id, t(words)));
         }
     }
 
-    fn theme(_: &Bench) -> String {
+    fn theme(_: &ViewBench) -> String {
         document().document_element().unwrap().get_attribute("data-theme").unwrap()
     }
 
-    fn media(bench: &Bench) -> String {
+    fn media(bench: &ViewBench) -> String {
         bench.attribute("#contrast", "media")
     }
 

@@ -68,9 +68,9 @@ mod tests {
     use super::*;
     use leptos::wasm_bindgen::JsCast;
 
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
 
-    async fn dialog(open: RwSignal<bool>) -> Bench {
+    async fn dialog(open: RwSignal<bool>) -> ViewBench {
         mount(move || view! { <Dialog id="some-title" title="Title" open=open close=move || open.set(false)><p>"Content"</p></Dialog> }).await
     }
 

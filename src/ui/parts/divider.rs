@@ -93,7 +93,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, mount_project, project};
+    use crate::ui::testing::{ViewBench, mount, mount_project, project};
 
     const KEY: &str = "macroline.width--left";
 
@@ -101,7 +101,7 @@ mod tests {
         view! { <div style:width=width></div><Divider property="--left" label="page.divide-form" grows=1.0 /> }
     }
 
-    async fn divider(width: &'static str) -> Bench {
+    async fn divider(width: &'static str) -> ViewBench {
         mount(move || columns(width)).await
     }
 

@@ -88,9 +88,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
 
-    async fn entry(taken: RwSignal<Vec<String>>, takes: bool) -> Bench {
+    async fn entry(taken: RwSignal<Vec<String>>, takes: bool) -> ViewBench {
         let take = move |text| {
             taken.update(|list| list.push(text));
             takes

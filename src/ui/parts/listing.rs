@@ -6,7 +6,7 @@ use std::fmt::Write;
 use crate::controls::Control;
 use crate::nc::{File, TokenKind, tokens};
 use crate::text::{Diagnostic, FileId, LineIndex, Severity};
-use crate::ui::words::{say, sign, t, tone};
+use crate::ui::words::{sentence, sign, t, tone};
 use crate::ui::worker::messages::SHOWN;
 use crate::view::svg::escape;
 
@@ -40,7 +40,7 @@ pub(crate) fn rows(file: &File, id: FileId, control: &Control, diagnostics: &[Di
         }
         rows.extend(found.iter().take(FINDINGS).map(|(at, diagnostic)| finding(*at, diagnostic)));
         if found.len() > FINDINGS {
-            let more = say(&crate::msg!("page.more-findings", count = (found.len() - FINDINGS) as f64));
+            let more = sentence(&crate::msg!("page.more-findings", count = (found.len() - FINDINGS) as f64));
             rows.push(format!("<li class=\"says info\">{more}</li>"));
         }
         start += line.len() + 1;
@@ -97,7 +97,7 @@ fn words(out: &mut String, text: &str, start: usize, control: &Control, found: &
     let shown = before(text, LONGEST);
     escape(out, shown.get(coloured.len()..).unwrap_or(""));
     if shown.len() < text.len() {
-        let _ = write!(out, " … {}", say(&crate::msg!("page.bytes", count = (text.len() - shown.len()) as f64)));
+        let _ = write!(out, " … {}", sentence(&crate::msg!("page.bytes", count = (text.len() - shown.len()) as f64)));
     }
 }
 
@@ -127,16 +127,16 @@ fn finding(at: usize, diagnostic: &Diagnostic) -> String {
             out.push_str("</q> ");
         }
     }
-    escape(&mut out, &say(&diagnostic.message));
+    escape(&mut out, &sentence(&diagnostic.message));
     for hint in &diagnostic.hints {
         out.push_str(" <em>");
-        escape(&mut out, &say(hint));
+        escape(&mut out, &sentence(hint));
         out.push_str("</em>");
     }
     out.push_str("</p>");
     for (fix, row) in diagnostic.fixes.iter().enumerate() {
         let _ = write!(out, "<button type=\"button\" data-d=\"{at}\" data-fix=\"{fix}\">");
-        escape(&mut out, &say(&row.title));
+        escape(&mut out, &sentence(&row.title));
         out.push_str("</button>");
     }
     if diagnostic.severity != Severity::Error {
@@ -214,6 +214,6 @@ mod tests {
         let found = vec![Diagnostic::warning(crate::msg!("page.not-a-value")).at(place); FINDINGS + 5];
         let html = shown("G01\n", &found);
         assert_eq!(html.matches("says warn").count(), FINDINGS);
-        assert!(html.contains(&say(&crate::msg!("page.more-findings", count = 5.0))), "{html}");
+        assert!(html.contains(&sentence(&crate::msg!("page.more-findings", count = 5.0))), "{html}");
     }
 }

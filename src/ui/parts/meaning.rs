@@ -18,7 +18,7 @@ use crate::project::meaning::{self, Meaning, Table};
 use crate::text::utf16;
 use crate::ui::dom::{self, script::call};
 use crate::ui::state::Page;
-use crate::ui::words::{four_digits, say, t, value_of};
+use crate::ui::words::{four_digits, sentence, t, value_of};
 
 /// Time that the pointer rests on a word before its meaning appears, and time away from it before the meaning disappears.
 const REST: Duration = Duration::from_millis(350);
@@ -192,7 +192,7 @@ impl Shown {
         let found = |editor: Element| self.page.project.with_untracked(|project| of_editor(project, &editor, None));
         let found = editor.and_then(found);
         match &found {
-            Some(word) => self.page.notices.say(word.meaning.sentence()),
+            Some(word) => self.page.notices.announce(word.meaning.sentence()),
             None => self.page.notices.notify("info", t("page.no-meaning").to_owned()),
         }
         self.put(found);
@@ -228,7 +228,7 @@ impl Shown {
         };
         let Some(word) = words.into_iter().nth(to) else { return };
         event.prevent_default();
-        self.page.notices.say(word.meaning.sentence());
+        self.page.notices.announce(word.meaning.sentence());
         self.put(Some(word));
     }
 }
@@ -309,7 +309,7 @@ fn Content(
         let text = live.value.map_or_else(|| value_of(control, None, 3), |value| four_digits(value, 3));
         Some(view! { <span class="hidden">{t("meaning.live")}</span> <b>{text} " "</b> <small>{live.unit}</small> })
     };
-    let says: Vec<_> = meaning.says.iter().map(|message| view! { <p>{say(message)}</p> }).collect();
+    let says: Vec<_> = meaning.says.iter().map(|message| view! { <p>{sentence(message)}</p> }).collect();
     let more = meaning.help().map(|id| {
         let open = move |_| page.view.explain(id.clone());
         view! { <button type="button" class="link" on:click=open>{t("help.more")}</button> }
@@ -329,9 +329,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, event, mount, settled, until};
+    use crate::ui::testing::{ViewBench, event, mount, settled, until};
 
-    async fn page() -> Bench {
+    async fn page() -> ViewBench {
         let bench = mount(|| {
             view! {
                 <ol class="listing" tabindex="0">
@@ -349,16 +349,16 @@ mod tests {
         bench
     }
 
-    fn open(bench: &Bench) -> bool {
+    fn open(bench: &ViewBench) -> bool {
         bench.has("#meaning:popover-open")
     }
 
-    fn word(bench: &Bench) -> String {
+    fn word(bench: &ViewBench) -> String {
         bench.text("#meaning code")
     }
 
     /// Moves the pointer to a part of an element's text, by its characters.
-    fn point(bench: &Bench, selector: &str, kind: &str, at: Option<u32>) {
+    fn point(bench: &ViewBench, selector: &str, kind: &str, at: Option<u32>) {
         let element = bench.find(selector);
         let area = at.and_then(|at| dom::area_of_text(&element, at, at + 1));
         let area = area.unwrap_or_else(|| element.get_bounding_client_rect());
@@ -405,7 +405,7 @@ mod tests {
         let mut seen = Vec::new();
         for key in ["Enter", "ArrowRight", "ArrowRight", "ArrowRight", "ArrowRight", "ArrowLeft"] {
             bench.key(".listing", key, false).await;
-            assert!(bench.page.notices.said.get_untracked().starts_with(&word(&bench)));
+            assert!(bench.page.notices.announcement.get_untracked().starts_with(&word(&bench)));
             seen.push(word(&bench));
         }
         assert_eq!(seen, ["N35", "G1", "X", "#110", "#110", "X"]);
@@ -445,7 +445,7 @@ mod tests {
             tell(at);
             settled().await;
             assert!(open(&bench) && expected.contains(&word(&bench)), "{at}: {}", word(&bench));
-            assert!(bench.page.notices.said.get_untracked().starts_with(&word(&bench)));
+            assert!(bench.page.notices.announcement.get_untracked().starts_with(&word(&bench)));
         }
         bench.key(".editor", "Shift", false).await;
         assert!(open(&bench));
@@ -454,7 +454,7 @@ mod tests {
         tell(15);
         settled().await;
         assert!(!open(&bench));
-        assert_eq!(bench.page.notices.said.get_untracked(), t("page.no-meaning"));
+        assert_eq!(bench.page.notices.announcement.get_untracked(), t("page.no-meaning"));
     }
 
     #[wasm_bindgen_test]

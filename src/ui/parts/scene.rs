@@ -63,19 +63,19 @@ pub(crate) fn fit(picture: &HtmlElement, [_, _, width, height]: [f64; 4], most: 
 /// The still of the page's HTML: the drawing of a fresh project before its start, seen until the page is there. A handle: copies share its
 /// state.
 #[derive(Clone, Copy)]
-pub(crate) struct Still(StoredValue<Option<Element>, LocalStorage>);
+pub(crate) struct StillDrawing(StoredValue<Option<Element>, LocalStorage>);
 
-impl Still {
+impl StillDrawing {
     /// Takes the still out of the page, and hands it to every component below. There is none where the store has a project.
     pub(crate) fn provide() {
         let still = dom::by_id("still");
         let drawing = still.as_ref().and_then(|still| dom::all(still, ".scene").into_iter().next());
         still.iter().for_each(|still| still.remove());
-        provide_context(Still(StoredValue::new_local(drawing)));
+        provide_context(StillDrawing(StoredValue::new_local(drawing)));
     }
 
     /// The drawing, for the first caller.
     pub(crate) fn take() -> Option<Element> {
-        use_context::<Still>()?.0.try_update_value(Option::take).flatten()
+        use_context::<StillDrawing>()?.0.try_update_value(Option::take).flatten()
     }
 }

@@ -4,12 +4,12 @@ use leptos::prelude::*;
 
 use crate::text::number::filled;
 use crate::ui::state::Page;
-use crate::ui::words::{figure, four_digits, limit_sign, limit_text, say, sign, t, verdict_tone, verdict_words};
+use crate::ui::words::{figure, four_digits, limit_sign, limit_text, sentence, sign, t, verdict_tone, verdict_words};
 use crate::view::{Advice, Readout};
 
 /// The advice of a result, or the whole figure.
 fn title(readout: &Readout) -> String {
-    let advice = readout.advice.first().map(|advice| say(&advice.message));
+    let advice = readout.advice.first().map(|advice| sentence(&advice.message));
     advice.unwrap_or_else(|| format!("{} {}", figure(readout.value, readout.decimals), readout.unit))
 }
 
@@ -34,7 +34,7 @@ fn VerdictLine(
         |readout: &Readout| format!("{} {}", verdict_words(readout.verdict), limit_text(readout).unwrap_or_default());
     let repair = move || {
         let advised = |readout: &Readout| {
-            let repair = |advice: &Advice| Some((say(advice.button.as_ref()?), advice.sets.clone()));
+            let repair = |advice: &Advice| Some((sentence(advice.button.as_ref()?), advice.sets.clone()));
             Some((readout.advice.iter().find_map(repair)?, title(readout)))
         };
         shown.with(advised).map(|((words, sets), title)| {
@@ -86,14 +86,14 @@ mod tests {
 
     use super::*;
     use crate::ui::state::view::Tab;
-    use crate::ui::testing::{Bench, InInches, mount, project, settled};
+    use crate::ui::testing::{InInches, ViewBench, mount, project, settled};
     use crate::view::{Limit, Verdict};
 
     fn readout(id: &str) -> Readout {
         project().design().readouts.into_iter().find(|readout| readout.id == id).unwrap()
     }
 
-    async fn line(readout: Readout) -> Bench {
+    async fn line(readout: Readout) -> ViewBench {
         mount(move || view! { <VerdictLines readouts=RwSignal::new(vec![readout.clone()]) /> }).await
     }
 

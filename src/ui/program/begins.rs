@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::msg;
 use crate::ui::state::player::next_begin;
 use crate::ui::state::{Page, stepping};
-use crate::ui::words::{clock, say};
+use crate::ui::words::{clock, sentence};
 
 /// The times of the block at the cursor. Without a block there it is absent.
 #[component]
@@ -22,8 +22,8 @@ pub(super) fn Begins() -> impl IntoView {
             let times = times.as_ref()?;
             let next = next_begin(times, player.now.with(|now| now.t));
             Some(match next {
-                Some(t) => say(&msg!("page.block-begins", count = times.len() as u32, at = clock(t))),
-                None => say(&msg!("page.block-never-begins")),
+                Some(t) => sentence(&msg!("page.block-begins", count = times.len() as u32, at = clock(t))),
+                None => sentence(&msg!("page.block-never-begins")),
             })
         })
     });
@@ -43,10 +43,10 @@ mod tests {
 
     use super::*;
     use crate::text::FileId;
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
 
     /// Sets the cursor to the first line of the first program that has a text.
-    async fn cursor(bench: &Bench, text: &str) {
+    async fn cursor(bench: &ViewBench, text: &str) {
         let found = bench.page.program.written.with_untracked(|written| {
             let line = |text_of: &str| text_of.lines().position(|line| line.contains(text));
             let files = written.files.0.iter().enumerate();

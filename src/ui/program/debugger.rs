@@ -11,7 +11,7 @@ use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
 use crate::ui::state::stepping::{COMMANDS, press, set_point};
 use crate::ui::state::walk::Walk;
-use crate::ui::words::{clock, say, short, t, tell, value_of};
+use crate::ui::words::{clock, sentence, sentence_with_hints, short, t, value_of};
 
 /// Whether the debugger is in use: a stop, a step under way, a watch or a breakpoint.
 fn is_used(walk: &Walk) -> bool {
@@ -24,7 +24,7 @@ pub(super) fn DebuggerBar() -> impl IntoView {
     let page = Page::here();
     let condition = Signal::derive(move || {
         let signs = page.project.with_untracked(|project| project.control.syntax.comparison_signs);
-        say(&crate::msg!("page.walk-condition", example = page.spelled(if signs { "#1<3" } else { "#1 LT 3" })))
+        sentence(&crate::msg!("page.walk-condition", example = page.spelled(if signs { "#1<3" } else { "#1 LT 3" })))
     });
     let button = move |(key, sign, words): (&'static str, &'static str, &'static str)| {
         let words = t(words);
@@ -69,7 +69,9 @@ impl State {
         let stop = walk.stopped();
         let watch = |text: &String| {
             let value = stop.map_or_else(String::new, |debugger| {
-                debugger.evaluate(text).map_or_else(|why| tell(&why), |value| value_of(control, value, 6))
+                debugger
+                    .evaluate(text)
+                    .map_or_else(|why| sentence_with_hints(&why), |value| value_of(control, value, 6))
             });
             (text.clone(), value)
         };
@@ -152,7 +154,7 @@ pub(super) fn Seen() -> impl IntoView {
     };
     let state =
         Memo::new(move |_| walk.with(|walk| page.program.written.with_untracked(|written| State::of(walk, written))));
-    let watch = Signal::derive(move || say(&crate::msg!("page.walk-watch", example = page.spelled("#100*2"))));
+    let watch = Signal::derive(move || sentence(&crate::msg!("page.walk-watch", example = page.spelled("#100*2"))));
     let add = move |text: String| {
         walk.update(|walk| walk.watches.push(text));
         true
@@ -210,15 +212,15 @@ mod tests {
 
     use super::*;
     use crate::text::FileId;
-    use crate::ui::testing::{Bench, mount, settled, until};
+    use crate::ui::testing::{ViewBench, mount, settled, until};
 
-    async fn debugger() -> Bench {
+    async fn debugger() -> ViewBench {
         let bench = mount(|| view! { <DebuggerBar /> <Seen /> }).await;
         bench.run().await;
         bench
     }
 
-    async fn stepped(bench: &Bench, words: &'static str) {
+    async fn stepped(bench: &ViewBench, words: &'static str) {
         bench.press_button(t(words)).await;
         let walk = bench.page.player.walk;
         until(move || walk.with_untracked(|walk| walk.at_stop)).await;

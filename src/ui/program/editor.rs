@@ -18,7 +18,7 @@ use crate::ui::parts::listing::class;
 use crate::ui::parts::phrases::phrases;
 use crate::ui::parts::{Glyph, Icon};
 use crate::ui::state::Page;
-use crate::ui::words::{say, t, tell_alarm, tone};
+use crate::ui::words::{sentence, t, tell_alarm, tone};
 
 use super::{navigation, points};
 
@@ -59,7 +59,7 @@ fn findings(page: Page, at: usize) -> JsValue {
             let Some(place) = diagnostic.place.filter(|place| place.file == FileId(at as u16)) else { continue };
             let Span { start, end } = place.span;
             let text = tell_alarm(diagnostic);
-            let fixes: js_sys::Array = diagnostic.fixes.iter().map(|fix| JsValue::from(say(&fix.title))).collect();
+            let fixes: js_sys::Array = diagnostic.fixes.iter().map(|fix| JsValue::from(sentence(&fix.title))).collect();
             list.push(&object([
                 ("from", units(&file.text, start).into()),
                 ("to", units(&file.text, end).into()),

@@ -122,7 +122,7 @@ pub(super) fn Listing(
         let line = at.saturating_add_signed(step).max(1);
         let Some(row) = rows.with_value(|rows| rows.rows.get(line as usize - 1).cloned()) else { return };
         reveal(&row);
-        page.notices.say(row.text_content().unwrap_or_default());
+        page.notices.announce(row.text_content().unwrap_or_default());
         walk.update(|walk| walk.cursor = Some((file, line)));
     };
     view! {
@@ -152,18 +152,18 @@ mod tests {
 
     use super::*;
     use crate::text::{Diagnostic, Span};
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
 
-    async fn listing() -> Bench {
+    async fn listing() -> ViewBench {
         mount(|| view! { <Listing follow=RwSignal::new(true) /> }).await
     }
 
     /// Numbers of the lines with a class.
-    fn marked(bench: &Bench, class: &str) -> Vec<String> {
+    fn marked(bench: &ViewBench, class: &str) -> Vec<String> {
         bench.all(&format!("li.{class}")).iter().filter_map(|row| row.get_attribute("data-l")).collect()
     }
 
-    fn line(bench: &Bench, number: u32) -> Place {
+    fn line(bench: &ViewBench, number: u32) -> Place {
         let text = bench.page.program.text(0);
         let lines = LineIndex::new(&text);
         let start = lines.start(number);
@@ -205,7 +205,7 @@ mod tests {
             bench.key(".listing", key, false).await;
             assert_eq!(marked(&bench, "cursor"), [at]);
         }
-        assert_eq!(bench.page.notices.said.get_untracked().trim(), bench.text("li[data-l='1']"));
+        assert_eq!(bench.page.notices.announcement.get_untracked().trim(), bench.text("li[data-l='1']"));
     }
 
     #[wasm_bindgen_test]
@@ -241,7 +241,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn change_of_the_form_rewrites_the_lines() {
         let bench = mount(|| view! { <Listing follow=RwSignal::new(true) /> }).await;
-        let found = |bench: &Bench| {
+        let found = |bench: &ViewBench| {
             let files = bench.page.program.written.with_untracked(|written| written.files.0.len());
             (0..files).find(|file| bench.page.program.text(*file).contains("#107=7.25"))
         };

@@ -27,7 +27,7 @@ use crate::ui::state::stepping;
 use crate::ui::state::view::ProgramView;
 use crate::ui::state::walk::Walk;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{counts, say, sign, t, tone};
+use crate::ui::words::{counts, sentence, sign, t, tone};
 use begins::Begins;
 use debugger::{DebuggerBar, Seen};
 use editor::{Difference, Editor};
@@ -127,7 +127,7 @@ fn Found() -> impl IntoView {
                 Severity::Warning => crate::msg!("page.next-warning", count = count as u32),
                 Severity::Info => crate::msg!("page.next-remark", count = count as u32),
             };
-            let title = say(&title);
+            let title = sentence(&title);
             view! {
                 <button type="button" class=format!("quiet {}", tone(severity)) title=title.clone() aria-label=title on:click=move |_| show(severity)>
                     {format!("{} {count}", sign(tone(severity)))}
@@ -143,8 +143,8 @@ fn Found() -> impl IntoView {
         choices.into_iter().find(|(_, count)| *count > 0 && !page.program.pending.get())
     });
     let words = move |(choice, count): (FixChoice, usize)| match choice {
-        FixChoice::Certain => say(&crate::msg!("page.fix-all", count = count as u32)),
-        FixChoice::First => say(&crate::msg!("page.fix-first", count = count as u32)),
+        FixChoice::Certain => sentence(&crate::msg!("page.fix-all", count = count as u32)),
+        FixChoice::First => sentence(&crate::msg!("page.fix-first", count = count as u32)),
     };
     let about = move |(choice, _)| match choice {
         FixChoice::Certain => t("page.fix-all-about"),
@@ -173,7 +173,7 @@ fn Tools(
     let copy = move |_| {
         dom::copy(&page.program.text(page.view.file.get_untracked()), move |copied| {
             if copied {
-                page.notices.say(t("page.copied"));
+                page.notices.announce(t("page.copied"));
             } else {
                 page.notices.notify("warn", t("page.not-copied").to_owned());
             }
@@ -298,9 +298,9 @@ mod tests {
 
     use super::*;
     use crate::text::{Diagnostic, Place, Span};
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
 
-    async fn tab() -> Bench {
+    async fn tab() -> ViewBench {
         mount(|| view! { <ProgramTab /> }).await
     }
 
@@ -404,11 +404,11 @@ mod tests {
         bench.press("[data-fix]").await;
         assert!(bench.page.program.text(0).contains("(fixed)O"));
         assert!(bench.has(".detached"));
-        assert_eq!(bench.page.notices.said.get_untracked(), t("page.mended"));
+        assert_eq!(bench.page.notices.announcement.get_untracked(), t("page.mended"));
     }
 
     /// An error at the first letter of a file, with fixes that put these texts in its place.
-    fn fixable(bench: &Bench, file: u16, fixes: &[&str]) -> Diagnostic {
+    fn fixable(bench: &ViewBench, file: u16, fixes: &[&str]) -> Diagnostic {
         let start = bench.page.program.text(file.into()).find('O').unwrap() as u32;
         let place = Place { file: FileId(file), span: Span { start, end: start + 1 } };
         let found = Diagnostic::error(crate::msg!("page.not-a-value")).at(place);
@@ -422,14 +422,14 @@ mod tests {
             vec![fixable(&bench, 0, &["(a)O"]), fixable(&bench, 1, &["(b)O"]), fixable(&bench, 2, &["(c)O", "(d)O"])];
         bench.page.program.findings.set(found);
         settled().await;
-        assert_eq!(bench.text("#fix-all"), say(&crate::msg!("page.fix-all", count = 2_u32)));
+        assert_eq!(bench.text("#fix-all"), sentence(&crate::msg!("page.fix-all", count = 2_u32)));
         bench.press("#fix-all").await;
         let texts = [0, 1, 2].map(|file| bench.page.program.text(file));
         assert!(texts[0].contains("(a)O") && texts[1].contains("(b)O") && !texts[2].contains("(c)O"));
         bench.page.program.findings.set(vec![fixable(&bench, 2, &["(c)O", "(d)O"])]);
         settled().await;
-        assert_eq!(bench.text("#fix-all"), say(&crate::msg!("page.fix-first", count = 1_u32)));
-        assert_eq!(bench.notices(), [say(&crate::msg!("page.mended-all", count = 2_u32))]);
+        assert_eq!(bench.text("#fix-all"), sentence(&crate::msg!("page.fix-first", count = 1_u32)));
+        assert_eq!(bench.notices(), [sentence(&crate::msg!("page.mended-all", count = 2_u32))]);
         bench.page.undo();
         settled().await;
         assert!(!bench.has(".detached"));

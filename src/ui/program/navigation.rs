@@ -11,7 +11,7 @@ use crate::msg;
 use crate::text::{FileId, LineIndex, Place, utf16};
 use crate::ui::dom::script::{object, set, table};
 use crate::ui::state::Page;
-use crate::ui::words::{say, sign, t, tell_alarm, tone};
+use crate::ui::words::{sentence, sign, t, tell_alarm, tone};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Caret, NamedPlace, Places, Proposals, Request, Response};
 
@@ -134,11 +134,12 @@ impl Navigation {
             if end >= here && chosen.is_none_or(|(nearest, _)| end < nearest) {
                 chosen = Some((end, rows.len()));
             }
-            let line = say(&msg!("page.at-line", file = file.name.as_str(), line = lines.line_of(place.span.start)));
+            let line =
+                sentence(&msg!("page.at-line", file = file.name.as_str(), line = lines.line_of(place.span.start)));
             let name = format!("{} {line}", sign(tone(finding.severity)));
             rows.push(((name, tell_alarm(finding), false), Choice::Show(place)));
             let fixes = finding.fixes.iter().enumerate();
-            rows.extend(fixes.map(|(at, fix)| ((say(&fix.title), String::new(), true), Choice::Fix(number, at))));
+            rows.extend(fixes.map(|(at, fix)| ((sentence(&fix.title), String::new(), true), Choice::Fix(number, at))));
         }
         self.shown("page.findings", "page.no-findings", rows.len(), rows, chosen.map_or(0, |(_, row)| row))
     }
@@ -157,7 +158,7 @@ impl Navigation {
             return JsValue::NULL;
         }
         let title = match count > rows.len() {
-            true => say(&msg!("page.list-cut", title = t(title), shown = rows.len() as u32, all = count as u32)),
+            true => sentence(&msg!("page.list-cut", title = t(title), shown = rows.len() as u32, all = count as u32)),
             false => t(title).to_owned(),
         };
         let (rows, choices): (Vec<Row>, Vec<Choice>) = rows.into_iter().unzip();
@@ -222,7 +223,7 @@ mod tests {
     use crate::project::Project;
     use crate::text::{Diagnostic, Span};
     use crate::ui::dom::script::call;
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
     use crate::ui::worker::editor;
 
     fn answer(project: &Project, request: Request) -> Option<Response> {
@@ -235,7 +236,7 @@ mod tests {
     }
 
     /// A page, and the options of its editor.
-    async fn editor() -> (Bench, JsValue) {
+    async fn editor() -> (ViewBench, JsValue) {
         let options = object([]);
         let given = options.clone();
         let bench = mount(move || add(Page::here(), &given)).await;
@@ -252,7 +253,7 @@ mod tests {
     }
 
     /// UTF-16 units before the end of a text in the first file.
-    fn behind(bench: &Bench, text: &str) -> JsValue {
+    fn behind(bench: &ViewBench, text: &str) -> JsValue {
         let all = bench.page.program.text(0);
         ((all.find(text).unwrap() + text.len()) as u32).into()
     }
@@ -298,7 +299,7 @@ mod tests {
         assert_eq!(rows(call(&options, "list", &[&"uses".into(), &nowhere]).unwrap()).await.len(), 0);
         call(&options, "define", &[&nowhere]).unwrap();
         assert_eq!(bench.page.notices.list.with_untracked(Vec::len), 1);
-        assert_eq!(bench.page.notices.said.get_untracked(), t("page.no-definition"));
+        assert_eq!(bench.page.notices.announcement.get_untracked(), t("page.no-definition"));
         assert_eq!(bench.page.view.sought.get_untracked(), None);
     }
 }

@@ -47,12 +47,12 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, mount_project, settled};
+    use crate::ui::testing::{ViewBench, mount, mount_project, settled};
 
     #[wasm_bindgen_test]
     async fn positions_have_the_axes_of_the_machine_and_the_spindle() {
         let names =
-            |bench: &Bench| -> Vec<_> { bench.all("dt").iter().filter_map(|name| name.text_content()).collect() };
+            |bench: &ViewBench| -> Vec<_> { bench.all("dt").iter().filter_map(|name| name.text_content()).collect() };
         let bench = mount(|| view! { <Now /> }).await;
         bench.run().await;
         // The E60 has Z and A too, the ribbon line has not.

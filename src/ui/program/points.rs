@@ -7,7 +7,7 @@ use leptos::wasm_bindgen::closure::Closure;
 use crate::text::{FileId, LineIndex, Place};
 use crate::ui::dom::script::table;
 use crate::ui::state::{Page, stepping};
-use crate::ui::words::say;
+use crate::ui::words::sentence;
 
 /// Places and conditions of the breakpoints. The debugger changes with every frame of a run, they do not.
 pub(super) fn all(page: Page) -> Memo<Vec<(Place, String)>> {
@@ -41,9 +41,9 @@ pub(super) fn turn(page: Page) -> JsValue {
         }
         let last = || page.player.walk.with_untracked(|walk| walk.points.list().last().and_then(|point| point.place));
         let place = (count() > before).then(last).flatten().and_then(|place| page.place_words(place));
-        page.notices.say(match place {
-            Some(place) => say(&crate::msg!("page.point-set", place)),
-            None => say(&crate::msg!("page.point-removed")),
+        page.notices.announce(match place {
+            Some(place) => sentence(&crate::msg!("page.point-set", place)),
+            None => sentence(&crate::msg!("page.point-removed")),
         });
     };
     Closure::<dyn Fn(JsValue)>::new(turn).into_js_value()
@@ -75,7 +75,7 @@ mod tests {
         };
         turn.call1(&JsValue::NULL, &block.into()).unwrap();
         assert_eq!(lines(), [f64::from(block)]);
-        assert!(page.notices.said.get_untracked().contains(&block.to_string()));
+        assert!(page.notices.announcement.get_untracked().contains(&block.to_string()));
         turn.call1(&JsValue::NULL, &block.into()).unwrap();
         assert_eq!(lines(), [0.0; 0]);
         settled().await;

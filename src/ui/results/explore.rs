@@ -176,15 +176,15 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount_project};
+    use crate::ui::testing::{ViewBench, mount_project};
 
-    async fn explorer() -> Bench {
+    async fn explorer() -> ViewBench {
         let machine = crate::machines::ALL.iter().find(|machine| machine.explores()).unwrap();
         mount_project(Project::of(machine.id(), None).unwrap(), || view! { <ExploreTab /> }).await
     }
 
     /// Another position of the first slider.
-    fn elsewhere(bench: &Bench) -> String {
+    fn elsewhere(bench: &ViewBench) -> String {
         let (value, max) = (bench.value(".slider input"), bench.attribute(".slider input", "max"));
         if value == max { bench.attribute(".slider input", "min") } else { max }
     }

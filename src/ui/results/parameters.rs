@@ -115,7 +115,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
 
     #[wasm_bindgen_test]
     async fn language_of_comments_is_offered_where_the_control_shows_it() {
@@ -135,7 +135,7 @@ mod tests {
         assert_eq!(bench.value(".comments select"), "en");
     }
 
-    async fn parameters() -> Bench {
+    async fn parameters() -> ViewBench {
         mount(|| view! { <ParametersTab /> }).await
     }
 

@@ -6,7 +6,7 @@ use crate::project::origins::assumed_facts;
 use crate::text::{Diagnostic, DiagnosticKind, Message, headed};
 use crate::ui::dom::go_to_field;
 use crate::ui::state::Page;
-use crate::ui::words::{figure, limit_text, say, sign, t, tell, tone, verdict_tone, verdict_words};
+use crate::ui::words::{figure, limit_text, sentence, sentence_with_hints, sign, t, tone, verdict_tone, verdict_words};
 use crate::view::Readout;
 
 /// The results tab.
@@ -41,13 +41,13 @@ fn Remark(
             let message = Message { id: "page.assumed-facts", ..told.message.clone() };
             view! {
                 <details>
-                    <summary>{mark}<span>{say(&message)}</span></summary>
+                    <summary>{mark}<span>{sentence(&message)}</span></summary>
                     <AssumedFields />
                 </details>
             }
             .into_any()
         }
-        _ => view! { <p class="hangs">{mark}<span>{tell(&told)}</span></p> }.into_any(),
+        _ => view! { <p class="hangs">{mark}<span>{sentence_with_hints(&told)}</span></p> }.into_any(),
     };
     view! { <li class=tone>{body}</li> }
 }
@@ -78,7 +78,7 @@ fn Row(
     let formula = (!readout.formula.is_empty())
         .then(|| view! { <p class="formula"><code>{page.spelled(readout.formula.words())}</code></p> });
     let advice = (!readout.advice.is_empty()).then(|| {
-        let rows = readout.advice.iter().map(|advice| view! { <li>{say(&advice.message)}</li> });
+        let rows = readout.advice.iter().map(|advice| view! { <li>{sentence(&advice.message)}</li> });
         view! { <ul>{rows.collect_view()}</ul> }
     });
     view! {
@@ -110,10 +110,10 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled};
     use crate::view::Verdict;
 
-    async fn results() -> Bench {
+    async fn results() -> ViewBench {
         mount(|| view! { <ResultsTab /> <input id="heads" /> }).await
     }
 

@@ -29,7 +29,7 @@ pub(super) fn take(page: Page, key: &str, values: Values) {
     });
     changed.iter().for_each(|field| page.entries.accept(field.id));
     page.edit(key, |project| project.values = values);
-    page.notices.say(t("page.taken"));
+    page.notices.announce(t("page.taken"));
 }
 
 /// Values of the form with those of the clicked row; `None` if the click hit no such row.

@@ -88,9 +88,9 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount};
+    use crate::ui::testing::{ViewBench, mount};
 
-    async fn variables() -> Bench {
+    async fn variables() -> ViewBench {
         let bench = mount(|| view! { <VariablesTab /> }).await;
         bench.run().await;
         bench

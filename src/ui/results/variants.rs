@@ -13,7 +13,7 @@ use crate::project::variant::{MAX_VARIANT_NAME, MAX_VARIANTS, Variant, variant_n
 use crate::ui::dom;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 use crate::view::svg::escape;
@@ -111,7 +111,7 @@ fn asking(page: Page, head: RwSignal<String>, rows: RwSignal<String>, outdated: 
 fn lead_of(variants: usize) -> String {
     match variants {
         0 => t("page.variants-lead").to_owned(),
-        MAX_VARIANTS => say(&msg!("page.variants-full", count = MAX_VARIANTS as u32)),
+        MAX_VARIANTS => sentence(&msg!("page.variants-full", count = MAX_VARIANTS as u32)),
         _ => String::new(),
     }
 }
@@ -138,7 +138,7 @@ fn head_of(variants: &[Variant]) -> String {
         ];
         for (act, about, words) in acts {
             out += &format!("<button type=\"button\" class=\"link\" data-{act}=\"{at}\" aria-label=\"");
-            escape(&mut out, &say(&about));
+            escape(&mut out, &sentence(&about));
             out += &format!("\">{}</button>", t(words));
         }
         out += "</span></th>";
@@ -154,7 +154,7 @@ fn keep(page: Page, name: &str) {
         kept = at.and_then(|at| project.variants.get(at)).map(|variant| variant.name.clone());
     });
     if let Some(name) = kept {
-        page.notices.say(say(&msg!("page.variant-kept", variant = name)));
+        page.notices.announce(sentence(&msg!("page.variant-kept", variant = name)));
     }
 }
 
@@ -170,12 +170,12 @@ fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
         page.entries.invalid.set(Vec::new());
         page.edit("", |project| project.take_variant(at));
         page.entries.show_again();
-        page.notices.say(t("page.taken"));
+        page.notices.announce(t("page.taken"));
     } else if let Some(at) = place("data-compare") {
         page.view.compared.set(Some(Compared::Variant(at)));
     } else if let Some(at) = place("data-remove") {
         page.edit("", |project| project.drop_variant(at));
-        page.notices.say(t("page.variant-removed"));
+        page.notices.announce(t("page.variant-removed"));
         // The button that had the focus is gone.
         if let Some(field) = dom::by_id(NAME) {
             let _ = field.focus();
@@ -190,11 +190,11 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{Bench, mount, settled, until};
+    use crate::ui::testing::{ViewBench, mount, settled, until};
     use crate::ui::worker::documents;
 
     /// The section on a page whose worker is here.
-    async fn section() -> Bench {
+    async fn section() -> ViewBench {
         mount(|| {
             Client::here().answer_here(|project, request| match request {
                 Request::Variants => Some(Response::Html(documents::variants(project))),
@@ -205,7 +205,7 @@ mod tests {
         .await
     }
 
-    fn heads(bench: &Bench) -> Vec<String> {
+    fn heads(bench: &ViewBench) -> Vec<String> {
         bench.all("thead .name").iter().map(|head| head.text_content().unwrap_or_default()).collect()
     }
 
@@ -292,7 +292,7 @@ mod tests {
         assert!(bench.page.view.compared.with_untracked(|compared| matches!(compared, Some(Compared::Variant(0)))));
         assert_eq!(
             bench.attribute("[data-compare]", "aria-label"),
-            say(&msg!("page.variant-compare-about", variant = "A"))
+            sentence(&msg!("page.variant-compare-about", variant = "A"))
         );
     }
 
@@ -331,7 +331,7 @@ mod tests {
             bench.press_button(t("page.variant-keep")).await;
         }
         assert!(bench.has(".keep button[disabled]"));
-        assert_eq!(bench.text(".lead"), say(&msg!("page.variants-full", count = MAX_VARIANTS as u32)));
+        assert_eq!(bench.text(".lead"), sentence(&msg!("page.variants-full", count = MAX_VARIANTS as u32)));
         bench.key("input", "Enter", false).await;
         assert_eq!(heads(&bench).len(), MAX_VARIANTS);
         bench.type_into("input", "L").await;

@@ -3,7 +3,7 @@
 use leptos::prelude::*;
 
 /// A button of a notice: catalog id of its words, and what it does.
-pub(crate) type Offer = (&'static str, Callback<()>);
+pub(crate) type NoticeAction = (&'static str, Callback<()>);
 
 /// A message that stays until it is dismissed.
 #[derive(Debug, Clone)]
@@ -15,7 +15,7 @@ pub(crate) struct Notice {
     /// Attached file: name and content.
     pub file: Option<(&'static str, String)>,
     /// Action that the notice offers.
-    pub offer: Option<Offer>,
+    pub offer: Option<NoticeAction>,
 }
 
 impl Notice {
@@ -36,13 +36,13 @@ pub(crate) struct Notices {
     /// Shown until they are dismissed.
     pub list: RwSignal<Vec<Notice>>,
     /// The last sentence for screen readers.
-    pub said: RwSignal<String>,
+    pub announcement: RwSignal<String>,
 }
 
 impl Notices {
     /// Begins with these.
     pub(crate) fn new(list: Vec<Notice>) -> Notices {
-        Notices { list: RwSignal::new(list), said: RwSignal::new(String::new()) }
+        Notices { list: RwSignal::new(list), announcement: RwSignal::new(String::new()) }
     }
 
     /// Shows a notice.
@@ -52,7 +52,7 @@ impl Notices {
 
     /// Shows a notice with its file and its button.
     pub(crate) fn show(self, shown: Notice) {
-        self.said.set(shown.text.clone());
+        self.announcement.set(shown.text.clone());
         self.list.update(|list| {
             list.retain(|notice| notice.text != shown.text);
             list.push(shown);
@@ -64,9 +64,9 @@ impl Notices {
         self.list.update(|list| list.retain(|notice| notice.text != text));
     }
 
-    /// Says a sentence to screen readers.
-    pub(crate) fn say(self, text: impl Into<String>) {
-        self.said.set(text.into());
+    /// Announces a sentence to screen readers.
+    pub(crate) fn announce(self, text: impl Into<String>) {
+        self.announcement.set(text.into());
     }
 }
 
@@ -84,7 +84,7 @@ mod tests {
         notices.notify("fail", "a".to_owned());
         let list = notices.list.get_untracked();
         assert_eq!(list.iter().map(|notice| notice.text.as_str()).collect::<Vec<_>>(), ["b", "a"]);
-        assert_eq!((list[1].tone, notices.said.get_untracked().as_str()), ("fail", "a"));
+        assert_eq!((list[1].tone, notices.announcement.get_untracked().as_str()), ("fail", "a"));
     }
 
     #[wasm_bindgen_test]

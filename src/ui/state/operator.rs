@@ -11,7 +11,7 @@ use crate::project::run;
 use crate::project::saved::{panel_from_json, with_line};
 use crate::text::{Message, listed};
 use crate::ui::dom;
-use crate::ui::words::{clock, say, short, t, tone, value_of};
+use crate::ui::words::{clock, sentence, short, t, tone, value_of};
 
 /// Machine seconds after an action at which its effect is reported.
 const EFFECT: f64 = 1.0;
@@ -57,7 +57,7 @@ pub(crate) fn add(page: Page, t: f64, action: Action) -> usize {
     let mut at = 0;
     // Rounded so that a time shown by the clock is kept in spite of its last bit.
     let event = Event { t: (t * CLOCK + 1e-6).floor() / CLOCK, action };
-    say_of(page, &event, |time, action| msg!("operator.added", time, action));
+    announce_action(page, &event, |time, action| msg!("operator.added", time, action));
     page.edit("", |project| at = project.panel.add(event));
     at
 }
@@ -65,7 +65,7 @@ pub(crate) fn add(page: Page, t: f64, action: Action) -> usize {
 /// Removes the action at a place of the list.
 pub(crate) fn remove(page: Page, at: usize) {
     if let Some(event) = event_at(page, at) {
-        say_of(page, &event, |time, action| msg!("operator.removed", time, action));
+        announce_action(page, &event, |time, action| msg!("operator.removed", time, action));
     }
     page.edit("", |project| drop(project.panel.remove(at)));
 }
@@ -91,10 +91,10 @@ pub(crate) fn event_at(page: Page, at: usize) -> Option<Event> {
     page.project.with_untracked(|project| project.panel.events().get(at).cloned())
 }
 
-/// Says a sentence about an action, made of its time and name, to screen readers.
-pub(crate) fn say_of(page: Page, event: &Event, sentence: impl FnOnce(String, String) -> Message) {
+/// Announces a message about an action, made of its time and name, to screen readers.
+pub(crate) fn announce_action(page: Page, event: &Event, message: impl FnOnce(String, String) -> Message) {
     let name = page.project.with_untracked(|project| name(&event.action, project.control));
-    page.notices.say(say(&sentence(typed_time(event.t), name)));
+    page.notices.announce(sentence(&message(typed_time(event.t), name)));
 }
 
 /// Place of a list's element after the element at `from` was moved to `to`.
@@ -120,7 +120,7 @@ pub(crate) fn take_files(page: Page, files: &[nc::File]) {
     told.into_iter().for_each(|(tone, text)| page.notices.notify(tone, text));
     if !broken {
         let names = listed(files.iter().map(|file| file.name.clone()));
-        page.notices.notify("info", say(&msg!("operator.taken", files = names, count = events.len() as u32)));
+        page.notices.notify("info", sentence(&msg!("operator.taken", files = names, count = events.len() as u32)));
         page.edit("", |project| project.panel = Panel::new(events));
     }
 }

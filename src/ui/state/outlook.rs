@@ -3,7 +3,7 @@
 use leptos::prelude::*;
 
 use super::player::Player;
-use super::program::Program;
+use super::program::ProgramFiles;
 use crate::motion::{Mode, RunEnd};
 use crate::project::Project;
 use crate::project::remedy::{comes_back, remedy, stops_at_once};
@@ -40,7 +40,7 @@ pub(crate) struct Outlook {
 
 impl Outlook {
     /// Follows a project. A trial run is made only if the run of the page has ended early.
-    pub(crate) fn new(project: RwSignal<Project, LocalStorage>, program: Program, player: Player) -> Outlook {
+    pub(crate) fn new(project: RwSignal<Project, LocalStorage>, program: ProgramFiles, player: Player) -> Outlook {
         let early = Memo::new(move |_| player.ended.with(|end| matches!(end, Some(RunEnd::Alarm(_) | RunEnd::Stop))));
         let stopped = Memo::new(move |_| {
             // Values, control, settings and text all change the program.

@@ -11,7 +11,7 @@ use super::history::History;
 use super::notices::{Notice, Notices};
 use super::outlook::Outlook;
 use super::player::Player;
-use super::program::Program;
+use super::program::ProgramFiles;
 use super::put::put;
 use super::view::{ProgramView, Tab, View};
 use crate::machines::Design;
@@ -24,7 +24,7 @@ use crate::project::dependence::fields_by_result;
 use crate::project::silence::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use crate::view::Scene;
 
 /// Fields by the result that depends on them.
@@ -57,7 +57,7 @@ pub(crate) struct Page {
     /// Results of the machine's formulas.
     pub results: Results,
     /// The program.
-    pub program: Program,
+    pub program: ProgramFiles,
     /// Entries of the form that do not read as values.
     pub entries: Entries,
     /// The run.
@@ -82,7 +82,7 @@ impl Page {
         let prepared = project.prepared();
         let player = Player::new();
         player.take(run, &project, &written);
-        let program = Program::new(written);
+        let program = ProgramFiles::new(written);
         let (machine, control) = (project.machine.id(), project.control.id);
         let project = RwSignal::new_local(project);
         let page = Page {
@@ -195,7 +195,7 @@ impl Page {
         });
         if let Some(files) = mended {
             self.edit("", |project| project.edited = Some(files));
-            self.notices.say(t("page.mended"));
+            self.notices.announce(t("page.mended"));
         }
     }
 
@@ -208,7 +208,7 @@ impl Page {
         let (files, count) = self.project.with_untracked(|project| project.mended(&written.files, &found, choice));
         if count > 0 {
             self.edit("", |project| project.edited = Some(files));
-            self.notices.notify("info", say(&crate::msg!("page.mended-all", count = count as u32)));
+            self.notices.notify("info", sentence(&crate::msg!("page.mended-all", count = count as u32)));
         }
     }
 
@@ -274,7 +274,7 @@ impl Page {
         self.program.written.with(|written| {
             let file = written.files.get(place.file)?;
             let line = LineIndex::new(&file.text).line_of(place.span.start);
-            Some(say(&crate::msg!("page.at-line", file = file.name.as_str(), line)))
+            Some(sentence(&crate::msg!("page.at-line", file = file.name.as_str(), line)))
         })
     }
 
@@ -412,7 +412,7 @@ impl Page {
         });
         entries.iter().for_each(|(id, _)| self.entries.accept(id));
         self.entries.show_again();
-        self.notices.say(t("page.taken"));
+        self.notices.announce(t("page.taken"));
     }
 
     /// Notes where the value of a field comes from.

@@ -52,7 +52,7 @@ const SLOW: f64 = 100.0;
 const DRAGGING: (u32, f64) = (3, 60.0);
 
 /// The run at the play head, as painters get it in each frame.
-pub(crate) struct Moment<'a> {
+pub(crate) struct RunMoment<'a> {
     /// The planned run.
     pub run: &'a Run,
     /// The machine.
@@ -70,7 +70,7 @@ pub(crate) struct Moment<'a> {
 }
 
 /// Writes the moment into the page, past the signals: there are 60 a second.
-type Painter = Box<dyn FnMut(&Moment)>;
+type Painter = Box<dyn FnMut(&RunMoment)>;
 
 /// The run of the page. A handle: copies share its state.
 #[derive(Clone, Copy)]
@@ -278,7 +278,7 @@ impl Player {
     }
 
     /// Adds a painter: it gets every frame from now on.
-    pub(crate) fn paint(self, painter: impl FnMut(&Moment) + 'static) {
+    pub(crate) fn paint(self, painter: impl FnMut(&RunMoment) + 'static) {
         self.painters.update_value(|painters| painters.push(Box::new(painter)));
         self.ask();
     }
@@ -635,7 +635,7 @@ impl Player {
                 timeline.at(state.head.min(timeline.end()))
             });
             let axis = self.axis(now.t, planned.max(state.expected));
-            let moment = Moment { run, machine, now: &now, axis, frame, slow, plans };
+            let moment = RunMoment { run, machine, now: &now, axis, frame, slow, plans };
             self.painters.update_value(|painters| painters.iter_mut().for_each(|paint| paint(&moment)));
             let message = run.timeline().message_at(now.t);
             if self.message.with_untracked(|shown| shown.as_deref() != message) {

@@ -9,7 +9,7 @@ use crate::text::{Diagnostic, Severity};
 
 /// The program. A handle: copies share its state.
 #[derive(Clone, Copy)]
-pub(crate) struct Program {
+pub(crate) struct ProgramFiles {
     /// The files, parsed.
     pub written: RwSignal<Rc<Written>, LocalStorage>,
     /// Whether the text is the user's own, detached from the form.
@@ -26,10 +26,10 @@ pub(crate) struct Program {
     pub typed: StoredValue<Option<(usize, String)>>,
 }
 
-impl Program {
+impl ProgramFiles {
     /// A program without a review yet.
-    pub(crate) fn new(written: Rc<Written>) -> Program {
-        Program {
+    pub(crate) fn new(written: Rc<Written>) -> ProgramFiles {
+        ProgramFiles {
             edited: RwSignal::new(written.edited),
             written: RwSignal::new_local(written),
             findings: RwSignal::new_local(Vec::new()),

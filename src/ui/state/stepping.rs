@@ -14,7 +14,7 @@ use crate::project::breakpoints::Location;
 use crate::project::debug::{Debugger, Goal, Stop};
 use crate::text::{Place, headed};
 use crate::ui::dom;
-use crate::ui::words::{end_words, t, tell};
+use crate::ui::words::{end_words, sentence_with_hints, t};
 
 /// Milliseconds of walking in one slice.
 const SLICE: f64 = 8.0;
@@ -99,7 +99,7 @@ impl Player {
             walk.why = match stop {
                 Stop::Reached => words("page.walk-next", next),
                 Stop::Breakpoint(_) => words("page.walk-breakpoint", next),
-                Stop::Condition(_, why) => words("page.walk-breakpoint", tell(&why)),
+                Stop::Condition(_, why) => words("page.walk-breakpoint", sentence_with_hints(&why)),
                 Stop::Ended(end) => end_words(&end),
             };
         });
@@ -200,7 +200,7 @@ pub(crate) fn set_point(page: Page, condition: Option<&str>) -> bool {
     let mut done = Ok(());
     page.player.walk.update(|walk| done = walk.points.turn(spot, place, condition, &parsed));
     if let Err(why) = &done {
-        page.notices.notify("warn", tell(why));
+        page.notices.notify("warn", sentence_with_hints(why));
     }
     done.is_ok()
 }

@@ -1,6 +1,6 @@
 //! Sheets as HTML for the page, and the documents of an export.
 
-use super::messages::{Documents, Range, ReadParts, Remark, Sheets};
+use super::messages::{ExportDocuments, Range, ReadParts, Remark, Sheets};
 use crate::controls::options::CommentCharacters;
 use crate::project::chance;
 use crate::project::export::ExportOptions;
@@ -11,7 +11,7 @@ use crate::project::size::{size, size_telling};
 use crate::project::variants::compare;
 use crate::project::{Project, encode};
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity, columns};
-use crate::ui::words::{say, sign, t, tell, tone, verdict_tone, verdict_words};
+use crate::ui::words::{sentence, sentence_with_hints, sign, t, tone, verdict_tone, verdict_words};
 use crate::view::svg::escape;
 use crate::view::{Column, Comparison, Row, Sheet, SheetKind, VariantCell, Verdict};
 
@@ -277,13 +277,13 @@ fn today() -> String {
 /// A finding as a sentence; assumed facts are counted, because the results list them by name.
 fn told(found: &Diagnostic) -> String {
     match found.kind {
-        DiagnosticKind::AssumedFacts => say(&Message { id: "page.assumed-facts", ..found.message.clone() }),
-        _ => tell(found),
+        DiagnosticKind::AssumedFacts => sentence(&Message { id: "page.assumed-facts", ..found.message.clone() }),
+        _ => sentence_with_hints(found),
     }
 }
 
 /// The documents of a project's export, with the findings that refuse it or accompany it.
-pub(super) fn documents(project: &Project) -> Documents {
+pub(super) fn documents(project: &Project) -> ExportDocuments {
     let written = project.written();
     let (advice, date, sizing) = (project.advice(&written), today(), size(project, &written));
     let options = ExportOptions { advice: &advice, date: &date, sizing: Some(&sizing) };
@@ -302,7 +302,7 @@ pub(super) fn documents(project: &Project) -> Documents {
         }
         CommentCharacters::Ascii | CommentCharacters::Utf8 => Vec::new(),
     };
-    Documents {
+    ExportDocuments {
         programs,
         files: export.documents().iter().map(|file| (file.name.clone(), file.text.clone())).collect(),
         remarks: export.diagnostics.iter().map(remark).collect(),

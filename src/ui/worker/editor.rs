@@ -7,7 +7,7 @@ use crate::project::completion::{self, ProposalKind};
 use crate::project::meaning::Words;
 use crate::project::program::Written;
 use crate::text::{FileId, LineIndex, Place, utf16};
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 
 /// Rows of a list at most.
 const ROWS: usize = 500;
@@ -48,7 +48,7 @@ impl Lines<'_> {
     fn words(&self, place: Place) -> Option<(String, String)> {
         let (file, lines) = (self.written.files.get(place.file)?, self.files.get(usize::from(place.file.0))?);
         let line = lines.line_of(place.span.start);
-        let name = say(&crate::msg!("page.at-line", file = file.name.as_str(), line));
+        let name = sentence(&crate::msg!("page.at-line", file = file.name.as_str(), line));
         Some((name, lines.line(&file.text, line).trim().to_owned()))
     }
 

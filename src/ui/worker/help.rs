@@ -5,10 +5,10 @@ use std::cell::RefCell;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::messages::{HelpPage, Hit};
+use super::messages::{HelpPageHtml, Hit};
 use crate::machines;
 use crate::project::Project;
-use crate::project::help::content::{HelpEntry, HelpPlace, HelpSection, Page};
+use crate::project::help::content::{HelpEntry, HelpPage, HelpPlace, HelpSection};
 use crate::project::help::texts::{self, Text, Texts};
 use crate::project::help::{Help, explain, pages};
 use crate::text::Grade;
@@ -43,14 +43,14 @@ fn with<T>(project: &Project, texts: &Texts, ask: impl FnOnce(&Help) -> T) -> T 
 }
 
 /// The page with an id: that of a page, section or entry; else that of the present machine. `dark` is the theme of its drawing.
-pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, dark: bool) -> HelpPage {
+pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, dark: bool) -> HelpPageHtml {
     with(project, texts, |help| {
         let own = help.pages.iter().find(|page| page.id == id);
         let place = if own.is_none() { help.find(id) } else { None };
         let page = own.or(place.map(|place| place.page)).or(help.pages.first());
         let mut html = String::new();
         page.iter().for_each(|page| write(&mut html, page, dark));
-        HelpPage {
+        HelpPageHtml {
             page: page.map_or_else(String::new, |page| page.id.to_owned()),
             title: page.map_or_else(String::new, |page| page.title.clone()),
             anchor: place.map_or_else(String::new, |place| anchor(&place.id())),
@@ -83,7 +83,7 @@ fn anchor(id: &str) -> String {
     format!("help-{}", id.split_once('/').map_or(id, |(_, id)| id).replace(' ', "_"))
 }
 
-fn write(out: &mut String, page: &Page, dark: bool) {
+fn write(out: &mut String, page: &HelpPage, dark: bool) {
     open(out, "nav class=\"contents\"", "aria-label", t("help.contents"));
     for section in &page.sections {
         link(out, &format!("{}/{}", page.id, section.id), &section.title);
@@ -107,7 +107,7 @@ fn write(out: &mut String, page: &Page, dark: bool) {
 }
 
 /// The drawing with its numbered parts. It is a picture of its own: its gradients have the names of those on the page. Paper is never dark.
-fn parts(out: &mut String, page: &Page, section: &HelpSection, dark: bool) {
+fn parts(out: &mut String, page: &HelpPage, section: &HelpSection, dark: bool) {
     let Some(machine) = machines::find(page.id) else { return };
     let mut picture = |theme, class| {
         let data = STANDARD.encode(pages::drawing(machine, page.control, theme));

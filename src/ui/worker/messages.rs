@@ -88,9 +88,9 @@ pub(crate) enum Response {
     /// Of [`Request::Flips`]: ids of the fields, the worst first.
     Flips(Vec<String>),
     /// Of [`Request::Export`].
-    Export(Documents),
+    Export(ExportDocuments),
     /// Of [`Request::Help`].
-    Help(HelpPage),
+    Help(HelpPageHtml),
     /// Of [`Request::FindHelp`].
     Found(Vec<Hit>),
     /// Of [`Request::Parts`].
@@ -100,7 +100,7 @@ pub(crate) enum Response {
     /// Of [`Request::Definition`], [`Request::Uses`] and [`Request::Outline`].
     Places(Places),
     /// Of [`Request::Check`].
-    Check(Report),
+    Check(TextReport),
 }
 
 /// A place in the editor.
@@ -261,7 +261,7 @@ pub(crate) struct Sheets {
 
 /// A page of help.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct HelpPage {
+pub(crate) struct HelpPageHtml {
     /// Its id.
     pub page: String,
     /// Its title.
@@ -300,7 +300,7 @@ pub(crate) struct ReadParts {
 
 /// The documents of an export. The page exports the programs that it runs; it has no table of GBK.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct Documents {
+pub(crate) struct ExportDocuments {
     /// Bytes of the programs, in their order, where the control reads them in GBK.
     pub programs: Vec<Vec<u8>>,
     /// Name and text: report, sheets, drawings, the project itself.
@@ -328,7 +328,7 @@ pub(crate) struct Remark {
 
 /// The findings of a large text.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct Report {
+pub(crate) struct TextReport {
     /// Lines of the text.
     pub lines: u32,
     /// Count of findings by severity, as one line.

@@ -9,7 +9,7 @@ use leptos::wasm_bindgen::{JsCast, JsValue, throw_str};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
-use super::messages::{Finding, Question, Reply, Report, Request, Response, SHOWN};
+use super::messages::{Finding, Question, Reply, Request, Response, SHOWN, TextReport};
 use super::{documents, editor, help, pictures, shelf};
 use crate::nc::{self, Files};
 use crate::project::Project;
@@ -18,7 +18,7 @@ use crate::project::sensitivity::Sensitivity;
 use crate::project::silence::silence;
 use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, LineIndex, catalog};
-use crate::ui::words::{counts, sign, t, tell, tone};
+use crate::ui::words::{counts, sentence_with_hints, sign, t, tone};
 
 /// Greatest number of findings in the report of a large text.
 const ROWS: usize = 200;
@@ -132,7 +132,7 @@ async fn read(blob: &Blob, page: &DedicatedWorkerGlobalScope, number: u32) -> St
 }
 
 /// The report of a large text on the project's control.
-fn check(text: String, project: &Project) -> Report {
+fn check(text: String, project: &Project) -> TextReport {
     let lines = LineIndex::new(&text);
     let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
     let head = text.get(..end).unwrap_or_default().to_owned();
@@ -142,10 +142,10 @@ fn check(text: String, project: &Project) -> Report {
     let row = |diagnostic: &Diagnostic| {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
         let alarm = diagnostic.alarm.as_deref().unwrap_or_default();
-        let text = format!("{} {line}: {alarm} {}", t("page.line"), tell(diagnostic));
+        let text = format!("{} {line}: {alarm} {}", t("page.line"), sentence_with_hints(diagnostic));
         (tone(diagnostic.severity).to_owned(), text)
     };
-    Report {
+    TextReport {
         lines: lines.count(),
         counts: counts(&found).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  "),
         head,

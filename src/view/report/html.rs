@@ -49,7 +49,7 @@ impl Page<'_> {
         self.out.push_str(html);
     }
 
-    fn say(&self, id: &'static str) -> &'static str {
+    fn words(&self, id: &'static str) -> &'static str {
         words(id)
     }
 
@@ -66,7 +66,7 @@ impl Page<'_> {
     }
 
     fn title(&mut self, id: &'static str) {
-        self.text("h2", "", self.say(id));
+        self.text("h2", "", self.words(id));
     }
 
     fn list(&mut self, messages: impl IntoIterator<Item = String>) {
@@ -106,7 +106,7 @@ impl Page<'_> {
         }
         self.programs();
         self.title("form.report.open");
-        let open = report.open.iter().map(|open| headed(self.say(open.kind), clauses(&open.facts)));
+        let open = report.open.iter().map(|open| headed(self.words(open.kind), clauses(&open.facts)));
         let open: Vec<_> = open.collect();
         self.list(open);
         self.raw("</main></body></html>\n");
@@ -119,7 +119,7 @@ impl Page<'_> {
         self.frame();
         self.raw("<header><div>");
         self.text("h1", "", &report.title);
-        self.text("p", "dim", self.say("form.report.about"));
+        self.text("p", "dim", self.words("form.report.about"));
         self.raw("</div><b class=\"maker\">macroline</b></header>");
         let conclusion = conclusion(report);
         self.text("p", "conclusion", &conclusion);
@@ -167,7 +167,7 @@ impl Page<'_> {
             self.text("th", "", text);
         }
         for id in columns {
-            self.text("th", "", self.say(id));
+            self.text("th", "", self.words(id));
         }
         self.raw("</tr></thead>");
     }
@@ -181,7 +181,7 @@ impl Page<'_> {
         };
         self.raw(&format!("<tr class=\"{class}\">"));
         self.text("td", "sign", sign);
-        self.text("td", "", self.say(readout.label));
+        self.text("td", "", self.words(readout.label));
         self.text("td", "figure", &four_digits(readout.value, readout.decimals));
         self.text("td", "", readout.unit);
         self.raw("<td>");
@@ -248,7 +248,7 @@ impl Page<'_> {
         ];
         for (columns, label, value) in entries {
             self.raw(&format!("<div class=\"w{columns}\">"));
-            self.text("dt", "", self.say(label));
+            self.text("dt", "", self.words(label));
             self.text("dd", "", if value.is_empty() { "\u{a0}" } else { value });
             self.raw("</div>");
         }
@@ -262,7 +262,7 @@ impl Page<'_> {
         let told = all.filter(|found| found.severity != Severity::Info);
         let mut said: Vec<String> = told.map(|found| sentence(&found.message)).collect();
         for readout in report.readouts.iter().filter(|readout| readout.verdict >= Verdict::Warn) {
-            let label = self.say(readout.label);
+            let label = self.words(readout.label);
             said.extend(readout.advice.iter().map(|advice| headed(label, sentence(&advice.message))));
         }
         if !said.is_empty() {
@@ -291,7 +291,7 @@ impl Page<'_> {
     /// Footer of every sheet after the first, as a rule of the style sheet: title, then number, revision, date and sheet number.
     fn strip(&self) -> String {
         let report = self.report;
-        let named = |id, value: &str| (!value.is_empty()).then(|| format!("{} {value}", self.say(id)));
+        let named = |id, value: &str| (!value.is_empty()).then(|| format!("{} {value}", self.words(id)));
         let above = [
             named("form.report.number", &report.block.number),
             named("form.report.revision", &report.block.revision),
@@ -300,7 +300,7 @@ impl Page<'_> {
         let above: Vec<String> = above.into_iter().flatten().collect();
         let (title, above) = (css_text(&report.title), css_text(&above.join(" · ")));
         let line = if above.is_empty() { "" } else { "\\a " };
-        let sheet = css_text(self.say("form.report.sheet"));
+        let sheet = css_text(self.words("form.report.sheet"));
         format!(
             "@page {{ @bottom-left {{ content: \"{title}\"; }} @bottom-right {{ content: \"{above}{line}{sheet} \" counter(page) \" / \" counter(pages); }} }}\n"
         )
@@ -313,7 +313,7 @@ impl Page<'_> {
             return;
         }
         self.title("form.report.run");
-        let figures = report.run.figures.iter().map(|row| headed(self.say(row.label), row.shown()));
+        let figures = report.run.figures.iter().map(|row| headed(self.words(row.label), row.shown()));
         let figures: Vec<_> = figures.collect();
         self.list(figures);
         for chart in &report.run.charts {
@@ -323,10 +323,10 @@ impl Page<'_> {
 
     fn chart(&mut self, chart: &Chart) {
         self.raw("<figure class=\"chart\"><figcaption>");
-        self.text("b", "", self.say(chart.title));
+        self.text("b", "", self.words(chart.title));
         self.text("span", "dim", &format!(" {}", chart.unit));
         for line in &chart.series {
-            self.text("span", &format!("tone tone-{}", line.tone), self.say(line.label));
+            self.text("span", &format!("tone tone-{}", line.tone), self.words(line.label));
         }
         self.raw("</figcaption>");
         self.raw(&plot::svg(chart));
@@ -367,14 +367,14 @@ impl Page<'_> {
         self.title("variants.title");
         let groups = comparison.differences();
         if groups.is_empty() {
-            self.text("p", "", self.say("variants.same"));
+            self.text("p", "", self.words("variants.same"));
             return;
         }
         let kept: Vec<usize> = (1..comparison.names.len()).collect();
         for beside in kept.chunks(BESIDE) {
             let shown: Vec<usize> = [0].iter().chain(beside).copied().collect();
             self.raw("<table class=\"compared\"><thead><tr>");
-            self.text("th", "", self.say("variants.row"));
+            self.text("th", "", self.words("variants.row"));
             shown.iter().filter_map(|at| comparison.names.get(*at)).for_each(|name| self.text("th", "", name));
             self.raw("</tr></thead>");
             for (title, rows) in &groups {
@@ -383,7 +383,7 @@ impl Page<'_> {
                     continue;
                 }
                 self.raw(&format!("<tr><th colspan=\"{}\">", shown.len() + 1));
-                let title = self.say(title);
+                let title = self.words(title);
                 escape(&mut self.out, title);
                 self.raw("</th></tr>");
                 rows.for_each(|row| self.compared(row, &shown));

@@ -11,7 +11,7 @@ use macroline::project::silence::silence;
 use macroline::text::{Diagnostic, FileId};
 
 use super::convert::Lines;
-use super::setup::Setup;
+use super::setup::ControlSetup;
 use super::wire::MOST;
 use crate::input;
 
@@ -19,7 +19,7 @@ use crate::input;
 pub(super) struct Programs {
     /// Address of each file.
     pub(super) addresses: Vec<Url>,
-    pub(super) setup: Setup,
+    pub(super) setup: ControlSetup,
     pub(super) parsed: Rc<Parsed>,
     pub(super) found: Vec<Diagnostic>,
 }
@@ -52,17 +52,17 @@ struct Folder {
     /// Programs on the disk, read when a file is opened, saved or closed; an open text counts in place of its file.
     beside: BTreeMap<Url, String>,
     /// Settings of the folder's project file, read when a file is opened or saved.
-    own: Option<Setup>,
+    own: Option<ControlSetup>,
     /// The programs, read when they are first asked for after a change; `None` inside where no control is known.
     read: Option<Option<Programs>>,
 }
 
 /// All open files, by the addresses of their folders.
 #[derive(Default)]
-pub(super) struct Documents {
+pub(super) struct OpenDocuments {
     folders: BTreeMap<String, Folder>,
     /// The control that the command line or the editor's settings name, for all folders.
-    asked: Option<Setup>,
+    asked: Option<ControlSetup>,
 }
 
 /// The folder of a file; an address without folders is one of its own.
@@ -77,9 +77,9 @@ fn name(address: &Url) -> String {
     name.unwrap_or_else(|| address.path().rsplit('/').next().unwrap_or_default().to_owned())
 }
 
-impl Documents {
+impl OpenDocuments {
     /// Reads all programs again, for this control or for those of their folders.
-    pub(super) fn ask(&mut self, setup: Option<Setup>) {
+    pub(super) fn ask(&mut self, setup: Option<ControlSetup>) {
         self.asked = setup;
         self.folders.values_mut().for_each(|folder| folder.read = None);
     }
@@ -96,7 +96,7 @@ impl Documents {
         let Some(folder) = self.folders.get_mut(&folder(address)) else { return };
         let path = address.to_file_path().ok();
         let parent = path.as_deref().and_then(Path::parent);
-        folder.own = parent.and_then(Setup::of_folder);
+        folder.own = parent.and_then(ControlSetup::of_folder);
         folder.beside = parent.map(programs_of).unwrap_or_default();
         folder.read = None;
     }
@@ -178,12 +178,16 @@ fn programs_of(folder: &Path) -> BTreeMap<Url, String> {
 
 /// Reads the programs of a folder; `None` where no control is known. One on the disk that has the name of an open one but for its ending is
 /// left out: it is another state of that program.
-fn read(open: &BTreeMap<Url, String>, beside: &BTreeMap<Url, String>, setup: Option<&Setup>) -> Option<Programs> {
+fn read(
+    open: &BTreeMap<Url, String>,
+    beside: &BTreeMap<Url, String>,
+    setup: Option<&ControlSetup>,
+) -> Option<Programs> {
     let stem = |address: &Url| name(address).split('.').next().unwrap_or_default().to_uppercase();
     let stems: BTreeSet<String> = open.keys().map(stem).collect();
     let beside = beside.iter().filter(|(address, _)| !stems.contains(&stem(address)));
     let texts: Vec<(&Url, &String)> = open.iter().chain(beside).take(usize::from(u16::MAX)).collect();
-    let setup = setup.cloned().or_else(|| texts.iter().find_map(|(_, text)| Setup::of_program(text)))?;
+    let setup = setup.cloned().or_else(|| texts.iter().find_map(|(_, text)| ControlSetup::of_program(text)))?;
     let files = texts.iter().map(|(address, text)| File { name: name(address), text: (*text).clone() });
     let parsed = Rc::new(nc::parse_with(&Files(files.collect()), setup.control, &setup.switches));
     let mut found = review(&parsed, None, &setup.set_by_operator());

@@ -13,9 +13,9 @@ use std::path::Path;
 
 use crate::input;
 use crate::output::Failure;
-use server::{Server, State};
-use setup::Setup;
-use wire::Frame;
+use server::{Server, SessionPhase};
+use setup::ControlSetup;
+use wire::MessageRead;
 
 /// Serves one client until it ends. Control, project, switches and silenced warnings are those of the command line.
 pub(crate) fn serve(
@@ -24,21 +24,21 @@ pub(crate) fn serve(
     switches: &[String],
     silenced: &[String],
 ) -> Result<(), Failure> {
-    let mut server = Server::new(Setup::asked(id, project, &input::choices(switches, silenced)?)?);
+    let mut server = Server::new(ControlSetup::asked(id, project, &input::choices(switches, silenced)?)?);
     let (mut input, mut output) = (BufReader::new(io::stdin().lock()), io::stdout().lock());
     loop {
         match wire::read(&mut input)? {
-            Frame::Message(message) => server.take(message),
-            Frame::Malformed(why) => wire::write_refusal(&mut output, &why)?,
-            Frame::End => return Err(Failure::Told),
+            MessageRead::Message(message) => server.take(message),
+            MessageRead::Malformed(why) => wire::write_refusal(&mut output, &why)?,
+            MessageRead::End => return Err(Failure::Told),
         }
         for message in server.sends() {
             message.write(&mut output)?;
         }
         output.flush()?;
-        match server.state() {
-            State::Ended { after_shutdown: true } => return Ok(()),
-            State::Ended { after_shutdown: false } => return Err(Failure::Told),
+        match server.phase() {
+            SessionPhase::Ended { after_shutdown: true } => return Ok(()),
+            SessionPhase::Ended { after_shutdown: false } => return Err(Failure::Told),
             _ => {}
         }
     }

@@ -25,9 +25,9 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 
-use super::documents::{Documents, Programs};
+use super::documents::{OpenDocuments, Programs};
 use super::findings::{FIX_ALL, remark};
-use super::setup::Setup;
+use super::setup::ControlSetup;
 use crate::language::speak_as_client;
 use crate::output::Failure;
 
@@ -36,7 +36,7 @@ const NAME: &str = "macroline";
 
 /// Phase of a session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum State {
+pub(super) enum SessionPhase {
     /// The client has not introduced itself.
     Begins,
     /// Requests are answered.
@@ -55,8 +55,8 @@ type Refusal = (ErrorCode, String);
 
 /// One session with a client.
 pub(super) struct Server {
-    state: State,
-    documents: Documents,
+    phase: SessionPhase,
+    documents: OpenDocuments,
     /// Control of the command line: the editor's settings change nothing then.
     fixed: bool,
     /// The client shows what belongs to a diagnostic apart from its message.
@@ -71,12 +71,12 @@ pub(super) struct Server {
 
 impl Server {
     /// A session with the control that the command line names.
-    pub(super) fn new(asked: Option<Setup>) -> Server {
+    pub(super) fn new(asked: Option<ControlSetup>) -> Server {
         let fixed = asked.is_some();
-        let mut documents = Documents::default();
+        let mut documents = OpenDocuments::default();
         documents.ask(asked);
         Server {
-            state: State::Begins,
+            phase: SessionPhase::Begins,
             documents,
             fixed,
             related: false,
@@ -87,8 +87,8 @@ impl Server {
     }
 
     /// Phase of the session.
-    pub(super) fn state(&self) -> State {
-        self.state
+    pub(super) fn phase(&self) -> SessionPhase {
+        self.phase
     }
 
     /// Messages for the client since the last call, with the diagnostics of the changed files.
@@ -118,17 +118,19 @@ impl Server {
     /// The result of a request.
     fn answer(&mut self, request: Request) -> Result<Json, Refusal> {
         let Request { method, params, .. } = request;
-        match (self.state, method.as_str()) {
-            (State::Begins, Initialize::METHOD) => return with(params, |params| self.begin(params)),
-            (State::Begins, _) => return Err((ErrorCode::ServerNotInitialized, sentence(&msg!("lsp.not-begun")))),
-            (State::Serves, Initialize::METHOD) | (State::ShutDown | State::Ended { .. }, _) => {
+        match (self.phase, method.as_str()) {
+            (SessionPhase::Begins, Initialize::METHOD) => return with(params, |params| self.begin(params)),
+            (SessionPhase::Begins, _) => {
+                return Err((ErrorCode::ServerNotInitialized, sentence(&msg!("lsp.not-begun"))));
+            }
+            (SessionPhase::Serves, Initialize::METHOD) | (SessionPhase::ShutDown | SessionPhase::Ended { .. }, _) => {
                 return Err((ErrorCode::InvalidRequest, sentence(&msg!("lsp.not-now", method))));
             }
-            (State::Serves, Shutdown::METHOD) => {
-                self.state = State::ShutDown;
+            (SessionPhase::Serves, Shutdown::METHOD) => {
+                self.phase = SessionPhase::ShutDown;
                 return Ok(Json::Null);
             }
-            (State::Serves, _) => {}
+            (SessionPhase::Serves, _) => {}
         }
         let related = self.related;
         match method.as_str() {
@@ -183,7 +185,7 @@ impl Server {
 
     /// The client introduces itself.
     fn begin(&mut self, params: InitializeParams) -> InitializeResult {
-        self.state = State::Serves;
+        self.phase = SessionPhase::Serves;
         params.locale.as_deref().iter().for_each(|locale| speak_as_client(locale));
         let shown = params.capabilities.text_document.and_then(|text| text.publish_diagnostics);
         self.related = shown.and_then(|shown| shown.related_information).unwrap_or(false);
@@ -222,23 +224,29 @@ impl Server {
     /// Takes what needs no answer. What does not read is passed over, as the protocol has it.
     fn note(&mut self, notification: Notification) {
         let Notification { method, params } = notification;
-        match (method.as_str(), self.state) {
-            (Exit::METHOD, state) => self.state = State::Ended { after_shutdown: state == State::ShutDown },
-            (Initialized::METHOD, State::Serves) => self.ask_settings(),
-            (DidOpenTextDocument::METHOD, State::Serves) => note(params, |params: DidOpenTextDocumentParams| {
+        match (method.as_str(), self.phase) {
+            (Exit::METHOD, phase) => {
+                self.phase = SessionPhase::Ended { after_shutdown: phase == SessionPhase::ShutDown }
+            }
+            (Initialized::METHOD, SessionPhase::Serves) => self.ask_settings(),
+            (DidOpenTextDocument::METHOD, SessionPhase::Serves) => note(params, |params: DidOpenTextDocumentParams| {
                 self.documents.open(params.text_document.uri, params.text_document.text);
             }),
-            (DidChangeTextDocument::METHOD, State::Serves) => note(params, |params: DidChangeTextDocumentParams| {
-                self.documents.change(&params.text_document.uri, params.content_changes);
-            }),
-            (DidSaveTextDocument::METHOD, State::Serves) => note(params, |params: DidSaveTextDocumentParams| {
+            (DidChangeTextDocument::METHOD, SessionPhase::Serves) => {
+                note(params, |params: DidChangeTextDocumentParams| {
+                    self.documents.change(&params.text_document.uri, params.content_changes);
+                })
+            }
+            (DidSaveTextDocument::METHOD, SessionPhase::Serves) => note(params, |params: DidSaveTextDocumentParams| {
                 self.documents.saved(&params.text_document.uri);
             }),
-            (DidCloseTextDocument::METHOD, State::Serves) => note(params, |params: DidCloseTextDocumentParams| {
-                self.documents.close(&params.text_document.uri);
-                self.show(params.text_document.uri, Vec::new());
-            }),
-            (DidChangeConfiguration::METHOD, State::Serves) => {
+            (DidCloseTextDocument::METHOD, SessionPhase::Serves) => {
+                note(params, |params: DidCloseTextDocumentParams| {
+                    self.documents.close(&params.text_document.uri);
+                    self.show(params.text_document.uri, Vec::new());
+                })
+            }
+            (DidChangeConfiguration::METHOD, SessionPhase::Serves) => {
                 note(params, |params: DidChangeConfigurationParams| match params.settings.get(NAME) {
                     Some(settings) => self.settings(settings),
                     None => self.ask_settings(),
@@ -272,7 +280,7 @@ impl Server {
         if self.fixed {
             return;
         }
-        match Setup::of_settings(settings) {
+        match ControlSetup::of_settings(settings) {
             Ok(setup) => self.documents.ask(setup),
             Err(failure) => {
                 let message = match failure {

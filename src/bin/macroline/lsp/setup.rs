@@ -20,7 +20,7 @@ const PROJECT: &str = "project.json";
 
 /// A control with its settings, and the machine where there is one.
 #[derive(Clone)]
-pub(super) struct Setup {
+pub(super) struct ControlSetup {
     pub(super) control: &'static Control,
     pub(super) switches: Switches,
     /// Ids of warnings that are left out.
@@ -28,12 +28,16 @@ pub(super) struct Setup {
     project: Option<Project>,
 }
 
-impl Setup {
+impl ControlSetup {
     /// Setup from the ids and the project file of the command line; `None` if neither is named.
-    pub(super) fn asked(id: Option<&str>, project: Option<&Path>, choices: &Choices) -> Result<Option<Setup>, Failure> {
+    pub(super) fn asked(
+        id: Option<&str>,
+        project: Option<&Path>,
+        choices: &Choices,
+    ) -> Result<Option<ControlSetup>, Failure> {
         let usage = |message: Message| Failure::usage(&message);
         let mut setup = match (id, project) {
-            (Some(id), _) => Setup {
+            (Some(id), _) => ControlSetup {
                 control: control(id).map_err(usage)?,
                 switches: Switches::default(),
                 silenced: Vec::new(),
@@ -41,7 +45,7 @@ impl Setup {
             },
             (None, Some(path)) => {
                 let (project, file) = input::project(path)?;
-                Setup::of(project.ok_or_else(|| refuse(&[file], false))?)
+                ControlSetup::of(project.ok_or_else(|| refuse(&[file], false))?)
             }
             (None, None) => return Ok(None),
         };
@@ -54,29 +58,29 @@ impl Setup {
     }
 
     /// Setup from the settings of an editor: `control`, `project`, `switches`, `silence`.
-    pub(super) fn of_settings(settings: &Json) -> Result<Option<Setup>, Failure> {
+    pub(super) fn of_settings(settings: &Json) -> Result<Option<ControlSetup>, Failure> {
         let text = |name: &str| settings.get(name).and_then(Json::as_str).filter(|text| !text.is_empty());
         let switches = settings.get("switches").and_then(Json::as_object).into_iter().flatten();
         let switches = switches.filter_map(|(id, value)| Some((id.clone(), value.as_str()?.to_owned()))).collect();
         let silenced = settings.get("silence").and_then(Json::as_array).into_iter().flatten();
         let silenced = silenced.filter_map(|id| Some(id.as_str()?.to_owned())).collect();
-        Setup::asked(text("control"), text("project").map(Path::new), &Choices { switches, silenced })
+        ControlSetup::asked(text("control"), text("project").map(Path::new), &Choices { switches, silenced })
     }
 
     /// The project file of a folder.
-    pub(super) fn of_folder(folder: &Path) -> Option<Setup> {
+    pub(super) fn of_folder(folder: &Path) -> Option<ControlSetup> {
         let path = folder.join(PROJECT);
         let file = path.is_file().then(|| input::project(&path).ok())?;
-        Some(Setup::of(file?.0?))
+        Some(ControlSetup::of(file?.0?))
     }
 
     /// Setup from the project in the header comment of a program that macroline wrote.
-    pub(super) fn of_program(text: &str) -> Option<Setup> {
-        restored(text).map(Setup::of)
+    pub(super) fn of_program(text: &str) -> Option<ControlSetup> {
+        restored(text).map(ControlSetup::of)
     }
 
-    fn of(project: Project) -> Setup {
-        Setup {
+    fn of(project: Project) -> ControlSetup {
+        ControlSetup {
             control: project.control,
             switches: project.switches.clone(),
             silenced: project.silenced.clone(),

@@ -16,7 +16,7 @@ const HEADER: u64 = 4096;
 const LENGTH: &str = "content-length:";
 
 /// Next message of the input, or why there is none.
-pub(super) enum Frame {
+pub(super) enum MessageRead {
     /// A message.
     Message(Message),
     /// No message of the protocol, and why; the next one may be.
@@ -26,13 +26,13 @@ pub(super) enum Frame {
 }
 
 /// Reads the next message. Lines that are no header are passed over, so that a wrong length costs the messages around it alone.
-pub(super) fn read(input: &mut impl BufRead) -> io::Result<Frame> {
+pub(super) fn read(input: &mut impl BufRead) -> io::Result<MessageRead> {
     let mut length = None;
     let mut line = Vec::new();
     loop {
         line.clear();
         if input.by_ref().take(HEADER).read_until(b'\n', &mut line)? == 0 {
-            return Ok(Frame::End);
+            return Ok(MessageRead::End);
         }
         let header = String::from_utf8_lossy(&line).trim().to_ascii_lowercase();
         match (header.as_str(), length) {
@@ -46,20 +46,20 @@ pub(super) fn read(input: &mut impl BufRead) -> io::Result<Frame> {
 }
 
 /// Reads a message of a length.
-fn body(input: &mut impl BufRead, length: u64) -> io::Result<Frame> {
+fn body(input: &mut impl BufRead, length: u64) -> io::Result<MessageRead> {
     let mut part = input.take(length);
     if length > MOST {
         io::copy(&mut part, &mut io::sink())?;
-        return Ok(Frame::Malformed(sentence(&msg!("lsp.too-long", most = MOST as u32))));
+        return Ok(MessageRead::Malformed(sentence(&msg!("lsp.too-long", most = MOST as u32))));
     }
     let mut bytes = Vec::new();
     part.read_to_end(&mut bytes)?;
     if (bytes.len() as u64) < length {
-        return Ok(Frame::End);
+        return Ok(MessageRead::End);
     }
     Ok(match serde_json::from_slice(&bytes) {
-        Ok(message) => Frame::Message(message),
-        Err(error) => Frame::Malformed(sentence(&msg!("lsp.not-a-message", reason = error.to_string()))),
+        Ok(message) => MessageRead::Message(message),
+        Err(error) => MessageRead::Malformed(sentence(&msg!("lsp.not-a-message", reason = error.to_string()))),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::front::AWAY;
 use super::ids::group;
-use super::layout::{AXIS, FLOOR, RIGHT, View};
+use super::layout::{AXIS, FLOOR, Layout, RIGHT};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::math::{self, PI};
 use crate::text::number::{fill, filled};
@@ -22,10 +22,10 @@ fn body(lathe: &PolygonLathe) -> (f64, f64) {
 }
 
 /// The ways of the slide on their base.
-pub(super) fn draw_base(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
-    let reach = column(lathe, view);
-    let end = view.cutter.0 + (0.5 * (lathe.p.start_x - lathe.p.across_flats)).max(0.0) * view.scale;
-    let (from, to) = (view.cutter.0 - reach - 34.0, (end + reach + 26.0).min(RIGHT - 16.0));
+pub(super) fn draw_base(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+    let reach = column(lathe, layout);
+    let end = layout.cutter.0 + (0.5 * (lathe.p.start_x - lathe.p.across_flats)).max(0.0) * layout.scale;
+    let (from, to) = (layout.cutter.0 - reach - 34.0, (end + reach + 26.0).min(RIGHT - 16.0));
     let to = to.max(from + 60.0);
     let top = FLOOR - 38.0;
     d.path(
@@ -41,27 +41,27 @@ pub(super) fn draw_base(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 }
 
 /// Half the width of the column of the cutter.
-fn column(lathe: &PolygonLathe, view: &View) -> f64 {
-    math::clamp(0.34 * lathe.p.tip_radius * view.scale, 12.0, 54.0)
+fn column(lathe: &PolygonLathe, layout: &Layout) -> f64 {
+    math::clamp(0.34 * lathe.p.tip_radius * layout.scale, 12.0, 54.0)
 }
 
 /// The cutters of all polygons: poses show that of the present one.
-pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let window = Shape::Rect { x: -3000.0, y: 0.0, w: 3000.0 + RIGHT + 10.0, h: 630.0, r: 0.0 };
     d.place(group::WINDOW, SceneGroup { clip: Some(window), ..SceneGroup::default() });
     for (at, polygon) in lathe.polygons().enumerate() {
-        draw_cutter(d, at, polygon, &view.of(polygon));
+        draw_cutter(d, at, polygon, &layout.of(polygon));
     }
 }
 
 /// The cutter disc of a polygon, with column, holders and inserts.
-fn draw_cutter(d: &mut Drawing, at: usize, lathe: &PolygonLathe, view: &View) {
+fn draw_cutter(d: &mut Drawing, at: usize, lathe: &PolygonLathe, layout: &Layout) {
     let p = &lathe.p;
-    let (r, reach) = (p.tip_radius * view.scale, column(lathe, view));
+    let (r, reach) = (p.tip_radius * layout.scale, column(lathe, layout));
     let disc = body(lathe).0 * r;
     let [disc_group, inserts, blur] = [group::DISC, group::INSERTS, group::BLUR].map(|own| group::of(own, at));
     let hidden = at > 0;
-    d.place(disc_group, SceneGroup { parent: group::WINDOW, at: view.cutter, hidden, ..SceneGroup::default() });
+    d.place(disc_group, SceneGroup { parent: group::WINDOW, at: layout.cutter, hidden, ..SceneGroup::default() });
     for group in [inserts, blur] {
         d.place(group, SceneGroup { parent: disc_group, ..SceneGroup::default() });
     }
@@ -88,7 +88,7 @@ fn draw_cutter(d: &mut Drawing, at: usize, lathe: &PolygonLathe, view: &View) {
         });
         d.path(barrel((0.0, 0.0), disc, (0.10 * r, -0.06 * r)), Look::fill(Paint::Dark));
     });
-    d.within(inserts, |d| holders(d, lathe, view));
+    d.within(inserts, |d| holders(d, lathe, layout));
     d.within(disc_group, |d| {
         d.circle((0.0, 0.0, disc), Look::FACE);
         d.circle((0.0, 0.0, 0.93 * disc), Look::HAIR.faint(0.35));
@@ -122,11 +122,11 @@ fn draw_cutter(d: &mut Drawing, at: usize, lathe: &PolygonLathe, view: &View) {
 }
 
 /// Places of the inserts on the disc in degrees, clockwise from the right as the drawing turns, and their tip radius in units.
-fn tips(lathe: &PolygonLathe, view: &View) -> Vec<(f64, f64)> {
+fn tips(lathe: &PolygonLathe, layout: &Layout) -> Vec<(f64, f64)> {
     let setup = lathe.p.setup(lathe.p.across_flats);
     let tips = setup.map(|setup| setup.tips).unwrap_or_default();
     // At 0 an insert points at the work, to the left.
-    tips.iter().map(|tip| (180.0 - tip.angle * 180.0 / PI, tip.radius * view.scale)).collect()
+    tips.iter().map(|tip| (180.0 - tip.angle * 180.0 / PI, tip.radius * layout.scale)).collect()
 }
 
 /// Half the width of a holder over the radius of the tip circle: it fits between its neighbours.
@@ -135,9 +135,9 @@ fn width(lathe: &PolygonLathe, count: usize) -> f64 {
 }
 
 /// Holders with their inserts.
-fn holders(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
-    let r = lathe.p.tip_radius * view.scale;
-    let tips = tips(lathe, view);
+fn holders(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+    let r = lathe.p.tip_radius * layout.scale;
+    let tips = tips(lathe, layout);
     let half = r * width(lathe, tips.len());
     // Inserts face in the direction of a cutter that turns in the sense of the work, or against it. Positive turns are counter-clockwise.
     let hand = if lathe.d.faces_forward == (lathe.p.work_speed() > 0.0) { 1.0 } else { -1.0 };
@@ -211,10 +211,10 @@ fn face(d: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
 }
 
 /// Line of the distance between the axes, with the cutter `away` units from its last place.
-pub(in super::super) fn distance(lathe: &PolygonLathe, view: &View, away: f64) -> String {
-    let (left, right, y) = (view.work.0, view.cutter.0 + away, DISTANCE);
-    let disc = body(lathe).0 * lathe.p.tip_radius * view.scale;
-    let work = 0.5 * lathe.p.stock_diameter * view.scale;
+pub(in super::super) fn distance(lathe: &PolygonLathe, layout: &Layout, away: f64) -> String {
+    let (left, right, y) = (layout.work.0, layout.cutter.0 + away, DISTANCE);
+    let disc = body(lathe).0 * lathe.p.tip_radius * layout.scale;
+    let work = 0.5 * lathe.p.stock_diameter * layout.scale;
     if right > RIGHT {
         return filled("M# #V#M# #H#", &[left, AXIS + work + 12.0, y + 6.0, left, y, RIGHT]);
     }
@@ -229,8 +229,8 @@ pub(in super::super) fn distance(lathe: &PolygonLathe, view: &View, away: f64) -
 }
 
 /// Offset of the distance's figure from its place in the drawing, in units: in the middle between the axes, and always within the drawing.
-pub(in super::super) fn figure_at(view: &View, away: f64) -> f64 {
-    let middle = 0.5 * (view.work.0 + view.cutter.0);
+pub(in super::super) fn figure_at(layout: &Layout, away: f64) -> f64 {
+    let middle = 0.5 * (layout.work.0 + layout.cutter.0);
     math::clamp(middle + 0.5 * away, FIGURE, RIGHT - FIGURE) - middle
 }
 

@@ -1,7 +1,7 @@
 //! The machine from the front: floor, headstock, chuck and work, and the directions in which all turn.
 
 use super::ids::{group, node};
-use super::layout::{AXIS, FLOOR, View};
+use super::layout::{AXIS, FLOOR, Layout};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
@@ -18,11 +18,11 @@ const POINTS: u32 = 24;
 const BEYOND: f64 = 1.6;
 
 /// Floor and headstock.
-pub(super) fn draw_back(d: &mut Drawing, view: &View) {
+pub(super) fn draw_back(d: &mut Drawing, layout: &Layout) {
     d.rect([-3000.0, 512.0, 7000.0, 900.0, 0.0], Look::fill(Paint::Floor));
     d.ellipse((290.0, FLOOR), (340.0, 20.0), Look::fill(Paint::GroundShade));
     let (left, right, top) =
-        (view.work.0 - view.chuck - 14.0, view.work.0 + view.chuck + 14.0, AXIS - view.chuck - 16.0);
+        (layout.work.0 - layout.chuck - 14.0, layout.work.0 + layout.chuck + 14.0, AXIS - layout.chuck - 16.0);
     d.path(
         filled("M# #l# #H#l# #Z", &[left + 6.0, top, AWAY.0, AWAY.1, right + AWAY.0, -AWAY.0, -AWAY.1]),
         Look::fill(Paint::DarkLight),
@@ -37,7 +37,7 @@ pub(super) fn draw_back(d: &mut Drawing, view: &View) {
     );
     d.path(filled("M# #V#q0 -7 7 -7H#", &[left + 1.5, FLOOR - 14.0, top + 9.0, right - 8.0]), Look::RIM.faint(0.6));
     // Door with a handle and the name plate.
-    let low = AXIS + view.chuck + 10.0;
+    let low = AXIS + layout.chuck + 10.0;
     d.rect(
         [left + 10.0, low, right - left - 20.0, FLOOR - 8.0 - low, 4.0],
         Look::fill(Paint::Clear).thin(Paint::DarkShade, 1.2),
@@ -48,17 +48,17 @@ pub(super) fn draw_back(d: &mut Drawing, view: &View) {
 }
 
 /// The chuck with its jaws, which turn with the work.
-pub(super) fn draw_chuck(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
-    let r = view.chuck;
-    let grip = 0.5 * lathe.p.stock_diameter * view.scale;
-    d.place(group::WORK, SceneGroup { at: view.work, ..SceneGroup::default() });
+pub(super) fn draw_chuck(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+    let r = layout.chuck;
+    let grip = 0.5 * lathe.p.stock_diameter * layout.scale;
+    d.place(group::WORK, SceneGroup { at: layout.work, ..SceneGroup::default() });
     for (group, parent) in [(group::JAWS, group::WORK), (group::JAWS_BLUR, group::WORK)] {
         d.place(group, SceneGroup { parent, ..SceneGroup::default() });
     }
-    d.path(barrel(view.work, r, AWAY), Look::fill(Paint::DarkShade));
-    d.circle((view.work.0, view.work.1, r), Look::DARK_FACE);
-    d.circle((view.work.0, view.work.1, 0.96 * r), Look::HAIR.faint(0.5));
-    let (from, to) = (polar(view.work, 200.0, 0.98 * r), polar(view.work, 268.0, 0.98 * r));
+    d.path(barrel(layout.work, r, AWAY), Look::fill(Paint::DarkShade));
+    d.circle((layout.work.0, layout.work.1, r), Look::DARK_FACE);
+    d.circle((layout.work.0, layout.work.1, 0.96 * r), Look::HAIR.faint(0.5));
+    let (from, to) = (polar(layout.work, 200.0, 0.98 * r), polar(layout.work, 268.0, 0.98 * r));
     d.path(filled("M# #A# # 0 0 1 # #", &[from.0, from.1, 0.98 * r, 0.98 * r, to.0, to.1]), Look::RIM.faint(0.6));
     let half = 0.15 * r;
     let thin = half.min(0.8 * grip).max(1.0);
@@ -89,23 +89,24 @@ pub(super) fn draw_chuck(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 }
 
 /// The work: its section at the cutting plane, the traces of the inserts, the ideal polygon.
-pub(super) fn draw_work(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+pub(super) fn draw_work(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let p = &lathe.p;
-    let stock = 0.5 * p.stock_diameter * view.scale;
+    let stock = 0.5 * p.stock_diameter * layout.scale;
     d.showing("stock-diameter", |d| {
-        d.path(barrel(view.work, stock, (8.0, -4.8)), Look::fill(Paint::SteelShade));
+        d.path(barrel(layout.work, stock, (8.0, -4.8)), Look::fill(Paint::SteelShade));
     });
     d.within(group::WORK, |d| {
         d.showing("across-flats", |d| {
             d.path(String::new(), Look::fill(Paint::SteelFace).thin(Paint::Edge, 1.2)).id = Some(node::SECTION);
         });
         let least = lathe.polygons().map(|lathe| lathe.p.across_flats).fold(p.stock_diameter, f64::min);
-        d.path(hatch(0.44 * least * view.scale), Look::HAIR.faint(0.3));
+        d.path(hatch(0.44 * least * layout.scale), Look::HAIR.faint(0.3));
         for (at, polygon) in lathe.polygons().enumerate() {
             let own = group::of(group::TRACES, at);
             d.place(own, SceneGroup { parent: group::WORK, hidden: at > 0, ..SceneGroup::default() });
             for trace in traces(polygon, BEYOND).into_iter().take(TRACES) {
-                let points: Vec<(f64, f64)> = trace.iter().map(|(x, y)| (x * view.scale, -y * view.scale)).collect();
+                let points: Vec<(f64, f64)> =
+                    trace.iter().map(|(x, y)| (x * layout.scale, -y * layout.scale)).collect();
                 d.within(own, |d| {
                     d.path(polyline(&points), Look::POINTER.edge(Paint::Accent, 1.0).faint(0.75));
                 });
@@ -113,7 +114,7 @@ pub(super) fn draw_work(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         }
         d.circle((0.0, 0.0, stock), Look::LEAD.dashed(4.0, 3.0));
     });
-    let (x, y) = view.work;
+    let (x, y) = layout.work;
     let cross = stock + 10.0;
     d.path(
         filled("M# #h#M# #v#", &[x - cross, y, 2.0 * cross, x, y - cross, 2.0 * cross]),
@@ -159,7 +160,7 @@ fn hatch(radius: f64) -> String {
 }
 
 /// Arrows in the directions of rotation: over the work, and on the cutter.
-pub(super) fn draw_arrows(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+pub(super) fn draw_arrows(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let p = &lathe.p;
     let arrow = |(x, y): (f64, f64), r: f64, speed: f64| {
         // Positive turns are counter-clockwise.
@@ -174,12 +175,12 @@ pub(super) fn draw_arrows(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
             &[a.0, a.1, r, r, sweep, b.0, b.1, one.0, one.1, b.0, b.1, other.0, other.1],
         )
     };
-    let work = 0.5 * p.stock_diameter * view.scale + 20.0;
+    let work = 0.5 * p.stock_diameter * layout.scale + 20.0;
     if p.work_speed() != 0.0 {
-        d.path(arrow(view.work, work, p.work_speed()), Look::POINTER.edge(Paint::Accent, 2.0));
+        d.path(arrow(layout.work, work, p.work_speed()), Look::POINTER.edge(Paint::Accent, 2.0));
     }
     for (at, PolygonLathe { p, .. }) in lathe.polygons().enumerate() {
-        let cutter = 0.84 * p.tip_radius * view.scale;
+        let cutter = 0.84 * p.tip_radius * layout.scale;
         if p.tool_speed() != 0.0 && cutter > 24.0 {
             d.within(group::of(group::DISC, at), |d| {
                 d.path(arrow((0.0, 0.0), cutter, p.tool_speed()), Look::POINTER.edge(Paint::Accent, 2.0));

@@ -34,7 +34,7 @@ const TOWARDS: f64 = 44.0;
 
 /// Layout of the parts in the drawing.
 #[derive(Clone, Copy)]
-pub(in super::super) struct View {
+pub(in super::super) struct Layout {
     /// Units per mm on the machine.
     pub(in super::super) scale: f64,
     /// Centre of the work on the machine.
@@ -51,8 +51,8 @@ pub(in super::super) struct View {
     pub(in super::super) face: f64,
 }
 
-impl View {
-    pub(in super::super) fn new(lathe: &PolygonLathe) -> View {
+impl Layout {
+    pub(in super::super) fn new(lathe: &PolygonLathe) -> Layout {
         let p = &lathe.p;
         let stock = 0.5 * p.stock_diameter;
         let most = |value: fn(&PolygonLathe) -> f64| lathe.polygons().map(value).fold(0.0, f64::max);
@@ -75,13 +75,13 @@ impl View {
             .min(2.0 * TOWARDS / (p.start_x - p.across_flats).max(1e-3));
         let side = bar.min(start.max(SMALLER * bar));
         let face = SIDE.0 + (free * side).max(FREE);
-        let view = View { scale, work, chuck, cutter: work, close: CLOSE.2 / stock, side, face };
-        view.of(lathe)
+        let layout = Layout { scale, work, chuck, cutter: work, close: CLOSE.2 / stock, side, face };
+        layout.of(lathe)
     }
 
     /// The layout with the cutter at the depth of a polygon.
-    pub(in super::super) fn of(self, lathe: &PolygonLathe) -> View {
+    pub(in super::super) fn of(self, lathe: &PolygonLathe) -> Layout {
         let p = &lathe.p;
-        View { cutter: (self.work.0 + (0.5 * p.across_flats + p.tip_radius) * self.scale, AXIS), ..self }
+        Layout { cutter: (self.work.0 + (0.5 * p.across_flats + p.tip_radius) * self.scale, AXIS), ..self }
     }
 }

@@ -1,7 +1,7 @@
 //! The lens: every side of the finished section against its plane, with the deviation magnified; and the section as the work sees it.
 
 use super::ids::{TIPS, group, node};
-use super::layout::{CLOSE, GLASS, View};
+use super::layout::{CLOSE, GLASS, Layout};
 use crate::machines::polygon_lathe::outlines::{closed, ideal};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::sheets::say;
@@ -32,24 +32,24 @@ fn round(value: f64) -> f64 {
 }
 
 /// The lens with all sides over one plane.
-pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let (x, y, r) = LENS;
     // From the upper side of the work over the cutter, which the leader does not cross.
-    let top = view.work.1 - 0.5 * lathe.p.across_flats.min(lathe.p.stock_diameter) * view.scale;
-    d.circle((view.work.0, top, 10.0), Look::POINTER);
+    let top = layout.work.1 - 0.5 * lathe.p.across_flats.min(lathe.p.stock_diameter) * layout.scale;
+    d.circle((layout.work.0, top, 10.0), Look::POINTER);
     let edge = x - (r * r - (y - OVER) * (y - OVER)).max(0.0).sqrt();
-    d.path(filled("M# #V#H#", &[view.work.0, top - 10.0, OVER, edge]), Look::POINTER.edge(Paint::Accent, 1.0));
+    d.path(filled("M# #V#H#", &[layout.work.0, top - 10.0, OVER, edge]), Look::POINTER.edge(Paint::Accent, 1.0));
     for (at, polygon) in lathe.polygons().enumerate() {
         let clip = Some(Shape::Circle { x: 0.0, y: 0.0, r });
         let own = group::of(group::LENS, at);
         d.place(own, SceneGroup { at: (x, y), clip, hidden: at > 0, ..SceneGroup::default() });
         d.within(own, |d| {
             d.circle((0.0, 0.0, r), Look::fill(Paint::Glass));
-            sides(d, polygon, view);
+            sides(d, polygon, layout);
         });
     }
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
-    let [form, flatness, scales] = form(lathe, view);
+    let [form, flatness, scales] = form(lathe, layout);
     d.lens((x, y, r), |d| {
         d.text((x, y - 46.0), "middle", &scales, Font::Label, Paint::Dim).id = Some(node::SCALES);
         d.text((x, y + 46.0), "middle", &form, Font::Label, Paint::Dim).id = Some(node::FORM);
@@ -58,12 +58,12 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 }
 
 /// Form and flatness of the sides, and the scales of the lens; empty where nothing is cut.
-pub(in super::super) fn form(lathe: &PolygonLathe, view: &View) -> [String; 3] {
+pub(in super::super) fn form(lathe: &PolygonLathe, layout: &Layout) -> [String; 3] {
     if !lathe.d.cuts {
         return Default::default();
     }
     let name = if lathe.d.curvature >= 0.0 { "polygon.scene.crowned" } else { "polygon.scene.hollow" };
-    let scales = lathe.lens_scales.get_or_init(|| scales_text(lathe, view));
+    let scales = lathe.lens_scales.get_or_init(|| scales_text(lathe, layout));
     [say(name), units::text(lathe.d.flatness, 4, "mm"), scales.clone()]
 }
 
@@ -98,23 +98,23 @@ fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
 }
 
 /// Magnification of the deviations, and units per mm along the sides; none without sides.
-fn scales(curves: &[Vec<(f64, f64)>], view: &View) -> Option<(f64, f64)> {
+fn scales(curves: &[Vec<(f64, f64)>], layout: &Layout) -> Option<(f64, f64)> {
     let all = curves.iter().flatten();
     let (length, high) = all.fold((0.0_f64, 0.0_f64), |(l, h), (x, y)| (l.max(x.abs()), h.max(y.abs())));
-    let times = round((HIGH / high.max(1e-9) / view.scale).min(1e6));
+    let times = round((HIGH / high.max(1e-9) / layout.scale).min(1e6));
     (length > 0.0).then(|| (times, HALF / length))
 }
 
 /// The scales of the lens in words; empty without sides.
-fn scales_text(lathe: &PolygonLathe, view: &View) -> String {
-    let scales = scales(&curves(lathe), view);
-    scales.map_or(String::new(), |(times, along)| format!("↕{}× ↔{}×", show(times, 0), show(along / view.scale, 1)))
+fn scales_text(lathe: &PolygonLathe, layout: &Layout) -> String {
+    let scales = scales(&curves(lathe), layout);
+    scales.map_or(String::new(), |(times, along)| format!("↕{}× ↔{}×", show(times, 0), show(along / layout.scale, 1)))
 }
 
-fn sides(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+fn sides(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let curves = curves(lathe);
-    if let Some((times, along)) = scales(&curves, view) {
-        let up = times * view.scale;
+    if let Some((times, along)) = scales(&curves, layout) {
+        let up = times * layout.scale;
         let points = |side: &[(f64, f64)]| side.iter().map(|(x, y)| (x * along, PLANE - y * up)).collect::<Vec<_>>();
         if let Some(first) = curves.first() {
             let points = points(first);
@@ -141,12 +141,12 @@ fn sides(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 }
 
 /// Ticks along the normal of the first side: how far every pass cuts.
-fn passes(lathe: &PolygonLathe, view: &View) -> String {
+fn passes(lathe: &PolygonLathe, layout: &Layout) -> String {
     let normal = lathe.p.section().map_or(0.0, |section| section.begin());
     let (s, c) = math::sin_cos(normal);
     let mut d = String::new();
     for size in &lathe.sizes {
-        let (out, half) = (0.5 * size * view.close, if *size > lathe.p.across_flats { 5.0 } else { 9.0 });
+        let (out, half) = (0.5 * size * layout.close, if *size > lathe.p.across_flats { 5.0 } else { 9.0 });
         let point = |aside: f64| (out * c - aside * s, -out * s - aside * c);
         let (from, to) = (point(-half), point(half));
         fill(&mut d, "M# #L# #", &[from.0, from.1, to.0, to.1]);
@@ -155,14 +155,14 @@ fn passes(lathe: &PolygonLathe, view: &View) -> String {
 }
 
 /// The ideal form of the polygon being turned, in the frame of the work.
-pub(in super::super) fn wanted(lathe: &PolygonLathe, view: &View) -> String {
+pub(in super::super) fn wanted(lathe: &PolygonLathe, layout: &Layout) -> String {
     let p = &lathe.p;
     let Some(section) = p.section().filter(|_| p.sides > 2.0) else { return String::new() };
-    closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), (0.0, 0.0), view.close)
+    closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), (0.0, 0.0), layout.close)
 }
 
 /// The section in the frame of the work: stock, ideal polygon, tips.
-pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let (x, y, r) = CLOSE;
     let clip = Some(Shape::Circle { x: 0.0, y: 0.0, r: GLASS });
     d.place(group::CLOSE, SceneGroup { at: (x, y), clip, ..SceneGroup::default() });
@@ -176,7 +176,7 @@ pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
             d.place(own, SceneGroup { parent: group::CLOSE, hidden: at > 0, ..SceneGroup::default() });
             d.within(own, |d| {
                 d.showing("depth", |d| {
-                    d.path(passes(polygon, view), Look::hair(Paint::Ink, 1.0));
+                    d.path(passes(polygon, layout), Look::hair(Paint::Ink, 1.0));
                 });
             });
         }

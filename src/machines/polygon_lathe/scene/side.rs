@@ -1,7 +1,7 @@
 //! The machine from above: chuck, bar with the polygon, cutter edge-on, its slide.
 
 use super::ids::{group, node};
-use super::layout::{SIDE, UNIT, View};
+use super::layout::{Layout, SIDE, UNIT};
 use crate::machines::polygon_lathe::outlines::closed;
 use crate::machines::polygon_lathe::progress::Progress;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
@@ -22,10 +22,10 @@ const MOST_TURNS: f64 = 8.0;
 const TWIST: u32 = 64;
 
 /// Everything from above.
-pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let p = &lathe.p;
     let (front, axis) = SIDE;
-    let (scale, face) = (view.side, view.face);
+    let (scale, face) = (layout.side, layout.face);
     let half = 0.5 * p.stock_diameter * scale;
     // Chuck with its jaws.
     let chuck = (1.5 * half).max(38.0);
@@ -45,10 +45,10 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     d.within(group::EDGES, |d| {
         d.path(String::new(), Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0)).id = Some(node::EDGES);
     });
-    twist(d, lathe, view);
+    twist(d, lathe, layout);
     d.path(filled("M# #H#", &[LEFT - 10.0, axis, 1016.0]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
-    dimension(d, lathe, view, half);
-    way(d, lathe, view);
+    dimension(d, lathe, layout, half);
+    way(d, lathe, layout);
     let top = axis + 0.5 * p.across_flats * scale;
     d.place(group::SIDE, SceneGroup { at: (face, top), ..SceneGroup::default() });
     d.within(group::SIDE, |d| {
@@ -63,9 +63,9 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 }
 
 /// The way of the slide from its start to the clearance.
-fn way(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+fn way(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let p = &lathe.p;
-    let at = |across: f64, z: f64| (view.face + z * view.side, SIDE.1 + 0.5 * across * view.side);
+    let at = |across: f64, z: f64| (layout.face + z * layout.side, SIDE.1 + 0.5 * across * layout.side);
     let (start, near) = (at(p.start_x, p.start_z), at(p.clear_diameter(), p.clearance));
     let mut way = filled("M# #L# #", &[start.0, start.1, near.0, near.1]);
     if p.is_behind_face() {
@@ -81,9 +81,9 @@ fn way(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 }
 
 /// The length of the polygon over the bar.
-fn dimension(d: &mut Drawing, lathe: &PolygonLathe, view: &View, half: f64) {
+fn dimension(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout, half: f64) {
     let p = &lathe.p;
-    let [left, right] = [p.far_end(), p.from_face].map(|at| view.face - at * view.side);
+    let [left, right] = [p.far_end(), p.from_face].map(|at| layout.face - at * layout.side);
     let y = SIDE.1 - 46.0;
     d.showing("length", |d| {
         let ends = filled("M# #V#M# #V#", &[left, SIDE.1 - half - 3.0, y - 4.0, right, SIDE.1 - half - 3.0, y - 4.0]);
@@ -97,7 +97,7 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, view: &View, half: f64) {
         };
         d.path([ends, arrows].concat(), Look::LEAD);
         for other in &lathe.further {
-            let ends = [other.p.far_end(), other.p.from_face].map(|at| view.face - at * view.side);
+            let ends = [other.p.far_end(), other.p.from_face].map(|at| layout.face - at * layout.side);
             for end in ends {
                 d.path(filled("M# #V#", &[end, SIDE.1 - half - 3.0, y - 4.0]), Look::LEAD);
             }
@@ -111,9 +111,9 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, view: &View, half: f64) {
 }
 
 /// The corners of a twisted polygon as they would run; those on the near side of the part.
-fn twist(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+fn twist(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let (p, derived) = (&lathe.p, &lathe.d);
-    let (scale, face) = (view.side, view.face);
+    let (scale, face) = (layout.side, layout.face);
     let turns = p.length / p.lead;
     if turns.abs() > MOST_TURNS || !derived.cuts || derived.sides <= 1.0 {
         return;
@@ -163,8 +163,8 @@ fn stretches(lathe: &PolygonLathe, passes: &[(f64, f64, f64)]) -> Vec<(f64, f64,
 }
 
 /// The bar from above, as cut so far.
-pub(in super::super) fn bar(lathe: &PolygonLathe, view: &View, progress: &Progress) -> String {
-    let (scale, face) = (view.side, view.face);
+pub(in super::super) fn bar(lathe: &PolygonLathe, layout: &Layout, progress: &Progress) -> String {
+    let (scale, face) = (layout.side, layout.face);
     let stock = 0.5 * lathe.p.stock_diameter;
     // From the face to the jaws.
     let mut upper = vec![(face, stock)];
@@ -185,7 +185,7 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, view: &View, progress: &Progre
 /// the face in mm.
 pub(in super::super) fn edges(
     lathe: &PolygonLathe,
-    view: &View,
+    layout: &Layout,
     size: f64,
     (from, to): (f64, f64),
     angle: f64,
@@ -201,13 +201,13 @@ pub(in super::super) fn edges(
     let wide =
         if corner < 0.5 * p.stock_diameter { 0.0 } else { 0.5 * pitch - math::acos((0.5 * size / corner).min(1.0)) };
     let begin = p.section().map_or(0.0, |section| section.begin()) + angle;
-    let at = |behind: f64| (view.face - behind * view.side).max(LEFT + 38.0);
+    let at = |behind: f64| (layout.face - behind * layout.side).max(LEFT + 38.0);
     let (left, right) = (at(to), at(from));
     let (mut top, mut bottom) = (SIDE.1, SIDE.1);
     for at in 0..derived.sides as u32 {
         for off in [-wide, wide] {
             let (sin, cos) = math::sin_cos(begin + pitch * (f64::from(at) + 0.5) + off);
-            let y = SIDE.1 + corner * view.side * cos;
+            let y = SIDE.1 + corner * layout.side * cos;
             (top, bottom) = (top.min(y), bottom.max(y));
             // From above, with the cutter towards the operator.
             if sin > 0.0 {

@@ -52,7 +52,7 @@ pub(crate) struct Station {
 
 /// A reel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Reel {
+pub(crate) struct DrawnReel {
     pub(crate) x: f64,
     pub(crate) y: f64,
     /// Radius at the start of the run.
@@ -63,7 +63,7 @@ pub(crate) struct Reel {
     pub(crate) range: (f64, f64),
 }
 
-impl Reel {
+impl DrawnReel {
     /// Radius after a length of ribbon left (negative) or came.
     pub(crate) fn radius(&self, thickness: f64, length: f64) -> f64 {
         math::clamp(reel::radius_after(self.r, thickness, length), self.range.0, self.range.1)
@@ -90,8 +90,8 @@ pub(crate) struct Layout {
     pub(crate) print: Station,
     /// Centre and radius of the deflection roller.
     pub(crate) deflector: (f64, f64, f64),
-    pub(crate) supply: Reel,
-    pub(crate) take_up: Reel,
+    pub(crate) supply: DrawnReel,
+    pub(crate) take_up: DrawnReel,
     pub(crate) slack: SlackLoop,
     /// Depth of the full loop, as drawn.
     pub(crate) full: f64,
@@ -179,7 +179,7 @@ impl Layout {
 
         // A small reel has the room of a plain one: names stand above it.
         let beside = wound.max(0.5 * REEL * s);
-        let supply = Reel {
+        let supply = DrawnReel {
             x: -unwinder.r.max(50.0 * unwinder.scale) - 16.0 * s - beside,
             y: wound - 6.0 * s,
             r: wound,
@@ -188,7 +188,7 @@ impl Layout {
         };
         let x = print.x + print.r.max(69.0 * print.scale) + 66.0 * s;
         let deflector = (x, 18.0 * s, 18.0 * s);
-        let take_up = Reel {
+        let take_up = DrawnReel {
             x: x + 25.0 * s,
             y: 192.0 * s,
             r: TAKE_UP * s,
@@ -248,7 +248,7 @@ impl Layout {
 
     /// The ribbon from the supply reel of this radius to the unwinder: the tangent from the nip to the top of the reel.
     pub(crate) fn supply_web(&self, radius: f64) -> Web {
-        let Reel { x, y, .. } = self.supply;
+        let DrawnReel { x, y, .. } = self.supply;
         let (dx, dy) = (self.unwinder.x - x, -y);
         let distance = math::hypot(dx, dy).max(radius * 1.001);
         let angle = math::atan2(dy, dx) - math::acos(radius / distance);
@@ -295,7 +295,7 @@ impl Layout {
             let (s, c) = math::sin_cos(angle);
             (x + r * c, y + r * s)
         };
-        let Reel { x: to_x, y: to_y, .. } = self.take_up;
+        let DrawnReel { x: to_x, y: to_y, .. } = self.take_up;
         web.arc(at(x, y, r, angle), r, true);
         web.line(at(to_x, to_y, radius, angle));
         web.arc(at(to_x, to_y, radius, angle + ON_REEL), radius, true);

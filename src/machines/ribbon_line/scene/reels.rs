@@ -1,6 +1,6 @@
 //! Supply and take-up reel: stand, flange, the wound ribbon that shrinks and grows, and the hub.
 
-use super::layout::{CORE, Layout, Reel};
+use super::layout::{CORE, DrawnReel, Layout};
 use super::parts::group;
 use super::stations::DEEP;
 use crate::text::number::{fill, filled};
@@ -57,7 +57,7 @@ pub(crate) const SUPPLY: [u16; 4] = [group::REEL, group::REEL_BODY, group::REEL_
 pub(crate) const TAKE_UP: [u16; 4] = [group::TAKE_UP, group::TAKE_UP_BODY, group::TAKE_UP_FACE, group::TAKE_UP_HUB];
 
 /// Stand, flange and body.
-pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, reel: &Reel, groups: [u16; 4], wound: Wound) {
+pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, reel: &DrawnReel, groups: [u16; 4], wound: Wound) {
     let [frame, body, face, hub] = groups;
     let scale = layout.scale;
     drawing.place(frame, SceneGroup { at: (reel.x, reel.y), scale, ..SceneGroup::default() });
@@ -83,7 +83,7 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, reel: &Reel, groups
 }
 
 /// The wound face with its hub.
-pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, reel: &Reel, groups: [u16; 4], wound: Wound) {
+pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, reel: &DrawnReel, groups: [u16; 4], wound: Wound) {
     let [_, _, face, hub] = groups;
     let radius = reel.r / layout.scale;
     drawing.within(face, |drawing| {

@@ -39,7 +39,7 @@ pub(crate) fn door(drawing: &mut Drawing, h: f64, letter: &str) {
 
 /// The kind of drive in the cabinet.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Drive {
+pub(crate) enum DriveKind {
     /// Inverter and induction motor.
     Inverter,
     /// Servo amplifier and servo motor.
@@ -63,10 +63,10 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, station: &Station, 
 }
 
 /// Everything in front of the ribbon: belt, motor, drive, rollers.
-pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, station: &Station, first: u16, drive: Drive) {
+pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, station: &Station, first: u16, drive: DriveKind) {
     let fields = match drive {
-        Drive::Inverter => ["reduction-ratio", "speed-at-10v", "press-roller-diameter"],
-        Drive::Servo => ["gear-x", "encoder-resolution", "x-roller-diameter"],
+        DriveKind::Inverter => ["reduction-ratio", "speed-at-10v", "press-roller-diameter"],
+        DriveKind::Servo => ["gear-x", "encoder-resolution", "x-roller-diameter"],
     };
     belt(drawing, station, drive);
     drawing.showing(fields[0], |drawing| motor(drawing, station, first, drive));
@@ -76,14 +76,14 @@ pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, station: &Station, 
 }
 
 /// Centre of the motor in front of its cabinet.
-fn motor_at(drive: Drive) -> (f64, f64) {
+fn motor_at(drive: DriveKind) -> (f64, f64) {
     match drive {
-        Drive::Inverter => (-3.0, 70.0),
-        Drive::Servo => (0.0, 72.0),
+        DriveKind::Inverter => (-3.0, 70.0),
+        DriveKind::Servo => (0.0, 72.0),
     }
 }
 
-fn belt(drawing: &mut Drawing, station: &Station, drive: Drive) {
+fn belt(drawing: &mut Drawing, station: &Station, drive: DriveKind) {
     let Station { x, r, scale, cabinet } = *station;
     let (mx, my) = motor_at(drive);
     let (mx, my) = (x + mx * scale, cabinet + my * scale);
@@ -91,24 +91,24 @@ fn belt(drawing: &mut Drawing, station: &Station, drive: Drive) {
     let d = filled("M# #L# #M# #L# #", &[x - above, r, mx - below, my, mx + below, my, x + above, r]);
     drawing.path(d.clone(), Look::line(Paint::DarkShade, 4.0 * scale));
     let teeth = Look::line(Paint::DarkLight, 1.4 * scale).dashed(2.0 * scale, 4.0 * scale);
-    drawing.path(d, teeth).id = Some(node::BELTS[usize::from(drive == Drive::Servo)]);
+    drawing.path(d, teeth).id = Some(node::BELTS[usize::from(drive == DriveKind::Servo)]);
 }
 
-fn motor(drawing: &mut Drawing, station: &Station, first: u16, drive: Drive) {
+fn motor(drawing: &mut Drawing, station: &Station, first: u16, drive: DriveKind) {
     let Station { x, scale, cabinet, .. } = *station;
     let (mx, my) = motor_at(drive);
     let at = (x + mx * scale, cabinet + my * scale);
     drawing.place(Part::Motor.of(first), SceneGroup { at, scale, ..SceneGroup::default() });
     drawing.place(Part::Pulley.of(first), SceneGroup { parent: Part::Motor.of(first), ..SceneGroup::default() });
     drawing.within(Part::Motor.of(first), |drawing| match drive {
-        Drive::Inverter => {
+        DriveKind::Inverter => {
             drawing.path(barrel((0.0, 0.0), 31.0, (11.0, -6.8)), Look::fill(Paint::DarkShade));
             drawing.circle((0.0, 0.0, 31.0), Look::DARK_FACE);
             // Fins.
             drawing.circle((0.0, 0.0, 26.5), Look::line(Paint::DarkLight, 7.0).dashed(2.0, 3.55));
             drawing.path("M-26 -16A30 30 0 0 1 -8 -29", Look::RIM);
         }
-        Drive::Servo => {
+        DriveKind::Servo => {
             drawing.path("M-30 -30L-19 -36.800H41V23L30 30z", Look::fill(Paint::DarkShade));
             drawing.rect([-30.0, -30.0, 60.0, 60.0, 7.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
             for (x, y) in [(-22.0, -22.0), (22.0, -22.0), (-22.0, 22.0), (22.0, 22.0)] {
@@ -126,18 +126,18 @@ fn motor(drawing: &mut Drawing, station: &Station, first: u16, drive: Drive) {
 }
 
 /// Inverter or servo amplifier on the door: display, lamp, cooling slots.
-fn amplifier(drawing: &mut Drawing, first: u16, drive: Drive) {
+fn amplifier(drawing: &mut Drawing, first: u16, drive: DriveKind) {
     drawing.within(Part::Cabinet.of(first), |drawing| {
         let (x, y) = (-25.0, 128.0);
         drawing.rect([x, y, 40.0, 62.0, 4.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
         drawing.path(filled("M# #v-58q0 -2 2 -2h18", &[x + 1.2, y + 61.0]), Look::RIM.faint(0.4));
         drawing.rect([x + 5.0, y + 5.0, 30.0, 18.0, 2.0], Look::fill(Paint::Black));
         let trace = match drive {
-            Drive::Inverter => "M# #l4 -9 4 9 4 -9 4 9 4 -9 4 9",
-            Drive::Servo => "M# #h5v-3h5v-3h5v-3h5v-2h5",
+            DriveKind::Inverter => "M# #l4 -9 4 9 4 -9 4 9 4 -9 4 9",
+            DriveKind::Servo => "M# #h5v-3h5v-3h5v-3h5v-2h5",
         };
         drawing.path(filled(trace, &[x + 8.0, y + 18.5]), Look::line(Paint::Accent, 1.5).round());
-        let lamp = node::LAMPS[usize::from(drive == Drive::Servo)];
+        let lamp = node::LAMPS[usize::from(drive == DriveKind::Servo)];
         drawing.circle((x + 31.0, y + 29.5, 2.2), Look::fill(Paint::DarkShade).thin(Paint::Rim, 0.5)).id = Some(lamp);
         let slots = filled("M# #h29M# #h29M# #h29M# #h29", &slot_ends(x + 5.5, y + 38.0));
         drawing.path(slots, Look::line(Paint::DarkShade, 1.8).round());

@@ -1,7 +1,7 @@
 //! The chuck with its three jaws: they turn with the spindle, and those towards the operator are in front of the part.
 
 use super::ids::{group, node};
-use super::solid::{self, Block};
+use super::solid::{self, FaceBlock};
 use crate::math::{self, PI};
 use crate::text::number::fill;
 use crate::view::drawing::Drawing;
@@ -55,9 +55,9 @@ impl Chuck {
     }
 
     /// Base and step of the jaw at an angle.
-    fn jaw(&self, angle: f64) -> [Block; 2] {
+    fn jaw(&self, angle: f64) -> [FaceBlock; 2] {
         let (step, base) = self.ends();
-        let block = |x: (f64, f64), end: f64, half: f64| Block {
+        let block = |x: (f64, f64), end: f64, half: f64| FaceBlock {
             x: (self.face + x.0, self.face + x.1),
             out: (self.grip, end),
             half,
@@ -124,7 +124,7 @@ impl Chuck {
                 paths.push((shown + number, d));
                 paths.push((empty + number, String::new()));
             }
-            let slot = Block {
+            let slot = FaceBlock {
                 x: (self.face, self.face),
                 out: (0.3 * self.radius, 0.96 * self.radius),
                 half: 0.55 * self.half(),

@@ -1,7 +1,7 @@
 //! Fixed parts: floor, bed with its chip tray, headstock with the gate of the gear stages, tailstock.
 
 use super::ids::{group, node};
-use super::layout::{BED, TAIL, View};
+use super::layout::{BED, Layout, TAIL};
 use super::solid::AXIS;
 use crate::machines::sheets::say;
 use crate::machines::turning_spindle::params::Params;
@@ -34,8 +34,8 @@ pub(super) fn draw_bed(d: &mut Drawing) {
 }
 
 /// The tailstock, which this program does not use.
-pub(super) fn draw_tailstock(d: &mut Drawing, view: &View) {
-    if !view.has_tailstock() {
+pub(super) fn draw_tailstock(d: &mut Drawing, layout: &Layout) {
+    if !layout.has_tailstock() {
         return;
     }
     let top = AXIS - 62.0;

@@ -49,7 +49,7 @@ pub(in super::super) mod node {
     pub(in crate::machines::turning_spindle) const STAGE_SPEED: u16 = 22;
     /// The cut part of the keyway.
     pub(in crate::machines::turning_spindle) const GROOVE: u16 = 21;
-    /// First paths of the stretches of the part, and of the jaws.
+    /// First paths of the sections of the part, and of the jaws.
     pub(in crate::machines::turning_spindle) const STRETCHES: u16 = 30;
     pub(in crate::machines::turning_spindle) const FAR: u16 = 50;
     pub(in crate::machines::turning_spindle) const NEAR: u16 = 70;

@@ -19,7 +19,7 @@ const REACH: (f64, f64) = (160.0, 186.0);
 pub(super) const TAIL: (f64, f64) = (884.0, 944.0);
 
 /// Layout of the part in the drawing.
-pub(in super::super) struct View {
+pub(in super::super) struct Layout {
     /// Units of the drawing per millimetre.
     pub(in super::super) scale: f64,
     /// Position of the finished face.
@@ -32,8 +32,8 @@ pub(in super::super) struct View {
     low_end: f64,
 }
 
-impl View {
-    pub(in super::super) fn new(p: &Params) -> View {
+impl Layout {
+    pub(in super::super) fn new(p: &Params) -> Layout {
         let stock = 0.5 * p.stock_diameter;
         // Free length, and stock before the finished face.
         let (free, before) = match p.path {
@@ -51,7 +51,7 @@ impl View {
         let below = |radius: f64| radius * scale < 90.0;
         let start = if below(0.5 * p.start_x) { p.start_z } else { 0.0 };
         let low_end = face + p.clearance.max(p.allowance).max(start) * scale + REACH.1;
-        View { scale, face, behind, chuck, low_end }
+        Layout { scale, face, behind, chuck, low_end }
     }
 
     /// Place along the axis and radius in the drawing: mm from the finished face, diameter in mm.

@@ -1,8 +1,8 @@
 //! The lens at the edge of the tool: depth of cut and chip, magnified.
 
 use super::ids::{group, node};
-use super::layout::{VIEW, View};
-use super::work::Stretch;
+use super::layout::{Layout, VIEW};
+use super::work::PartSection;
 use crate::machines::turning_spindle::params::{Params, Path};
 use crate::math;
 use crate::text::catalog::number_text as show;
@@ -18,17 +18,17 @@ pub(super) const LENS: (f64, f64, f64) = (792.0, 410.0, 78.0);
 const DEPTH: f64 = 24.0;
 
 /// How many times the lens magnifies: 1, 2, 5, 10 … so that the depth of cut is seen.
-fn magnification(p: &Params, view: &View) -> f64 {
-    let wanted = DEPTH / (p.depth * view.scale);
+fn magnification(p: &Params, layout: &Layout) -> f64 {
+    let wanted = DEPTH / (p.depth * layout.scale);
     let decade = math::pow(10.0, math::log10(wanted.max(1.0)).floor());
     let times = [10.0, 5.0, 2.0, 1.0].into_iter().find(|times| times * decade <= 1.4 * wanted).unwrap_or(1.0);
     times * decade
 }
 
 /// The lens with nodes for its contents.
-pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
+pub(super) fn draw(d: &mut Drawing, p: &Params, layout: &Layout) {
     let (x, y, r) = LENS;
-    let depth = p.depth * view.scale * magnification(p, view);
+    let depth = p.depth * layout.scale * magnification(p, layout);
     d.path(String::new(), Look::POINTER.edge(Paint::Accent, 1.0)).id = Some(node::LEADER);
     d.within(group::TURRET, |d| {
         d.circle((0.0, 0.0, 10.0), Look::POINTER);
@@ -59,7 +59,7 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
         });
     });
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
-    let times = format!("{} ×", show(magnification(p, view), 0));
+    let times = format!("{} ×", show(magnification(p, layout), 0));
     d.lens((x, y, r), |d| {
         d.text((x + 66.0, y + 28.0), "end", &times, Font::Label, Paint::Ink);
         d.showing("depth", |d| {
@@ -71,14 +71,14 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
 /// Contents of the lens, and its leader, with the tool at a place (mm from the axis and from the finished face).
 pub(in super::super) fn pose(
     p: &Params,
-    view: &View,
-    stretches: &[Stretch],
+    layout: &Layout,
+    sections: &[PartSection],
     ((radius, z), cuts): ((f64, f64), bool),
     placements: &mut Vec<Placement>,
     paths: &mut Vec<(u16, String)>,
 ) {
-    let scale = view.scale * magnification(p, view);
-    let profile = stretches.iter().flat_map(|stretch| &stretch.profile);
+    let scale = layout.scale * magnification(p, layout);
+    let profile = sections.iter().flat_map(|section| &section.profile);
     let place = |(at, diameter): &(f64, f64)| ((at - z) * scale, (radius - 0.5 * diameter) * scale);
     let upper: Vec<(f64, f64)> = profile.map(place).collect();
     let lower = radius * scale;
@@ -87,7 +87,7 @@ pub(in super::super) fn pose(
     paths.push((node::LENS_PART, polygon(&clipped(part, LENS.2 + 4.0))));
     placements.push(Placement { opacity: if cuts { 1.0 } else { 0.0 }, ..Placement::of(group::LENS_CHIP) });
     // From the ring at the tip, where the drawing has it, to the edge of the lens.
-    let (tip, (x, y, r)) = (view.tip(radius, z), LENS);
+    let (tip, (x, y, r)) = (layout.tip(radius, z), LENS);
     let (dx, dy) = (x - tip.0, y - tip.1);
     let length = math::hypot(dx, dy);
     let is_seen = tip.0 < VIEW[0] + VIEW[2] && tip.1 > VIEW[1];

@@ -56,14 +56,14 @@ pub(super) fn body(profile: &[(f64, f64)]) -> String {
 }
 
 /// A block on a face: from `x.0` to `x.1` along the axis, from `out.0` to `out.1` away from the axis, `half` to both sides of `angle`.
-pub(super) struct Block {
+pub(super) struct FaceBlock {
     pub(super) x: (f64, f64),
     pub(super) out: (f64, f64),
     pub(super) half: f64,
     pub(super) angle: f64,
 }
 
-impl Block {
+impl FaceBlock {
     fn corner(&self, right: bool, outer: bool, ahead: bool) -> (f64, f64) {
         let pick = |(low, high): (f64, f64), upper: bool| if upper { high } else { low };
         corner(pick(self.x, right), pick(self.out, outer), self.angle, if ahead { self.half } else { -self.half })
@@ -78,13 +78,13 @@ impl Block {
         let (s, c) = math::sin_cos(self.angle);
         let (ahead, outer) = (c > 0.0, s > 0.0);
         let flank = [(false, false), (true, false), (true, true), (false, true)];
-        Block::quad(out, flank.map(|(right, outer)| self.corner(right, outer, ahead)));
-        Block::quad(out, flank.map(|(right, ahead)| self.corner(right, outer, ahead)));
+        FaceBlock::quad(out, flank.map(|(right, outer)| self.corner(right, outer, ahead)));
+        FaceBlock::quad(out, flank.map(|(right, ahead)| self.corner(right, outer, ahead)));
     }
 
     /// The end to the right.
     pub(super) fn end(&self, out: &mut String) {
         let around = [(false, false), (true, false), (true, true), (false, true)];
-        Block::quad(out, around.map(|(outer, ahead)| self.corner(true, outer, ahead)));
+        FaceBlock::quad(out, around.map(|(outer, ahead)| self.corner(true, outer, ahead)));
     }
 }

@@ -1,7 +1,7 @@
 //! The turret with its tool, which the slides move, and the chips at its edge.
 
 use super::ids::{group, node};
-use super::layout::{BED, View};
+use super::layout::{BED, Layout};
 use super::solid::AXIS;
 use crate::machines::turning_spindle::params::Params;
 use crate::text::number::filled;
@@ -18,9 +18,9 @@ const FALL: f64 = 0.25;
 const PILE: u32 = 12;
 
 /// The way of the tool from its start to the clearance.
-pub(super) fn draw_way(d: &mut Drawing, p: &Params, view: &View) {
+pub(super) fn draw_way(d: &mut Drawing, p: &Params, layout: &Layout) {
     let (start, near) =
-        (view.tip(0.5 * p.start_x, p.start_z), view.tip(0.5 * p.stock_diameter + p.clearance, p.clearance));
+        (layout.tip(0.5 * p.start_x, p.start_z), layout.tip(0.5 * p.stock_diameter + p.clearance, p.clearance));
     d.showing("clearance", |d| {
         d.path(filled("M# #L# #", &[start.0, start.1, near.0, near.1]), Look::LEAD.dashed(7.0, 4.0).faint(0.7));
     });

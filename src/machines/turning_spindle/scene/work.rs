@@ -1,7 +1,7 @@
 //! The part in the chuck: raw stock, turned surfaces, and the contour that the program turns.
 
 use super::ids::node;
-use super::layout::View;
+use super::layout::Layout;
 use super::solid::{self, AXIS, corner};
 use crate::machines::turning_spindle::params::{Params, Path};
 use crate::machines::turning_spindle::progress::{Progress, contour};
@@ -14,8 +14,8 @@ use crate::view::look::{Gradient, Look, Paint, Ramp};
 /// Points of a tapered surface.
 const POINTS: u32 = 48;
 
-/// A stretch of the part from its left end to the shoulder at its right.
-pub(in super::super) struct Stretch {
+/// A section of the part from its left end to the shoulder at its right.
+pub(in super::super) struct PartSection {
     /// Z in mm from the finished face and diameter, from left to right.
     pub(in super::super) profile: Vec<(f64, f64)>,
     /// Its surface is turned.
@@ -25,11 +25,12 @@ pub(in super::super) struct Stretch {
 }
 
 /// Stretches from the chuck to the right, each thinner than the one before.
-pub(in super::super) fn stretches(lathe: &TurningSpindle, view: &View, progress: Progress) -> Vec<Stretch> {
+pub(in super::super) fn sections(lathe: &TurningSpindle, layout: &Layout, progress: Progress) -> Vec<PartSection> {
     let p = &lathe.p;
     let Progress { done, at } = progress;
     let left = |pass: u32| p.left(f64::from(pass));
-    let stretch = |profile: Vec<(f64, f64)>, is_turned: bool, is_faced: bool| Stretch { profile, is_turned, is_faced };
+    let section =
+        |profile: Vec<(f64, f64)>, is_turned: bool, is_faced: bool| PartSection { profile, is_turned, is_faced };
     let round = |from: f64, to: f64, diameter: f64| vec![(from, diameter), (to, diameter)];
     let stock = p.stock_diameter;
     let mut all = Vec::new();
@@ -38,14 +39,14 @@ pub(in super::super) fn stretches(lathe: &TurningSpindle, view: &View, progress:
         match at.filter(|&d| d < stock) {
             Some(d) => {
                 let cut = left(done + 1);
-                all.push(stretch(round(-view.behind, cut, stock), false, true));
-                all.push(stretch(round(cut, face, d.max(rest)), false, done > 0));
+                all.push(section(round(-layout.behind, cut, stock), false, true));
+                all.push(section(round(cut, face, d.max(rest)), false, done > 0));
             }
-            None => all.push(stretch(round(-view.behind, face, stock), false, done > 0)),
+            None => all.push(section(round(-layout.behind, face, stock), false, done > 0)),
         }
         // The stub that remains where the cut ends short of the centre.
         if done > 0 && rest > 0.0 {
-            all.push(stretch(round(face, p.allowance, rest), true, false));
+            all.push(section(round(face, p.allowance, rest), true, false));
         }
         return all;
     }
@@ -56,18 +57,18 @@ pub(in super::super) fn stretches(lathe: &TurningSpindle, view: &View, progress:
         let between = places.filter(|&z| p.path == Path::Taper && z > from && z < to);
         core::iter::once(from).chain(between).chain([to]).map(|z| (z, diameter(z, pass))).collect()
     };
-    all.push(stretch(round(-view.behind, -p.length, stock), false, done > 0));
+    all.push(section(round(-layout.behind, -p.length, stock), false, done > 0));
     if cut > -p.length {
-        all.push(stretch(profile(-p.length, cut, done), done > 0, at.is_some()));
+        all.push(section(profile(-p.length, cut, done), done > 0, at.is_some()));
     }
     if at.is_some() && cut < 0.0 {
-        all.push(stretch(profile(cut, 0.0, done + 1), true, false));
+        all.push(section(profile(cut, 0.0, done + 1), true, false));
     }
     all
 }
 
 /// Nodes of the part, and the finished contour over it.
-pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
+pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let p = &lathe.p;
     let stops = [
         (0.0, Paint::DarkLight, 1.0),
@@ -98,26 +99,26 @@ pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
         d.showing("keyway-depth", |d| {
             d.path(String::new(), Look::fill(Paint::Dark).thin(Paint::Edge, 0.8)).id = Some(node::GROOVE);
             let ends = [-p.keyway_start - p.keyway_length, -p.keyway_start];
-            d.path(slot(view, diameter, p.keyway_depth, ends), Look::hair(Paint::Accent, 1.0).dashed(4.0, 3.0));
+            d.path(slot(layout, diameter, p.keyway_depth, ends), Look::hair(Paint::Accent, 1.0).dashed(4.0, 3.0));
         });
     }
     let field = if p.path == Path::Taper { "large-diameter" } else { "finished-diameter" };
     d.showing(field, |d| {
-        d.path(finished(p, view), Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
+        d.path(finished(p, layout), Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
     });
 }
 
 /// The section of a keyway of a depth in a cylinder, between two Z from the finished face, at the side of the tool.
-fn slot(view: &View, diameter: f64, depth: f64, [from, to]: [f64; 2]) -> String {
-    let from = from.max(-view.behind).min(to);
+fn slot(layout: &Layout, diameter: f64, depth: f64, [from, to]: [f64; 2]) -> String {
+    let from = from.max(-layout.behind).min(to);
     let (outer, inner) = (0.5 * diameter, 0.5 * diameter - depth);
-    polygon(&[view.tip(outer, from), view.tip(outer, to), view.tip(inner, to), view.tip(inner, from)])
+    polygon(&[layout.tip(outer, from), layout.tip(outer, to), layout.tip(inner, to), layout.tip(inner, from)])
 }
 
 /// Path of the cut part of the keyway: its depth, and its ends.
-pub(in super::super) fn pose_groove(lathe: &TurningSpindle, view: &View, cut: Option<(f64, [f64; 2])>) -> String {
+pub(in super::super) fn pose_groove(lathe: &TurningSpindle, layout: &Layout, cut: Option<(f64, [f64; 2])>) -> String {
     let groove = lathe.keyway().zip(cut);
-    groove.map_or_else(String::new, |(diameter, (depth, ends))| slot(view, diameter, depth, ends))
+    groove.map_or_else(String::new, |(diameter, (depth, ends))| slot(layout, diameter, depth, ends))
 }
 
 /// Stretches that are drawn at most, and paths of each: raw and turned side, raw and turned shoulder.
@@ -125,9 +126,9 @@ const STRETCHES: u16 = 3;
 const KINDS: u16 = 4;
 
 /// The contour of the program within the stock.
-fn finished(p: &Params, view: &View) -> String {
+fn finished(p: &Params, layout: &Layout) -> String {
     let (stock, end) = (0.5 * p.stock_diameter, 0.5 * p.finished_diameter);
-    let (face, scale) = (view.face, view.scale);
+    let (face, scale) = (layout.face, layout.scale);
     match p.path {
         Path::Facing => {
             let mut d = String::new();
@@ -146,35 +147,35 @@ fn finished(p: &Params, view: &View) -> String {
 /// Paths of the part at a moment; `turns` of the spindle move the marks on its face.
 pub(in super::super) fn pose(
     lathe: &TurningSpindle,
-    view: &View,
+    layout: &Layout,
     progress: Progress,
     turns: f64,
     paths: &mut Vec<(u16, String)>,
 ) {
-    let stretches = stretches(lathe, view, progress);
-    paths.push((node::PART, silhouette(view, &stretches)));
+    let sections = sections(lathe, layout, progress);
+    paths.push((node::PART, silhouette(layout, &sections)));
     for at in 0..STRETCHES {
         let first = node::STRETCHES + KINDS * at;
         let mut kinds: [String; KINDS as usize] = Default::default();
-        if let Some(stretch) = stretches.get(usize::from(at)) {
+        if let Some(section) = sections.get(usize::from(at)) {
             let [raw, turned, rough, faced] = &mut kinds;
-            let profile: Vec<(f64, f64)> = stretch.profile.iter().map(|(z, d)| view.side(*z, *d)).collect();
-            *(if stretch.is_turned { turned } else { raw }) = solid::body(&profile);
+            let profile: Vec<(f64, f64)> = section.profile.iter().map(|(z, d)| layout.side(*z, *d)).collect();
+            *(if section.is_turned { turned } else { raw }) = solid::body(&profile);
             if let Some((x, radius)) = profile.last() {
-                *(if stretch.is_faced { faced } else { rough }) = solid::circle(*x, *radius);
+                *(if section.is_faced { faced } else { rough }) = solid::circle(*x, *radius);
             }
         }
         paths.extend((first..).zip(kinds));
     }
-    let end = stretches.last().and_then(|stretch| stretch.profile.last());
-    let (x, radius) = end.map_or((view.face, 0.0), |(z, d)| view.side(*z, *d));
+    let end = sections.last().and_then(|section| section.profile.last());
+    let (x, radius) = end.map_or((layout.face, 0.0), |(z, d)| layout.side(*z, *d));
     paths.push((node::MARKS, marks(x, radius, turns)));
 }
 
 /// The outline of the part, both sides.
-fn silhouette(view: &View, stretches: &[Stretch]) -> String {
-    let profile = stretches.iter().flat_map(|stretch| &stretch.profile);
-    let upper: Vec<(f64, f64)> = profile.map(|(z, diameter)| view.side(*z, *diameter)).collect();
+fn silhouette(layout: &Layout, sections: &[PartSection]) -> String {
+    let profile = sections.iter().flat_map(|section| &section.profile);
+    let upper: Vec<(f64, f64)> = profile.map(|(z, diameter)| layout.side(*z, *diameter)).collect();
     let lower = upper.iter().rev().map(|(x, radius)| (*x, AXIS + radius));
     let points: Vec<(f64, f64)> = upper.iter().map(|(x, radius)| (*x, AXIS - radius)).chain(lower).collect();
     polygon(&points)

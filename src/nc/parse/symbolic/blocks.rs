@@ -19,7 +19,7 @@ use crate::nc::lex::keywords::{COMPARISONS, SIGNS};
 use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, LOGIC, NAMED_STATEMENTS};
 use crate::nc::lex::names::begins_as_name;
 use crate::nc::lex::spelling::{meant, prose};
-use crate::nc::parse::failure::{Failure, Read};
+use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::file::begins_character;
 use crate::nc::parse::reader::{BLOCK_BYTES, FINDINGS, Reader};
 use crate::text::{Place, Span};
@@ -78,10 +78,10 @@ impl<'a> Reader<'a> {
 
     /// Reports the reason why a block does not parse.
     #[cold]
-    fn named_failure(&mut self, failure: Failure) {
+    fn named_failure(&mut self, failure: ParseFailure) {
         let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
         let remark = failure.at_word && prose(rest) && self.block.comment.is_none();
-        let Failure { alarm, mut finding, from, .. } = failure;
+        let ParseFailure { alarm, mut finding, from, .. } = failure;
         if remark && finding.fixes.is_empty() {
             let place = self.place(self.span(from, from));
             finding = finding.fix(msg!("nc.fix.comment"), vec![(place, ";".to_owned())]);
@@ -276,7 +276,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The failure of a name followed by words, which is not a call: a label without its colon, or an unknown name.
-    fn not_a_call(&self, start: usize, end: usize, name: &str) -> Box<Failure> {
+    fn not_a_call(&self, start: usize, end: usize, name: &str) -> Box<ParseFailure> {
         // Searching a large file for each such line would take too long.
         if begins_as_name(name) && self.file.text.len() < 1 << 16 && self.jumped_to(name) {
             let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name), false);
@@ -291,7 +291,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The failure of an unknown name, with a fix for one wrong letter.
-    pub(in crate::nc) fn unknown_name(&self, start: usize, name: &str) -> Box<Failure> {
+    pub(in crate::nc) fn unknown_name(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, control = self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);
@@ -326,7 +326,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The failure of a statement of another macro language.
-    fn other_statement(&self, start: usize, name: &str) -> Box<Failure> {
+    fn other_statement(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.other-jump", keyword = name, control = self.control.name);
         let mut failure = self.failure(Alarm::Format, start, end, message, false);
@@ -659,7 +659,7 @@ impl<'a> Reader<'a> {
 
     /// The failure of `$P_S`: system data that the simulation does not keep.
     #[cold]
-    pub(in crate::nc) fn system_variable(&self) -> Box<Failure> {
+    pub(in crate::nc) fn system_variable(&self) -> Box<ParseFailure> {
         let rest = self.cursor.rest();
         let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
         let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();

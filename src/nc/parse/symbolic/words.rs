@@ -7,7 +7,7 @@ use crate::msg;
 use crate::nc::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
-use crate::nc::parse::failure::{LeftOut, Read};
+use crate::nc::parse::failure::{IgnoredFeature, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::Diagnostic;
 
@@ -387,7 +387,7 @@ impl Reader<'_> {
         let what = format!("{name} ({})", row.text);
         let digits = name.bytes().filter(u8::is_ascii_digit).map(|b| u32::from(b - b'0'));
         let cycle = digits.reduce(|all, digit| all.wrapping_mul(10).wrapping_add(digit));
-        self.code_left_out(row, cycle.map_or(LeftOut::Code(row.id), LeftOut::Cycle), &what, start);
+        self.code_not_simulated(row, cycle.map_or(IgnoredFeature::Code(row.id), IgnoredFeature::Cycle), &what, start);
         if self.skip() != b'(' {
             return Ok(());
         }
@@ -407,7 +407,7 @@ impl Reader<'_> {
         seen.odd |= earlier.clone().any(|word| word.letter == letter && word.offset < start as u16);
         if let Some(row) = self.control.syntax.corners.iter().find(|row| row.0 == letter) {
             let what = format!("{address} ({})", row.1);
-            self.not_simulated(LeftOut::Address(letter), start, self.cursor.at, &what);
+            self.not_simulated(IgnoredFeature::Address(letter), start, self.cursor.at, &what);
         }
         self.push_long(start, letter, value)
     }

@@ -12,7 +12,7 @@ use crate::project::Project;
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::state::view::Compared;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{BEFORE_VERSION, ListedProject, Request, Response, Shelf, ShelfState};
 
@@ -38,7 +38,7 @@ pub(super) struct ProjectActions {
     /// The states behind the list: everything on the shelf, and the states that were set aside.
     states: StoredValue<Vec<ShelfState>>,
     /// Sentence about the last action.
-    pub said: RwSignal<String>,
+    pub announcement: RwSignal<String>,
     deleted: RwSignal<Option<Deleted>, LocalStorage>,
     /// The button that undoes the last deletion.
     pub restore_button: NodeRef<html::Button>,
@@ -52,7 +52,7 @@ impl ProjectActions {
             worker: Client::here(),
             listed: RwSignal::new(Vec::new()),
             states: StoredValue::new(Vec::new()),
-            said: RwSignal::new(String::new()),
+            announcement: RwSignal::new(String::new()),
             deleted: RwSignal::new_local(None),
             restore_button: NodeRef::new(),
         }
@@ -78,8 +78,8 @@ impl ProjectActions {
         self.deleted.with(Option::is_some)
     }
 
-    fn say(self, text: impl Into<String>) {
-        let _ = self.said.try_set(text.into());
+    fn announce(self, text: impl Into<String>) {
+        let _ = self.announcement.try_set(text.into());
         let _ = self.deleted.try_set(None);
     }
 
@@ -87,9 +87,9 @@ impl ProjectActions {
     fn then(self, work: impl Future<Output = Result<String, String>> + 'static) {
         spawn_local(async move {
             match work.await {
-                Ok(said) if !said.is_empty() => self.say(said),
+                Ok(said) if !said.is_empty() => self.announce(said),
                 Ok(_) => {}
-                Err(reason) => shelf::tell(self.page, &reason),
+                Err(reason) => shelf::warn_refused(self.page, &reason),
             }
             self.load().await;
         });
@@ -97,7 +97,7 @@ impl ProjectActions {
 
     /// Shows the list, with the present project as it is now and the states that were set aside.
     pub(super) fn show(self) {
-        self.say("");
+        self.announce("");
         self.then(async move {
             shelf::keep_present(self.page).await?;
             shelf::take_in(self.page).await?;
@@ -185,13 +185,13 @@ impl ProjectActions {
         if let Some(last) = last {
             spawn_local(async move {
                 if let Err(reason) = shelf::keep_version(&last.id, BEFORE_VERSION, last.text).await {
-                    shelf::tell(page, &reason);
+                    shelf::warn_refused(page, &reason);
                 }
             });
         }
         page.view.projects.set(false);
         show(page, project.with_id(id));
-        page.notices.say(t("page.opened"));
+        page.notices.announce(t("page.opened"));
     }
 
     /// Shows a project or a version beside the present one.
@@ -213,7 +213,7 @@ impl ProjectActions {
                     self.page.view.projects.set(false);
                     self.page.view.compared.set(Some(Compared::Project(name, text)));
                 }
-                _ => self.say(say(&msg!("compare.no-project", file = name))),
+                _ => self.announce(sentence(&msg!("compare.no-project", file = name))),
             }
         });
     }
@@ -222,7 +222,7 @@ impl ProjectActions {
     pub(super) fn duplicate(self, state: ShelfState) {
         let Some(project) = Project::from_json(&state.text).project else { return };
         let name = if project.name.is_empty() { t("page.untitled") } else { project.name.as_str() };
-        let copy = say(&msg!("projects.copy-of", name));
+        let copy = sentence(&msg!("projects.copy-of", name));
         let state = ShelfState {
             id: dom::fresh_id(),
             at: js_sys::Date::now(),
@@ -231,7 +231,7 @@ impl ProjectActions {
         };
         self.then(async move {
             shelf::ask("put", &[&shelf::row(&state)]).await?;
-            Ok(say(&msg!("projects.copied", name = copy)))
+            Ok(sentence(&msg!("projects.copied", name = copy)))
         });
     }
 
@@ -262,12 +262,12 @@ impl ProjectActions {
             };
             match gone {
                 Ok(gone) => {
-                    self.say(say(&said));
+                    self.announce(sentence(&said));
                     let _ = self.deleted.try_set(Some(gone));
                     // The pressed button disappears with its project.
                     dom::soon(move || self.focus_restore());
                 }
-                Err(reason) => shelf::tell(self.page, &reason),
+                Err(reason) => shelf::warn_refused(self.page, &reason),
             }
             self.load().await;
         });
@@ -304,11 +304,11 @@ impl ProjectActions {
                 shelf::ask("unpack", &[&js_sys::Uint8Array::new(&buffer)]).await
             };
             match added.await {
-                Ok(count) => Ok(say(&msg!("projects.unpacked", count = count.as_f64().unwrap_or_default()))),
+                Ok(count) => Ok(sentence(&msg!("projects.unpacked", count = count.as_f64().unwrap_or_default()))),
                 Err(reason) => {
                     // The list itself is unchanged, and stays.
                     if !self.page.view.kept.is_disposed() {
-                        let told = say(&msg!("projects.not-unpacked", file = name, reason));
+                        let told = sentence(&msg!("projects.not-unpacked", file = name, reason));
                         self.page.notices.notify("fail", told);
                     }
                     Ok(String::new())

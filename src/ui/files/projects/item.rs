@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use super::actions::ProjectActions;
 use crate::msg;
-use crate::ui::words::{say, t};
+use crate::ui::words::{sentence, t};
 use crate::ui::worker::messages::{ListedProject, ListedStep, ListedVersion, ShelfPlace, ShelfState};
 
 /// Longest name and note, in characters.
@@ -112,7 +112,7 @@ fn Versions(
     let count = move || item.with(|item| item.versions.len() as u32);
     view! {
         <details class="versions">
-            <summary>{move || say(&msg!("projects.versions", count = count()))}</summary>
+            <summary>{move || sentence(&msg!("projects.versions", count = count()))}</summary>
             <Show when=move || item.with(|item| item.place == ShelfPlace::Present)>
                 <div class="keep">
                     <input
@@ -185,7 +185,7 @@ fn Steps(
     };
     view! {
         <details class="versions steps">
-            <summary>{move || say(&msg!("projects.steps", count = count()))}</summary>
+            <summary>{move || sentence(&msg!("projects.steps", count = count()))}</summary>
             <ul>{move || item.get().steps.into_iter().map(step).collect_view()}</ul>
         </details>
     }

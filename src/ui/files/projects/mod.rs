@@ -50,7 +50,7 @@ pub(crate) fn ProjectsDialog() -> impl IntoView {
                 <FileButton id="compare-file" kind=".json" label="compare.file" about="compare.file-about" take=move |file| actions.compare_file(file) />
             </div>
             <p class="said" role="status">
-                {actions.said} " "
+                {actions.announcement} " "
                 <button
                     node_ref=actions.restore_button type="button" class="link"
                     class:gone=move || !actions.can_restore() on:click=restore
@@ -101,13 +101,13 @@ mod tests {
     use leptos::wasm_bindgen::JsCast;
     use web_sys::{Element, HtmlInputElement};
 
-    use super::super::set_aside::{self, Reason};
+    use super::super::set_aside::{self, SetAsideReason};
     use super::super::{shelf, store};
     use super::*;
     use crate::machines::form::Value;
     use crate::msg;
-    use crate::ui::testing::{Bench, mount, project, until};
-    use crate::ui::words::{day, say};
+    use crate::ui::testing::{ViewBench, mount, project, until};
+    use crate::ui::words::{day, sentence};
     use crate::ui::worker::client::Client;
     use crate::ui::worker::messages::{BEFORE_VERSION, Request, Response, ShelfState};
     use crate::ui::worker::shelf as worker;
@@ -121,7 +121,7 @@ mod tests {
     }
 
     /// The open dialog, with two projects besides the present one, and a version of the first.
-    async fn dialog() -> Bench {
+    async fn dialog() -> ViewBench {
         shelf::pretend::empty();
         for state in [state("p2", "", "Order 2"), state("p3", "", "Order 3"), state("v2", "p2", "Order 2 before")] {
             shelf::pretend::put(state).await;
@@ -129,7 +129,7 @@ mod tests {
         opened().await
     }
 
-    async fn opened() -> Bench {
+    async fn opened() -> ViewBench {
         let bench = mount(|| {
             Client::here().answer_here(|project, request| match request {
                 Request::Shelf(shelf) => Some(Response::Projects(worker::list(project, &shelf))),
@@ -143,27 +143,27 @@ mod tests {
         bench
     }
 
-    async fn listed(bench: &Bench) {
+    async fn listed(bench: &ViewBench) {
         let list = bench.find(".projects");
         until(move || list.children().length() > 0).await;
     }
 
     /// Presses a button of the project or version of a name.
-    async fn press(bench: &Bench, label: &'static str, name: &str) {
+    async fn press(bench: &ViewBench, label: &'static str, name: &str) {
         bench.press(&format!("[aria-label='{} {name}']", t(label))).await;
     }
 
     /// Names of the listed projects, the present one first.
-    fn names(bench: &Bench) -> Vec<String> {
+    fn names(bench: &ViewBench) -> Vec<String> {
         let name = |field: Element| field.unchecked_into::<HtmlInputElement>().value();
         bench.all(NAMES).into_iter().map(name).collect()
     }
 
-    fn name(bench: &Bench) -> String {
+    fn name(bench: &ViewBench) -> String {
         bench.page.project.with_untracked(|project| project.name.clone())
     }
 
-    async fn until_names(bench: &Bench, expected: &[&str]) {
+    async fn until_names(bench: &ViewBench, expected: &[&str]) {
         for _ in 0..100 {
             if names(bench) == expected {
                 return;
@@ -216,7 +216,7 @@ mod tests {
     async fn duplicate_renames_and_deletes_are_listed() {
         let bench = dialog().await;
         press(&bench, "projects.duplicate", "Order 2").await;
-        let copy = say(&msg!("projects.copy-of", name = "Order 2"));
+        let copy = sentence(&msg!("projects.copy-of", name = "Order 2"));
         until_names(&bench, &["", &copy, "Order 2", "Order 3"]).await;
         bench.choose(".projects > li:nth-child(4) > .what input", "Order 33").await;
         until_names(&bench, &["", &copy, "Order 2", "Order 33"]).await;
@@ -249,7 +249,7 @@ mod tests {
         assert_eq!(bench.text(".said"), t("projects.kept").to_owned() + " " + t("page.undo"));
     }
 
-    async fn press_keep(bench: &Bench) {
+    async fn press_keep(bench: &ViewBench) {
         bench.press(".keep button").await;
         let list = bench.find(".projects");
         until(move || list.query_selector(".present .versions li").unwrap().is_some()).await;
@@ -280,14 +280,14 @@ mod tests {
         shelf::pretend::refuse("SecurityError");
         drop(mount(|| ()).await);
         let bench = opened().await;
-        set_aside::keep_project(&project().with_name("Order 7"), Reason::Replaced);
-        set_aside::keep("{ not a project", Reason::Unread, None);
+        set_aside::keep_project(&project().with_name("Order 7"), SetAsideReason::Replaced);
+        set_aside::keep("{ not a project", SetAsideReason::Unread, None);
         bench.page.view.projects.set(false);
         crate::ui::testing::settled().await;
         bench.press("#projects").await;
         let list = bench.find(".projects");
         until(move || list.children().length() == 3).await;
-        assert!(bench.notices().contains(&say(&msg!("projects.refused", reason = t("projects.denied")))));
+        assert!(bench.notices().contains(&sentence(&msg!("projects.refused", reason = t("projects.denied")))));
         let text = bench.text(".projects");
         assert!(
             text.contains("Order 7") && text.contains(t("page.aside-opened")) && text.contains(t("page.aside-unread"))
