@@ -359,20 +359,56 @@ fn files_have_no_import_circle() {
     hold("Imports between files lead one way.", mend, Imports::new(sources().collect()).circles());
 }
 
-#[test]
-fn public_type_names_are_unique() {
-    let mut places: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-    for source in sources() {
-        for (name, line) in &source.public_types {
-            places.entry(name).or_default().push(source.place(*line));
+/// Names that several types visible outside their modules have, with the places. A name that each machine's folder gives to one type is the
+/// same role in every machine, such as `Params`; a machine's folder is one with a `params.rs`.
+fn names_of_several_types(sources: &[&Source]) -> Vec<String> {
+    let folder = |source: &Source| {
+        let (folder, _) = source.path.strip_prefix("src/machines/")?.split_once('/')?;
+        let params = format!("src/machines/{folder}/params.rs");
+        sources.iter().any(|other| other.path == params).then(|| folder.to_owned())
+    };
+    let mut types: BTreeMap<&str, Vec<(Option<String>, String)>> = BTreeMap::new();
+    for source in sources {
+        for (name, line) in &source.visible_types {
+            types.entry(name).or_default().push((folder(source), source.place(*line)));
         }
     }
-    let twice = places.iter().filter(|(_, places)| places.len() > 1);
-    let broken = twice.map(|(name, places)| format!("{name}: {}", places.join(", "))).collect();
+    types.retain(|_, places| {
+        let machines: BTreeSet<_> = places.iter().filter_map(|(machine, _)| machine.as_ref()).collect();
+        places.len() > 1 && machines.len() < places.len()
+    });
+    let places = |places: Vec<(Option<String>, String)>| places.into_iter().map(|(_, place)| place).collect::<Vec<_>>();
+    types.into_iter().map(|(name, found)| format!("{name}: {}", places(found).join(", "))).collect()
+}
+
+#[test]
+fn visible_type_names_are_unique() {
     hold(
-        "A public type has a name of its own.",
+        "A type that is visible outside its module has a name of its own; each machine's folder may have one type of a name.",
         "name each after the trade's noun for it (CONTRIBUTING.md, “Words”)",
-        broken,
+        names_of_several_types(&sources().collect::<Vec<_>>()),
+    );
+}
+
+#[test]
+fn repeated_type_name_is_found_apart_from_machine_roles() {
+    let source = |path: &str, code: &str| Source::new(path.to_owned(), format!("//! A file.\n{code}"));
+    let planted = [
+        source("src/drives/a.rs", "pub struct Load;\npub enum Gear {}\nstruct Own;"),
+        source("src/machines/form/rows.rs", "pub(super) struct Row;\npub(super) trait Cell {}"),
+        source("src/machines/ladder/rows.rs", "pub(super) struct Row;\nstruct Own;"),
+        source("src/machines/lathe/load.rs", "pub(super) type Load = f64;\npub(self) struct Gear;"),
+        source("src/machines/lathe/params.rs", "pub(crate) struct Params;\npub(crate) struct Cut;"),
+        source("src/machines/lathe/path.rs", "pub(in crate::machines) enum Cut {}"),
+        source("src/machines/line/params.rs", "pub(crate) struct Params;"),
+    ];
+    assert_eq!(
+        names_of_several_types(&planted.iter().collect::<Vec<_>>()),
+        [
+            "Cut: src/machines/lathe/params.rs:3, src/machines/lathe/path.rs:2",
+            "Load: src/drives/a.rs:2, src/machines/lathe/load.rs:2",
+            "Row: src/machines/form/rows.rs:2, src/machines/ladder/rows.rs:2",
+        ]
     );
 }
 

@@ -55,8 +55,8 @@ pub(super) struct Source {
     pub(super) items: Vec<String>,
     /// Child modules that the file declares.
     pub(super) children: Vec<String>,
-    /// Types and traits that are `pub`, with their lines.
-    pub(super) public_types: Vec<(String, usize)>,
+    /// Types and traits that are visible outside their module, with their lines.
+    pub(super) visible_types: Vec<(String, usize)>,
     pub(super) imports: Vec<Import>,
     pub(super) functions: Vec<Measured>,
     pub(super) structs: Vec<Measured>,
@@ -105,7 +105,7 @@ impl Source {
             shipped,
             items: Vec::new(),
             children: Vec::new(),
-            public_types: Vec::new(),
+            visible_types: Vec::new(),
             imports: Vec::new(),
             functions: Vec::new(),
             structs: Vec::new(),
@@ -120,17 +120,22 @@ impl Source {
     }
 
     fn note(&mut self, item: &syn::Item) {
-        let mut public_type = |vis: &syn::Visibility, ident: &syn::Ident| {
-            if matches!(vis, syn::Visibility::Public(_)) {
-                self.public_types.push((ident.to_string(), line(ident.span())));
+        let mut type_name = |vis: &syn::Visibility, ident: &syn::Ident| {
+            let is_visible = match vis {
+                syn::Visibility::Public(_) => true,
+                syn::Visibility::Restricted(to) => !to.path.is_ident("self"),
+                syn::Visibility::Inherited => false,
+            };
+            if is_visible {
+                self.visible_types.push((ident.to_string(), line(ident.span())));
             }
             ident.to_string()
         };
         let name = match item {
-            syn::Item::Struct(item) => public_type(&item.vis, &item.ident),
-            syn::Item::Enum(item) => public_type(&item.vis, &item.ident),
-            syn::Item::Trait(item) => public_type(&item.vis, &item.ident),
-            syn::Item::Type(item) => public_type(&item.vis, &item.ident),
+            syn::Item::Struct(item) => type_name(&item.vis, &item.ident),
+            syn::Item::Enum(item) => type_name(&item.vis, &item.ident),
+            syn::Item::Trait(item) => type_name(&item.vis, &item.ident),
+            syn::Item::Type(item) => type_name(&item.vis, &item.ident),
             syn::Item::Fn(item) => item.sig.ident.to_string(),
             syn::Item::Const(item) => item.ident.to_string(),
             syn::Item::Static(item) => item.ident.to_string(),
@@ -390,7 +395,7 @@ mod tests { fn unshipped() {} }"##;
     assert_eq!(source.paths(), [(vec!["super", "lex"], 2), (vec!["d", "e"], 5)][1..]);
     let names: Vec<&str> = source.imports.iter().map(|import| import.name.as_str()).collect();
     assert_eq!((names, source.modules()), (vec!["up", "Lexer", "*"], vec!["nc", "lex"]));
-    assert_eq!((source.items, source.public_types[0].1), (vec!["A".to_owned(), "c".to_owned()], 4));
+    assert_eq!((source.items, source.visible_types[0].1), (vec!["A".to_owned(), "c".to_owned()], 4));
     assert_eq!((source.functions[0].size, source.structs[0].size), (1, 1));
 }
 
