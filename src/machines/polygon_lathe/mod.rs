@@ -32,6 +32,8 @@ mod rules_of_drives;
 
 mod rules;
 
+mod findings;
+
 mod program;
 
 mod plant;
@@ -102,7 +104,7 @@ impl Machine for PolygonLathe {
 
 impl Prepared for PolygonLathe {
     fn results(&self) -> Design {
-        Design { readouts: results::results(self), diagnostics: rules::findings(self) }
+        Design { readouts: results::results(self), diagnostics: findings::findings(self) }
     }
 
     fn program(&self) -> MachineProgram {
