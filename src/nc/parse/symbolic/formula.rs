@@ -1,0 +1,158 @@
+//! Formulas of a language with names: comparisons, logic, integer division, and variables and brackets as other languages write them.
+//!
+//! ```text
+//! cond   := logic { comparison logic }                comparisons come last
+//! logic  := expr { ( AND | XOR | OR ) expr }
+//! ```
+
+use crate::controls::Alarm;
+use crate::msg;
+use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
+use crate::nc::dec::Dec;
+use crate::nc::lex::keywords::{COMPARISONS, LOGIC, SIGNS};
+use crate::nc::parse::failure::{ParseFailure, Read};
+use crate::nc::parse::reader::Reader;
+
+impl Reader<'_> {
+    /// Whether a variable follows: its letter with a number or an index.
+    #[inline]
+    pub(in crate::nc) fn parameter_ahead(&self) -> bool {
+        self.names().is_some()
+            && self.cursor.peek() | 0x20 == b'r'
+            && (self.cursor.byte(1).is_ascii_digit() || self.cursor.byte(1) == b'[')
+    }
+
+    /// Reads an expression with comparisons as the weakest operators; in a condition a single `=` counts as `==`.
+    pub(in crate::nc) fn named_formula(&mut self, condition: bool) -> Read<ExprId> {
+        let start = self.cursor.at;
+        let mut left = self.logic(0)?;
+        while let Some(op) = self.named_comparison(condition) {
+            let right = self.logic(0)?;
+            left = self.part(Expr::Binary(op, left, right), start)?;
+        }
+        Ok(left)
+    }
+
+    fn logic(&mut self, least: usize) -> Read<ExprId> {
+        let start = self.cursor.at;
+        let mut left = match self.negation()? {
+            Some(left) => left,
+            None => self.formula(false)?,
+        };
+        loop {
+            let byte = self.skip();
+            if !byte.is_ascii_alphabetic() {
+                return Ok(left);
+            }
+            let name = self.cursor.name();
+            let Some(level) = LOGIC.iter().position(|(word, _)| name.eq_ignore_ascii_case(word)) else {
+                return Ok(left);
+            };
+            if level < least {
+                return Ok(left);
+            }
+            self.cursor.at += name.len();
+            self.skip();
+            let right = self.logic(level + 1)?;
+            left = self.part(Expr::Binary(LOGIC[level].1, left, right), start)?;
+        }
+    }
+
+    /// Reads `NOT value` as `value == 0`.
+    fn negation(&mut self) -> Read<Option<ExprId>> {
+        let byte = self.skip();
+        if byte | 0x20 != b'n' || !self.cursor.name().eq_ignore_ascii_case("NOT") {
+            return Ok(None);
+        }
+        let start = self.cursor.at;
+        self.cursor.at += 3;
+        self.deeper()?;
+        let inner = self.factor()?;
+        self.formulas.depth -= 1;
+        let zero = self.part(Expr::Number(Dec::int(0)), start)?;
+        self.part(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
+    }
+
+    /// Reads `DIV`, the integer division.
+    #[cold]
+    pub(in crate::nc) fn quotient_ahead(&mut self) -> bool {
+        self.take_word("DIV")
+    }
+
+    fn named_comparison(&mut self, condition: bool) -> Option<Op> {
+        let byte = self.skip();
+        let from = self.cursor.at;
+        if byte.is_ascii_alphabetic() {
+            let name = self.cursor.name();
+            let &(word, op) = COMPARISONS.iter().find(|(word, _)| name.eq_ignore_ascii_case(word))?;
+            self.cursor.at += 2;
+            let sign = sign_of(op);
+            self.slip(
+                Alarm::Format,
+                from,
+                self.cursor.at,
+                msg!("nc.comparison-sign", sign = word, control = self.control.name, correct = sign),
+                sign,
+            );
+            return Some(op);
+        }
+        let &(sign, op, known) = SIGNS.iter().find(|(sign, ..)| self.cursor.ahead(sign))?;
+        if !known && !condition {
+            return None;
+        }
+        self.cursor.at += sign.len();
+        if !known {
+            let right = sign_of(op);
+            self.slip(
+                Alarm::Format,
+                from,
+                self.cursor.at,
+                msg!("nc.comparison-sign", sign, control = self.control.name, correct = right),
+                right,
+            );
+        }
+        Some(op)
+    }
+
+    /// Reports `[ expr ]` for grouping, as on other controls; reads it as intended.
+    #[cold]
+    pub(in crate::nc) fn square_group(&mut self) -> Read<ExprId> {
+        let start = self.cursor.at;
+        let inner = self.group(b']')?;
+        let finding =
+            self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.square-brackets", control = self.control.name));
+        let edit = |at: usize, bracket: &str| (self.place(self.span(at, at + 1)), bracket.to_owned());
+        let edits = vec![edit(start, "("), edit(self.cursor.at - 1, ")")];
+        self.report_as(Alarm::Format, finding.fix(msg!("nc.fix.round"), edits));
+        Ok(inner)
+    }
+
+    /// Reports `#1`, the spelling of variables on other controls, once per file.
+    #[cold]
+    pub(in crate::nc) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
+        let finding = self.span(self.cursor.at, self.cursor.at + 1);
+        self.notes.hash.get_or_insert(finding.start);
+        self.block.bad.get_or_insert(BadBlock { alarm: Alarm::Format, finding });
+        self.variable(written)
+    }
+
+    /// The failure of `$P_S`: system data that the simulation does not keep.
+    #[cold]
+    pub(in crate::nc) fn system_variable(&self) -> Box<ParseFailure> {
+        let rest = self.cursor.rest();
+        let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
+        let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();
+        self.failure(
+            Alarm::Budget,
+            self.cursor.at,
+            self.cursor.at + len,
+            msg!("nc.system-variable", variable = name),
+            false,
+        )
+    }
+}
+
+/// The sign of a comparison.
+pub(in crate::nc) fn sign_of(op: Op) -> &'static str {
+    SIGNS.iter().find(|row| row.1 == op && row.2).map_or("", |row| row.0)
+}
