@@ -22,7 +22,7 @@ use crate::ui::parts::input::{Choice, filled_part, number};
 use crate::ui::parts::phrases::phrases;
 use crate::ui::parts::scene::{fit, svg};
 use crate::ui::parts::{Dialog, Glyph, IconButton};
-use crate::ui::state::player::begin;
+use crate::ui::state::planning::begin;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{clock, sentence, t};

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::player;
+use super::planning;
 use crate::machines::Design;
 use crate::project::Project;
 use crate::project::program::Written;
@@ -29,7 +29,7 @@ impl Begun {
                 in_turn(move || {
                     let written = Rc::new(project.written());
                     in_turn(move || {
-                        let run = player::begin(&project, &written);
+                        let run = planning::begin(&project, &written);
                         in_turn(move || then(Begun { project, design, scene, written, run }));
                     });
                 });
@@ -41,7 +41,7 @@ impl Begun {
     #[cfg(test)]
     pub(crate) fn now(project: Project) -> Begun {
         let (design, scene, written) = (project.design(), project.prepared().scene(), Rc::new(project.written()));
-        let run = player::begin(&project, &written);
+        let run = planning::begin(&project, &written);
         Begun { project, design, scene, written, run }
     }
 }

@@ -2,6 +2,8 @@
 
 pub(crate) mod begun;
 
+mod edit_pace;
+
 mod entries;
 
 pub(crate) mod history;
@@ -13,6 +15,8 @@ pub(crate) mod operator;
 pub(crate) mod outlook;
 
 pub(crate) mod page;
+
+pub(crate) mod planning;
 
 pub(crate) mod player;
 

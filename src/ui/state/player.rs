@@ -1,21 +1,20 @@
-//! The run: a planner ahead of the play head, and the play head itself. Not reactive, except for the few signals at its edge.
+//! The run at the play head: transport, time axis, and the moment that painters get in each frame.
+//! Not reactive, except for the few signals at its edge.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use leptos::prelude::*;
 
+use super::edit_pace::{EditPace, SLOW};
 use super::put::put;
 use super::walk::Walk;
 use crate::controls::Control;
 use crate::interp::inspect::What;
 use crate::machines::{Frame, PreparedMachine};
 use crate::math;
-use crate::motion::{Action, Budget, Event, Mode, Retention, RunEnd, Snapshot};
-use crate::project::Project;
-use crate::project::debug::{Debugger, Goal};
-use crate::project::program::Written;
-use crate::project::run::{self, Run, RunOptions};
+use crate::motion::{Action, Event, Mode, RunEnd, Snapshot};
+use crate::project::debug::Debugger;
+use crate::project::run::{self, Run};
 use crate::text::{Diagnostic, Place};
 use crate::ui::dom::{self, Frames};
 use crate::view::Chart;
@@ -27,29 +26,8 @@ pub(crate) const SPEEDS: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0,
 /// Machine seconds per second while the machine only waits, at automatic speed.
 const WAITING: f64 = 2.0;
 
-/// Milliseconds of planning in one slice.
-const SLICE: f64 = 6.0;
-
-/// Milliseconds of planning within a frame, when the play head has caught up with the plan.
-const IN_FRAME: f64 = 2.0;
-
 /// Machine seconds that are planned ahead of the play head, at least.
-const AHEAD: f64 = 1.0;
-
-/// Machine seconds that are always planned in the background.
-const HORIZON: f64 = 60.0;
-
-/// Longest run that is planned: ten hours, which fit the memory.
-const LIMITS: Budget = Budget { blocks: 1_000_000_000, seconds: 36_000.0 };
-
-/// Steps of the planner between two looks at the clock.
-const STEPS: usize = 64;
-
-/// Milliseconds between two values of the slow signals, and between two whole plans while a field is dragged.
-const SLOW: f64 = 100.0;
-
-/// Edits that come in a row count as dragging: how many, and milliseconds between two of them at most.
-const DRAGGING: (u32, f64) = (3, 60.0);
+pub(super) const AHEAD: f64 = 1.0;
 
 /// The run at the play head, as painters get it in each frame.
 pub(crate) struct RunMoment<'a> {
@@ -75,7 +53,7 @@ type Painter = Box<dyn FnMut(&RunMoment)>;
 /// The run of the page. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Player {
-    state: StoredValue<State, LocalStorage>,
+    pub(super) state: StoredValue<PlayerState, LocalStorage>,
     painters: StoredValue<Vec<Painter>, LocalStorage>,
     frames: StoredValue<Option<Frames>, LocalStorage>,
     /// Whether the play head moves by itself.
@@ -121,57 +99,29 @@ pub(crate) struct Zoom {
 /// Least length (s) of a part of the time axis.
 const LEAST: f64 = 0.005;
 
-struct State {
-    planner: Option<Run>,
-    id: &'static str,
-    machine: Option<Arc<PreparedMachine>>,
+/// State of the run that is not in signals: planner, machine, play head, and times of the frames.
+pub(super) struct PlayerState {
+    pub(super) planner: Option<Run>,
+    pub(super) id: &'static str,
+    pub(super) machine: Option<Arc<PreparedMachine>>,
     /// Machine seconds per second at which the machine's motion is visible.
-    visible: f64,
-    head: f64,
+    pub(super) visible: f64,
+    pub(super) head: f64,
     stamp: Option<f64>,
-    slow_at: f64,
-    slicing: bool,
+    pub(super) slow_at: f64,
+    pub(super) slicing: bool,
     asked: bool,
     /// Length (s) of the plan before the operator changed the past, until it is planned again: the time axis keeps it.
-    expected: f64,
+    pub(super) expected: f64,
     /// Findings of the last plan.
-    findings: Vec<Diagnostic>,
-    pace: Pace,
-}
-
-/// Pace of edits. While a field is dragged, each step plans only up to the play head, and the whole run some times a second.
-#[derive(Default)]
-struct Pace {
-    /// When the last edit was shown.
-    edited: f64,
-    /// Edits that followed quickly on one another.
-    in_a_row: u32,
-    /// When the run was last planned as a whole.
-    planned: f64,
-    /// Whether the whole run has to be planned.
-    is_due: bool,
-}
-
-impl Pace {
-    /// Records an edit at a time (ms); returns whether to show it without planning the whole run.
-    fn hurries(&mut self, now: f64) -> bool {
-        let (enough, apart) = DRAGGING;
-        self.in_a_row = if now - self.edited < apart { self.in_a_row + 1 } else { 0 };
-        self.edited = now;
-        self.in_a_row >= enough && now - self.planned < SLOW
-    }
-}
-
-/// Begins the run of a project; nothing of it is planned yet.
-pub(crate) fn begin(project: &Project, written: &Written) -> Run {
-    let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
-    run::of_project(project, written, &begin)
+    pub(super) findings: Vec<Diagnostic>,
+    pub(super) pace: EditPace,
 }
 
 impl Player {
     /// A player without a run.
     pub(crate) fn new() -> Player {
-        let state = State {
+        let state = PlayerState {
             planner: None,
             id: "",
             machine: None,
@@ -183,7 +133,7 @@ impl Player {
             asked: false,
             expected: 0.0,
             findings: Vec::new(),
-            pace: Pace::default(),
+            pace: EditPace::default(),
         };
         let player = Player {
             state: StoredValue::new_local(state),
@@ -206,75 +156,6 @@ impl Player {
         };
         player.frames.set_value(Some(Frames::new(move |stamp| player.frame(stamp))));
         player
-    }
-
-    /// Begins another run; the play head stays at its time.
-    pub(crate) fn load(self, project: &Project, written: &Written) {
-        self.take(begin(project, written), project, written);
-    }
-
-    /// Takes a run that has begun; the play head stays at its time.
-    pub(crate) fn take(self, run: Run, project: &Project, written: &Written) {
-        let id = project.machine.id();
-        if self.state.with_value(|state| state.id != id) {
-            self.speed.set(0.0);
-            self.zoom.set(None);
-        }
-        self.state.update_value(|state| {
-            state.planner = Some(run);
-            state.id = id;
-            state.machine = Some(project.prepared());
-            state.visible = project.machine.speed();
-            state.expected = 0.0;
-        });
-        self.walk_away();
-        self.walk.update(|walk| walk.points.resolve(&written.parsed));
-    }
-
-    /// Shows the changed run after the effects of the change.
-    pub(crate) fn settle(self) {
-        dom::soon(move || {
-            // The page may be gone.
-            if self.state.is_disposed() {
-                return;
-            }
-            let now = dom::now();
-            let more = if self.state.try_update_value(|state| state.pace.hurries(now)) == Some(true) {
-                self.plan_head();
-                false
-            } else {
-                self.plan_whole(now)
-            };
-            dom::mark("rendered");
-            dom::measure("edit", "input", "rendered");
-            if more {
-                self.plan_on();
-            }
-        });
-    }
-
-    /// Plans the run up to the end of the shown part, and shows it, at a time in ms; returns whether there is more to plan.
-    fn plan_whole(self, now: f64) -> bool {
-        self.state.update_value(|state| (state.pace.planned, state.pace.is_due) = (now, false));
-        let more = self.plan_far();
-        self.show();
-        more
-    }
-
-    /// Shows the run at the play head, and soon as a whole. Until then charts, time axis and findings are those of the last whole plan.
-    fn plan_head(self) {
-        self.advance_plan(self.head() + AHEAD, SLICE);
-        let was_due = self.state.try_update_value(|state| core::mem::replace(&mut state.pace.is_due, true));
-        self.show();
-        if was_due == Some(false) {
-            let whole = move || {
-                // The page may be gone, or the run planned meanwhile.
-                if self.state.try_with_value(|state| state.pace.is_due) == Some(true) && self.plan_whole(dom::now()) {
-                    self.plan_on();
-                }
-            };
-            set_timeout(whole, Duration::from_millis(SLOW as u64));
-        }
     }
 
     /// Adds a painter: it gets every frame from now on.
@@ -365,26 +246,6 @@ impl Player {
         event
     }
 
-    /// Replans from the earliest changed action of the operator, for the same project.
-    pub(crate) fn replan(self, project: &Project, written: &Written) {
-        let done = self.state.try_update_value(|state| Some(run::replan(state.planner.as_mut()?, project)));
-        if done.flatten() == Some(true) {
-            self.replanned();
-        } else {
-            self.load(project, written);
-        }
-    }
-
-    /// After a change of the run: walks again to the block before which the debugger waited.
-    fn replanned(self) {
-        let planned = self.planned.get_untracked().0;
-        self.state.update_value(|state| state.expected = planned.max(state.expected));
-        self.plans.update(|count| *count += 1);
-        if self.walk_away() {
-            self.walk_to(Goal::Block(0));
-        }
-    }
-
     /// A variable as the control's screen shows it now, and whether it has changed since the last stop of the debugger.
     pub(crate) fn variable(self, control: &Control, number: u32) -> (Option<f64>, bool) {
         self.plans.track();
@@ -397,17 +258,6 @@ impl Player {
         });
         stopped
             .unwrap_or_else(|| (self.ask_planner(|planner| run::shown(planner, control, number, t)).flatten(), false))
-    }
-
-    /// Asks the planner something.
-    pub(crate) fn ask_planner<T>(self, question: impl FnOnce(&Run) -> T) -> Option<T> {
-        self.state.with_value(|state| state.planner.as_ref().map(question))
-    }
-
-    /// Findings of the planned part of the run.
-    pub(crate) fn findings(self) -> Vec<Diagnostic> {
-        self.plans.track();
-        self.state.with_value(|state| state.findings.clone())
     }
 
     /// The charts of the whole plan, for a file.
@@ -428,11 +278,6 @@ impl Player {
             let pose = machine.pose(run, &timeline.at(state.head.min(timeline.end())), frame);
             Some(picture(&machine.scene(), &pose, theme))
         })
-    }
-
-    /// Plans now, up to a time, for no longer than a slice.
-    pub(crate) fn plan_to(self, t: f64) {
-        self.plan(t, SLICE);
     }
 
     /// Ends of the time that film and charts show, with the play head at `head`.
@@ -468,82 +313,6 @@ impl Player {
         self.zoom.set(None);
         self.window.set(seconds);
         self.ask();
-    }
-
-    /// Plans up to a time, but only for some milliseconds; says whether there is more to plan.
-    fn plan(self, until: f64, budget: f64) -> bool {
-        let advanced = self.advance_plan(until, budget);
-        self.state.update_value(|state| {
-            state.findings = state.planner.as_ref().map(|planner| planner.diagnostics().to_vec()).unwrap_or_default();
-        });
-        let Some((planned, ended, more)) = advanced else { return false };
-        let over = ended.is_some();
-        self.state.update_value(|state| {
-            if over || planned >= state.expected {
-                state.expected = 0.0;
-            }
-        });
-        put(self.ended, ended);
-        if self.planned.get_untracked() != (planned, over) {
-            self.planned.set((planned, over));
-            self.plans.update(|count| *count += 1);
-        }
-        more
-    }
-
-    /// Plans without informing the page: planned time (s), why the run ended there, and whether there is more to plan.
-    fn advance_plan(self, until: f64, budget: f64) -> Option<(f64, Option<RunEnd>, bool)> {
-        let begun = dom::now();
-        let progress = self.state.try_update_value(|state| {
-            let planner = state.planner.as_mut()?;
-            loop {
-                let progress = planner.advance(until, STEPS);
-                let done = progress.ended.is_some() || progress.planned_to >= until;
-                if done || dom::now() - begun > budget {
-                    return Some((progress.planned_to, progress.ended, !done));
-                }
-            }
-        });
-        progress.flatten()
-    }
-
-    /// Plans in slices between the frames, until the plan reaches its goal.
-    fn plan_on(self) {
-        let slicing = self.state.try_update_value(|state| core::mem::replace(&mut state.slicing, true));
-        if slicing != Some(false) {
-            return;
-        }
-        let slice = move || {
-            // The page may be gone.
-            if self.state.try_update_value(|state| state.slicing = false).is_none() {
-                return;
-            }
-            let more = self.plan_far();
-            // Charts of the whole plan cost more than a slice of planning.
-            let due = self.state.with_value(|state| dom::now() - state.slow_at >= SLOW);
-            if due || !more {
-                self.ask();
-            }
-            if more {
-                self.plan_on();
-            }
-        };
-        set_timeout(slice, Duration::ZERO);
-    }
-
-    /// Time (s) up to which the plan is needed now: the end of the charts, and a little ahead of the play head.
-    fn soon(self) -> f64 {
-        let head = self.head();
-        self.axis(head, 0.0).1.max(head + AHEAD)
-    }
-
-    /// Plans a slice in the background; returns whether there is more to plan.
-    fn plan_far(self) -> bool {
-        let more = self.plan(self.soon().max(HORIZON), SLICE);
-        if !more {
-            self.state.update_value(|state| state.expected = 0.0);
-        }
-        more
     }
 
     /// Asks for a frame.
@@ -605,7 +374,7 @@ impl Player {
         });
         let head = self.play_to(from, from + passed.unwrap_or_default() / 1000.0 * speed);
         if head > self.planned.get_untracked().0 {
-            self.plan(self.soon(), IN_FRAME);
+            self.plan_in_frame();
         }
         let (planned, ended) = self.planned.get_untracked();
         // At a breakpoint the play head may be ahead of the plan.
@@ -616,7 +385,7 @@ impl Player {
 
     /// Writes the moment at the play head into the page. Charts and readouts follow some times a second, and pause while only the play head's
     /// time is planned.
-    fn show(self) {
+    pub(super) fn show(self) {
         let time = dom::now();
         let (planned, _) = self.planned.get_untracked();
         let playing = self.playing.get_untracked();
@@ -655,34 +424,4 @@ impl Player {
 /// The first of these rising times after the play head, else the first of all; none without times.
 pub(crate) fn next_begin(times: &[f64], head: f64) -> Option<f64> {
     times.get(times.partition_point(|t| *t <= head)).or(times.first()).copied()
-}
-
-#[cfg(test)]
-mod tests {
-    use wasm_bindgen_test::wasm_bindgen_test;
-
-    use super::*;
-
-    #[wasm_bindgen_test]
-    fn only_edits_in_a_row_hurry_and_never_for_long() {
-        let mut pace = Pace::default();
-        let hurries = |pace: &mut Pace, times: &[f64]| -> Vec<bool> {
-            let take = |time: &f64| {
-                let hurries = pace.hurries(*time);
-                if !hurries {
-                    pace.planned = *time;
-                }
-                hurries
-            };
-            times.iter().map(take).collect()
-        };
-        // Typed figures, each a while after the other.
-        assert_eq!(hurries(&mut pace, &[1000.0, 1100.0, 1200.0, 1300.0, 1400.0]), [false; 5]);
-        // A slider: a step each 16 ms, planned whole once 100 ms have gone by.
-        let steps: Vec<f64> = (0..14).map(|step| 2000.0 + 16.0 * f64::from(step)).collect();
-        let hurried = hurries(&mut pace, &steps);
-        assert_eq!(hurried[..3], [false; 3]);
-        let whole = hurried[3..].iter().filter(|hurries| !**hurries).count();
-        assert_eq!(whole, 1, "{hurried:?}");
-    }
 }
