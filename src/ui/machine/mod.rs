@@ -26,6 +26,8 @@ mod operator_list;
 
 pub(crate) mod operator_panel;
 
+mod operator_rows;
+
 mod pictures;
 
 mod plot;
