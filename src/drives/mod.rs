@@ -1,4 +1,4 @@
-//! Engineering shared by machines: inertia, load, duty, servo and its derating of an axis, parts to order, cams, analog output, spindle speed, positioning, gear units, cuts, web (strip), its reel, a servo's block, induction drive, polygon turning, axis scaling.
+//! Engineering shared by machines: inertia, load, duty, servo and its derating of an axis, parts to order, cams, analog output, spindle speed, positioning, gear units, cuts, web (strip), its reel, a servo's block, induction drive, cage motor, polygon turning, axis scaling.
 
 pub mod inertia;
 
@@ -33,6 +33,8 @@ pub mod block;
 pub mod gear;
 
 pub mod induction;
+
+pub mod cage_motor;
 
 pub mod polygon;
 

@@ -138,6 +138,8 @@ pub struct InductionRatings {
     pub voltage: Option<f64>,
     /// Rated speed, r/min.
     pub rated_speed: Option<f64>,
+    /// Highest speed that its maker allows, r/min.
+    pub top_speed: Option<f64>,
     /// Rated torque, Nm.
     pub rated_torque: Option<f64>,
     /// Moment of inertia of the rotor, kg m².

@@ -19,11 +19,12 @@ pub struct MotorCurve {
 
 impl MotorCurve {
     /// Curve of a motor of `power` kW with base speed `base` r/min, whose top speed `top` r/min turns the spindle at `stage` r/min, with
-    /// the efficiency of the gear: `P = P_m η`, `n_b = n_bm · stage / top`.
+    /// the efficiency of the gear: `P = P_m η`, `n_b = n_bm · stage / top`. With a base speed above the top speed the torque is constant up to
+    /// the top speed, and the motor never reaches its power.
     ///
     /// Source: `reference/turning-spindle.md` section 4.
     pub fn new(power: f64, efficiency: f64, (base, top): (f64, f64), stage: f64) -> MotorCurve {
-        MotorCurve { power: power * efficiency, base: stage * (base / top).min(1.0) }
+        MotorCurve { power: power * efficiency, base: stage * base / top }
     }
 
     /// Torque in Nm at a spindle speed in r/min: `M = 9549.3 P / max(n, n_b)`.

@@ -44,9 +44,9 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// Greatest torque that its limits allow, Nm.
-    pub fn peak(&self) -> f64 {
-        self.limits.peak * self.motor.peak
+    /// Greatest torque (Nm) that its limits allow at a speed in r/min.
+    pub fn most(&self, speed: f64) -> f64 {
+        self.limits.peak * self.motor.most(speed)
     }
 }
 
@@ -155,6 +155,8 @@ pub struct InverterDrive {
     pub torque: f64,
     /// Speed of the motor with it, r/min.
     pub speed: f64,
+    /// Highest speed at which the machine runs the motor, r/min.
+    pub top_speed: f64,
     /// Share of its rated torque and power that the site leaves the motor, 0 to 1.
     pub site_share: f64,
     /// Torque of the brake at the motor that closes without current, Nm; 0 without one.

@@ -123,6 +123,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         name: "ribbon.drive.unwinder",
         torque: line.mechanics.unwinder,
         speed: line.fast.actual_speed,
+        top_speed: line.fast.actual_speed,
         site_share: line.p.unwinding.site_share / 100.0,
         brake: line.p.unwinding.motor_brake,
         cycle: (line.p.inverter_ramp > 0.0).then(|| unwinder_cycle(line)),

@@ -21,6 +21,8 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         name: "turning.drive.spindle",
         torque: through_gear(d.torque, gear, p.efficiency / 100.0),
         speed: d.speed_largest * gear,
+        // The inverter is set for it at 10 V, whatever the program asks.
+        top_speed: p.motor_top,
         site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: (p.spindle_ramp > 0.0).then(|| cycle(lathe, gear)),

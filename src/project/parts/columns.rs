@@ -101,6 +101,7 @@ pub(super) fn numbers(ratings: &mut Ratings) -> Vec<(&'static str, &mut Option<f
             ("rated_power_w", &mut of.rated_power),
             ("voltage_v", &mut of.voltage),
             ("rated_speed_rpm", &mut of.rated_speed),
+            ("max_speed_rpm", &mut of.top_speed),
             ("rated_torque_nm", &mut of.rated_torque),
             ("inertia_kgm2", &mut of.inertia),
             ("rated_current_a", &mut of.rated_current),

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
+use crate::drives::cage_motor::highest_speed;
 use crate::drives::duty::{Hardest, Motion, ToResistor, Work, with_pause};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
@@ -529,14 +530,21 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
     let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
     let (most, most_power) = (torque * drive.site_share, rated_power * drive.site_share);
     let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
+    let top_speed = of.top_speed.unwrap_or_else(|| highest_speed(rated_power, rated_speed));
     let needed = power(asked, speed * RPM);
     let inverter = smallest(catalogue, control, |other| match &other.ratings {
         Ratings::Inverter(inverter) if inverter.feeds(&of) => inverter.rated_power,
         _ => None,
     });
-    let mut shares =
-        Shares { inertia_ratio: 0.0, peak: asked / torque, effective: asked / most, speed: speed / rated_speed };
-    let mut refusal = if asked > most {
+    let mut shares = Shares {
+        inertia_ratio: 0.0,
+        peak: asked / torque,
+        effective: asked / most,
+        speed: drive.top_speed / top_speed,
+    };
+    let mut refusal = if drive.top_speed > top_speed {
+        Some((Rank::Speed, msg!("size.refused-speed", speed = (drive.top_speed, 0), limit = (top_speed, 0))))
+    } else if asked > most {
         Some((Rank::Effective, msg!("size.refused-torque", torque = (asked, 3), limit = (most, 3))))
     } else if needed > most_power {
         Some((Rank::Peak, msg!("size.refused-power", power = (needed, 0), limit = (most_power, 0))))

@@ -1,10 +1,11 @@
 //! The operating envelope: worst values at start, in the run, at the ends of the knob, at a change of speed, at every stop.
 //!
-//! Each event is a run of the program with an action of the operator in the middle of its work, with the knob at the form's position and
-//! near both of its ends; formulas check these runs, see `tests/it/sizing`.
+//! Each event is a run of the program with an action of the operator in the middle of its work, a stop also at the highest speed of the
+//! spindle, with the knob at the form's position and near both of its ends; formulas check these runs, see `tests/it/sizing`.
 
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
+use crate::drives::duty::Hardest;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, ProductSize};
 use crate::math;
@@ -212,17 +213,18 @@ impl Envelope<'_> {
             }
             OperatingEvent::Hold => self.held(whole),
             OperatingEvent::Alarm if self.prepared.plc().watches_inverter() => {
-                self.stopped(event, whole, Action::InverterFault(true))
+                let fault = |run: &mut Run, t| run.event(Event { t, action: Action::InverterFault(true) });
+                self.stopped(event, whole, fault)
             }
             OperatingEvent::Alarm => Vec::new(),
-            OperatingEvent::EmergencyStop => self.stopped(event, whole, Action::EmergencyStop),
+            OperatingEvent::EmergencyStop => {
+                self.stopped(event, whole, |run, t| run.event(Event { t, action: Action::EmergencyStop }))
+            }
             OperatingEvent::PowerFailure => {
                 if self.prepared.plant().spindle.coasting.is_none() {
                     return Vec::new();
                 }
-                let mut run = whole.run.branch(at);
-                run.lose_power(at);
-                self.to_standstill(event, run, at)
+                self.stopped(event, whole, |run, at| run.lose_power(at))
             }
         }
     }
@@ -241,11 +243,13 @@ impl Envelope<'_> {
         rows
     }
 
-    fn stopped(&self, event: OperatingEvent, whole: &WholeRun, action: Action) -> Vec<EnvelopeRow> {
-        let at = whole.middle();
-        let mut run = whole.run.branch(at);
-        run.event(Event { t: at, action });
-        self.to_standstill(event, run, at)
+    /// The worst stop of a run: in the middle of the work, and at the highest speed of the spindle.
+    fn stopped(&self, event: OperatingEvent, whole: &WholeRun, stop: impl Fn(&mut Run, f64)) -> Vec<EnvelopeRow> {
+        worst(whole.stops().into_iter().map(|at| {
+            let mut run = whole.run.branch(at);
+            stop(&mut run, at);
+            self.to_standstill(event, run, at)
+        }))
     }
 
     fn held(&self, whole: &WholeRun) -> Vec<EnvelopeRow> {
@@ -289,8 +293,9 @@ impl Envelope<'_> {
         });
         let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
             let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
-            let torque = motion.work(axis.fitted.motor.rotor).peak.0;
-            let limit = Some(Limit::AtMost(axis.fitted.peak()));
+            // The limit falls with the speed, so that the greatest torque may not be the hardest.
+            let Hardest { torque, speed, .. } = motion.hardest(&axis.fitted.motor);
+            let limit = Some(Limit::AtMost(axis.fitted.most(speed)));
             let of_torque = EnvelopeRow {
                 id: format!("{}-torque", axis.id),
                 label: "size.torque",

@@ -15,6 +15,12 @@ const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
 /// Lowest position (%) of the knob in a run: at 0 % nothing moves.
 const LOWEST: f64 = 10.0;
 
+/// Moments of a run among which that of the highest spindle speed is sought.
+const MOMENTS: u32 = 400;
+
+/// A spindle speed above that in the middle of the work by this factor counts as another one.
+const FASTER: f64 = 1.01;
+
 /// Number of events planned at a time.
 const SLICE: usize = 4096;
 
@@ -105,6 +111,15 @@ impl WholeRun {
     /// Time (s) of the middle of its work.
     pub(super) fn middle(&self) -> f64 {
         0.5 * (self.contact + self.end)
+    }
+
+    /// Times (s) at which a stop is tried: the middle of the work, and the moment of the highest spindle speed, where that is another one.
+    pub(super) fn stops(&self) -> Vec<f64> {
+        let speed = |t: f64| self.run.timeline().at(t).spindle.actual.abs();
+        let moments = (0..=MOMENTS).map(|at| self.end * f64::from(at) / f64::from(MOMENTS));
+        let fastest = moments.reduce(|best, t| if speed(t) > speed(best) { t } else { best });
+        let faster = fastest.filter(|t| speed(*t) > FASTER * speed(self.middle()));
+        [Some(self.middle()), faster].into_iter().flatten().collect()
     }
 }
 

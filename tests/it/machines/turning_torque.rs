@@ -42,6 +42,15 @@ fn torque_beyond_the_motor_fails_though_power_suffices() {
     }
 }
 
+/// A motor of 7.5 kW at 2000 r/min that the inverter turns at 1000 r/min with 10 V gives half its power: 9549.3 · 7.5 · 0.8 / 2000 at the
+/// motor, 1000 / 800 times as much at the spindle.
+#[test]
+fn motor_below_its_base_speed_has_its_torque_alone() {
+    let lathe =
+        project("gsk-980tdc", &[("motor-base", "2000"), ("motor-top", "1000"), ("stage-1", "800"), ("stage-2", "0")]);
+    near(result(&lathe, "torque-available"), 9_549.297 * 7.5 * 0.8 / 2000.0 * 1000.0 / 800.0, 0.01);
+}
+
 #[test]
 fn lower_stage_with_enough_torque_is_offered() {
     let stages = [("stage-1", "200"), ("stage-2", "3000"), ("gear", "2")];

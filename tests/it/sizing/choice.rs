@@ -289,6 +289,29 @@ fn spindle_motor_is_chosen_by_cut_and_run_up() {
 }
 
 #[test]
+fn induction_motor_beyond_its_highest_speed_is_refused() {
+    let refused = |top: &'static str, row: &str| {
+        let mut lathe = lathe(&[("motor-top", top), ("spindle-ramp", "10")]);
+        let table = "kind,maker,model,rated_power_w,rated_speed_rpm,max_speed_rpm,rated_torque_nm,inertia_kgm2,grade\n";
+        let (parts, found) = parts::read(&(table.to_owned() + row), "own.csv");
+        assert!(found.is_empty(), "{found:?}");
+        lathe.add_parts(parts);
+        let sizing = sized(&lathe);
+        reason(candidates(&sizing, "spindle").iter().find(|candidate| candidate.part.model == "S").unwrap())
+    };
+    // IEC 60034-1: 3600 r/min for four poles up to frame 112, 2700 up to frame 180, 5200 and 4500 for two poles.
+    let four = |power: u32, torque: u32| format!("induction,Works,S,{power},1450,,{torque},0.02,entered\n");
+    assert_eq!(refused("3600", &four(3700, 24)), "");
+    assert_eq!(refused("3610", &four(3700, 24)), "Too slow: 3610 r/min asked, 3600 r/min at most.");
+    assert_eq!(refused("2710", &four(7500, 49)), "Too slow: 2710 r/min asked, 2700 r/min at most.");
+    let two = "induction,Works,S,7500,2900,,25,0.02,entered\n";
+    assert_eq!(refused("4500", two), "");
+    assert_eq!(refused("12000", two), "Too slow: 12000 r/min asked, 4500 r/min at most.");
+    // What the maker gives goes before the standard.
+    assert_eq!(refused("12000", "induction,Works,S,7500,2900,12000,25,0.02,entered\n"), "");
+}
+
+#[test]
 fn terminals_name_every_motor_contact_and_the_set_speed() {
     for machine in ALL {
         for control in machine.controls() {

@@ -92,6 +92,57 @@ fn loop_at_every_stop_is_that_of_the_formulas() {
     super::same("hold", worst.value - loop_in_the_run(&there), both, 0.02);
 }
 
+/// A disc of 140 mm, faced to its centre at a constant surface speed: the spindle is fastest at the end of the cut.
+fn faced_disc() -> Project {
+    let project = Project::named("turning-spindle", None, Some("facing")).unwrap();
+    let entries = [("stock-diameter", "140"), ("finished-diameter", "10"), ("spindle-ramp", "6")];
+    project.with_entries(&entries.map(|(id, typed)| (id, typed.to_owned()))).unwrap()
+}
+
+#[test]
+fn lathe_is_stopped_from_its_highest_speed() {
+    let project = faced_disc();
+    let sizing = sized(&project);
+    let run = run_of(&project);
+    let end = run.timeline().end();
+    let highest =
+        (0..4000).map(|at| run.timeline().at(end * f64::from(at) / 4000.0).spindle.actual).fold(0.0, f64::max);
+    let (middle, stage) = (run.timeline().at(0.5 * end).spindle.actual, result(&project, "stage-speed"));
+    assert!(highest > 1.5 * middle, "{highest} of {middle}");
+    // By the ramp of 6 s from standstill to the speed at 10 V.
+    let stop = row(&sizing, OperatingEvent::EmergencyStop, "time");
+    super::same("stop", stop.value, 6.0 * highest / stage, 0.02);
+    let coasts = row(&sizing, OperatingEvent::PowerFailure, "time");
+    super::same("coasting", coasts.value, result(&project, "coasting-time"), 0.01);
+}
+
+#[test]
+fn torque_is_limited_by_what_the_motor_has_at_its_speed() {
+    // A small square in brass at a high speed of the tool, whose motor has its power up to 1500 r/min.
+    let entries = [
+        ("material", "brass"),
+        ("across-flats", "8"),
+        ("stock-diameter", "11"),
+        ("speed", "2000"),
+        ("feed", "1.2"),
+        ("tool-limit", "6000"),
+        ("work-limit", "3000"),
+        ("fastest-cut", "1500"),
+        ("depth", "1.5"),
+        ("tool-power", "5.5"),
+        ("tool-base", "1500"),
+        ("work-power", "5.5"),
+    ];
+    let project = Project::named("polygon-lathe", None, None).unwrap();
+    let project = project.with_entries(&entries.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let sizing = sized(&project);
+    let of_run = row(&sizing, OperatingEvent::Run, "tool-torque");
+    let of_rules = project.design().readouts.into_iter().find(|row| row.id == "tool-torque").unwrap();
+    assert_eq!((of_run.verdict, of_rules.verdict), (Verdict::Fail, Verdict::Fail), "{of_run:?} {of_rules:?}");
+    // 250 % of 5.5 kW at 4000 r/min.
+    super::same("limit", of_run.limit.unwrap().value(), 2.5 * 5500.0 / (4000.0 * std::f64::consts::TAU / 60.0), 1e-3);
+}
+
 #[test]
 fn verdicts_follow_the_limits_of_the_machine() {
     let mut project = line();
