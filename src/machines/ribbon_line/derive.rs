@@ -77,7 +77,12 @@ pub(super) struct Derived {
     pub slack_interruption: f64,
     pub loop_needed: f64,
     pub loop_time: f64,
-    pub tension: f64,
+    /// Tension (N) of a ribbon that X draws faster than the unwinder gives it.
+    pub draw_tension: f64,
+    /// Length (mm) by which X is ahead of the unwinder after a start from an empty loop; 0 where ribbon is left over.
+    pub missing: f64,
+    /// Tension (N) of the ribbon stretched by that length; 0 where none is missing.
+    pub start_tension: f64,
     pub tension_limit: f64,
     pub pi_drift: f64,
     pub thickness_error: f64,
@@ -347,14 +352,12 @@ impl Derived {
             slack_interruption: slack.interruption,
             loop_needed: slack.needed(),
             loop_time: slack.loop_time,
-            tension: web::draw_tension(p.youngs_modulus, area, (-slack.error.min(slack.error_rated)).max(0.0)),
+            draw_tension: web::draw_tension(p.youngs_modulus, area, (-slack.error.min(slack.error_rated)).max(0.0)),
+            missing: slack.missing(),
+            start_tension: start_tension(p, area, slack.missing()),
             tension_limit: 0.5 * p.tensile_strength * area,
             pi_drift: (PI / pi - 1.0) * line_speed,
-            thickness_error: if p.effective_diameter {
-                0.0
-            } else {
-                p.ribbon_thickness / p.press_roller_diameter * 100.0
-            },
+            thickness_error: thickness_error(p),
             register_error,
             start_stop_speed: 100.0 * timing.exact_stop_share,
             cycles_per_minute: 60.0 / timing.exact_stop,
@@ -364,6 +367,30 @@ impl Derived {
             manual_line_speed: k * p.manual_speed.min(top_speed),
         }
     }
+}
+
+impl Derived {
+    /// Tension (N) of a tight ribbon, by draw or after a start.
+    pub(super) fn tension(&self) -> f64 {
+        self.draw_tension.max(self.start_tension)
+    }
+
+    /// Position (%) of the knob of these results: as far as it makes the unwinder faster.
+    pub(super) fn knob(&self, p: &Params) -> f64 {
+        100.0 * self.actual_speed / p.spindle_speed
+    }
+}
+
+/// Length error (%) of a diameter entered without the ribbon's thickness: `t / D · 100`. Source: sizing facts D22.
+fn thickness_error(p: &Params) -> f64 {
+    if p.effective_diameter { 0.0 } else { p.ribbon_thickness / p.press_roller_diameter * 100.0 }
+}
+
+/// Tension (N) of a ribbon of cross-section A (mm²) that has `missing` mm too little after a start: `T = E · A · |s| / L + T1`, with the
+/// modulus E (N/mm²), the free length L (mm) before X and the tension T1 (N) that it has anyway. Source: ribbon line facts, 7.
+fn start_tension(p: &Params, area: f64, missing: f64) -> f64 {
+    let strain = missing / p.web.span;
+    if missing > 0.0 { web::draw_tension(p.youngs_modulus, area, strain) + p.web.tension_before } else { 0.0 }
 }
 
 /// Drift of Y in mm (or °) per shift of eight hours if each stroke were only rounded to 0.001, as the control does; the programs carry
@@ -453,7 +480,7 @@ fn kept(p: &Params, pitch_time: f64, y_stroke: f64) -> f64 {
 }
 
 /// Time from M3 to the first pull, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0 at standstill.
-pub(super) fn wait(p: &Params, moves: bool) -> f64 {
+fn wait(p: &Params, moves: bool) -> f64 {
     match p.wait {
         _ if !moves => 0.0,
         Wait::Dwell => FIN_DELAY + p.dwell,
@@ -560,5 +587,10 @@ impl Slack {
     /// until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.
     fn needed(&self) -> f64 {
         self.start.abs() + self.run.abs() + self.stop.abs() + self.interruption
+    }
+
+    /// Ribbon (mm) missing after start or restart with an empty loop.
+    fn missing(&self) -> f64 {
+        (-self.start.min(self.resume)).max(0.0)
     }
 }

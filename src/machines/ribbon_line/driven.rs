@@ -146,7 +146,7 @@ pub(super) fn pitch(line: &RibbonLine) -> ProductSize {
     ProductSize { variable: 107, size: line.p.pitch }
 }
 
-/// Quantities checked during operation: ribbon in the loop, and tension while the loop is empty.
+/// Quantities checked during operation: ribbon in the loop at the most and at the least, and tension while the loop is empty.
 pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
     GaugeRow {
         id: "loop",
@@ -158,6 +158,15 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         value: |line, now| LineState::new(line, now).slack,
     },
     GaugeRow {
+        id: "loop-least",
+        label: "ribbon.gauge.loop-least",
+        unit: "mm",
+        decimals: 1,
+        limit: |line| Some(Limit::AtLeast(-stretch(line))),
+        field: None,
+        value: |line, now| State::new(line, now).slack,
+    },
+    GaugeRow {
         id: "tension",
         label: "ribbon.gauge.tension",
         unit: "N",
@@ -167,6 +176,14 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         value: tension,
     },
 ];
+
+/// Stretch (mm) of the ribbon before X at the tension limit: `s = (T - T1) · L / (E · A)`, and none where T1 is above the limit. An empty loop
+/// may miss as much ribbon. Source: ribbon line facts, 7.
+fn stretch(line: &RibbonLine) -> f64 {
+    let (p, left) = (&line.p, line.d.tension_limit - line.p.web.tension_before);
+    let per_strain = web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0);
+    left.max(0.0) * p.web.span / per_strain
+}
 
 /// Tension of the web in N: that of the brake, and with an empty loop that of the length that is missing.
 fn tension(line: &RibbonLine, now: &Snapshot) -> f64 {

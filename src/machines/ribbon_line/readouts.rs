@@ -1,6 +1,7 @@
 //! The results of the ribbon line as rows: label, unit, formula, source.
 
 use super::coasting;
+use super::derive::Derived;
 use super::resolved::RibbonLine;
 use super::rules_of_coordinates as coordinates;
 use super::rules_of_feeds as feeds;
@@ -248,8 +249,8 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "loop-needed", label: "ribbon.readout.loop-needed", unit: "mm", decimals: 1, headline: false,
-        formula: "|start| + |run| + |stop| + interruption",
-        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.d.loop_needed,
+        formula: "|start| + |run| + |stop| + interruption, the knob at its worst",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| slack::worst_loop(line).loop_needed,
     },
     ReadoutRow {
         id: "coasting-time", label: "ribbon.readout.coasting-time", unit: "s", decimals: 2, headline: false,
@@ -274,8 +275,8 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "tension", label: "ribbon.readout.tension", unit: "N", decimals: 3, headline: false,
-        formula: "E · width · thickness · draw",
-        cite: Citation::new("sizing facts D11", Grade::Inferred), value: |line| line.d.tension,
+        formula: "E · width · thickness · draw; after a start E · width · thickness · |start| / L + T1, the knob at its worst",
+        cite: Citation::new("sizing facts D11; ribbon line facts, 7", Grade::Inferred), value: |line| line.worst(Derived::tension).tension(),
     },
     ReadoutRow {
         id: "pi-drift", label: "ribbon.readout.pi-drift", unit: "mm/min", decimals: 3, headline: false,

@@ -9,6 +9,7 @@ use super::scene::captions::{distance, names};
 use super::scene::layout::Layout;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Control, Dialect};
+use crate::drives::speed::Steps;
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
 use crate::math::PI;
@@ -31,6 +32,8 @@ pub(crate) struct RibbonLine {
     pub(super) d: Derived,
     /// Results of the formulas with the knob at its end; those at standstill if the line stands still.
     pub(super) fast: Derived,
+    /// Results of the formulas with the knob at its slow end, where the line still runs there; else the present ones.
+    pub(super) slow: Derived,
     /// Mechanics of the drives, and the same with the knob at its end.
     pub(super) mechanics: Mechanics,
     pub(super) fast_mechanics: Mechanics,
@@ -64,17 +67,21 @@ impl RibbonLine {
             // A code has positions of its own, and no others reach spindle or program.
             (p.override_percent, p.knob_step) = (knob.nearest(p.override_percent), KnobStep::Ten);
         }
-        let d = Derived::new(&p, control.bench.output_bits);
-        // A locked knob has no other end.
-        let fast = match d.actual_speed > 0.0 && !p.knob_is_locked() {
-            true => {
-                let end = knob.high.min(GREATEST).max(p.override_percent);
-                Derived::new(&Params { override_percent: end, ..p.clone() }, control.bench.output_bits)
-            }
-            false => d.clone(),
-        };
+        let [d, fast, slow] = over_knob(&p, knob, control.bench.output_bits);
         let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d), Mechanics::new(&p, &fast));
-        RibbonLine { form, p, d, fast, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
+        RibbonLine { form, p, d, fast, slow, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
+    }
+
+    /// Results of the formulas for another form, with the knob as it is, at its fast and at its slow end.
+    pub(super) fn with(&self, p: &Params) -> [Derived; 3] {
+        over_knob(p, self.dialect.spindle().knob, self.control.bench.output_bits)
+    }
+
+    /// The results at that position of the knob at which one of them is greatest.
+    pub(super) fn worst(&self, of: fn(&Derived) -> f64) -> &Derived {
+        [&self.fast, &self.slow]
+            .into_iter()
+            .fold(&self.d, |worst, next| if of(next) > of(worst) { next } else { worst })
     }
 
     /// Positions and sizes in the drawing.
@@ -170,4 +177,17 @@ impl RibbonLine {
     pub(super) fn handed(&self) -> Option<u32> {
         override_input(self.control)
     }
+}
+
+/// Results of the formulas with the knob as it is, at its fast and at its slow end. A locked knob has no other end, a line at standstill
+/// neither; a slow end at 0 % is standstill, and the present results stand for it.
+fn over_knob(p: &Params, knob: Steps, bits: u8) -> [Derived; 3] {
+    let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, bits);
+    let now = Derived::new(p, bits);
+    if now.actual_speed <= 0.0 || p.knob_is_locked() {
+        return [now.clone(), now.clone(), now];
+    }
+    let fast = at(knob.high.min(GREATEST).max(p.override_percent));
+    let slow = if knob.low > 0.0 { at(knob.low.min(p.override_percent)) } else { now.clone() };
+    [now, fast, slow]
 }

@@ -1,6 +1,6 @@
 //! Rules about ribbon between unwinder and pull roller: the loop, the slack rate, the knob, the tension of the web.
 
-use super::derive::{Derived, FIN_DELAY, wait};
+use super::derive::Derived;
 use super::params::{FIELDS, Params, PathMode, Variant, Wait};
 use super::resolved::{GREATEST, RibbonLine};
 use crate::controls::Code;
@@ -58,10 +58,17 @@ pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
     fail((d.register_error != 0.0).then_some(Equal(0.0)), advice)
 }
 
-/// The dwell that leaves no slack after a start: a longer one lays `v` mm more for each second.
-fn matching_dwell(line: &RibbonLine) -> f64 {
-    let (d, speed) = (&line.d, line.d.line_speed / 60.0);
-    (wait(&line.p, true) - FIN_DELAY - d.slack_start / speed).max(0.0)
+/// The shortest dwell (s) after which no start pulls the ribbon tight, with the knob at its fast end: each second lays `v` mm more. A feed per
+/// revolution follows the unwinder from standstill, and the best dwell is none.
+fn matching_dwell(line: &RibbonLine) -> (&'static str, String) {
+    let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..line.p.clone() });
+    let short = if line.in_step() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
+    up(FIELDS, "dwell", short.max(0.0))
+}
+
+/// The results at that position of the knob at which a product may lay most ribbon into the loop.
+pub(super) fn worst_loop(line: &RibbonLine) -> &Derived {
+    line.worst(|d| d.loop_needed)
 }
 
 /// An advice with the entry of a loop that holds `needed` mm, where the form takes one so large.
@@ -71,15 +78,16 @@ fn with_loop(advice: Advice, needed: f64, more: Vec<(&'static str, String)>) -> 
     advice.setting(button, more.into_iter().chain([set]).collect::<Vec<_>>())
 }
 
-/// Judges the ribbon that a product lays into the loop, with one interruption, against the loop's capacity.
+/// Judges the ribbon that a product lays into the loop, with one interruption, against the loop's capacity, over the range of the knob.
 pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+    let (p, d) = (&line.p, worst_loop(line));
     let limit = AtMost(p.loop_capacity);
     if d.loop_needed <= p.loop_capacity {
         return ok(limit);
     }
     let sum = msg!(
         "ribbon.loop-too-small",
+        percent = (d.knob(p), 1),
         needed = (d.loop_needed.ceil(), 0),
         capacity = (p.loop_capacity, 0),
         start = (d.slack_start.abs(), 0),
@@ -88,11 +96,10 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
         hold = (d.slack_interruption, 0)
     );
     let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
-    // A feed per revolution follows the unwinder from standstill: the best wait is none.
-    let dwell = up(FIELDS, "dwell", if line.in_step() { 0.0 } else { matching_dwell(line) });
+    let dwell = matching_dwell(line);
     let wait = [("wait", "dwell".to_owned()), dwell.clone()];
     let dwelt = Params { wait: Wait::Dwell, dwell: dwell.1.parse().unwrap_or(p.dwell), ..p.clone() };
-    let left = Derived::new(&dwelt, line.control.bench.output_bits).loop_needed;
+    let left = line.with(&dwelt).into_iter().map(|d| d.loop_needed).fold(0.0, f64::max);
     if left < d.loop_needed {
         let message = msg!("ribbon.matching-dwell", time = dwell.1.as_str(), capacity = (left.ceil(), 0));
         let button = msg!("advice.set-dwell", time = dwell.1.as_str());
@@ -210,14 +217,31 @@ pub(super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
+/// Judges the tension of a tight ribbon over the range of the knob: by the draw while the line runs, and by the ribbon that is missing after a
+/// start.
 pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
-    let d = &line.d;
-    let limit = AtMost(d.tension_limit);
-    if d.tension > d.tension_limit {
-        fail(limit, [with_dancer(msg!("ribbon.stiff-web", tension = (d.tension, 0), limit = (d.tension_limit, 0)))])
-    } else {
-        ok(limit)
+    let (p, most) = (&line.p, line.d.tension_limit);
+    let limit = AtMost(most);
+    let (drawn, started) = (line.worst(|d| d.draw_tension), line.worst(|d| d.start_tension));
+    let mut advice = Vec::new();
+    if started.start_tension > most {
+        let (dwell, percent) = (matching_dwell(line), (started.knob(p), 1));
+        let said = msg!(
+            "ribbon.start-stretches",
+            percent,
+            missing = (started.missing, 1),
+            span = (p.web.span, 0),
+            tension = (started.start_tension, 0),
+            limit = (most, 0)
+        );
+        let button = msg!("advice.set-dwell", time = dwell.1.as_str());
+        advice.push(Advice::from(said).setting(button, [dwell]));
     }
+    if drawn.draw_tension > most {
+        let said = msg!("ribbon.stiff-web", tension = (drawn.draw_tension, 0), limit = (most, 0));
+        advice.push(with_dancer(said));
+    }
+    if advice.is_empty() { ok(limit) } else { fail(limit, advice) }
 }
 
 /// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.

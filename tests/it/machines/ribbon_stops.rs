@@ -4,6 +4,7 @@ use macroline::controls::VarKind;
 use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};
 use macroline::project::Project;
+use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Readout, Verdict};
 use proptest::prelude::*;
 
@@ -43,7 +44,8 @@ fn looks(project: &Project) -> f64 {
 
 #[test]
 fn loop_is_judged_by_the_sum_of_what_a_product_lays() {
-    let project = project("mitsubishi-e60", &[]);
+    // The clamp keeps the knob from turning the unwinder faster.
+    let project = project("mitsubishi-e60", &[("speed-clamp", "1200")]);
     let value = |id: &str| readout(&project, id).value;
     let parts = ["slack-start", "slack-run", "slack-stop"].map(value);
     assert!((parts.iter().sum::<f64>() - 596.0).abs() < 0.5, "{parts:?}");
@@ -68,6 +70,96 @@ fn loop_is_judged_by_the_sum_of_what_a_product_lays() {
     }
     let buttons: Vec<_> = needed.advice.iter().map(|advice| advice.sets.clone()).collect();
     assert_eq!(buttons[0], [("loop-capacity", "1212.8".to_owned())]);
+}
+
+/// The first example with the knob free up to 123.3 %: K = 6.314 mm, a ramp of 2 s, a dwell of 0.7 s.
+fn example(changes: &[(&str, &str)]) -> Project {
+    let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
+    project.values.extend(values(changes));
+    project
+}
+
+#[test]
+fn loop_is_judged_at_the_end_of_the_knob() {
+    let project = example(&[("loop-capacity", "260")]);
+    let needed = readout(&project, "loop-needed");
+    // v (t_w - t_r/2 + τ/2) + v/K, v (t_r/2 + τ/2) - v/K, v (t_w + t_r/4) at 1480 r/min.
+    let v = std::f64::consts::PI * 100.5 / 50.0 * 1480.0 / 60.0;
+    let (start, stop) = (v * (0.75 - 1.0 + 0.05 + 1.0 / 33.0), v * (1.0 + 0.05 - 1.0 / 33.0));
+    let wanted = start.abs() + stop + v * (0.75 + 0.5);
+    assert!((needed.value - wanted).abs() < 1e-9 && wanted.round() == 380.0, "{} {wanted}", needed.value);
+    assert_eq!((needed.verdict, needed.limit), (Verdict::Fail, Some(Limit::AtMost(260.0))));
+    let said = sentence(&needed.advice[0].message);
+    assert!(said.starts_with("With the knob at 123.3 % one product may lay 380 mm into the loop of 260 mm"), "{said}");
+    // A run at 123 % with a hold of a second ends with start, short stop and stop in the loop: more than 260 mm.
+    let mut fast = project.clone();
+    fast.values.extend(values(&[("override", "123")]));
+    let mut planner = over_time(&fast, vec![event(8.0, Action::Hold), event(9.0, Action::Start)]);
+    assert_eq!(ended(&mut planner), RunEnd::ProgramEnd);
+    let most = slack(&fast, &planner, 6001).into_iter().map(|point| point.1).fold(0.0, f64::max);
+    assert!((300.0..wanted).contains(&most), "{most}");
+    // Held by the clamp, the knob adds nothing: 253 mm at 1200 r/min.
+    let clamped = example(&[("loop-capacity", "260"), ("speed-clamp", "1200")]);
+    assert_eq!(readout(&clamped, "loop-needed").verdict, Verdict::Ok);
+}
+
+#[test]
+fn loop_is_judged_at_the_worst_position_of_the_knob() {
+    // Slip weighs most at the slow end, where a product lasts longest; ramps at the fast one. The knob of the GSK ends at 50 and 120 %.
+    let mut ends = [false; 2];
+    for more in [&[][..], &[("rated-load-speed", "1400"), ("unwinder-load", "100"), ("pitch-count", "2000")]] {
+        let sum = |percent: &str| {
+            let project = line("gsk-980tdc", &[more, &[("override", percent)]].concat());
+            let parts = ["slack-start", "slack-run", "slack-stop", "slack-interruption"];
+            parts.iter().map(|id| readout(&project, id).value.abs()).sum::<f64>()
+        };
+        let [slow, now, fast] = ["50", "100", "120"].map(sum);
+        let needed = readout(&line("gsk-980tdc", more), "loop-needed").value;
+        assert!((needed - slow.max(now).max(fast)).abs() < 1e-9, "{needed}: {slow} {now} {fast}");
+        ends[usize::from(slow > fast)] = true;
+    }
+    assert_eq!(ends, [true; 2]);
+}
+
+/// PET of 50 · 0.05 mm, which hardly stretches, with a dwell that is too short for the ramp.
+const PET: [(&str, &str); 7] = [
+    ("youngs-modulus", "4000"),
+    ("ribbon-width", "50"),
+    ("ribbon-thickness", "0.05"),
+    ("tensile-strength", "150"),
+    ("press-roller-diameter", "99.95"),
+    ("dwell", "0.3"),
+    ("loop-capacity", "1000"),
+];
+
+#[test]
+fn ribbon_missing_after_the_start_counts_in_the_tension() {
+    for (clamp, percent) in [("1480", "123.3"), ("1200", "100")] {
+        let project = example(&[&PET[..], &[("speed-clamp", clamp)]].concat());
+        let (n, tension) = (clamp.parse::<f64>().unwrap(), readout(&project, "tension"));
+        let v = std::f64::consts::PI * 99.95 / 50.0 * n / 60.0;
+        // v (t_w - t_r/2 + τ/2 + 1/K), a ramp of 2 s for 1480 r/min.
+        let missing = -v * (0.35 - n / 1480.0 + 0.05 + 1.0 / 33.0);
+        let wanted = 4000.0 * 2.5 * missing / 2000.0 + 15.0;
+        assert!((tension.value - wanted).abs() < 1e-9 * wanted, "{}: {wanted}", tension.value);
+        assert_eq!((tension.verdict, tension.limit), (Verdict::Fail, Some(Limit::AtMost(187.5))));
+        let said = sentence(&tension.advice[0].message);
+        assert!(said.starts_with(&format!("With the knob at {percent} % X is {missing:.1} mm ahead")), "{said}");
+        // The run misses as much.
+        let mut fast = project.clone();
+        let whole = if clamp == "1480" { "200" } else { "100" };
+        fast.values.extend(values(&[("override", whole)]));
+        let points = slack(&fast, &over_time(&fast, vec![event(8.0, Action::Reset)]), 4001);
+        let least = points.iter().map(|point| point.1).fold(0.0, f64::min);
+        assert!((least + missing).abs() < 1.0, "{least} {missing}");
+        // A longer dwell misses nothing.
+        let mended = project.with_entries(&tension.advice[0].sets).unwrap();
+        assert_eq!(tension.advice[0].sets[0].0, "dwell");
+        assert_eq!((readout(&mended, "tension").verdict, readout(&mended, "tension").value), (Verdict::Ok, 0.0));
+    }
+    // 1200 r/min: 47.8 mm, 254 N.
+    let tension = readout(&example(&[&PET[..], &[("speed-clamp", "1200")]].concat()), "tension").value;
+    assert_eq!(tension.round(), 254.0);
 }
 
 #[test]

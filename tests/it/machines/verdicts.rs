@@ -317,15 +317,15 @@ fn buttons_of_the_defaults_of_the_ribbon_line() {
         ]
     );
     assert_eq!(buttons(&line, "slack-rate"), ["Add a dancer: dancer=true"]);
-    // No slack: the wait is half of the spindle ramp, less half of the time constant, less the servo lag.
-    let (ramp, tau, gain): (f64, f64, f64) = (2.0 * 1200.0 / 1480.0, 0.1, 33.0);
+    // No slack at the end of the knob: the wait is half of the spindle ramp to 1480 r/min, less half of the time constant, less the servo lag.
+    let (ramp, tau, gain): (f64, f64, f64) = (2.0, 0.1, 33.0);
     let dwell = ramp / 2.0 - tau / 2.0 - 1.0 / gain - 0.05;
     let dwell = (dwell * 1000.0).ceil() / 1000.0;
     assert_eq!(
         buttons(&line, "loop-needed"),
         [
-            "Set a loop of 1212.8 mm: loop-capacity=1212.8".to_owned(),
-            format!("Set a loop of 545.8 mm: wait=dwell dwell={dwell} loop-capacity=545.8"),
+            "Set a loop of 1838.4 mm: loop-capacity=1838.4".to_owned(),
+            format!("Set a loop of 1133.5 mm: wait=dwell dwell={dwell} loop-capacity=1133.5"),
         ]
     );
 }

@@ -234,6 +234,30 @@ fn loop_that_is_offered_holds_by_every_rule_too() {
 }
 
 #[test]
+fn loop_misses_at_most_the_stretch_at_the_tension_limit() {
+    let mut project = line();
+    assert!(sized(&project).envelope.iter().all(|row| row.id != "loop-least" || row.verdict == Verdict::Ok));
+    // PET of 50 · 0.05 mm: (187.5 - 15) N · 2000 mm / (4000 N/mm² · 2.5 mm²) = 34.5 mm.
+    for (field, value) in [
+        ("youngs-modulus", 4000.0),
+        ("ribbon-width", 50.0),
+        ("ribbon-thickness", 0.05),
+        ("tensile-strength", 150.0),
+        ("dwell", 0.3),
+    ] {
+        project.values.insert(field.to_owned(), Value::Number(value));
+    }
+    let sizing = sized(&project);
+    let least = row(&sizing, OperatingEvent::Run, "loop-least");
+    assert_eq!(least.verdict, Verdict::Fail);
+    assert!(least.limit.is_some_and(|limit| (limit.value() + 34.5).abs() < 1e-9), "{:?}", least.limit);
+    // The tension is that of the stretch.
+    let tension = row(&sizing, OperatingEvent::Run, "tension").value;
+    super::same("tension", tension, 15.0 - least.value * 4000.0 * 2.5 / 2000.0, 1e-9);
+    assert!(sizing.findings().iter().any(|found| sentence(&found.message).contains("Least in the loop")));
+}
+
+#[test]
 fn torque_at_start_is_the_peak_torque_of_the_results() {
     let project = line();
     let sizing = sized(&project);
