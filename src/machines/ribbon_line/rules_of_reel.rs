@@ -115,7 +115,7 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
     let set = up(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
     let fits = set.1.parse().is_ok_and(|diameter: f64| diameter <= LARGEST);
     let button = || msg!("advice.set-reel", diameter = set.1.as_str());
-    warn(limit, [if fits { said.setting(button(), [set.clone()]) } else { said }])
+    fail(limit, [if fits { said.setting(button(), [set.clone()]) } else { said }])
 }
 
 /// Greatest diameter (mm) of a reel in the form.

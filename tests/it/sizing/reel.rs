@@ -133,7 +133,7 @@ fn a_reel_of_the_line_passes() {
 fn what_a_reel_cannot_do_is_told_and_mended() {
     // A product of 4 m on a reel of a metre.
     let short = line(&[("reel-diameter", 70.0)]);
-    assert_eq!(mended(&short, "reel-products"), (Verdict::Warn, vec![("reel-diameter", Verdict::Ok)]));
+    assert_eq!(mended(&short, "reel-products"), (Verdict::Fail, vec![("reel-diameter", Verdict::Ok)]));
     // A heavy reel that runs up in 20 ms tears soft ribbon; over a longer ramp it does not.
     let hasty = line(&[("reel-core-inertia", 20000.0), ("inverter-ramp", 0.02)]);
     assert_eq!(mended(&hasty, "reel-pull"), (Verdict::Fail, vec![("inverter-ramp", Verdict::Ok)]));
