@@ -167,7 +167,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         if self.holding() || self.s.plc.io.stops.axes {
             return (0.0, f64::INFINITY);
         }
-        let cutting = if self.s.suppressed.feed_override { 1.0 } else { percent(self.s.operator.knobs.feed) / 100.0 };
+        let is_fixed = self.s.suppressed.feed_override || self.s.plc.io.overrides.feed_off;
+        let cutting = if is_fixed { 1.0 } else { percent(self.s.operator.knobs.feed) / 100.0 };
         match motion.pace {
             Pace::Rapid | Pace::Return { .. } => {
                 (motion.limit * (percent(self.s.operator.knobs.rapid) / 100.0).min(1.0), f64::INFINITY)

@@ -65,6 +65,15 @@ pub struct Stops {
     pub axes: bool,
 }
 
+/// Overrides from the PLC to the control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlcOverrides {
+    /// Spindle override in percent (register method).
+    pub spindle: f64,
+    /// The cutting feed override is fixed at 100 % (GSK: OVC at 1).
+    pub feed_off: bool,
+}
+
 /// The interface between PLC and control at one moment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Io {
@@ -90,8 +99,8 @@ pub struct Io {
     pub gear_wanted: Option<u8>,
     /// The PLC's answer: the waiting codes are done.
     pub fin: bool,
-    /// Spindle override in percent from the PLC to the control (register method).
-    pub spindle_override_out: f64,
+    /// Overrides from the PLC to the control.
+    pub overrides: PlcOverrides,
     /// Engaged gear stage, from 1, from the PLC to the control.
     pub gear: u8,
     /// Alarm of the PLC: stops the program and clears the codes that wait for FIN.
@@ -124,7 +133,7 @@ impl Default for Io {
             t_strobe: None,
             gear_wanted: None,
             fin: false,
-            spindle_override_out: 100.0,
+            overrides: PlcOverrides { spindle: 100.0, feed_off: false },
             gear: 1,
             alarm: None,
             notice: None,
@@ -140,7 +149,7 @@ impl Default for Io {
 impl Io {
     /// Inputs of the spindle speed from the PLC: spindle hold, gear stage, volts during a gear change, and override.
     pub(super) fn spindle_orders(&self) -> (bool, u8, Option<f64>, f64) {
-        (self.stops.spindle, self.gear, self.gear_volts, self.spindle_override_out)
+        (self.stops.spindle, self.gear, self.gear_volts, self.overrides.spindle)
     }
 
     /// Clears all codes that wait for FIN.
@@ -250,7 +259,7 @@ impl BenchPlc {
 impl Plc for BenchPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let percent = self.knob.map_or(io.spindle_override, |knob| knob.nearest(io.spindle_override));
-        io.spindle_override_out = percent;
+        io.overrides.spindle = percent;
         if let Some(variable) = self.override_echo {
             io.inputs.insert(variable, percent);
         }

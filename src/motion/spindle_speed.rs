@@ -91,7 +91,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// The spindle override as a factor.
     pub(super) fn override_share(&self) -> f64 {
         let whole = self.s.exec.threads() && !self.plant.spindle.rules.thread_override;
-        if whole { 1.0 } else { percent(self.s.plc.io.spindle_override_out) / 100.0 }
+        if whole { 1.0 } else { percent(self.s.plc.io.overrides.spindle) / 100.0 }
     }
 
     /// Speed (r/min) after override and limits, and the active limit.

@@ -18,6 +18,7 @@ pub(super) const SIGNALS: &[Signal] = joined![Signal: REGISTERS, cited![Signal: 
 
 /// Registers, by device number.
 const REGISTERS: &[Signal] = &[
+    from_plc(FeedOverrideOff, "G6.4", "", "OVC: 1 fixes the feed override at 100 %", PLC),
     from_plc(SpindleOverrideCode, "G30", "code", "spindle override, 50 to 120 % in steps of 10", OVERRIDE),
     from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", MACRO),
     from_plc(MacroInputLow(1033), "G56", "word", "#1033 (G56, G57)", MACRO),

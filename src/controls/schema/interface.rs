@@ -25,6 +25,8 @@ pub enum SignalRole {
     SpindleOverrideCode,
     /// Cutting feed override in percent, PLC to control.
     FeedOverride,
+    /// 1 fixes the cutting feed override at 100 %, PLC to control.
+    FeedOverrideOff,
     /// Low word of a macro input, PLC to control, with the number of its variable.
     MacroInputLow(u32),
     /// High word of a macro input, PLC to control, with the number of its variable.

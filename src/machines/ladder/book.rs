@@ -353,6 +353,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
         SignalRole::SpindleOverride => "plc.signal.override",
         SignalRole::SpindleOverrideCode => "plc.signal.override-code",
         SignalRole::FeedOverride => "plc.signal.feed-override",
+        SignalRole::FeedOverrideOff => "plc.signal.feed-override-off",
         SignalRole::MacroInputLow(_) => "plc.signal.macro-input",
         SignalRole::MacroInputHigh(_) => "plc.signal.macro-input-high",
         SignalRole::SpindleFinal => "plc.signal.final",

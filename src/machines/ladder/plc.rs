@@ -212,14 +212,15 @@ impl LadderPlc {
         io.stops.spindle = spindle.into_iter().flatten().any(|on| !on);
         let axes = [signal(SignalRole::AxesEnable), signal(SignalRole::AxesStop).map(|held| !held)];
         io.stops.axes = axes.into_iter().flatten().any(|on| !on);
+        io.overrides.feed_off = signal(SignalRole::FeedOverrideOff).unwrap_or(false);
         for rung in ladder.rungs.iter() {
             match rung.written() {
                 Some(word @ PlcNumber::Signal(SignalRole::SpindleOverride)) => {
-                    io.spindle_override_out = image.number(word)
+                    io.overrides.spindle = image.number(word)
                 }
                 // Tens of percent.
                 Some(word @ PlcNumber::Signal(SignalRole::SpindleOverrideCode)) => {
-                    io.spindle_override_out = 10.0 * image.number(word);
+                    io.overrides.spindle = 10.0 * image.number(word);
                 }
                 Some(word @ PlcNumber::Signal(SignalRole::MacroInputLow(variable))) => {
                     io.inputs.insert(variable, image.number(word));

@@ -69,6 +69,9 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
         let feed = PlcNumber::Signal(SignalRole::FeedOverride);
         book.copy(PlcNumber::Constant(100), feed, Book::always(), "ribbon.ladder.feed");
     }
+    if book.has(SignalRole::FeedOverrideOff) {
+        book.coil(Bit::Signal(SignalRole::FeedOverrideOff), Book::always(), "ribbon.ladder.feed");
+    }
     let Some(input) = line.handed() else { return };
     let low = PlcNumber::Signal(SignalRole::MacroInputLow(input));
     if p.override_form == OverrideForm::FinalSpeed && book.has(SignalRole::SpindleFinal) {

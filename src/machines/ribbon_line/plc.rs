@@ -1,7 +1,8 @@
-//! The builder's PLC of the ribbon line: its ladder, and a remark where the knob turns the unwinder alone.
+//! The builder's PLC of the ribbon line: its ladder, and remarks where a knob moves unwinder or axes alone.
 
 use super::derive::AT_SPEED;
 use super::ladder::ladder;
+use super::program;
 use super::resolved::{GREATEST, RibbonLine};
 use crate::controls::interface::SignalRole;
 use crate::drives::speed::Steps;
@@ -14,6 +15,8 @@ pub(super) struct RibbonPlc {
     ladder: Box<dyn Plc>,
     /// The typed override (%), where the knob turns the unwinder and the axes stay.
     typed: Option<f64>,
+    /// Ribbon (mm) per revolution of the unwinder, and capacity (mm) of the loop, where the feed override moves the axes alone.
+    filled: Option<(f64, f64)>,
 }
 
 impl RibbonPlc {
@@ -29,6 +32,29 @@ impl RibbonPlc {
         RibbonPlc {
             ladder: Box::new(LadderPlc::new(ladder(line), wiring, line.control)),
             typed: line.p.knob_turns_alone().then(|| line.p.override_stepped()),
+            filled: program::feed_override_acts(line).then_some((line.d.k, line.p.loop_capacity)),
+        }
+    }
+}
+
+impl RibbonPlc {
+    /// Remarks on a knob that moves unwinder or axes alone, while the line runs.
+    fn remark(&self, io: &mut Io) {
+        let (percent, feed) = (io.overrides.spindle, io.feed_override);
+        if let Some(typed) = self.typed.filter(|typed| *typed != percent) {
+            io.notice = Some(msg!("ribbon.knob-left", percent = (percent, 0), programmed = (typed, 0)));
+        }
+        if let Some((k, capacity)) = self.filled.filter(|_| feed != 100.0) {
+            // Ribbon laid in mm/s: v · (1 - percent / 100).
+            let speed = k * io.spindle_command.abs() / 60.0;
+            let time = capacity / (speed * (1.0 - feed / 100.0).abs());
+            io.notice = Some(msg!(
+                "ribbon.feed-knob-left",
+                percent = (feed, 0),
+                speed = (speed, 0),
+                capacity = (capacity, 0),
+                time = (time, 1)
+            ));
         }
     }
 }
@@ -36,12 +62,8 @@ impl RibbonPlc {
 impl Plc for RibbonPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let next = self.ladder.scan(t, io);
-        let percent = io.spindle_override_out;
-        if let Some(typed) = self.typed.filter(|typed| *typed != percent)
-            && io.stops.program == ProgramState::Running
-            && io.spindle_command != 0.0
-        {
-            io.notice = Some(msg!("ribbon.knob-left", percent = (percent, 0), programmed = (typed, 0)));
+        if io.stops.program == ProgramState::Running && io.spindle_command != 0.0 {
+            self.remark(io);
         }
         next
     }
@@ -51,6 +73,6 @@ impl Plc for RibbonPlc {
     }
 
     fn boxed(&self) -> Box<dyn Plc> {
-        Box::new(RibbonPlc { ladder: self.ladder.boxed(), typed: self.typed })
+        Box::new(RibbonPlc { ladder: self.ladder.boxed(), typed: self.typed, filled: self.filled })
     }
 }

@@ -8,6 +8,7 @@ use super::params::{Endless, OverrideForm, PathMode, Rest, Variant, Wait};
 use super::phase;
 use super::resolved::RibbonLine;
 use crate::controls::Address;
+use crate::controls::interface::SignalRole;
 use crate::controls::{Code, VarKind};
 use crate::machines::writing::{self, Entry};
 use crate::nc::Deck;
@@ -183,8 +184,14 @@ fn override_off(b: &mut Builder, line: &RibbonLine, number: u32) {
 }
 
 /// Whether the program can switch the feed override off.
-pub(super) fn overrides_can_be_off(line: &RibbonLine) -> bool {
+fn overrides_can_be_off(line: &RibbonLine) -> bool {
     line.control.var(3004).is_some_and(|row| row.kind == VarKind::SuppressOverride)
+}
+
+/// Whether the feed override slows down the axes, and not the unwinder: neither the program nor the PLC can fix it at 100 %.
+pub(super) fn feed_override_acts(line: &RibbonLine) -> bool {
+    let fixed_by_plc = line.dialect.device(line.control, SignalRole::FeedOverrideOff).is_some();
+    !overrides_can_be_off(line) && !fixed_by_plc
 }
 
 /// Whether the program shifts the coordinates back at each start.

@@ -135,8 +135,11 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         let message = msg!("ribbon.cam-no-time", length = (p.contact_length, 3), pitch = (p.pitch, 3));
         found.push(Diagnostic::warning(message).about("contact-length"));
     }
-    if !program::overrides_can_be_off(line) {
-        found.push(Diagnostic::info(msg!("ribbon.override-acts")));
+    let speed = line.fast.line_speed / 60.0;
+    if program::feed_override_acts(line) && speed > 0.0 {
+        let time = (p.loop_capacity / speed, 1);
+        let message = msg!("ribbon.override-acts", speed = (speed, 0), capacity = (p.loop_capacity, 0), time);
+        found.push(Diagnostic::info(message));
     }
     if !line.control.macros.common_kept {
         found.push(Diagnostic::info(msg!("form.values-are-lost", program = program::SETUP)));

@@ -440,6 +440,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             G54 | #1032 | PLC | program |  | Spindle override or final speed for the program
             F10 |  | control | PLC |  | Number of the M function
             D100 |  | machine | PLC | % | Spindle override knob
+            G6.4 |  | PLC | control |  | Feed override off: 1 acts
             F7.0 |  | control | PLC |  | M is put out
             F7.2 |  | control | PLC |  | S is put out
             F7.3 |  | control | PLC |  | T is put out
@@ -493,79 +494,81 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             23 | LD R10.0 | 
             24 | DIVB 1 D100 K10 G30 | the knob as a code of tens of percent
             25 | LD R10.0 | 
-            26 | MOVN 2 D100 G54 | the same to the program
-            27 | LDI X3.1 | 
-            28 | OUT Y5.2 | fault of the inverter: alarm
-            29 | LD X3.1 | 
-            30 | OUT G8.5 | fault of the inverter: the axes stop
-            31 | LD R40.0 | 
-            32 | AND Y5.1 | 
-            33 | LD R40.1 | 
-            34 | AND Y5.0 | 
-            35 | ORB | 
-            36 | OUT Y5.3 | M3 and M4 need M5 between them
-            37 | LD R40.0 | 
-            38 | ANI Y5.1 | 
-            39 | AND X0.5 | 
-            40 | AND X3.1 | 
-            41 | ANI F1.1 | 
-            42 | LD X3.2 | 
-            43 | AND X0.5 | 
-            44 | AND X3.1 | 
-            45 | ANI F1.1 | 
-            46 | ORB | 
-            47 | LD Y5.0 | 
-            48 | ANI R40.2 | 
-            49 | ANI X3.3 | 
-            50 | ANI X3.4 | 
-            51 | AND X0.5 | 
-            52 | AND X3.1 | 
-            53 | ANI F1.1 | 
-            54 | ORB | 
-            55 | OUT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
-            56 | LD R40.1 | 
-            57 | ANI Y5.0 | 
-            58 | AND X0.5 | 
-            59 | AND X3.1 | 
-            60 | ANI F1.1 | 
-            61 | LD X3.3 | 
-            62 | AND X0.5 | 
-            63 | AND X3.1 | 
-            64 | ANI F1.1 | 
-            65 | ORB | 
-            66 | LD Y5.1 | 
-            67 | ANI R40.2 | 
-            68 | ANI X3.2 | 
-            69 | ANI X3.4 | 
-            70 | AND X0.5 | 
-            71 | AND X3.1 | 
-            72 | ANI F1.1 | 
-            73 | ORB | 
-            74 | OUT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
-            75 | LDI R10.2 | 
-            76 | OUT G29.6 | spindle stops with the axes; S and M3 stay
-            77 | LD F7.0 | 
-            78 | OR F7.2 | 
-            79 | OR F7.3 | 
-            80 | OUT G4.3 | one answer for M, S and T
-            81 | LD R10.2 | 
-            82 | AND Y5.0 | 
-            83 | ANI F1.1 | 
-            84 | LD R10.2 | 
-            85 | AND Y5.1 | 
-            86 | ANI F1.1 | 
-            87 | ORB | 
-            88 | LD R10.3 | 
-            89 | ANI T0 | 
-            90 | ANI F1.1 | 
-            91 | ORB | 
-            92 | OUT R10.3 | axes wait at the restart
-            93 | LD R10.3 | 
-            94 | ANI R10.2 | 
-            95 | TMRB T0 2050 | as long as behind M3
-            96 | LDI R10.3 | 
-            97 | OR R10.2 | 
-            98 | OUT G8.0 | axes may move
+            26 | OUT G6.4 | cutting override is fixed
+            27 | LD R10.0 | 
+            28 | MOVN 2 D100 G54 | the same to the program
+            29 | LDI X3.1 | 
+            30 | OUT Y5.2 | fault of the inverter: alarm
+            31 | LD X3.1 | 
+            32 | OUT G8.5 | fault of the inverter: the axes stop
+            33 | LD R40.0 | 
+            34 | AND Y5.1 | 
+            35 | LD R40.1 | 
+            36 | AND Y5.0 | 
+            37 | ORB | 
+            38 | OUT Y5.3 | M3 and M4 need M5 between them
+            39 | LD R40.0 | 
+            40 | ANI Y5.1 | 
+            41 | AND X0.5 | 
+            42 | AND X3.1 | 
+            43 | ANI F1.1 | 
+            44 | LD X3.2 | 
+            45 | AND X0.5 | 
+            46 | AND X3.1 | 
+            47 | ANI F1.1 | 
+            48 | ORB | 
+            49 | LD Y5.0 | 
+            50 | ANI R40.2 | 
+            51 | ANI X3.3 | 
+            52 | ANI X3.4 | 
+            53 | AND X0.5 | 
+            54 | AND X3.1 | 
+            55 | ANI F1.1 | 
+            56 | ORB | 
+            57 | OUT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
+            58 | LD R40.1 | 
+            59 | ANI Y5.0 | 
+            60 | AND X0.5 | 
+            61 | AND X3.1 | 
+            62 | ANI F1.1 | 
+            63 | LD X3.3 | 
+            64 | AND X0.5 | 
+            65 | AND X3.1 | 
+            66 | ANI F1.1 | 
+            67 | ORB | 
+            68 | LD Y5.1 | 
+            69 | ANI R40.2 | 
+            70 | ANI X3.2 | 
+            71 | ANI X3.4 | 
+            72 | AND X0.5 | 
+            73 | AND X3.1 | 
+            74 | ANI F1.1 | 
+            75 | ORB | 
+            76 | OUT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
+            77 | LDI R10.2 | 
+            78 | OUT G29.6 | spindle stops with the axes; S and M3 stay
+            79 | LD F7.0 | 
+            80 | OR F7.2 | 
+            81 | OR F7.3 | 
+            82 | OUT G4.3 | one answer for M, S and T
+            83 | LD R10.2 | 
+            84 | AND Y5.0 | 
+            85 | ANI F1.1 | 
+            86 | LD R10.2 | 
+            87 | AND Y5.1 | 
+            88 | ANI F1.1 | 
+            89 | ORB | 
+            90 | LD R10.3 | 
+            91 | ANI T0 | 
+            92 | ANI F1.1 | 
+            93 | ORB | 
+            94 | OUT R10.3 | axes wait at the restart
+            95 | LD R10.3 | 
+            96 | ANI R10.2 | 
+            97 | TMRB T0 2050 | as long as behind M3
+            98 | LDI R10.3 | 
+            99 | OR R10.2 | 
+            100 | OUT G8.0 | axes may move
         "#]],
     );
     check(
@@ -715,9 +718,13 @@ fn operator_notes_of_each_control_match() {
     };
     expect![[""]].assert_eq(&told("mitsubishi-e60"));
     expect![[r#"
-        This control has no variable that switches the feed override off: it has to stand at 100 %, or the ribbon piles up or tears.
         This control forgets #100 and up at power-off: run O9102 once after each power-on.
-    "#]].assert_eq(&told("gsk-980tdc"));
+    "#]]
+    .assert_eq(&told("gsk-980tdc"));
+    // K · 1200 r/min of the published machine: 251 mm/s, 310 with the knob at its end.
+    expect![[r#"
+        This control has no variable that switches the feed override off: it has to stand at 100 %, or the ribbon piles up or tears. At 0 % the unwinder keeps its 251 mm/s, and the loop of 500 mm is full after 2 s.
+    "#]].assert_eq(&told("sinumerik-808d"));
     expect![[r#"
         This control forgets #100 and up at power-off: run O9102 once after each power-on.
     "#]]

@@ -4,6 +4,7 @@ use macroline::controls::VarKind;
 use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};
 use macroline::project::Project;
+use macroline::text::Severity;
 use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Readout, Verdict};
 use proptest::prelude::*;
@@ -160,6 +161,33 @@ fn ribbon_missing_after_the_start_counts_in_the_tension() {
     // 1200 r/min: 47.8 mm, 254 N.
     let tension = readout(&example(&[&PET[..], &[("speed-clamp", "1200")]].concat()), "tension").value;
     assert_eq!(tension.round(), 254.0);
+}
+
+#[test]
+fn feed_override_fills_the_loop_unless_it_is_fixed() {
+    for control in controls() {
+        let project = Project::named("ribbon-line", Some(control.id), None).unwrap();
+        let acts = control.id.starts_with("sinumerik");
+        // v = K · 1200 r/min, the loop of 500 mm is full in 4.0 s.
+        let v = readout(&project, "line-speed").value / 60.0;
+        assert!((500.0 / v - 3.96).abs() < 0.01, "{}: {v}", control.id);
+        let said: Vec<_> = project.design().diagnostics.iter().map(|found| sentence(&found.message)).collect();
+        let warned = |said: &[String], text: &str| said.iter().any(|line| line.contains(text));
+        assert_eq!(warned(&said, "keeps its 126 mm/s, and the loop of 500 mm is full after 4 s."), acts, "{said:?}");
+        for (percent, seconds) in [(0.0, "4 s"), (50.0, "7.9 s")] {
+            let planner =
+                over_time(&project, vec![event(8.0, Action::FeedOverride(percent)), event(12.0, Action::Reset)]);
+            let name = format!("{} at {percent} %", control.id);
+            let points = slack(&project, &planner, 6001);
+            let laid = slack_at(&points, 11.9) - slack_at(&points, 8.5);
+            let wanted = if acts { v * 3.4 * (1.0 - percent / 100.0) } else { 0.0 };
+            assert!((laid - wanted).abs() < 3.0, "{name}: {laid} of {wanted}");
+            let found = planner.diagnostics();
+            let full = format!("full or empty after {seconds}");
+            let told = found.iter().find(|found| sentence(&found.message).contains(&full));
+            assert_eq!(told.map(|found| found.severity), acts.then_some(Severity::Warning), "{name}: {found:?}");
+        }
+    }
 }
 
 #[test]

@@ -89,7 +89,7 @@ struct AtSpeed;
 
 impl Plc for AtSpeed {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        io.spindle_override_out = io.spindle_override;
+        io.overrides.spindle = io.spindle_override;
         let waits = io.m_strobe.is_some() || io.s_strobe.is_some();
         io.fin = waits && (io.spindle_actual - io.spindle_command).abs() < 1.0;
         (waits && !io.fin).then_some(t + 10.0)
