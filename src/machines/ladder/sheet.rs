@@ -7,7 +7,7 @@ use crate::view::ladder::{self, DrawnContact, DrawnRung};
 use crate::view::{Column, Row, Sheet, SheetKind};
 
 impl Ladder {
-    /// The instruction list, rung by rung, with its drawing.
+    /// The instruction list, rung by rung, with its drawing, and a remark at its end.
     pub fn sheet(&self, title: &'static str, cite: Citation) -> Sheet {
         let mut rows: Vec<Row> = Vec::new();
         for rung in self.rungs.iter() {
@@ -18,6 +18,7 @@ impl Ladder {
                 rows.push(row([rows.len().to_string(), instruction, note], cite));
             }
         }
+        rows.push(row([String::new(), String::new(), say("sheet.no-safety")], cite));
         let columns = vec![Column::Plain("sheet.step"), Column::Plain("sheet.instruction"), Column::Prose("sheet.use")];
         Sheet { id: "ladder", kind: SheetKind::Plain, title, columns, rows, drawing: ladder::svg(&self.drawn()) }
     }

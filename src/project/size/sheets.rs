@@ -80,16 +80,20 @@ impl Sizing {
         }
     }
 
-    /// The terminal list.
+    /// The terminal list, and a remark at its end.
     pub fn terminal_sheet(&self) -> Sheet {
         let cells =
             |of: &TerminalRow| row([of.terminal.clone(), of.signal.clone(), of.from.clone(), of.to.clone()], of.cite);
+        let remark = self.terminals.last().map(|last| {
+            let cells = [String::new(), say("sheet.no-safety"), String::new(), String::new()];
+            row(cells, last.cite)
+        });
         Sheet {
             id: "terminals",
             kind: SheetKind::Plain,
             title: "sheet.terminals",
             columns: ["sheet.terminal", "sheet.signal", "sheet.from", "sheet.to"].map(Column::Plain).to_vec(),
-            rows: self.terminals.iter().map(cells).collect(),
+            rows: self.terminals.iter().map(cells).chain(remark).collect(),
             drawing: String::new(),
         }
     }

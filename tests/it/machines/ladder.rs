@@ -9,6 +9,7 @@ use macroline::machines;
 use macroline::machines::ladder::scan::Image;
 use macroline::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, PlcSide, RungAction};
 use macroline::project::Project;
+use macroline::text::catalog::words;
 use macroline::view::Sheet;
 use proptest::prelude::*;
 
@@ -67,7 +68,10 @@ fn ladder(project: &Project) -> Ladder {
 
 /// The exported instruction list.
 fn listing(project: &Project) -> Listing {
-    let rows = sheet(project, "ladder").rows;
+    let mut rows = sheet(project, "ladder").rows;
+    // A remark without step and instruction ends the sheet.
+    let remark = rows.pop().expect("a remark").cells;
+    assert_eq!((remark[0].as_str(), remark[1].as_str(), remark[2].as_str()), ("", "", words("sheet.no-safety")));
     Listing::new(ladder(project).language, rows.into_iter().map(|row| row.cells[1].clone()))
 }
 

@@ -330,6 +330,9 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
                 let found = sizing.terminals.iter().filter(|row| row.to == format!("PLC {}", device.name));
                 assert_eq!(found.count(), 1, "{name}: {}", device.name);
             }
+            let sheet = sizing.terminal_sheet();
+            let remark = &sheet.rows.last().unwrap().cells;
+            assert!(remark[1].starts_with("No substitute for the safety circuit: ") && remark[0].is_empty(), "{name}");
             let mut numbers: Vec<&str> = sizing.terminals.iter().map(|row| row.terminal.as_str()).collect();
             numbers.sort_unstable();
             numbers.dedup();
