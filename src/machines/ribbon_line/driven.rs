@@ -164,7 +164,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         decimals: 1,
         limit: |line| Some(Limit::AtLeast(-stretch(line))),
         field: None,
-        value: |line, now| State::new(line, now).slack,
+        value: |line, now| LineState::new(line, now).slack,
     },
     GaugeRow {
         id: "tension",
