@@ -1,6 +1,6 @@
 //! Number input and output for people.
 
-use core::fmt::{self, Write};
+use core::fmt;
 use std::cell::Cell;
 
 /// Maximum characters of a typed number.
@@ -192,7 +192,7 @@ pub fn fill(out: &mut String, form: &str, numbers: &[f64]) {
         if at > 0
             && let Some(number) = numbers.next()
         {
-            let _ = write!(out, "{}", Plain(*number, 2));
+            let _ = Plain(*number, 2).write(out);
         }
         out.push_str(part);
     }

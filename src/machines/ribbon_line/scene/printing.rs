@@ -74,11 +74,11 @@ fn heads(count: f64) -> [String; 2] {
     outlines
 }
 
-fn draw_heads(drawing: &mut Drawing, count: f64, holder: Paint, tip: Paint) {
-    if count <= SINGLE {
-        let [holders, tips] = heads(count);
-        drawing.path(holders, Look::fill(holder));
-        drawing.path(tips, Look::fill(tip));
+/// Draws the heads: each by its outlines, where they are few enough, else as dashed rings.
+fn draw_heads(drawing: &mut Drawing, count: f64, outlines: Option<&[String; 2]>, holder: Paint, tip: Paint) {
+    if let Some([holders, tips]) = outlines {
+        drawing.path(holders.as_str(), Look::fill(holder));
+        drawing.path(tips.as_str(), Look::fill(tip));
         return;
     }
     if holder == tip {
@@ -107,11 +107,15 @@ pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, p: &Params) {
         drawing.place(group, SceneGroup { parent: group::PRINT_FRAME, ..SceneGroup::default() });
     }
     let count = math::clamp(p.heads, 1.0, 1000.0);
+    // The outlines are those of every layer.
+    let outlines = (count <= SINGLE).then(|| heads(count));
     drawing.showing("heads", |drawing| {
         for layer in 0..group::LAYERS {
             let near = layer + 1 == group::LAYERS;
             let (holder, tip) = if near { (Paint::Dark, Paint::Accent) } else { (Paint::DarkShade, Paint::DarkShade) };
-            drawing.within(group::PRINT_LAYERS + 2 * layer + 1, |drawing| draw_heads(drawing, count, holder, tip));
+            drawing.within(group::PRINT_LAYERS + 2 * layer + 1, |drawing| {
+                draw_heads(drawing, count, outlines.as_ref(), holder, tip);
+            });
         }
         drawing.within_hidden(group::PRINT_BLUR, |drawing| {
             drawing.circle((0.0, 0.0, 52.0), Look::line(Paint::DarkLight, 15.0).faint(0.8));
