@@ -228,6 +228,19 @@ pub struct SpindleEncoder {
     pub speed: f64,
 }
 
+/// Braking of a motor behind an inverter with more torque than the inverter takes back without a brake resistor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ResistorDemand {
+    /// Catalog id of the name of its drive.
+    pub name: &'static str,
+    /// Braking torque of the form, % of the rated one.
+    pub percent: f64,
+    /// Energy of a stop, J.
+    pub energy: f64,
+    /// Mean power over the cycle, W.
+    pub power: f64,
+}
+
 /// A quantity of a machine `M` that is checked during operation.
 pub struct GaugeRow<M: 'static> {
     /// Id, for instance `loop`.
@@ -263,6 +276,15 @@ pub struct Gauge {
     pub field: Option<&'static str>,
     /// The worst value: the least under a least limit, else the greatest, of either sign where the limit is for both.
     pub value: f64,
+}
+
+/// Axes of work and tool that a power failure leaves to coast to rest, each by itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoastedAxes {
+    /// Time (s) until both are at rest.
+    pub seconds: f64,
+    /// The quantity that they lose, at rest.
+    pub gauge: Gauge,
 }
 
 /// Reads the gauges from `from` to `to` seconds at `points` moments, 2 at least; `at` is the machine at a moment.

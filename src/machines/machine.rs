@@ -7,7 +7,9 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
-use super::driven::{DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, SpindleEncoder};
+use super::driven::{
+    CoastedAxes, DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder,
+};
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
@@ -216,8 +218,16 @@ pub trait Prepared: Send + Sync {
     fn inverter_drive(&self) -> Option<InverterDrive> {
         None
     }
+    /// The brake resistor of the spindle's inverter, if the form's braking torque needs one that no sized drive has.
+    fn resistor_demand(&self) -> Option<ResistorDemand> {
+        None
+    }
     /// The encoder of the spindle, if it has one of its own; a servo motor includes its encoder.
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
+        None
+    }
+    /// The axes that coast at a power failure by the formulas of the machine, where no spindle with a coasting time does so in the run.
+    fn without_supply(&self) -> Option<CoastedAxes> {
         None
     }
     /// Spans (s) of a run in which the motors of the axes carry the torque of their work; none if they always do.

@@ -21,6 +21,8 @@ pub enum Interruption {
     EmergencyStop,
     /// The spindle's inverter reports a fault.
     InverterFault,
+    /// The supply fails.
+    PowerFailure,
 }
 
 impl Interruption {
@@ -47,6 +49,7 @@ impl Interruption {
             Interruption::Reset => "stops.reset",
             Interruption::EmergencyStop => "stops.emergency",
             Interruption::InverterFault => "stops.inverter-fault",
+            Interruption::PowerFailure => "stops.power-failure",
         }
     }
 }

@@ -36,6 +36,7 @@ mod turning;
 mod turning_clauses;
 mod turning_controls;
 mod turning_drawing;
+mod turning_gears;
 mod turning_restart;
 mod turning_run_up;
 mod turning_torque;

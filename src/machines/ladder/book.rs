@@ -399,6 +399,7 @@ fn input_meaning(input: MachineContact) -> &'static str {
         MachineContact::ReverseKey => "plc.input.reverse-key",
         MachineContact::StopKey => "plc.input.stop-key",
         MachineContact::InGear(_) => "plc.input.in-gear",
+        MachineContact::AtShiftSpeed => "plc.input.at-shift-speed",
     }
 }
 

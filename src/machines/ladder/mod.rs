@@ -62,6 +62,8 @@ pub enum MachineContact {
     StopKey,
     /// A gear stage is in position.
     InGear(u8),
+    /// The spindle turns at the shift speed or slower.
+    AtShiftSpeed,
 }
 
 /// An output to the machine.

@@ -7,17 +7,17 @@ use super::scan::Image;
 use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::controls::interface::SignalRole;
 use crate::controls::{Alarm, Control};
-use crate::drives::speed::Steps;
+use crate::drives::speed::{self, Steps};
 use crate::motion::{Io, Plc, ProgramState, Strobes};
 
 /// Time (s) from a code to the end of its block, at the least: strobe, a few scans, and the width of FIN.
 pub const ANSWER: f64 = 0.05;
-/// Interval (s) at which the inverter's contact is read while a rung waits for it.
+/// Interval (s) at which contacts that follow the measured speed are read while a rung waits for them.
 const LOOK: f64 = 0.01;
 /// Scans in which a ladder settles; further ones wait for the next moment.
 const SCANS: u32 = 24;
-/// Stages that a gear box has at most.
-const STAGES: u8 = 8;
+/// Contacts that follow the measured speed.
+const BY_SPEED: [MachineContact; 2] = [MachineContact::AtSpeed, MachineContact::AtShiftSpeed];
 /// The speed that the control puts out.
 const FINAL: PlcNumber = PlcNumber::Signal(SignalRole::SpindleFinal);
 
@@ -32,6 +32,15 @@ pub struct Wiring {
     pub meshing: f64,
     /// Volts while gears mesh.
     pub shift_volts: f64,
+    /// Speed (r/min) in each gear stage up to which the contact "shift speed or slower" is closed.
+    pub shift_speeds: [f64; speed::STAGES],
+}
+
+impl Wiring {
+    /// Speed (r/min) in the engaged stage up to which the gears may shift.
+    fn shift_speed(&self, stage: u8) -> f64 {
+        self.shift_speeds.get(usize::from(stage.max(1)) - 1).copied().unwrap_or(0.0)
+    }
 }
 
 /// A named block of the ladder: a function whose instruction is not known.
@@ -62,7 +71,7 @@ pub struct LadderPlc {
     left: Option<(Box<Io>, Option<f64>)>,
     /// When the next timer of the image closes its contact (s).
     due: Option<f64>,
-    /// Whether a rung waits for the inverter to report the commanded speed.
+    /// Whether a rung waits for a contact that follows the measured speed.
     waits_for_speed: bool,
     strobes: Strobes,
     program: ProgramState,
@@ -86,7 +95,8 @@ impl LadderPlc {
         let contacts = ladder.rungs.iter().flat_map(|rung| rung.when.iter().flatten());
         let named: BTreeSet<Bit> = contacts.map(|contact| contact.bit).collect();
         let named = named.into_iter().collect();
-        let valves = (2..=STAGES).filter(|stage| ladder.drives(Bit::Output(MachineOutput::Gear(*stage)))).collect();
+        let valves =
+            (2..=speed::STAGES as u8).filter(|stage| ladder.drives(Bit::Output(MachineOutput::Gear(*stage)))).collect();
         let reads_speed = !ladder.word(FINAL).is_empty();
         LadderPlc {
             ladder,
@@ -161,6 +171,7 @@ impl LadderPlc {
             Bit::Input(MachineContact::AtSpeed) => {
                 io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs()
             }
+            Bit::Input(MachineContact::AtShiftSpeed) => io.spindle_actual.abs() <= self.wiring.shift_speed(self.gear.0),
             Bit::Input(MachineContact::ForwardKey) => stops.spindle_key == Some(1),
             Bit::Input(MachineContact::ReverseKey) => stops.spindle_key == Some(-1),
             Bit::Input(MachineContact::StopKey) => stops.spindle_key == Some(0),
@@ -265,21 +276,25 @@ impl LadderPlc {
     /// Whether a scan at `t` would change nothing: the signals are those of the last scan, and none of its times is due. Speeds may differ
     /// if the ladder reads the same values.
     fn rests(&mut self, t: f64, io: &Io) -> bool {
-        let at_speed = Bit::Input(MachineContact::AtSpeed);
         let Some((left, again)) = &mut self.left else { return false };
         (left.spindle_actual, left.spindle_command) = (io.spindle_actual, io.spindle_command);
         again.is_none_or(|again| t < again)
             && **left == *io
-            && (self.named.binary_search(&at_speed).is_err()
-                || self.state(at_speed, io) == Some(self.image.is_on(at_speed)))
+            && BY_SPEED.map(Bit::Input).into_iter().all(|contact| {
+                self.named.binary_search(&contact).is_err()
+                    || self.state(contact, io) == Some(self.image.is_on(contact))
+            })
             && (!self.reads_speed || self.image.number(FINAL) == final_speed(io))
     }
 
     /// Notes the times that the present image waits for.
     fn note_waits(&mut self) {
-        let (speed, arrived) = (Bit::Input(MachineContact::AtSpeed), Bit::Signal(SignalRole::SpeedArrived));
+        let arrived = Bit::Signal(SignalRole::SpeedArrived);
         self.due = self.ladder.due(&self.image);
-        self.waits_for_speed = !self.image.is_on(speed) && self.ladder.waits_for(&self.image, speed, arrived);
+        self.waits_for_speed = BY_SPEED
+            .map(Bit::Input)
+            .into_iter()
+            .any(|contact| !self.image.is_on(contact) && self.ladder.waits_for(&self.image, contact, arrived));
     }
 }
 

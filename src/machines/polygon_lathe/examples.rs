@@ -64,6 +64,8 @@ pub(super) const EXAMPLES: &[Example] = &[
         entries: &[
             ("from-face", "30"),
             ("free-length", "60"),
+            // In front of the thread the slide comes to its speed.
+            ("clearance", "3"),
             ("before", "true"),
             ("before-length", "20"),
             ("before-chamfer", "1"),

@@ -69,7 +69,7 @@ mod explore;
 pub(crate) use resolved::PolygonLathe;
 
 use crate::machines::chart_rows;
-use crate::machines::driven::{DrivenAxis, FormMotor, Gauge, read};
+use crate::machines::driven::{CoastedAxes, DrivenAxis, FormMotor, Gauge, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -174,6 +174,10 @@ impl Prepared for PolygonLathe {
 
     fn pause(&self) -> f64 {
         self.p.pause
+    }
+
+    fn without_supply(&self) -> Option<CoastedAxes> {
+        driven::without_supply(self)
     }
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {

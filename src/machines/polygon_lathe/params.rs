@@ -443,9 +443,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(0.1..=1000.0).default(20.0).decimals(1).step(1.0),
     choice("emergency", member!(Params.emergency: Emergency)).group("polygon.group.drives").label("polygon.emergency").help("polygon.emergency.help"),
     number("work-coast", member!(Params.work_coast)).group("polygon.group.drives").label("polygon.work-coast").help("polygon.work-coast.help")
-        .unit("s").range(0.1..=600.0).default(4.0).decimals(1).step(0.5).when(Params::coasts),
+        .unit("s").range(0.1..=600.0).default(4.0).decimals(1).step(0.5),
     number("tool-coast", member!(Params.tool_coast)).group("polygon.group.drives").label("polygon.tool-coast").help("polygon.tool-coast.help")
-        .unit("s").range(0.1..=600.0).default(2.0).decimals(1).step(0.5).when(Params::coasts),
+        .unit("s").range(0.1..=600.0).default(2.0).decimals(1).step(0.5),
     choice("material", member!(Params.material: Material)).group("polygon.group.power").label("polygon.material").help("polygon.material.help"),
     number("specific-force", member!(Params.specific_force)).group("polygon.group.power").label("polygon.specific-force").help("polygon.specific-force.help").symbol("kc")
         .unit("N/mm²").range(0.0..=10000.0).default(1750.0).decimals(0).step(50.0).fact().when(Params::has_own_force),

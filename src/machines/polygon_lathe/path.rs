@@ -49,6 +49,13 @@ impl Params {
         self.stock_diameter + 2.0 * self.clearance
     }
 
+    /// Whether the tools have their clearance at the start, and in front of the jaws at a distance of `far` mm of the last cut from the face.
+    pub(super) fn has_room(&self, far: f64) -> bool {
+        let far = self.slots.iter().filter(|slot| slot.on).map(|slot| slot.length).fold(far, f64::max);
+        let jaws = self.free_length == 0.0 || far + self.clearance <= self.free_length;
+        jaws && self.start_x >= self.clear_diameter() && self.start_z >= self.clearance
+    }
+
     /// Z position (mm) at which a pass goes to its depth: in front of the face, or with the insert's far edge its width behind the near
     /// end.
     pub(super) fn approach(&self) -> f64 {

@@ -6,7 +6,7 @@
 
 use super::ladder::{ANGLE, AT_STANDSTILL, DONE, GO_TO_ANGLE, RPM, RUN, STOP, ladder};
 use super::resolved::PolygonLathe;
-use crate::drives::speed::Steps;
+use crate::drives::speed::{STAGES, Steps};
 use crate::machines::ladder::plc::{LadderPlc, NamedBlock, Wiring};
 use crate::machines::ladder::scan::Image;
 use crate::motion::{Io, PMC_AXES};
@@ -19,7 +19,7 @@ const NOTHING: f64 = 1e-9;
 /// The PLC of the lathe.
 pub(super) fn plc(lathe: &PolygonLathe) -> LadderPlc {
     let knob = Steps { step: 0.0, ..lathe.dialect.spindle().knob };
-    let wiring = Wiring { knob, at_speed: 1.0, meshing: 0.0, shift_volts: 0.0 };
+    let wiring = Wiring { knob, at_speed: 1.0, meshing: 0.0, shift_volts: 0.0, shift_speeds: [0.0; STAGES] };
     LadderPlc::new(ladder(lathe), wiring, lathe.control).with_block(Box::new(Axes::new(lathe)))
 }
 

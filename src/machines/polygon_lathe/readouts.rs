@@ -13,6 +13,7 @@ const SILENT: Citation = Citation::new("our own choice: the paper is silent", Gr
 const GEOMETRY: Citation =
     Citation::new("polygon turning facts 3, derived and checked by two methods", Grade::Inferred);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
+const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
 
 const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
@@ -74,6 +75,8 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("turning-time", "polygon.readout.turning-time", "s", 2, false, "60 way / F, threads 60 way / (P S)", MECHANICS, |lathe| {
         lathe.p.slots.iter().filter(|slot| slot.on).map(|slot| slot.time(&lathe.p)).sum()
     }),
+    row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[0].run_in(&lathe.p)),
+    row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[1].run_in(&lathe.p)),
     row!("milling-time", "polygon.readout.milling-time", "s", 1, false, "60 ⌈L / depth⌉ · 2 N (AF/2 + D/2) tan(π/N) / F", SILENT, |lathe| lathe.polygons().map(|lathe| lathe.p.milling_time()).sum()),
     row!("milling-ratio", "polygon.readout.milling-ratio", "", 2, false, "milling time / (time until ready + cutting time)", SILENT, |lathe| {
         let turning: f64 = lathe.polygons().map(|lathe| lathe.d.ready + lathe.d.cutting_time).sum();

@@ -45,11 +45,12 @@ fn is_shown(lathe: &PolygonLathe, id: &str) -> bool {
         | "reach" | "offset" | "passes" | "feed" | "finish-feed" | "ready" | "free-length" => true,
         "infeed" => p.is_behind_face(),
         "turning-time" => p.slots.iter().any(|slot| slot.on),
+        "before-run-in" => p.slots[0].threads(),
+        "after-run-in" => p.slots[1].threads(),
         _ if !d.cuts => false,
         "cutting-force" | "at-once" | "tool-torque" | "tool-torque-mean" | "tool-power" | "work-torque"
         | "work-torque-mean" | "work-power" => p.specific().unit_force > 0.0,
         "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
-        "coast-phase" => p.coasts(lathe.control),
         // At other ratios the path is no ellipse.
         "half-axis-near" | "half-axis-far" => d.ratio == 2.0,
         "twist" | "twist-speed" => p.lead != 0.0,

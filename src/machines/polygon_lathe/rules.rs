@@ -2,7 +2,7 @@
 
 use super::derive::ways_as_set;
 use super::geometry::own_shape;
-use super::params::FIELDS;
+use super::params::{FIELDS, Params, Slot};
 use super::resolved::PolygonLathe;
 use super::rules_of_drives as drives;
 use crate::drives::polygon::curve::flat_ratio;
@@ -11,11 +11,14 @@ use crate::machines::scaling;
 use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
-use crate::view::Advice;
 use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
+use crate::view::{Advice, Verdict};
 
 /// Source of a drive's ratings: its data sheet.
 const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
+
+/// Source of the way that a thread needs in front of it.
+const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<PolygonLathe>] = &[
@@ -47,6 +50,8 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("insert-depth", insert, Citation::new("polygon turning facts 3.1", Grade::Inferred)),
     Rule::new("insert-turn", insert_turn, Citation::new("polygon turning facts 3.1", Grade::Inferred)),
     Rule::new("twist", twist, Citation::new("polygon turning paper: D and Q are whole numbers", Grade::Manual)),
+    Rule::new("before-run-in", run_in_before, RUN_IN),
+    Rule::new("after-run-in", run_in_after, RUN_IN),
     Rule::new("feed", clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("infeed", infeed_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("free-length", jaws, Citation::new("mechanics", Grade::Inferred)),
@@ -355,7 +360,13 @@ fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
     warn(None, [advice.setting(msg!("advice.make-equal"), sets)])
 }
 
+/// Work and tool coast at a power failure, and at an emergency stop that switches their drives off.
 fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
+    if !lathe.p.coasts(lathe.control) {
+        // A fact about the supply, no fault of the form.
+        let advice = vec![msg!("polygon.coasts-without-supply", angle = (lathe.d.coast_phase, 0)).into()];
+        return Some(Judgement { verdict: Verdict::None, limit: None, advice });
+    }
     let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.coast_phase, 0)));
     warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held".to_owned())])])
 }
@@ -387,6 +398,41 @@ fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
         return ok(None);
     }
     fail(None, [msg!("polygon.no-twist", speed = (d.twist_speed, 3)).into()])
+}
+
+/// The run-in of the thread that is turned before the polygons.
+fn run_in_before(lathe: &PolygonLathe) -> Option<Judgement> {
+    run_in(lathe, &lathe.p.slots[0], "before-speed")
+}
+
+/// The run-in of the thread that is turned after the polygons.
+fn run_in_after(lathe: &PolygonLathe) -> Option<Judgement> {
+    run_in(lathe, &lathe.p.slots[1], "after-speed")
+}
+
+/// The greatest clearance in the form, mm.
+const MOST_CLEARANCE: f64 = 100.0;
+
+/// The way in front of a thread, from the clearance to the face, against that in which the slide comes to its speed.
+fn run_in(lathe: &PolygonLathe, slot: &Slot, speed: &'static str) -> Option<Judgement> {
+    let p = &lathe.p;
+    let (needed, limit) = (slot.run_in(p), AtMost(p.clearance));
+    if limit.holds(needed) {
+        return ok(limit);
+    }
+    let said = msg!("polygon.short-run-in", needed = (needed, 2), clearance = (p.clearance, 2));
+    let mut advice = Vec::new();
+    let set = up(FIELDS, "clearance", needed);
+    let wider = Params { clearance: set.1.parse().unwrap_or(0.0), ..p.clone() };
+    if wider.clearance <= MOST_CLEARANCE && wider.has_room(lathe.free_length() - p.clearance) {
+        let button = msg!("advice.set-clearance", clearance = set.1.as_str());
+        advice.push(Advice::from(said.clone()).setting(button, [set]));
+    }
+    let set = down(FIELDS, speed, slot.speed * p.clearance / needed);
+    let slower = Advice::from(said);
+    let fits = set.1.parse().is_ok_and(|rpm: f64| rpm >= 1.0);
+    advice.push(if fits { slower.setting(msg!("advice.set-speed", speed = set.1.as_str()), [set]) } else { slower });
+    fail(limit, advice)
 }
 
 /// The feed of a field in mm/min against the clamp of the slide.

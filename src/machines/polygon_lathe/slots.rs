@@ -7,6 +7,9 @@ use crate::math;
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.
 const FLANKS: f64 = 0.613_435;
 
+/// Share of its pitch by which a thread may deviate where it begins.
+const PITCH_ERROR: f64 = 0.01;
+
 /// Most cuts of a slot, and of a thread.
 const MOST: f64 = 100.0;
 
@@ -69,6 +72,28 @@ impl Slot {
             ]
         };
         if self.pitch > 0.0 { (1..=cuts).flat_map(one).collect() } else { Vec::new() }
+    }
+
+    /// Way (mm) in front of the thread in which the slide comes from rest within the share a of its speed V = S P / 60 [mm/s], behind linear
+    /// acceleration over τ [s] and a position loop of gain K [1/s]: `t = τ + ln((1 - e^(-Kτ)) / (Kτ a)) / K`,
+    /// `δ = V (t - τ/2 - (1 - a) / K)`. On a ramp so long that the lag is below a on it: `t = τ (1 - a) + 1/K`,
+    /// `δ = V (t²/2 - t/K + 1/K²) / τ`. Source: polygon turning facts 3.10.
+    pub(super) fn run_in(&self, p: &Params) -> f64 {
+        let (ramp, gain, speed) = (p.time_constant / 1000.0, p.position_gain, self.speed * self.pitch / 60.0);
+        // Share of the speed that is missing at the end of the ramp.
+        let missing = if ramp > 0.0 { -math::expm1(-gain * ramp) / (gain * ramp) } else { 1.0 };
+        if missing > PITCH_ERROR {
+            let time = ramp + math::ln(missing / PITCH_ERROR) / gain;
+            speed * (time - 0.5 * ramp - (1.0 - PITCH_ERROR) / gain)
+        } else {
+            let time = ramp * (1.0 - PITCH_ERROR) + 1.0 / gain;
+            speed * (0.5 * time * time - time / gain + 1.0 / (gain * gain)) / ramp
+        }
+    }
+
+    /// Whether it has a thread.
+    pub(super) fn threads(&self) -> bool {
+        self.on && self.pitch > 0.0
     }
 
     /// Time at feed, s.

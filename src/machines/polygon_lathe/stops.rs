@@ -1,4 +1,4 @@
-//! Hold, alarm, reset and emergency stop of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
+//! Hold, alarm, reset, emergency stop and power failure of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
 
 use super::resolved::PolygonLathe;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
@@ -11,6 +11,7 @@ const OURS: Citation = Citation::new("our own choice: the paper is silent", Grad
 pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
     match at {
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::TurnsInRatio,
+        Interruption::PowerFailure => SpindleReaction::Coasts,
         Interruption::EmergencyStop if lathe.p.coasts(lathe.control) => SpindleReaction::Coasts,
         // Work and tool have servo drives, no inverter.
         Interruption::Reset | Interruption::EmergencyStop | Interruption::InverterFault => {
@@ -43,5 +44,11 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
             msg!("polygon.stops.anew"),
         ),
         row(Interruption::EmergencyStop, msg!("turning.stops.axes-emergency"), broken, msg!("polygon.stops.clear")),
+        row(
+            Interruption::PowerFailure,
+            msg!("polygon.stops.axes-dark"),
+            msg!("polygon.stops.phase-lost", angle = (lathe.d.coast_phase, 0)),
+            msg!("polygon.stops.discard"),
+        ),
     ]
 }

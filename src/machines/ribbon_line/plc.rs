@@ -5,7 +5,7 @@ use super::ladder::ladder;
 use super::program;
 use super::resolved::{GREATEST, RibbonLine};
 use crate::controls::interface::SignalRole;
-use crate::drives::speed::Steps;
+use crate::drives::speed::{STAGES, Steps};
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
 use crate::motion::{Io, Plc, ProgramState};
 use crate::msg;
@@ -28,6 +28,7 @@ impl RibbonPlc {
             at_speed: AT_SPEED,
             meshing: 0.0,
             shift_volts: 0.0,
+            shift_speeds: [0.0; STAGES],
         };
         RibbonPlc {
             ladder: Box::new(LadderPlc::new(ladder(line), wiring, line.control)),

@@ -14,7 +14,7 @@ pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
     match at {
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Waits,
         Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::Off,
-        Interruption::InverterFault => SpindleReaction::OutputOff,
+        Interruption::InverterFault | Interruption::PowerFailure => SpindleReaction::OutputOff,
     }
 }
 

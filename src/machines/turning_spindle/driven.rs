@@ -4,7 +4,7 @@ use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::inertia;
 use crate::drives::load::{Load, Move, power, through_gear};
-use crate::machines::driven::{GaugeRow, InverterCycle, InverterDrive, SpindleEncoder};
+use crate::machines::driven::{GaugeRow, InverterCycle, InverterDrive, ResistorDemand, SpindleEncoder};
 use crate::math::RPM;
 use crate::view::Limit;
 
@@ -61,6 +61,19 @@ fn cycle(lathe: &TurningSpindle, gear: f64) -> InverterCycle {
     let ramp = p.spindle_ramp * highest / d.stage_speed;
     let of = Move { speed: highest * gear * RPM, ramp, run: d.cutting_time, pause: p.pause, hold: 0.0 };
     InverterCycle { load, rotor: Some(p.rotor_inertia), of, peak: [p.motor_peak / 100.0, p.motor_braking / 100.0] }
+}
+
+/// Braking torque (% of the rated one) that an inverter takes back without a brake resistor. Source: turning spindle facts, 5.
+const WITHOUT_RESISTOR: f64 = 20.0;
+
+/// The brake resistor that the form's braking torque assumes: the energy of a stop, over run-up, cut, stop and pause.
+pub(super) fn resistor(lathe: &TurningSpindle) -> Option<ResistorDemand> {
+    let (p, d) = (&lathe.p, &lathe.d);
+    let energy = run_up::stop_energy(lathe);
+    let cycle = 2.0 * p.spindle_ramp * run_up::highest(lathe) / d.stage_speed + d.cutting_time + p.pause;
+    let power = if cycle > 0.0 { energy / cycle } else { 0.0 };
+    let asked = ResistorDemand { name: "turning.drive.spindle", percent: p.motor_braking, energy, power };
+    (p.motor_braking > WITHOUT_RESISTOR && energy > 0.0).then_some(asked)
 }
 
 /// The encoder of the spindle: the control counts the speed by it in every gear stage.

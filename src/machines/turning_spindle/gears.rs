@@ -1,6 +1,11 @@
-//! Times of a gear change.
+//! Times of a gear change, and the delay in which the spindle slows down before it.
 
 use super::resolved::TurningSpindle;
+use crate::controls::ParamRole;
+use crate::machines::verdict::{Judgement, ok, warn};
+use crate::math;
+use crate::msg;
+use crate::view::Limit::AtMost;
 
 /// Times (s) of a gear change.
 #[derive(Clone, Copy)]
@@ -21,4 +26,33 @@ pub(super) fn gear_times(lathe: &TurningSpindle) -> GearTimes {
     let patience = (p.gear_patience > 0.0 && p.has_gear_alarm(lathe.control)).then_some(p.gear_patience);
     let seconds = p.gear_time;
     GearTimes { before: 0.125 * seconds, meshing: 0.5 * seconds, after: 0.375 * seconds, patience }
+}
+
+/// Whether the spindle has gears to change.
+pub(super) fn has_gears(lathe: &TurningSpindle) -> bool {
+    lathe.p.stages().nth(1).is_some()
+}
+
+/// Seconds in which the spindle slows down in the stage that it leaves: `t · n / n10`, t the ramp from 0 to the speed n10 at 10 V, n the
+/// highest speed in that stage, at most the chuck's limit; of all stages the longest. Source: turning spindle facts, 2.
+pub(super) fn slowing(lathe: &TurningSpindle) -> f64 {
+    let p = &lathe.p;
+    p.stages().map(|rated| p.spindle_ramp * rated.min(p.chuck_limit) / rated).fold(0.0, f64::max)
+}
+
+/// Delay (ms) until the old gear goes out, for a control whose own ladder waits by time alone: at least the time of slowing down.
+pub(super) fn delay_before(lathe: &TurningSpindle) -> f64 {
+    math::whole_up(1000.0 * slowing(lathe).max(gear_times(lathe).before))
+}
+
+/// The time of slowing down against the delay that such a control's own ladder has at first.
+pub(super) fn judge_delay(lathe: &TurningSpindle) -> Option<Judgement> {
+    let parameter = lathe.control.param(ParamRole::GearShiftBefore)?;
+    let (needed, initial) = (slowing(lathe), lathe.control.bench.shift.before);
+    let limit = AtMost(initial);
+    if limit.holds(needed) {
+        return ok(limit);
+    }
+    let (parameter, least) = (parameter.number, delay_before(lathe));
+    warn(limit, [msg!("turning.gear-delay-too-short", needed = (needed, 2), initial, parameter, least).into()])
 }

@@ -13,6 +13,8 @@ const WANTED: [Bit; 4] =
     [Bit::Relay("wanted-1"), Bit::Relay("wanted-2"), Bit::Relay("wanted-3"), Bit::Relay("wanted-4")];
 /// The requested stage is in position.
 const MESHED: Bit = Bit::Relay("meshed");
+/// The spindle is slow enough for the gears, from then on to the end of the change.
+const SLOWED: Bit = Bit::Relay("slowed");
 
 /// The ladder of the lathe.
 pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
@@ -87,19 +89,22 @@ impl Gears<'_, '_> {
             .map(|stage| vec![on(self.wanted(stage)), on(Bit::Input(MachineContact::InGear(stage)))])
             .collect();
         let times = self.times;
+        let slow = Bit::Input(MachineContact::AtShiftSpeed);
         self.book.coil(BUSY, busy, "turning.ladder.shift");
         self.book.timer("old-gear-out", times.before, vec![vec![on(BUSY)]], "turning.ladder.before");
+        let slowed = vec![vec![on(BUSY), on(out), on(slow)], vec![on(SLOWED), on(BUSY)]];
+        self.book.coil(SLOWED, slowed, "turning.ladder.slowed");
         for stage in 2..=self.stages {
             let mut stays = vec![on(valve(stage))];
             stays.extend(self.all().filter(|other| *other != stage).map(|other| off(self.wanted(other))));
-            let when = vec![vec![on(self.wanted(stage)), on(out)], vec![on(valve(stage)), off(out)], stays];
+            let when = vec![vec![on(self.wanted(stage)), on(SLOWED)], vec![on(valve(stage)), off(SLOWED)], stays];
             self.book.coil(valve(stage), when, "turning.ladder.valve");
         }
         self.book.coil(MESHED, meshed, "turning.ladder.meshed");
-        self.book.timer("gear-done", times.after, vec![vec![on(BUSY), on(out), on(MESHED)]], "turning.ladder.after");
+        self.book.timer("gear-done", times.after, vec![vec![on(BUSY), on(SLOWED), on(MESHED)]], "turning.ladder.after");
         let mut volts = vec![on(BUSY)];
         if let Some(patience) = times.patience {
-            let waits = vec![vec![on(BUSY), on(out), off(MESHED)]];
+            let waits = vec![vec![on(BUSY), on(SLOWED), off(MESHED)]];
             self.book.timer("gear-late", patience, waits, "turning.ladder.patience");
             self.book.coil(Bit::Output(MachineOutput::GearAlarm), vec![vec![on(late)]], "turning.ladder.late");
             volts.push(off(late));

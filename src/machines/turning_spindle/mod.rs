@@ -44,7 +44,7 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
-use crate::machines::driven::{FormMotor, Gauge, InverterDrive, SpindleEncoder, read};
+use crate::machines::driven::{FormMotor, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, read};
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -89,6 +89,7 @@ impl Prepared for TurningSpindle {
     fn results(&self) -> Design {
         let shown = |id: &str| match id {
             "power" | "torque" => self.p.cutting_force > 0.0,
+            "gear-delay" => gears::has_gears(self) && self.p.spindle_ramp > 0.0,
             "run-up-torque" => self.p.spindle_ramp > 0.0,
             "keyway-time" | "driven-cutting-speed" => self.keyway().is_some(),
             "limit-diameter" | "limited-share" | "low-diameter" | "surface-smallest" | "acceleration-needed" => {
@@ -149,6 +150,10 @@ impl Prepared for TurningSpindle {
 
     fn inverter_drive(&self) -> Option<InverterDrive> {
         driven::inverter(self)
+    }
+
+    fn resistor_demand(&self) -> Option<ResistorDemand> {
+        driven::resistor(self)
     }
 
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {

@@ -73,8 +73,19 @@ pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
         at_speed: 1.0 - lathe.rules().reached.unwrap_or(0.1),
         meshing: gear_times(lathe).meshing,
         shift_volts: SHIFT_VOLTS,
+        shift_speeds: shift_speeds(lathe),
     };
     LadderPlc::new(ladder(lathe), wiring, lathe.control)
+}
+
+/// Speed (r/min) up to which the gears of each stage may shift: that at the shift voltage and a tenth above it.
+fn shift_speeds(lathe: &TurningSpindle) -> [f64; STAGES] {
+    let bench = &lathe.control.bench;
+    let mut all = [0.0; STAGES];
+    for (place, rated) in all.iter_mut().zip(lathe.p.stages()) {
+        *place = 1.1 * lathe.p.analog(rated, bench.volts_full, bench.output_bits).speed(SHIFT_VOLTS).abs();
+    }
+    all
 }
 
 /// Volts while gears mesh: a slow turn (GSK No.067).

@@ -1,5 +1,6 @@
 //! The results of the turning spindle as rows: label, unit, formula, source.
 
+use super::gears;
 use super::keyway;
 use super::resolved::TurningSpindle;
 use super::run_up;
@@ -17,6 +18,7 @@ const TORQUE: Citation = Citation::new("sizing facts 2.2", Grade::Inferred);
 const ENERGY: Citation = Citation::new("sizing facts 2.4", Grade::Inferred);
 const RUN_UP: Citation = Citation::new("turning spindle facts, 5", Grade::Inferred);
 
+const GEARS: Citation = Citation::new("turning spindle facts, 2", Grade::Inferred);
 const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
 /// Rows in the order they are shown; the headline ones first.
@@ -57,6 +59,10 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "stage-speed", label: "turning.readout.stage-speed", unit: "r/min", decimals: 0, headline: false,
         formula: "n10 of the stage", cite: OUTPUT, value: |lathe| lathe.d.stage_speed,
+    },
+    ReadoutRow {
+        id: "gear-delay", label: "turning.readout.gear-delay", unit: "s", decimals: 2, headline: false,
+        formula: "t · n / n10", cite: GEARS, value: gears::slowing,
     },
     ReadoutRow {
         id: "volts-largest", label: "turning.readout.volts-largest", unit: "V", decimals: 3, headline: false,

@@ -1,6 +1,7 @@
 //! The rules of the turning spindle, as rows: result, limit, remedy.
 
 use super::derive::Derived;
+use super::gears::{gear_times, judge_delay};
 use super::keyway;
 use super::params::{FIELDS, Gear, Params, Path};
 use super::program;
@@ -28,6 +29,7 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("volts-largest", few_volts_large, Citation::new("engineering choice", Grade::Inferred)),
     Rule::new("stage-speed", stage, Citation::new("speed at 10 V of the gear stage", Grade::Manual)),
     Rule::new("stage", gear_time, Citation::new("ladder of the control, A1.0", Grade::Sister)),
+    Rule::new("gear-delay", judge_delay, Citation::new("turning spindle facts, 2", Grade::Inferred)),
     Rule::new("feed-top", clamps, Citation::new("cutting feed clamp, a parameter", Grade::Sister)),
     Rule::new("acceleration-needed", acceleration, Citation::new("derivative of n = 1000 v / (π d)", Grade::Inferred)),
     Rule::new("shortest-ramp", run_up::judge, Citation::new("turning spindle facts, 5", Grade::Inferred)),
@@ -136,7 +138,7 @@ fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
 /// A gear that meshes longer than the PLC waits.
 fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, .. } = lathe;
-    let shift = super::gears::gear_times(lathe);
+    let shift = gear_times(lathe);
     let patience = shift.patience.filter(|&patience| patience < shift.meshing)?;
     let set = down(FIELDS, "gear-time", 2.0 * patience);
     let advice = Advice::from(msg!(

@@ -1,6 +1,6 @@
 //! Sheets for the machine builder: parameters of spindle and slides.
 
-use super::gears::gear_times;
+use super::gears::{delay_before, gear_times};
 use super::ladder::ladder;
 use super::params::Output;
 use super::plant::SHIFT_VOLTS;
@@ -71,7 +71,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::SpindleSurfaceLimit, number(p.upper_limit)),
         (ParamRole::TurnsThroughReset, yes(rules.turns_through_reset)),
         (ParamRole::GearShift, yes(shifts)),
-        (ParamRole::GearShiftBefore, number(1000.0 * shift.before)),
+        (ParamRole::GearShiftBefore, number(delay_before(lathe))),
         (ParamRole::GearShiftAfter, number(1000.0 * shift.after)),
         (ParamRole::StopLast, yes(rules.stop_last)),
         (ParamRole::VoltsOffAtStop, yes(!rules.volts_stay)),

@@ -15,7 +15,7 @@ pub(super) fn spindle(lathe: &TurningSpindle, at: Interruption) -> SpindleReacti
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Turns,
         Interruption::Reset if lathe.rules().turns_through_reset => SpindleReaction::Turns,
         Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::Off,
-        Interruption::InverterFault => SpindleReaction::OutputOff,
+        Interruption::InverterFault | Interruption::PowerFailure => SpindleReaction::OutputOff,
     }
 }
 

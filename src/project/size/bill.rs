@@ -5,7 +5,7 @@
 use super::choice::{Candidate, SizedAxis, name, named};
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::machines::PreparedMachine;
-use crate::machines::driven::{FormMotor, SpindleEncoder};
+use crate::machines::driven::{FormMotor, ResistorDemand, SpindleEncoder};
 use crate::machines::report::inputs;
 use crate::machines::sheets::say;
 use crate::msg;
@@ -63,7 +63,15 @@ pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedA
         entered(motor).into_iter().flat_map(move |motor| [motor, open.clone()])
     });
     let encoder = prepared.spindle_encoder().map(|asked| encoder(project, asked));
-    core::iter::once(control).chain(sized).chain(others).chain(encoder).collect()
+    let resistor = prepared.resistor_demand().map(resistor);
+    core::iter::once(control).chain(sized).chain(others).chain(resistor).chain(encoder).collect()
+}
+
+/// The brake resistor of an inverter: the demand, for no inverter of the catalogue has its own.
+fn resistor(asked: ResistorDemand) -> BillRow {
+    let (power, energy, percent) = ((asked.power, 1), (asked.energy, 0), (asked.percent, 0));
+    let told = sentence(&msg!("size.bill.inverter-resistor", power, energy, percent));
+    described("size.item.resistor", Some(asked.name), told, PartGrade::Open)
 }
 
 /// The encoder of a spindle: as a proposal the one with the least sufficient top speed, else the demand.

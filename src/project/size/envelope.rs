@@ -7,7 +7,7 @@ use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
 use crate::drives::duty::Hardest;
 use crate::machines::PreparedMachine;
-use crate::machines::driven::{DrivenAxis, ProductSize};
+use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
 use crate::math;
 use crate::motion::{Action, Event, RunEnd};
 use crate::project::Project;
@@ -49,7 +49,7 @@ pub enum OperatingEvent {
     Alarm,
     /// Emergency stop.
     EmergencyStop,
-    /// The supply fails: servo axes brake, the spindle coasts.
+    /// The supply fails: the servo axes of the slides brake, the spindle or the axes of work and tool coast.
     PowerFailure,
 }
 
@@ -222,7 +222,7 @@ impl Envelope<'_> {
             }
             OperatingEvent::PowerFailure => {
                 if self.prepared.plant().spindle.coasting.is_none() {
-                    return Vec::new();
+                    return self.prepared.without_supply().map_or_else(Vec::new, coasted);
                 }
                 self.stopped(event, whole, |run, at| run.lose_power(at))
             }
@@ -280,17 +280,7 @@ impl Envelope<'_> {
 
     /// Gauges and torques in a part of a run.
     fn read(&self, event: OperatingEvent, run: &Run, span: (f64, f64)) -> Vec<EnvelopeRow> {
-        let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| EnvelopeRow {
-            id: gauge.id.to_owned(),
-            label: gauge.label,
-            value: gauge.value,
-            unit: gauge.unit,
-            decimals: gauge.decimals,
-            limit: gauge.limit,
-            field: gauge.field,
-            verdict: verdict(gauge.limit, gauge.value),
-            ..time(event, 0.0)
-        });
+        let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| gauged(event, &gauge));
         let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
             let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
@@ -321,6 +311,27 @@ impl Envelope<'_> {
         });
         gauges.chain(motors).collect()
     }
+}
+
+/// The row of a quantity that is checked during operation.
+fn gauged(event: OperatingEvent, gauge: &Gauge) -> EnvelopeRow {
+    EnvelopeRow {
+        id: gauge.id.to_owned(),
+        label: gauge.label,
+        value: gauge.value,
+        unit: gauge.unit,
+        decimals: gauge.decimals,
+        limit: gauge.limit,
+        field: gauge.field,
+        verdict: verdict(gauge.limit, gauge.value),
+        ..time(event, 0.0)
+    }
+}
+
+/// The rows of axes that coast to rest at a power failure.
+fn coasted(rest: CoastedAxes) -> Vec<EnvelopeRow> {
+    let event = OperatingEvent::PowerFailure;
+    vec![gauged(event, &rest.gauge), time(event, rest.seconds)]
 }
 
 /// Whether the spindle is still slowing down at the end (s) at which a plan was cut.

@@ -34,7 +34,8 @@ fn tables_of_both_lathes_name_every_interruption() {
         let names: Vec<_> = rows.iter().map(|cells| cells[0].as_str()).collect();
         let mut wanted =
             vec!["Feed hold", "Stop between two blocks: M00, single block", "Alarm", "Reset", "Emergency stop"];
-        wanted.extend(project.prepared().plc().watches_inverter().then_some("Inverter fault"));
+        let fault = project.prepared().plc().watches_inverter();
+        wanted.push(if fault { "Inverter fault" } else { "Power failure" });
         assert_eq!(names, wanted, "{}", project.control.id);
         assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");
         let export = project.export();
@@ -60,7 +61,8 @@ fn both_lathes_stop_and_turn_on_as_their_tables_say() {
         let rows = table(&project);
         let mut actions =
             vec![(0, Action::Hold), (1, Action::SingleBlock(true)), (3, Action::Reset), (4, Action::EmergencyStop)];
-        actions.extend((rows.len() > 5).then_some((5, Action::InverterFault(true))));
+        let fault = project.prepared().plc().watches_inverter();
+        actions.extend(fault.then_some((5, Action::InverterFault(true))));
         for (row, action) in actions {
             let planner = over_time(&project, vec![Event { t: at, action: action.clone() }]);
             let last = planner.timeline().at(planner.timeline().end() + 60.0);

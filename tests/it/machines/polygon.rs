@@ -303,6 +303,23 @@ fn reset_or_emergency_stop_needs_a_new_g512() {
 }
 
 #[test]
+fn power_failure_loses_the_ratio_with_held_drives_too() {
+    let told = [("held", Verdict::None, "polygon.coasts-without-supply"), ("off", Verdict::Warn, "polygon.coasts")];
+    for (emergency, verdict, advice) in told {
+        let lathe = project(&[("emergency", emergency), ("work-coast", "6"), ("tool-coast", "2.5")]);
+        let row = lathe.design().readouts.into_iter().find(|row| row.id == "coast-phase").expect("a row");
+        // 400 r/min of 2000 in 2.5 s are 800 r/min/s, 200 of 1000 in 6 s are 166.7: 3 (400²/800 - 2 · 200²/166.7).
+        assert!((row.value - 3.0 * (200.0 - 480.0)).abs() < 1e-9, "{}", row.value);
+        assert_eq!((row.verdict, row.advice[0].message.id), (verdict, advice), "{emergency}");
+        let sheets = lathe.prepared().sheets();
+        let stops = sheets.iter().find(|sheet| sheet.id == "stops").expect("a table");
+        let told = stops.rows.iter().find(|row| row.cells[0] == "Power failure").expect("a row").cells.join(" ");
+        assert!(told.contains("-840°") && told.contains("discard the part"), "{told}");
+        assert!(told.contains("coast"), "{told}");
+    }
+}
+
+#[test]
 fn drives_off_at_emergency_stop_lose_the_ratio() {
     let changes = [("emergency", "off"), ("work-coast", "6"), ("tool-coast", "2.5")];
     let mut project = unchecked(&changes);

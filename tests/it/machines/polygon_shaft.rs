@@ -11,7 +11,7 @@ use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
 use macroline::text::Severity;
 use macroline::text::catalog::number_text;
-use macroline::view::{Theme, svg};
+use macroline::view::{Theme, Verdict, svg};
 
 /// Stretches of the work, from the face, and the diameter of the stock, mm.
 struct Part {
@@ -410,4 +410,80 @@ fn slots_that_take_the_polygon_off_or_do_not_fit_are_refused() {
     );
     assert_eq!(found(&[behind, ("before", "true"), ("before-feed", "4")]), [("before-feed", "polygon.above-clamp")]);
     assert_eq!(found(&[behind, ("before", "true"), ("before-depth", "0.01")]), [("before-depth", "polygon.many-cuts")]);
+}
+
+/// Way (mm) from 7 mm in front of the face until the slide of the first cut of the thread is within 1 % of its speed (mm/s).
+fn run_in_of(project: &Project, speed: f64) -> f64 {
+    let (planner, _) = whole(project);
+    let timeline = planner.timeline();
+    let z = project.control.axis(Address::Z).unwrap();
+    let along = |t: f64| timeline.at(t).axes[z].actual;
+    let step = 0.001;
+    let moments = (1..(timeline.end() / step) as u32).map(|at| f64::from(at) * step);
+    // Turning is slower, and rapids end at the clearance.
+    let fast = moments.into_iter().find(|t| {
+        let now = timeline.at(*t);
+        let moved = (now.axes[z].actual - along(*t - step)) / step;
+        now.spindle.actual.abs() > 1.0 && moved < -0.99 * speed && (-12.0..6.5).contains(&now.axes[z].actual)
+    });
+    7.0 - along(fast.expect("a thread"))
+}
+
+#[test]
+fn slide_reaches_the_pitch_in_the_told_run_in() {
+    for (rpm, needed) in [("800", 2.852), ("1700", 6.060)] {
+        let shaft = [
+            ("from-face", "30"),
+            ("free-length", "70"),
+            ("clearance", "7"),
+            ("before", "true"),
+            ("before-length", "20"),
+            // Slower than the thread in turning and on every way back but the rapids.
+            ("before-feed", "0.05"),
+            ("before-pitch", "1.75"),
+            ("before-thread-length", "16"),
+            ("before-thread-infeed", "2"),
+            ("before-speed", rpm),
+            ("start-z", "30"),
+        ];
+        let project = project(&shaft);
+        let told = result(&project, "before-run-in");
+        assert!((told - needed).abs() < 1e-3, "{told} for {needed}");
+        let speed = rpm.parse::<f64>().unwrap() * 1.75 / 60.0;
+        let ran = run_in_of(&project, speed);
+        assert!((ran - told).abs() < 0.05 * told, "{ran} mm in the run, {told} told");
+    }
+}
+
+#[test]
+fn clearance_shorter_than_the_run_in_fails_and_is_mended() {
+    let thread = [
+        ("from-face", "30"),
+        ("free-length", "70"),
+        ("before", "true"),
+        ("before-length", "20"),
+        ("before-pitch", "1.75"),
+        ("before-thread-length", "16"),
+    ];
+    let judged =
+        |project: &Project| project.design().readouts.into_iter().find(|row| row.id == "before-run-in").expect("a row");
+    let short = project(&[&thread[..], &[("clearance", "2")]].concat());
+    let row = judged(&short);
+    assert_eq!((row.verdict, row.advice.len()), (Verdict::Fail, 2));
+    for advice in &row.advice {
+        let mended = short.with_entries(&advice.sets).expect("entries");
+        assert_eq!(judged(&mended).verdict, Verdict::Ok, "{:?}", advice.sets);
+        assert!(!refused(&mended), "{:?}", advice.sets);
+    }
+    // No room in front of the jaws: a slower speed alone.
+    let tight = project(&[&thread[..], &[("clearance", "2"), ("free-length", "47.5")]].concat());
+    let sets: Vec<_> = judged(&tight).advice.into_iter().flat_map(|advice| advice.sets).map(|set| set.0).collect();
+    assert_eq!(sets, ["before-speed"]);
+    // A ramp so long and a loop so stiff that the lag is below 1 %.
+    let stiff = project(&[&thread[..], &[("time-constant", "1000"), ("position-gain", "1000")]].concat());
+    let speed = 800.0 * 1.75 / 60.0;
+    let time = 0.99 + 0.001;
+    let way = speed * (0.5 * time * time - 0.001 * time + 1e-6);
+    assert!((judged(&stiff).value - way).abs() < 1e-9, "{} for {way}", judged(&stiff).value);
+    assert!(!project(&thread[..4]).design().readouts.iter().any(|row| row.id == "before-run-in"));
 }

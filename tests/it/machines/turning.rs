@@ -344,7 +344,7 @@ fn parameter_sheets_match_their_goldens() {
         K15.0 1 Sister
         K16.5 0 Sister
         K17.3 0 Sister
-        DT000 250 ms Sister
+        DT000 3000 ms Sister
         DT001 750 ms Sister
     "#]]
     .assert_eq(&sheet("gsk-980tdc", &changes));

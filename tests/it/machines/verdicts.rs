@@ -194,6 +194,7 @@ fn said_red(notes: &[Advice]) -> BTreeSet<&'static str> {
 const PLAIN: &[(&str, &str)] = &[
     ("advice.turns-red", "a note behind another advice"),
     ("polygon.cannot-cut", "a fact; the choice of a cutter behind it has the button"),
+    ("polygon.coasts-without-supply", "a fact, no fault: no drive holds the ratio without supply"),
     ("polygon.faces-back", "a deed: inserts are turned in their holders"),
     ("polygon.hollow-sides", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.less-hollow", "a fact; the choice of a cutter behind it has the button"),
@@ -237,6 +238,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("scaling.no-ratio", "a fact of gear and lead: another gear"),
     ("turning.few-volts-alone", "a deed: a spindle with gear stages"),
     ("turning.friction-stalls", "a deed: less friction, or another motor"),
+    ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),
     ("turning.limited", "a fact about the limit that the form asks for"),
     ("turning.overload", "a fact: the share of time is the operator's"),
 ];

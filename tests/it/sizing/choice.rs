@@ -211,12 +211,37 @@ fn motor_of_a_lathe_is_billed_without_a_known_cut() {
     assert!(project.prepared().inverter_drive().is_none());
     let entered = "as entered: rated power 7.5 kW, rated speed 1500 r/min, highest speed 1500 r/min, rotor 0.03 kg m²; to be chosen";
     let open = ("Inverter", "open, to be chosen with the motor".to_owned());
-    assert_eq!(billed(&project, "Spindle"), [("Motor", entered.to_owned()), open.clone()]);
+    let bill = billed(&project, "Spindle");
+    assert_eq!(bill[..2], [("Motor", entered.to_owned()), open.clone()]);
+    assert_eq!(bill[2..].iter().map(|row| row.0).collect::<Vec<_>>(), ["Brake resistor"]);
     // The demand is known, and no motor of the catalogue passes.
     let heavy = Project::named("turning-spindle", None, Some("shaft")).unwrap();
     let heavy = heavy.with_entries(&[("cutting-force", "90000".to_owned())]).unwrap();
     assert!(heavy.prepared().inverter_drive().is_some() && sized(&heavy).axes[0].least().is_none());
-    assert_eq!(billed(&heavy, "Spindle")[1..], [open]);
+    assert_eq!(billed(&heavy, "Spindle")[1..2], [open]);
+}
+
+#[test]
+fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
+    let lathe = Project::named("turning-spindle", None, None).unwrap();
+    let with = |percent: &str| {
+        let lathe = lathe.with_entries(&[("motor-braking", percent.to_owned()), ("pause", "20".to_owned())]).unwrap();
+        let row = sized(&lathe).bill.into_iter().find(|row| row.item == "size.item.resistor");
+        (lathe, row)
+    };
+    assert!(with("20").1.is_none());
+    let (lathe, row) = with("150");
+    let (row, rows) = (row.expect("a row"), lathe.design().readouts);
+    let value = |id: &str| rows.iter().find(|row| row.id == id).unwrap().value;
+    // ½ J ω² less the work of friction over the stop, once in a cycle with its 3 s ramp to the 3000 r/min of the stage.
+    let (speed, ramp) = (value("speed-largest").max(value("speed-smallest")), 3.0);
+    let (omega, stop) = (speed * std::f64::consts::TAU / 60.0, ramp * speed / value("stage-speed"));
+    let energy = 0.5 * value("inertia") * omega * omega - 0.5 * 2.0 * omega * stop;
+    let power = energy / (2.0 * stop + value("cutting-time") + 20.0);
+    let told = format!("{power:.1} W in the mean and {energy:.0} J of a stop; the form has 150 % braking torque");
+    let plain = row.model.replace('\u{202f}', "");
+    assert!(plain.contains(&told), "{} for {told}", row.model);
+    assert_eq!((row.axis, row.grade), (Some("turning.drive.spindle"), PartGrade::Open));
 }
 
 #[test]

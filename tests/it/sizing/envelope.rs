@@ -300,7 +300,7 @@ fn every_machine_has_its_events_and_one_worst_each() {
     for (machine, events) in [
         ("ribbon-line", vec![Start, Run, Knob, SpeedChange, ProductChange, Hold, Alarm, EmergencyStop, PowerFailure]),
         ("turning-spindle", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop, PowerFailure]),
-        ("polygon-lathe", vec![Start, Run, Hold, EmergencyStop]),
+        ("polygon-lathe", vec![Start, Run, Hold, EmergencyStop, PowerFailure]),
     ] {
         let sizing = sized(&Project::named(machine, None, None).unwrap());
         let mut found: Vec<OperatingEvent> = sizing.envelope.iter().map(|row| row.event).collect();
@@ -333,6 +333,20 @@ fn lathe_coasts_at_fault_and_power_failure_as_long_as_it_says() {
         let time = row(&sizing, event, "time");
         super::same(event.id(), time.value, result(&project, "coasting-time"), 0.01);
     }
+}
+
+#[test]
+fn power_failure_at_the_polygon_lathe_has_the_whole_lost_phase() {
+    let project = Project::named("polygon-lathe", None, None).unwrap();
+    let sizing = sized(&project);
+    // Work and tool coast from 200 of 1000 r/min in 4 s and from 400 of 2000 r/min in 2 s: beyond a turn, not wrapped.
+    let row = |id: &str| row(&sizing, OperatingEvent::PowerFailure, id);
+    assert!((row("phase").value - 480.0).abs() < 1e-9 && row("phase").is_worst, "{:?}", row("phase"));
+    assert!((row("time").value - 0.8).abs() < 1e-9, "{:?}", row("time"));
+    assert_eq!(row("phase").value, result(&project, "coast-phase").abs());
+    // A machine that keeps its drives on at an emergency stop has none of it there.
+    let stop = sizing.envelope.iter().find(|row| row.event == OperatingEvent::EmergencyStop && row.id == "phase");
+    assert!(stop.is_some_and(|row| row.value < 1.0), "{stop:?}");
 }
 
 #[test]
