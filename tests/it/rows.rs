@@ -9,7 +9,9 @@ use std::path::Path;
 use macroline::controls::base::{fanuc, sinumerik};
 use macroline::controls::code::Group;
 use macroline::controls::interface::SignalRole;
-use macroline::controls::{ALL, Code, CodeDef, CodeId, Control, ParamRole, Signal, Switch, VarKind};
+use macroline::controls::schema::table;
+use macroline::controls::{ALL, Code, CodeDef, CodeId, Control, ParamDef, ParamRole, Signal, Switch, VarKind};
+use macroline::text::{Citation, Grade};
 
 #[track_caller]
 fn none(broken: Vec<String>, mend: &str) {
@@ -288,6 +290,56 @@ fn parameters_of_switches_are_those_of_the_rows() {
         ALL.iter().flat_map(|control| wrong_parameters(control)).collect(),
         "mend the row, or list it in OWN_PARAMETERS",
     );
+}
+
+/// Roles that a control has two parameters for: control, role, numbers.
+const TWO_PARAMETERS: &[(&str, ParamRole, &str)] = &[
+    ("mitsubishi-e60", ParamRole::EncoderCounts, "#2219 #2220"),
+    ("mitsubishi-e60", ParamRole::EditLock, "#1121 #8105"),
+];
+
+/// Parameter rows of one role, where [`TWO_PARAMETERS`] does not list them.
+fn rows_of_one_role(control: &Control) -> Vec<String> {
+    let numbers = |role: ParamRole| {
+        let rows = control.params.iter().filter(|row| row.role == role);
+        rows.map(|row| row.number).collect::<Vec<_>>().join(" ")
+    };
+    let listed = |row: &ParamDef| TWO_PARAMETERS.contains(&(control.id, row.role, &numbers(row.role)));
+    let several = |row: &&ParamDef| control.params.iter().filter(|one| one.role == row.role).count() > 1;
+    let broken = control.params.iter().filter(several).filter(|row| !listed(row));
+    let mut broken: Vec<String> =
+        broken.map(|row| format!("{}: {:?} has {}", control.id, row.role, numbers(row.role))).collect();
+    broken.dedup();
+    let gone = TWO_PARAMETERS.iter().filter(|(id, role, list)| *id == control.id && numbers(*role) != *list);
+    broken.extend(gone.map(|(_, role, list)| format!("{}: {role:?} is listed with {list}", control.id)));
+    broken
+}
+
+#[test]
+fn each_role_has_one_parameter() {
+    none(
+        ALL.iter().flat_map(|control| rows_of_one_role(control)).collect(),
+        "the family's row is stale: take it out with `without!`; or list two real parameters in TWO_PARAMETERS",
+    );
+}
+
+#[test]
+fn renumbered_parameter_beside_the_familys_is_found() {
+    for control in ALL {
+        let mut params = control.params.to_vec();
+        let row = *control.params.iter().find(|row| row.role == ParamRole::AxisRapid).expect("rapid traverse");
+        params.push(ParamDef { number: "9999", ..row });
+        let found = rows_of_one_role(&Control { params: params.leak(), ..**control });
+        assert_eq!(found, [format!("{}: AxisRapid has {} 9999", control.id, row.number)]);
+    }
+}
+
+#[test]
+#[should_panic(expected = "the family has each row that is named")]
+fn row_without_its_family_is_refused() {
+    let family = [table::text_key(b"3701#1"), table::text_key(b"3730")];
+    let listed = const { &[table::text_key(b"3701#1"), table::text_key(b"3731")] };
+    table::covered_rows(&family, &[(Citation::new("planted", Grade::Open), listed)]);
 }
 
 /// The control with one row of a table changed.

@@ -151,7 +151,8 @@ fn control_names_are_only_in_controls() {
         }
     }
     let mend = "ask the control for an ability or a row (`control.can(…)`, `control.alarm(…)`, `control.name`); \
-                a machine lists its controls in `fn controls` or `CONTROLS`";
+                a machine lists its controls in `fn controls` or `CONTROLS`; for a new control that finds itself all over \
+                the code, choose an id whose parts have at least 2 characters and are no everyday words";
     hold("A control's name stands only in src/controls/, in tests and in a machine's list of controls.", mend, broken);
 }
 

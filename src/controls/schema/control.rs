@@ -12,7 +12,7 @@ use crate::text::{Citation, Grade, Message, Phrase, either};
 /// All tables of one control.
 #[derive(Debug)]
 pub struct Control {
-    /// Id for files and the command line, for instance `mitsubishi-e60`.
+    /// Id for files and the command line, for instance `mitsubishi-e60`; its parts have at least 2 characters.
     pub id: &'static str,
     /// Display name.
     pub name: &'static str,

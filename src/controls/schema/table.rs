@@ -208,7 +208,7 @@ pub const fn covering(row: Key, covers: &[Cover]) -> Option<Citation> {
         let (mut at, keys) = (0, covers[cover].1);
         while at < keys.len() {
             if keys[at].0 <= row.0 && row.1 <= keys[at].1 {
-                assert!(found.is_none(), "a row has one citation");
+                assert!(found.is_none(), "each row is named once");
                 found = Some(covers[cover].0);
             }
             at += 1;
@@ -285,6 +285,31 @@ macro_rules! taken {
     }};
 }
 
+/// The rows of a family except those of a list: `without![ParamDef: FAMILY, "3701#1 3730"]`. A control whose parameter has another number
+/// takes the family's row out and states its own in `extended!`; a name that the family lacks does not compile.
+macro_rules! without {
+    ($row:ty: $family:expr, $list:literal $(,)?) => {{
+        use $crate::controls::schema::table;
+        const FAMILY: &[$row] = $family;
+        const FAMILY_KEYS: &[table::Key] = &table::keys!(FAMILY);
+        const COVERS: &[table::Cover] = &[(FAMILY[0].cite, table::listed!($row, $list))];
+        const N: usize = FAMILY.len() - table::covered_rows(FAMILY_KEYS, COVERS);
+        const ROWS: [$row; N] = {
+            let mut rows = [FAMILY[0]; N];
+            let (mut row, mut at) = (0, 0);
+            while at < FAMILY.len() {
+                if table::covering(FAMILY_KEYS[at], COVERS).is_none() {
+                    rows[row] = FAMILY[at];
+                    row += 1;
+                }
+                at += 1;
+            }
+            rows
+        };
+        &ROWS
+    }};
+}
+
 /// All rows of a family, under the control's own citations:
 ///
 /// * `cited![CodeDef: FAMILY, CITATION]`: each row.
@@ -335,4 +360,4 @@ macro_rules! cited {
     }};
 }
 
-pub(in crate::controls) use {cited, extended, keys, listed, taken};
+pub(in crate::controls) use {cited, extended, keys, listed, taken, without};

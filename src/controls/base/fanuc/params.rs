@@ -4,17 +4,12 @@ use super::sources::{CMR, COMMANDS, MEMORY, ROLL_OVER, SPEED_REACHED};
 use crate::controls::ParamDef;
 use crate::controls::ParamRole::*;
 use crate::controls::params::param;
-use crate::controls::schema::table::joined;
+use crate::controls::schema::table::without;
 
-/// Linear or rotary axis.
-const ROTARY: &[ParamDef] = &[param(AxisRotary, "1006#0", "ROT", "", "1: rotary axis, in degrees", MEMORY)];
-
-/// Diameter or radius words of a lathe's X.
-const DIAMETER: &[ParamDef] =
-    &[param(AxisDiameter, "1006#3", "DIA", "", "1: words of the axis count diameters", MEMORY)];
-
-/// Axes, spindle, programs and macros.
-const FURTHER: &[ParamDef] = &[
+/// Parameters of a lathe, by number.
+pub const LATHE: &[ParamDef] = &[
+    param(AxisRotary, "1006#0", "ROT", "", "1: rotary axis, in degrees", MEMORY),
+    param(AxisDiameter, "1006#3", "DIA", "", "1: words of the axis count diameters", MEMORY),
     param(AxisRollOver, "1008#0", "ROA", "", "1: coordinates of a rotary axis roll over: it is endless", ROLL_OVER),
     param(AxisShortWay, "1008#1", "RAB", "", "absolute words: 0 by the shorter way, 1 by their sign", ROLL_OVER)
         .answered("0", "1"),
@@ -57,8 +52,5 @@ const FURTHER: &[ParamDef] = &[
     param(VariablesAtReset, "6001#6", "CCV", "", "0: #100 to #199 become vacant at reset", MEMORY).answered("0", "1"),
 ];
 
-/// Parameters of a lathe, by number.
-pub const LATHE: &[ParamDef] = joined![ParamDef: ROTARY, DIAMETER, FURTHER];
-
-/// Parameters of a mill, by number.
-pub const MILL: &[ParamDef] = joined![ParamDef: ROTARY, FURTHER];
+/// Parameters of a mill: those of a lathe without the one for diameter words.
+pub const MILL: &[ParamDef] = without![ParamDef: LATHE, "1006#3"];
