@@ -80,8 +80,9 @@ fn case_that_all_controls_accept_moves_alike() {
             let project = project(control.id, &changes);
             let planner = over_time(&project, vec![]);
             assert_eq!(planner.starved(), 0);
-            let letter =
-                if control.axis(print).is_none() || control.id == "mitsubishi-e60" { Address::Y } else { print };
+            // The print roller of a control without diameter words is always on Y.
+            let lathe = control.axes.iter().any(|axis| axis.letter == Address::X && axis.diameter);
+            let letter = if lathe && control.axis(print).is_some() { print } else { Address::Y };
             let axes = axes(&project, letter);
             let begin = first_cut(&project, &planner);
             let at = |t: f64| axes.map(|k| planner.timeline().at(begin + t).axes[k].position);
