@@ -161,13 +161,33 @@ impl SvgBackend<'_> {
             _ => write!(self.out, "<path class=\"line l{tone}\" d=\""),
         };
         let mut letter = 'M';
-        for (x, y) in points {
+        for (x, y) in bends(points) {
             let fine = |value: i32| Plain(f64::from(value) / f64::from(FINE), 3);
             let _ = write!(self.out, "{letter}{} {}", fine(x), fine(y));
             letter = 'L';
         }
         self.out.push_str("\"/>");
     }
+}
+
+/// The points of a path without those on a straight way from one neighbour to the other.
+fn bends(points: impl IntoIterator<Item = BackendCoord>) -> Vec<BackendCoord> {
+    let fine = |(x, y): BackendCoord| (i64::from(x), i64::from(y));
+    let way = |from, to| {
+        let ((x, y), (to_x, to_y)) = (fine(from), fine(to));
+        (to_x - x, to_y - y)
+    };
+    let mut bends: Vec<BackendCoord> = Vec::new();
+    for point in points {
+        if let [.., before, last] = bends[..] {
+            let (here, on) = (way(before, last), way(last, point));
+            if here.0 * on.1 == here.1 * on.0 && here.0 * on.0 + here.1 * on.1 >= 0 {
+                bends.pop();
+            }
+        }
+        bends.push(point);
+    }
+    bends
 }
 
 impl DrawingBackend for SvgBackend<'_> {

@@ -290,13 +290,25 @@ fn chart(points: Vec<(f64, f64)>) -> Chart {
 
 #[test]
 fn chart_svg_has_lines_grid_and_figures_with_classes() {
-    let drawn = plot::draw(&chart(vec![(0.0, 0.0), (1.0, 50.0), (2.0, 100.0)]));
+    let drawn = plot::draw(&chart(vec![(0.0, 0.0), (1.0, 40.0), (2.0, 100.0)]));
     assert_eq!((drawn.x, drawn.y), ((0.0, 2.0), (0.0, 112.0)));
     assert!(drawn.svg.contains("<path class=\"line l1\" d=\"M0 200L500"), "{}", drawn.svg);
     assert!(drawn.svg.contains("class=\"grid\"") && drawn.svg.contains(">50</text>"), "{}", drawn.svg);
     for forbidden in ["style=", "fill=", "stroke=", "rgb", "NaN", "inf", "∞"] {
         assert!(!drawn.svg.contains(forbidden), "{forbidden} in {}", drawn.svg);
     }
+}
+
+#[test]
+fn chart_lines_have_a_point_at_each_bend_and_no_other() {
+    let flat = |from: u32, to: u32, value: f64| (from..to).map(move |at| (f64::from(at), value));
+    let points = flat(0, 10, 1.0).chain(flat(10, 20, 5.0)).chain(flat(20, 30, 1.0)).collect();
+    let drawn = plot::draw(&chart(points)).svg;
+    let line = drawn.split("line l1\" d=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a line");
+    assert_eq!(line.matches('L').count(), 5, "{line}");
+    // There and back on one line is a bend.
+    let peak = plot::draw(&chart(vec![(0.0, 0.0), (0.0, 5.0), (0.0, 1.0), (1.0, 1.0)])).svg;
+    assert!(peak.contains("d=\"M0 200L0 21.5L0 164.375L1000 164.375\""), "{peak}");
 }
 
 #[test]
