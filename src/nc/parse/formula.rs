@@ -321,6 +321,16 @@ impl Reader<'_> {
         rest.trim_ascii_start().first() == Some(&b'[')
     }
 
+    /// Whether an operator that wants a value stands before a place of the line. `-` and `/` also stand before remarks, but in languages
+    /// with names.
+    fn behind_operator(&self, at: usize) -> bool {
+        match self.cursor.line.get(..at).unwrap_or_default().trim_ascii_end().last() {
+            Some(b'=' | b'+' | b'*' | b'(' | b'[' | b',') => true,
+            Some(b'-' | b'/') => self.names().is_some(),
+            _ => false,
+        }
+    }
+
     /// The function closest to a misspelt name.
     fn misspelt_function(&mut self) -> Read<(&'static str, Function)> {
         let start = self.cursor.at;
@@ -329,13 +339,10 @@ impl Reader<'_> {
         let name = String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase();
         let bracket = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
         if !matches!(bracket, Some(b'[' | b'(')) {
-            return Err(self.failure(
-                Alarm::Format,
-                start,
-                start + letters,
-                msg!("nc.no-operand-but", text = name),
-                true,
-            ));
+            let message = msg!("nc.no-operand-but", text = name);
+            // A comment in place of a value would leave the operator without one.
+            let is_operand = self.behind_operator(start);
+            return Err(self.failure(Alarm::Format, start, start + letters, message, !is_operand));
         }
         let message = msg!("nc.unknown-function", function = name.as_str(), control = self.control.name);
         let functions = self.control.syntax.functions;
