@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement};
 
+use crate::text::number::filled;
 use crate::ui::dom;
 
 /// Pixels between two labels.
@@ -16,6 +17,9 @@ const ASIDE: [f64; 13] = [0.0, 8.0, -8.0, 16.0, -16.0, 26.0, -26.0, 38.0, -38.0,
 const NEAR: f64 = 26.0;
 /// Share of a text's box above and below that its letters leave free.
 const FREE: f64 = 0.12;
+
+/// Pixels between a text and the start of its hairline, and from the ends of the text to the start at least.
+const CLEAR: (f64, f64) = (4.0, 8.0);
 
 /// A rectangle in pixels: left, top, right, bottom.
 type Area = [f64; 4];
@@ -101,6 +105,32 @@ fn placed(labels: &[Label], frame: Area) -> Vec<Fate> {
     fates
 }
 
+/// Start and end of a hairline that is one straight line.
+fn ends(path: &str) -> Option<[(f64, f64); 2]> {
+    let (from, to) = path.strip_prefix('M')?.split_once('L')?;
+    let point = |text: &str| {
+        let (x, y) = text.split_once(' ')?;
+        Some((x.parse().ok()?, y.parse().ok()?))
+    };
+    Some([point(from)?, point(to)?])
+}
+
+/// The path of a hairline that begins at the edge of its text. Letters keep their size in a larger drawing, so that a text reaches less
+/// far there than it was laid out for. `None` where the text has come to the part itself.
+fn led(path: &str, drawn: Area, text: Area, unit: f64) -> Option<String> {
+    let [from, to] = ends(path)?;
+    let is_below = from.1 <= to.1;
+    let x = if from.0 <= to.0 { drawn[0] } else { drawn[2] };
+    let (y, end) = if is_below { (drawn[1], drawn[3]) } else { (drawn[3], drawn[1]) };
+    let (clear, inset) = CLEAR;
+    let edge = if is_below { text[3] + clear } else { text[1] - clear };
+    if (is_below && edge >= end) || (!is_below && edge <= end) {
+        return None;
+    }
+    let start = x.min(text[2] - inset).max(text[0] + inset);
+    Some(filled("M# #L# #", &[from.0 + (start - x) * unit, from.1 + (edge - y) * unit, to.0, to.1]))
+}
+
 /// Moves and hides labels of a drawing so that none overlaps; `unit` is the number of drawing units per pixel.
 pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
     for element in dom::all(picture, ".crowded") {
@@ -126,8 +156,14 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
     let over = over.map_or(Vec::new(), |drawing| dom::all(&drawing, ".state, .band .icon"));
     let fixed = over.iter().map(|element| Label { lines: vec![area(element)], leads: true, lens: None });
     let labels: Vec<Label> = fixed.chain(parts.values().map(label)).collect();
-    let fates = placed(&labels, area(picture)).into_iter().skip(over.len());
-    for (elements, (by, lines)) in parts.values().zip(fates) {
+    let leader = |elements: &Vec<Element>| {
+        let leader = elements.iter().find(|element| element.tag_name() == "path")?.clone();
+        let drawn = area(&leader);
+        Some((leader, drawn))
+    };
+    let leaders: Vec<Option<(Element, Area)>> = parts.values().map(leader).collect();
+    let fates = placed(&labels, area(picture)).into_iter().zip(&labels).skip(over.len());
+    for ((elements, leader), ((by, lines), label)) in parts.values().zip(leaders).zip(fates) {
         for (at, text) in elements.iter().filter(is_text).enumerate() {
             if at >= lines {
                 let _ = text.class_list().add_1("crowded");
@@ -135,9 +171,16 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
                 let _ = style.set_property("translate", &format!("{:.2}px", by * unit));
             }
         }
-        let leader = elements.iter().find(|element| element.tag_name() == "path").filter(|_| lines == 0);
-        if let Some(leader) = leader {
+        let Some((leader, drawn)) = leader else { continue };
+        let shown = label.lines.iter().take(lines).filter(|line| line[0] < line[2]).map(|line| aside(*line, by));
+        let text = shown.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]);
+        let Some(text) = text else {
             let _ = leader.class_list().add_1("crowded");
+            continue;
+        };
+        let path = leader.get_attribute("d").unwrap_or_default();
+        if let Some(path) = led(&path, drawn, text, unit) {
+            dom::set(&leader, "d", &path);
         }
     }
 }
@@ -204,6 +247,19 @@ mod tests {
         let mut close = figures;
         close.lines[1][1] = close.lines[0][3] - 1.0;
         assert_eq!(placed(&[close], FRAME), [(0.0, 1)]);
+    }
+
+    #[wasm_bindgen_test]
+    fn hairline_begins_at_the_edge_of_its_text() {
+        // Laid out for a text from 10 to 90 that ends at 40; drawn at two pixels a unit from (100, 100).
+        let drawn = [280.0, 180.0, 320.0, 300.0];
+        let text = [120.0, 100.0, 200.0, 150.0];
+        assert_eq!(led("M90 40L110 100", drawn, text, 0.5).as_deref(), Some("M46 27L110 100"));
+        // Below its part, and where the text is wide enough.
+        let above = [120.0, 320.0, 300.0, 340.0];
+        assert_eq!(led("M90 100L110 40", drawn, above, 0.5).as_deref(), Some("M90 108L110 40"));
+        assert_eq!(led("M90 40L110 100", drawn, [120.0, 100.0, 300.0, 297.0], 0.5), None);
+        assert_eq!(led("", drawn, text, 0.5), None);
     }
 
     #[wasm_bindgen_test]
