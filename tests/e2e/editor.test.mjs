@@ -319,7 +319,7 @@ test('a finger takes a proposal, a row of a list and a breakpoint', { skip: FIRE
     await option(page, /^G04/).tap();
     await active(page, /^G04$/).waitFor();
     await page.getByRole('button', { name: say('page.go-to-place'), exact: true }).tap();
-    assert.equal(await page.evaluate(() => document.querySelector('.editor').shadowRoot.activeElement.getAttribute('role')), 'listbox');
+    await page.waitForFunction(() => document.querySelector('.editor').shadowRoot.activeElement?.getAttribute('role') === 'listbox');
     await option(page, /^O9101/).tap();
     await active(page, 'O9101').waitFor();
     await line(page, 'N4 #128').locator('.t-v').first().tap();
