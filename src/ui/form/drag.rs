@@ -109,7 +109,6 @@ impl Drag {
         dom::mark("input");
         if let Some(value) = self.info.taken(moved) {
             self.page.set(self.info.id, Value::Number(math::clamp(value, min, max)));
-            self.page.entries.show_again();
         }
         event.prevent_default();
     }

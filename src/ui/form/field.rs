@@ -8,13 +8,13 @@ use leptos::prelude::*;
 
 use super::drag::Drag;
 use super::slider::Slider;
-use super::value::value_of;
+use super::value::{origin_of, value_of};
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
 use crate::math;
-use crate::text::{Severity, headed, units};
+use crate::text::{headed, units};
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
-use crate::ui::state::Page;
+use crate::ui::state::{Page, of_field};
 use crate::ui::words::{sentence_with_hints, t};
 
 /// A field with label, unit, error, help and the origin of its value; a product field also with a slider.
@@ -29,10 +29,7 @@ pub(super) fn FormField(
         if let Some(problem) = page.entries.refused(id) {
             return sentence_with_hints(&problem);
         }
-        page.results.design.with(|design| {
-            let errors = design.diagnostics.iter().filter(|d| d.severity == Severity::Error && d.field == Some(id));
-            errors.map(sentence_with_hints).next().unwrap_or_default()
-        })
+        page.results.errors.with(|errors| of_field(errors, id).map(sentence_with_hints).unwrap_or_default())
     });
     let is_wrong = Signal::derive(move || !wrong.with(String::is_empty));
     let unit = info.unit();
@@ -41,10 +38,10 @@ pub(super) fn FormField(
         KindInfo::Flag(_) => "field flag",
         KindInfo::Choice(_) | KindInfo::Text(_) => "field wide",
     };
-    let from = move || match page.project.with(|project| project.provenance.get(id).copied()) {
-        Some(Provenance::Measured) => "measured",
-        Some(Provenance::DataSheet) => "data-sheet",
-        _ => "",
+    let from = move || match origin_of(page, id) {
+        Provenance::Measured => "measured",
+        Provenance::DataSheet => "data-sheet",
+        Provenance::Assumed => "",
     };
     let info = Arc::new(info);
     let slides = info.essential && matches!(info.kind, KindInfo::Number { .. });

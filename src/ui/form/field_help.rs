@@ -2,7 +2,7 @@
 
 use leptos::prelude::*;
 
-use super::value::value_of;
+use super::value::{origin_of, value_of};
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
 use crate::project::Project;
 use crate::ui::state::Page;
@@ -65,7 +65,6 @@ fn Content(
     let changed = move || value_of(page, &row) != present || page.entries.refused(id).is_some();
     let reset = move |_| {
         page.set(id, default.clone());
-        page.entries.show_again();
     };
     let row = info.clone();
     let metric = move || {
@@ -99,7 +98,7 @@ fn Origin(
     id: &'static str,
 ) -> impl IntoView {
     let page = Page::here();
-    let from = move || page.project.with(|project| project.provenance.get(id).copied().unwrap_or_default());
+    let from = move || origin_of(page, id);
     let choice = |(source, label): (Provenance, &'static str)| {
         view! {
             <label class="radio">

@@ -62,7 +62,6 @@ pub(super) fn Slider(
         dom::mark("input");
         if let Some(value) = info.taken(at(position, low, high, step)) {
             page.set(id, Value::Number(value));
-            page.entries.show_again();
         }
     };
     Some(view! {

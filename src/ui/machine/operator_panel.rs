@@ -155,7 +155,12 @@ fn Presses() -> impl IntoView {
         },
     );
     let is_single = move || single.get() != 0.0;
-    let has_inverter = Memo::new(move |_| page.project.with(|project| project.prepared().plc().watches_inverter()));
+    // Whether it has one is a matter of the machine and its control, not of the values.
+    let has_inverter = Memo::new(move |_| {
+        page.machine.track();
+        page.control.track();
+        page.project.with_untracked(|project| project.prepared().plc().watches_inverter())
+    });
     let fault = setting(
         page,
         || 0.0,

@@ -27,10 +27,11 @@ impl Entries {
         });
     }
 
-    /// Notes that the text of a field is right.
+    /// Notes that the field has a right value; a wrong text gives way to it.
     pub(crate) fn accept(self, id: &'static str) {
         if self.invalid.with_untracked(|invalid| of_field(invalid, id).is_some()) {
             self.invalid.update(|invalid| invalid.retain(|other| other.field != Some(id)));
+            self.show_again();
         }
     }
 

@@ -6,6 +6,8 @@ mod edit_pace;
 
 mod entries;
 
+mod field_changes;
+
 pub(crate) mod history;
 
 pub(crate) mod notices;
@@ -31,5 +33,6 @@ pub(crate) mod view;
 pub(crate) mod walk;
 
 pub(crate) use begun::Begun;
+pub(crate) use entries::of_field;
 pub(crate) use page::Page;
 pub(crate) use put::put;

@@ -7,6 +7,7 @@ use leptos::prelude::*;
 
 use super::begun::Begun;
 use super::entries::{Entries, of_field};
+use super::field_changes::FieldChanges;
 use super::history::History;
 use super::notices::{Notice, Notices};
 use super::outlook::Outlook;
@@ -35,6 +36,8 @@ type Fields = BTreeMap<&'static str, Vec<&'static str>>;
 pub(crate) struct Results {
     /// Results with verdicts, and remarks.
     pub design: RwSignal<Rc<Design>, LocalStorage>,
+    /// Errors about fields and about the machine as a whole.
+    pub errors: RwSignal<Vec<Diagnostic>, LocalStorage>,
     /// Fields that do not apply to this control with these values.
     pub hidden: RwSignal<Vec<&'static str>>,
     /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
@@ -58,6 +61,8 @@ pub(crate) struct Page {
     pub results: Results,
     /// The program.
     pub program: ProgramFiles,
+    /// Changes of the project, field by field.
+    pub field_changes: FieldChanges,
     /// Entries of the form that do not read as values.
     pub entries: Entries,
     /// The run.
@@ -90,12 +95,14 @@ impl Page {
             control: RwSignal::new(control),
             can: RwSignal::new((false, false)),
             results: Results {
+                errors: RwSignal::new_local(errors(&design)),
                 design: RwSignal::new_local(Rc::new(design)),
                 hidden: RwSignal::new(prepared.hidden().to_vec()),
                 variables: RwSignal::new(prepared.variables()),
                 scene: RwSignal::new_local(Rc::new(scene)),
             },
             program,
+            field_changes: FieldChanges::new(),
             entries: Entries::new(),
             player,
             outlook: Outlook::new(project, program, player),
@@ -360,7 +367,9 @@ impl Page {
         let written = before.switches != after.switches || before.comments != after.comments;
         let program = values || written || before.edited != after.edited;
         if values {
-            self.results.design.set(Rc::new(after.design()));
+            let design = after.design();
+            put(self.results.errors, errors(&design));
+            self.results.design.set(Rc::new(design));
             let prepared = after.prepared();
             put(self.results.hidden, prepared.hidden().to_vec());
             put(self.results.variables, prepared.variables());
@@ -381,6 +390,7 @@ impl Page {
         put(self.machine, after.machine.id());
         put(self.control, after.control.id);
         self.project.set(after);
+        self.project.with_untracked(|after| self.field_changes.notify(before, after));
         self.can.set(self.history.with_value(History::can));
         self.player.settle();
     }
@@ -429,8 +439,8 @@ impl Page {
     /// Fields that are wrong: entries that do not read as values, and values that the machine or its control cannot have.
     pub(crate) fn wrong_fields(self) -> Vec<Diagnostic> {
         let mut found = self.entries.invalid.get();
-        self.results.design.with(|design| {
-            for error in design.diagnostics.iter().filter(|d| d.severity == Severity::Error) {
+        self.results.errors.with(|errors| {
+            for error in errors {
                 if error.field.is_none_or(|field| of_field(&found, field).is_none()) {
                     found.push(error.clone());
                 }
@@ -453,6 +463,11 @@ impl Page {
             dom::go_to_field(field);
         }
     }
+}
+
+/// The errors of a design.
+fn errors(design: &Design) -> Vec<Diagnostic> {
+    design.diagnostics.iter().filter(|found| found.severity == Severity::Error).cloned().collect()
 }
 
 #[cfg(test)]
