@@ -419,7 +419,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             2085 | M | X | 2260 |  | its denominator: 1 000 000 counts, both in lowest terms
             2085 | M | Z | 31327 |  | its denominator: 1 000 000 counts, both in lowest terms
             3202#4 | NE9 |  | 0 |  | 1: programs 9000 to 9999 cannot be edited; 0 to load O9120
-            3701#1 | ISI |  | 1 |  | 0: serial spindle, 1: analog
+            3701#1 | ISI |  | 1 |  | 0: serial spindle, 1: analog; or 3716#0, where 0 is analog
             3741 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
             3771 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
             3772 |  |  | 1480 | r/min | spindle speed clamp, 0: none

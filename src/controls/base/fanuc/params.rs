@@ -36,7 +36,7 @@ pub const LATHE: &[ParamDef] = &[
     param(FeedGearUnder, "2085", "M", "", "its denominator: 1 000 000 counts, both in lowest terms", MEMORY),
     param(EditLock, "3202#4", "NE9", "", "1: programs 9000 to 9999 cannot be edited", MEMORY),
     param(DecimalPoint, "3401#0", "DPI", "", "word without a point: 0 in command units, 1 in mm", MEMORY),
-    param(SpindleConnection, "3701#1", "ISI", "", "0: serial spindle, 1: analog", MEMORY),
+    param(SpindleConnection, "3701#1", "ISI", "", "0: serial spindle, 1: analog; or 3716#0, where 0 is analog", MEMORY),
     param(SpindleReached, "3708#0", "SAR", "", "1: cuts wait for the signal of reached speed", SPEED_REACHED),
     param(SpindleOffsetRated, "3730", "", "0.1 %", "gain of the analog output", MEMORY),
     param(SpindleOffsetZero, "3731", "", "", "offset of the analog output", MEMORY),
