@@ -25,9 +25,9 @@ pub(in crate::ui) fn gallery(dark: bool) -> Vec<String> {
     examples.map(|example| drawn(example).unwrap_or_default()).collect()
 }
 
-/// A drawing as the address of an image, without labels, which would be too small to read.
+/// A drawing as the address of an image, without its labels.
 fn address((mut scene, pose): (Scene, Pose), dark: bool) -> String {
-    scene.nodes.retain(|node| node.label == 0);
+    scene.remove_labels();
     let drawn = picture(&scene, &pose, if dark { Theme::Dark } else { Theme::Light });
     format!("data:image/svg+xml;base64,{}", STANDARD.encode(drawn))
 }

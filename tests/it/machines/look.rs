@@ -700,3 +700,17 @@ fn report_has_inputs_with_origin_verdicts_and_open_points() {
     }
     assert!(!text.contains("form.") && !text.contains("ribbon."), "an id without its sentence in\n{text}");
 }
+
+#[test]
+fn drawings_without_labels_have_no_empty_plates() {
+    for machine in macroline::machines::ALL {
+        let mut scene = macroline::project::Project::of(machine.id(), None).expect("a project").prepared().scene();
+        let before = scene.nodes.len();
+        scene.remove_labels();
+        let plate = |node: &&macroline::view::Node| {
+            matches!(node.shape, Shape::Rect { .. }) && node.look.fill == Paint::Page && node.look.opacity < 1.0
+        };
+        assert_eq!(scene.nodes.iter().find(plate), None, "{}", machine.id());
+        assert!(before - scene.nodes.len() < before / 2 && scene.nodes.iter().all(|node| node.label == 0));
+    }
+}
