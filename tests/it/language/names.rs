@@ -346,7 +346,11 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     // A word in place of a value is no remark: without it the operator had no value.
     for (block, at) in [("R1=XYZ", "1:4"), ("R1=2+XYZ", "1:6"), ("IF R1==XYZ GOTOF L1", "1:8"), ("R1=2-XYZ", "1:6")] {
         let parsed = parse(&Files::one("A.MPF", format!("{block}\nM30\n")), control());
-        assert_eq!(findings(&parsed), format!("{at} error 12080 “XYZ” is found where a value is expected.\n"), "{block}");
+        assert_eq!(
+            findings(&parsed),
+            format!("{at} error 12080 “XYZ” is found where a value is expected.\n"),
+            "{block}"
+        );
     }
     check(
         "R1=$P_S",
