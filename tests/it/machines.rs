@@ -24,6 +24,7 @@ mod ribbon_endless;
 mod ribbon_knob;
 mod ribbon_length;
 mod ribbon_line;
+mod ribbon_lists;
 mod ribbon_program;
 mod ribbon_stops;
 mod ribbon_synchronism;
