@@ -93,6 +93,8 @@ impl SpindleReaction {
 pub struct Reaction {
     /// The interruption.
     pub at: Interruption,
+    /// Catalog id of its cause, where the PLC itself interrupts; else the operator or the control does.
+    pub cause: Option<&'static str>,
     /// Reaction of the spindle.
     pub spindle: SpindleReaction,
     /// Reaction of the axes.
@@ -109,7 +111,7 @@ pub struct Reaction {
 pub fn sheet(reactions: &[Reaction]) -> Sheet {
     let line = |reaction: &Reaction| {
         let cells = [
-            say(reaction.at.name()),
+            say(reaction.cause.unwrap_or(reaction.at.name())),
             say(reaction.spindle.text()),
             sentence(&reaction.axes),
             sentence(&reaction.material),

@@ -19,6 +19,7 @@ mod polygon_torque;
 mod remedy;
 mod report;
 mod restart;
+mod ribbon_contacts;
 mod ribbon_controls;
 mod ribbon_endless;
 mod ribbon_knob;

@@ -400,6 +400,10 @@ fn input_meaning(input: MachineContact) -> &'static str {
         MachineContact::StopKey => "plc.input.stop-key",
         MachineContact::InGear(_) => "plc.input.in-gear",
         MachineContact::AtShiftSpeed => "plc.input.at-shift-speed",
+        MachineContact::InverterEnabled => "plc.input.inverter-enabled",
+        MachineContact::LoopNotFull => "plc.input.loop-not-full",
+        MachineContact::WebNotTight => "plc.input.web-not-tight",
+        MachineContact::ReelNotEmpty => "plc.input.reel-not-empty",
     }
 }
 
@@ -412,5 +416,9 @@ fn output_meaning(output: MachineOutput) -> &'static str {
         MachineOutput::InverterAlarm => "plc.output.inverter-alarm",
         MachineOutput::ReversalAlarm => "plc.output.reversal-alarm",
         MachineOutput::GearAlarm => "plc.output.gear-alarm",
+        MachineOutput::Message(MachineContact::LoopNotFull) => "plc.output.loop-full",
+        MachineOutput::Message(MachineContact::WebNotTight) => "plc.output.web-tight",
+        MachineOutput::Message(MachineContact::ReelNotEmpty) => "plc.output.reel-empty",
+        MachineOutput::Message(_) => "plc.output.not-ready",
     }
 }

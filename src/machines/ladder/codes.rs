@@ -22,6 +22,9 @@ pub struct SpindleWishes<'a> {
     pub reaction: &'a dyn Fn(Interruption) -> SpindleReaction,
     /// The inverter reports that the speed is reached.
     pub reports_speed: bool,
+    /// Contacts that hold the program while they are open, beside the fault contact of the inverter. Without its enable the inverter
+    /// also loses its run command, and a begun program stops with the alarm: nothing restarts by itself.
+    pub holds: &'a [MachineContact],
 }
 
 impl Book<'_> {
@@ -77,14 +80,16 @@ impl Book<'_> {
         let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
         let key = Bit::Input;
         let ready = Bit::Input(MachineContact::InverterReady);
-        self.coil(Bit::Output(MachineOutput::InverterAlarm), vec![vec![off(ready)]], "plc.rung.inverter-alarm");
-        self.one_of(
-            (SignalRole::HoldReleased, vec![vec![on(ready)]]),
-            (SignalRole::HoldRequest, vec![vec![off(ready)]]),
-            "plc.rung.inverter-hold",
-        );
+        let enabled = Bit::Input(MachineContact::InverterEnabled);
+        let has_enable = wishes.holds.contains(&MachineContact::InverterEnabled);
+        let mut fault = vec![vec![off(ready)]];
+        // Cycle start after a mere hold would move the axes without the spindle.
+        fault.extend(has_enable.then(|| vec![off(enabled), on(STARTED)]));
+        self.coil(Bit::Output(MachineOutput::InverterAlarm), fault, "plc.rung.inverter-alarm");
+        self.hold_program(ready, wishes.holds);
         let (forward, reverse) = (Bit::Output(MachineOutput::Forward), Bit::Output(MachineOutput::Reverse));
         let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
+        guard.extend(has_enable.then_some(on(enabled)));
         if (wishes.reaction)(Interruption::Reset) == SpindleReaction::Off {
             guard.push(off(self.reset()));
         }
@@ -128,6 +133,23 @@ impl Book<'_> {
             (SignalRole::SpindleHold, vec![vec![on(stop)]]),
             if waits { "plc.rung.spindle-waits" } else { "plc.rung.spindle-fault" },
         );
+    }
+
+    /// Holds the program while the inverter reports a fault or one of the contacts is open, with a text for each contact that stays until the
+    /// program runs again or reset is pressed.
+    fn hold_program(&mut self, ready: Bit, contacts: &[MachineContact]) {
+        let all: Vec<Bit> = [ready].into_iter().chain(contacts.iter().copied().map(Bit::Input)).collect();
+        self.one_of(
+            (SignalRole::HoldReleased, vec![all.iter().copied().map(on).collect()]),
+            (SignalRole::HoldRequest, all.iter().map(|contact| vec![off(*contact)]).collect()),
+            if contacts.is_empty() { "plc.rung.inverter-hold" } else { "plc.rung.contacts-hold" },
+        );
+        let (running, reset) = (Bit::Signal(SignalRole::Running), self.reset());
+        for contact in contacts {
+            let message = Bit::Output(MachineOutput::Message(*contact));
+            let stays = vec![on(message), off(running), off(reset)];
+            self.coil(message, vec![vec![off(Bit::Input(*contact))], stays], "plc.rung.message");
+        }
     }
 
     /// Holds the axes of the program while the condition holds.

@@ -64,6 +64,14 @@ pub enum MachineContact {
     InGear(u8),
     /// The spindle turns at the shift speed or slower.
     AtShiftSpeed,
+    /// The inverter has its supply and its enable, and no fault.
+    InverterEnabled,
+    /// The loop is shorter than its longest limit.
+    LoopNotFull,
+    /// The web is not tight to its limit.
+    WebNotTight,
+    /// The reel is not at its end.
+    ReelNotEmpty,
 }
 
 /// An output to the machine.
@@ -83,6 +91,8 @@ pub enum MachineOutput {
     ReversalAlarm,
     /// Alarm text: the gear is not in position in time.
     GearAlarm,
+    /// Text for the operator: this contact holds the program, or has held it.
+    Message(MachineContact),
 }
 
 /// A number.

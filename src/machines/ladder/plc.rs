@@ -167,7 +167,11 @@ impl LadderPlc {
                 io.gear_wanted.is_some_and(|stage| u32::from(stage) >> at & 1 == 1)
             }
             Bit::Input(MachineContact::Emergency) => !(stops.reset && stops.emergency),
-            Bit::Input(MachineContact::InverterReady) => !stops.inverter_fault,
+            Bit::Input(MachineContact::InverterReady | MachineContact::InverterEnabled) => !stops.inverter_fault,
+            // The run goes on beyond these limits: its gauges judge loop and tension, the results the reel.
+            Bit::Input(MachineContact::LoopNotFull | MachineContact::WebNotTight | MachineContact::ReelNotEmpty) => {
+                true
+            }
             Bit::Input(MachineContact::AtSpeed) => {
                 io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs()
             }

@@ -24,6 +24,7 @@ pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
 pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
     let row = |at, slides: Message, material: Message, operator: Message| Reaction {
         at,
+        cause: None,
         spindle: axes(lathe, at),
         axes: slides,
         material,

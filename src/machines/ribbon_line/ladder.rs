@@ -1,6 +1,7 @@
-//! The ladder of the ribbon line: the paper's figure 1 (the knob to override and macro input), the unwinder, its stop with the axes, and the
-//! wait of the axes at the restart.
+//! The ladder of the ribbon line: the paper's figure 1 (the knob to override and macro input), the unwinder, its stop with the axes, the
+//! contacts of loop, reel and inverter, and the wait of the axes at the restart.
 
+use super::contacts::{CONTACTS, HOLDING};
 use super::derive::FIN_DELAY;
 use super::params::{OverrideForm, Wait};
 use super::resolved::RibbonLine;
@@ -21,8 +22,10 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
     overrides(&mut book, line);
     let rules = line.dialect.spindle();
     let waits = line.p.wait == Wait::Fin;
-    let wishes = SpindleWishes { reaction: &unwinder, reports_speed: waits || rules.reached.is_some() };
+    let reports_speed = waits || rules.reached.is_some();
+    let wishes = SpindleWishes { reaction: &unwinder, reports_speed, holds: &HOLDING };
     book.spindle(&rules, &wishes);
+    meanings(&mut book);
     if waits {
         run_up(&mut book);
     }
@@ -31,6 +34,18 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
         restart(&mut book, line);
     }
     book.finish()
+}
+
+/// The contacts of the line, with the source of their places.
+fn meanings(book: &mut Book) {
+    for (contact, meaning) in HOLDING.into_iter().zip([
+        "plc.input.inverter-enabled",
+        "plc.input.loop-not-full",
+        "plc.input.web-not-tight",
+        "plc.input.reel-not-empty",
+    ]) {
+        book.means(Bit::Input(contact), meaning, CONTACTS);
+    }
 }
 
 /// The knob to the control and to the program, and the fixed feed override.

@@ -46,6 +46,8 @@ mod rules;
 
 mod plant;
 
+mod contacts;
+
 mod ladder;
 
 mod plc;

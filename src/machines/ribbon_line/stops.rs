@@ -1,6 +1,8 @@
-//! Hold, alarm, reset, emergency stop and inverter fault of the ribbon line: the unwinder stops with the axes, or it fills the loop.
+//! Hold, alarm, reset, emergency stop, inverter fault and the contacts of the ribbon line: the unwinder stops with the axes, or it fills the
+//! loop.
 
 use super::coasting;
+use super::contacts::{CONTACTS, left_at_reel_end};
 use super::phase;
 use super::resolved::RibbonLine;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
@@ -41,6 +43,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     };
     let row = |at, axes: Message, material, operator| Reaction {
         at,
+        cause: None,
         spindle: unwinder(at),
         axes,
         material,
@@ -48,7 +51,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         cite: MODEL,
     };
     let block = msg!("ribbon.stops.axes-block", axis = print.as_str());
-    vec![
+    let mut rows = vec![
         row(Interruption::Hold, msg!("ribbon.stops.axes-hold", axis = print.as_str()), again.clone(), goes_on.clone()),
         row(Interruption::BlockStop, block.clone(), again, goes_on),
         row(
@@ -86,6 +89,69 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
                 |axis| msg!("ribbon.stops.fault", axis),
                 |axis, variable| msg!("ribbon.stops.fault-by-hand", axis, variable),
             ),
+        ),
+    ];
+    rows.extend(by_contacts(line));
+    rows
+}
+
+/// Rows of the contacts that hold the program, with the alarm of an inverter that is not ready.
+fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
+    let (d, print) = (&line.d, line.p.print_axis.address().to_string());
+    let (axis, told, in_step) = (print.as_str(), phase::is_told(line), line.in_step());
+    let variable = line.control.variable(phase::PHASE);
+    let variable = variable.as_str();
+    let row = |at, cause, axes, material, operator| Reaction {
+        at,
+        cause: Some(cause),
+        spindle: unwinder(at),
+        axes,
+        material,
+        operator,
+        cite: CONTACTS,
+    };
+    let hold = || msg!("ribbon.stops.axes-hold", axis);
+    let laid = |mm: f64| msg!("ribbon.stops.laid", length = (mm, 0));
+    [
+        row(
+            Interruption::Hold,
+            "ribbon.stops.loop-full",
+            hold(),
+            msg!("ribbon.stops.room", length = (d.slack_hold.max(0.0), 0)),
+            match told {
+                true => msg!("ribbon.stops.shorten", axis),
+                false => msg!("ribbon.stops.shorten-by-hand", axis, variable),
+            },
+        ),
+        row(
+            Interruption::Hold,
+            "ribbon.stops.web-tight",
+            hold(),
+            laid(d.slack_hold),
+            match in_step {
+                true => msg!("ribbon.stops.hangs-in-step"),
+                false => msg!("ribbon.stops.hangs"),
+            },
+        ),
+        row(
+            Interruption::Hold,
+            "ribbon.stops.reel-empty",
+            hold(),
+            msg!("ribbon.stops.left", length = (left_at_reel_end(line), 0)),
+            match in_step {
+                true => msg!("ribbon.stops.splice-in-step"),
+                false => msg!("ribbon.stops.splice"),
+            },
+        ),
+        row(
+            Interruption::InverterFault,
+            "ribbon.stops.not-ready",
+            msg!("ribbon.stops.axes-reset", axis),
+            laid(coasting::laid(line, d)),
+            match told {
+                true => msg!("ribbon.stops.make-ready", axis),
+                false => msg!("ribbon.stops.make-ready-by-hand", axis, variable),
+            },
         ),
     ]
 }

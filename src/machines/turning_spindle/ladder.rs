@@ -34,7 +34,8 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     }
     let rules = lathe.rules();
     let reaction = |at| spindle(lathe, at);
-    book.spindle(&rules, &SpindleWishes { reaction: &reaction, reports_speed: rules.reached.is_some() });
+    let reports_speed = rules.reached.is_some();
+    book.spindle(&rules, &SpindleWishes { reaction: &reaction, reports_speed, holds: &[] });
     let stages = lathe.p.stages().count().min(WANTED.len());
     if stages > 1 {
         Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe) }.write();

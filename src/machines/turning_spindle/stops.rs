@@ -23,6 +23,7 @@ pub(super) fn spindle(lathe: &TurningSpindle, at: Interruption) -> SpindleReacti
 pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
     let row = |at, axes: Message, material: Message, operator: Message| Reaction {
         at,
+        cause: None,
         spindle: spindle(lathe, at),
         axes,
         material,

@@ -164,8 +164,12 @@ fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
     for (name, project) in projects().filter(|(name, _)| !name.starts_with("polygon")) {
         let ladder = ladder(&project);
         let mut image = Image::default();
-        for closed in [MachineContact::Emergency, MachineContact::InverterReady, MachineContact::AtSpeed] {
-            image.set(Bit::Input(closed), true);
+        let keys = [MachineContact::ForwardKey, MachineContact::ReverseKey, MachineContact::StopKey];
+        let keys = [&keys[..], &[MachineContact::ResetKey]].concat();
+        for (contact, _) in
+            ladder.bits.iter().filter(|row| matches!(row.0, Bit::Input(input) if !keys.contains(&input)))
+        {
+            image.set(*contact, true);
         }
         image.set(Bit::Signal(SignalRole::Running), true);
         let [forward, reverse] = [MachineOutput::Forward, MachineOutput::Reverse].map(Bit::Output);

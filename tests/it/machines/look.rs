@@ -436,71 +436,108 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         36 | LD M200 | 
         37 | MOV K0 R75 | high word
         38 | LDI X21 | 
-        39 | OUT Y22 | fault of the inverter: alarm
-        40 | LD X21 | 
-        41 | OUT Y211 | fault of the inverter: the axes stop
-        42 | LD M303 | 
-        43 | AND X20 | 
-        44 | AND X21 | 
-        45 | ANI X1F5 | 
-        46 | LD X22 | 
-        47 | AND X20 | 
-        48 | AND X21 | 
-        49 | ANI X1F5 | 
-        50 | ORB | 
-        51 | LD Y20 | 
-        52 | ANI M305 | 
-        53 | ANI X23 | 
-        54 | ANI X24 | 
-        55 | ANI M304 | 
-        56 | AND X20 | 
-        57 | AND X21 | 
+        39 | LDI X25 | 
+        40 | AND M204 | 
+        41 | ORB | 
+        42 | OUT Y22 | fault of the inverter: alarm
+        43 | LD X21 | 
+        44 | AND X25 | 
+        45 | AND X26 | 
+        46 | AND X27 | 
+        47 | AND X28 | 
+        48 | OUT Y211 | fault, inverter not ready, loop or reel at its limit: program held
+        49 | LDI X25 | 
+        50 | LD Y23 | 
+        51 | ANI X1F3 | 
+        52 | ANI X1F5 | 
+        53 | ORB | 
+        54 | OUT Y23 | text for the operator until the program runs again
+        55 | LDI X26 | 
+        56 | LD Y24 | 
+        57 | ANI X1F3 | 
         58 | ANI X1F5 | 
         59 | ORB | 
-        60 | OUT Y20 | run clockwise: M3 or key, until M5, M4, fault
-        61 | LD M304 | 
-        62 | AND X20 | 
-        63 | AND X21 | 
+        60 | OUT Y24 | text for the operator until the program runs again
+        61 | LDI X27 | 
+        62 | LD Y25 | 
+        63 | ANI X1F3 | 
         64 | ANI X1F5 | 
-        65 | LD X23 | 
-        66 | AND X20 | 
-        67 | AND X21 | 
-        68 | ANI X1F5 | 
-        69 | ORB | 
-        70 | LD Y21 | 
-        71 | ANI M305 | 
-        72 | ANI X22 | 
-        73 | ANI X24 | 
-        74 | ANI M303 | 
-        75 | AND X20 | 
-        76 | AND X21 | 
+        65 | ORB | 
+        66 | OUT Y25 | text for the operator until the program runs again
+        67 | LDI X28 | 
+        68 | LD Y26 | 
+        69 | ANI X1F3 | 
+        70 | ANI X1F5 | 
+        71 | ORB | 
+        72 | OUT Y26 | text for the operator until the program runs again
+        73 | LD M303 | 
+        74 | AND X20 | 
+        75 | AND X21 | 
+        76 | AND X25 | 
         77 | ANI X1F5 | 
-        78 | ORB | 
-        79 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
-        80 | LD M202 | 
-        81 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
-        82 | LD X230 | 
-        83 | OR X234 | 
-        84 | OR X238 | 
-        85 | OUT Y226 | one answer for M, S and T
-        86 | LD M202 | 
-        87 | AND Y20 | 
-        88 | ANI X1F5 | 
-        89 | LD M202 | 
-        90 | AND Y21 | 
-        91 | ANI X1F5 | 
-        92 | ORB | 
-        93 | LD M203 | 
-        94 | ANI T20 | 
-        95 | ANI X1F5 | 
-        96 | ORB | 
-        97 | OUT M203 | axes wait at the restart
-        98 | LD M203 | 
-        99 | ANI M202 | 
-        100 | OUT T20 K205 | as long as behind M3
-        101 | LDI M203 | 
-        102 | OR M202 | 
-        103 | OUT Y20F | axes may move
+        78 | LD X22 | 
+        79 | AND X20 | 
+        80 | AND X21 | 
+        81 | AND X25 | 
+        82 | ANI X1F5 | 
+        83 | ORB | 
+        84 | LD Y20 | 
+        85 | ANI M305 | 
+        86 | ANI X23 | 
+        87 | ANI X24 | 
+        88 | ANI M304 | 
+        89 | AND X20 | 
+        90 | AND X21 | 
+        91 | AND X25 | 
+        92 | ANI X1F5 | 
+        93 | ORB | 
+        94 | OUT Y20 | run clockwise: M3 or key, until M5, M4, fault
+        95 | LD M304 | 
+        96 | AND X20 | 
+        97 | AND X21 | 
+        98 | AND X25 | 
+        99 | ANI X1F5 | 
+        100 | LD X23 | 
+        101 | AND X20 | 
+        102 | AND X21 | 
+        103 | AND X25 | 
+        104 | ANI X1F5 | 
+        105 | ORB | 
+        106 | LD Y21 | 
+        107 | ANI M305 | 
+        108 | ANI X22 | 
+        109 | ANI X24 | 
+        110 | ANI M303 | 
+        111 | AND X20 | 
+        112 | AND X21 | 
+        113 | AND X25 | 
+        114 | ANI X1F5 | 
+        115 | ORB | 
+        116 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
+        117 | LD M202 | 
+        118 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        119 | LD X230 | 
+        120 | OR X234 | 
+        121 | OR X238 | 
+        122 | OUT Y226 | one answer for M, S and T
+        123 | LD M202 | 
+        124 | AND Y20 | 
+        125 | ANI X1F5 | 
+        126 | LD M202 | 
+        127 | AND Y21 | 
+        128 | ANI X1F5 | 
+        129 | ORB | 
+        130 | LD M203 | 
+        131 | ANI T20 | 
+        132 | ANI X1F5 | 
+        133 | ORB | 
+        134 | OUT M203 | axes wait at the restart
+        135 | LD M203 | 
+        136 | ANI M202 | 
+        137 | OUT T20 K205 | as long as behind M3
+        138 | LDI M203 | 
+        139 | OR M202 | 
+        140 | OUT Y20F | axes may move
          |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
     "#]]
     .assert_eq(&rows(&[], "ladder"));
@@ -548,95 +585,132 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         40 | LD M200 | 
         41 | DMOV R10 R74 | final spindle speed to the program, both words
         42 | LDI X21 | 
-        43 | OUT Y22 | fault of the inverter: alarm
-        44 | LD X21 | 
-        45 | OUT Y211 | fault of the inverter: the axes stop
-        46 | LD M303 | 
-        47 | AND X20 | 
-        48 | AND X21 | 
-        49 | ANI X1F5 | 
-        50 | LD X23 | 
-        51 | AND X20 | 
-        52 | AND X21 | 
-        53 | ANI X1F5 | 
-        54 | ORB | 
-        55 | LD Y20 | 
-        56 | ANI M305 | 
-        57 | ANI X24 | 
-        58 | ANI X25 | 
-        59 | ANI M304 | 
-        60 | AND X20 | 
-        61 | AND X21 | 
+        43 | LDI X26 | 
+        44 | AND M205 | 
+        45 | ORB | 
+        46 | OUT Y22 | fault of the inverter: alarm
+        47 | LD X21 | 
+        48 | AND X26 | 
+        49 | AND X27 | 
+        50 | AND X28 | 
+        51 | AND X29 | 
+        52 | OUT Y211 | fault, inverter not ready, loop or reel at its limit: program held
+        53 | LDI X26 | 
+        54 | LD Y23 | 
+        55 | ANI X1F3 | 
+        56 | ANI X1F5 | 
+        57 | ORB | 
+        58 | OUT Y23 | text for the operator until the program runs again
+        59 | LDI X27 | 
+        60 | LD Y24 | 
+        61 | ANI X1F3 | 
         62 | ANI X1F5 | 
         63 | ORB | 
-        64 | OUT Y20 | run clockwise: M3 or key, until M5, M4, fault
-        65 | LD M304 | 
-        66 | AND X20 | 
-        67 | AND X21 | 
+        64 | OUT Y24 | text for the operator until the program runs again
+        65 | LDI X28 | 
+        66 | LD Y25 | 
+        67 | ANI X1F3 | 
         68 | ANI X1F5 | 
-        69 | LD X24 | 
-        70 | AND X20 | 
-        71 | AND X21 | 
-        72 | ANI X1F5 | 
-        73 | ORB | 
-        74 | LD Y21 | 
-        75 | ANI M305 | 
-        76 | ANI X23 | 
-        77 | ANI X25 | 
-        78 | ANI M303 | 
-        79 | AND X20 | 
-        80 | AND X21 | 
+        69 | ORB | 
+        70 | OUT Y25 | text for the operator until the program runs again
+        71 | LDI X29 | 
+        72 | LD Y26 | 
+        73 | ANI X1F3 | 
+        74 | ANI X1F5 | 
+        75 | ORB | 
+        76 | OUT Y26 | text for the operator until the program runs again
+        77 | LD M303 | 
+        78 | AND X20 | 
+        79 | AND X21 | 
+        80 | AND X26 | 
         81 | ANI X1F5 | 
-        82 | ORB | 
-        83 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
-        84 | LD M203 | 
-        85 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
-        86 | LD M303 | 
-        87 | ANI T20 | 
-        88 | LD M303 | 
-        89 | ANI X22 | 
-        90 | ORB | 
-        91 | LD M304 | 
-        92 | ANI T20 | 
-        93 | ORB | 
-        94 | LD M304 | 
-        95 | ANI X22 | 
-        96 | ORB | 
-        97 | OUT M201 | M3 and M4 wait for the speed
-        98 | LD M303 | 
-        99 | OR M304 | 
-        100 | OUT T20 K5 | until the contact is about the new speed
-        101 | LD X230 | 
-        102 | ANI M201 | 
-        103 | LD X234 | 
-        104 | ANI M201 | 
-        105 | ORB | 
-        106 | LD X238 | 
-        107 | ANI M201 | 
-        108 | ORB | 
-        109 | OUT Y226 | one answer for M, S and T
-        110 | LD M203 | 
-        111 | AND Y20 | 
-        112 | ANI X1F5 | 
-        113 | LD M203 | 
-        114 | AND Y21 | 
-        115 | ANI X1F5 | 
-        116 | ORB | 
-        117 | LD M204 | 
-        118 | ANI T21 | 
-        119 | ANI X1F5 | 
-        120 | ORB | 
-        121 | LD M204 | 
-        122 | ANI X22 | 
-        123 | ANI X1F5 | 
-        124 | ORB | 
-        125 | OUT M204 | axes wait at the restart
-        126 | LD M204 | 
-        127 | ANI M203 | 
-        128 | OUT T21 K5 | until the contact is about the new speed
-        129 | LDI M204 | 
-        130 | OR M203 | 
-        131 | OUT Y20F | axes may move
+        82 | LD X23 | 
+        83 | AND X20 | 
+        84 | AND X21 | 
+        85 | AND X26 | 
+        86 | ANI X1F5 | 
+        87 | ORB | 
+        88 | LD Y20 | 
+        89 | ANI M305 | 
+        90 | ANI X24 | 
+        91 | ANI X25 | 
+        92 | ANI M304 | 
+        93 | AND X20 | 
+        94 | AND X21 | 
+        95 | AND X26 | 
+        96 | ANI X1F5 | 
+        97 | ORB | 
+        98 | OUT Y20 | run clockwise: M3 or key, until M5, M4, fault
+        99 | LD M304 | 
+        100 | AND X20 | 
+        101 | AND X21 | 
+        102 | AND X26 | 
+        103 | ANI X1F5 | 
+        104 | LD X24 | 
+        105 | AND X20 | 
+        106 | AND X21 | 
+        107 | AND X26 | 
+        108 | ANI X1F5 | 
+        109 | ORB | 
+        110 | LD Y21 | 
+        111 | ANI M305 | 
+        112 | ANI X23 | 
+        113 | ANI X25 | 
+        114 | ANI M303 | 
+        115 | AND X20 | 
+        116 | AND X21 | 
+        117 | AND X26 | 
+        118 | ANI X1F5 | 
+        119 | ORB | 
+        120 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
+        121 | LD M203 | 
+        122 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        123 | LD M303 | 
+        124 | ANI T20 | 
+        125 | LD M303 | 
+        126 | ANI X22 | 
+        127 | ORB | 
+        128 | LD M304 | 
+        129 | ANI T20 | 
+        130 | ORB | 
+        131 | LD M304 | 
+        132 | ANI X22 | 
+        133 | ORB | 
+        134 | OUT M201 | M3 and M4 wait for the speed
+        135 | LD M303 | 
+        136 | OR M304 | 
+        137 | OUT T20 K5 | until the contact is about the new speed
+        138 | LD X230 | 
+        139 | ANI M201 | 
+        140 | LD X234 | 
+        141 | ANI M201 | 
+        142 | ORB | 
+        143 | LD X238 | 
+        144 | ANI M201 | 
+        145 | ORB | 
+        146 | OUT Y226 | one answer for M, S and T
+        147 | LD M203 | 
+        148 | AND Y20 | 
+        149 | ANI X1F5 | 
+        150 | LD M203 | 
+        151 | AND Y21 | 
+        152 | ANI X1F5 | 
+        153 | ORB | 
+        154 | LD M204 | 
+        155 | ANI T21 | 
+        156 | ANI X1F5 | 
+        157 | ORB | 
+        158 | LD M204 | 
+        159 | ANI X22 | 
+        160 | ANI X1F5 | 
+        161 | ORB | 
+        162 | OUT M204 | axes wait at the restart
+        163 | LD M204 | 
+        164 | ANI M203 | 
+        165 | OUT T21 K5 | until the contact is about the new speed
+        166 | LDI M204 | 
+        167 | OR M203 | 
+        168 | OUT Y20F | axes may move
          |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
     "#]]
     .assert_eq(&rows(&[("knob-step", "5"), ("override-form", "final-speed"), ("wait", "fin")], "ladder"));

@@ -32,10 +32,18 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X3.2 |  | machine | PLC |  | Key: spindle clockwise
             X3.3 |  | machine | PLC |  | Key: spindle counterclockwise
             X3.4 |  | machine | PLC |  | Key: spindle stop
+            X3.5 |  | machine | PLC |  | Inverter is ready: supply on, enable closed; open while it is not
+            X3.6 |  | machine | PLC |  | Loop sensor: open while the loop is at its longest limit, the loop capacity
+            X3.7 |  | machine | PLC |  | Tension switch at the loop: open while the ribbon is tight to its limit
+            X4.0 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
             Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
             Y5.3 |  | PLC | machine |  | Alarm: M03 and M04 without M05 between them
+            Y5.4 |  | PLC | machine |  | Message: inverter is not ready
+            Y5.5 |  | PLC | machine |  | Message: loop at its longest limit
+            Y5.6 |  | PLC | machine |  | Message: ribbon tight to its limit
+            Y5.7 |  | PLC | machine |  | Message: reel at its end
         "#]],
     );
     check(
@@ -73,77 +81,114 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             27 | LD R10.0 | 
             28 | MOVN 2 D100 G54 | the same to the program
             29 | LDI X3.1 | 
-            30 | OUT Y5.2 | fault of the inverter: alarm
-            31 | LD X3.1 | 
-            32 | OUT G8.5 | fault of the inverter: the axes stop
-            33 | LD R40.0 | 
-            34 | AND Y5.1 | 
-            35 | LD R40.1 | 
-            36 | AND Y5.0 | 
-            37 | ORB | 
-            38 | OUT Y5.3 | M3 and M4 need M5 between them
-            39 | LD R40.0 | 
-            40 | ANI Y5.1 | 
-            41 | AND X0.5 | 
-            42 | AND X3.1 | 
+            30 | LDI X3.5 | 
+            31 | AND R10.4 | 
+            32 | ORB | 
+            33 | OUT Y5.2 | fault of the inverter: alarm
+            34 | LD X3.1 | 
+            35 | AND X3.5 | 
+            36 | AND X3.6 | 
+            37 | AND X3.7 | 
+            38 | AND X4.0 | 
+            39 | OUT G8.5 | fault, inverter not ready, loop or reel at its limit: program held
+            40 | LDI X3.5 | 
+            41 | LD Y5.4 | 
+            42 | ANI F0.5 | 
             43 | ANI F1.1 | 
-            44 | LD X3.2 | 
-            45 | AND X0.5 | 
-            46 | AND X3.1 | 
-            47 | ANI F1.1 | 
-            48 | ORB | 
-            49 | LD Y5.0 | 
-            50 | ANI R40.2 | 
-            51 | ANI X3.3 | 
-            52 | ANI X3.4 | 
-            53 | AND X0.5 | 
-            54 | AND X3.1 | 
+            44 | ORB | 
+            45 | OUT Y5.4 | text for the operator until the program runs again
+            46 | LDI X3.6 | 
+            47 | LD Y5.5 | 
+            48 | ANI F0.5 | 
+            49 | ANI F1.1 | 
+            50 | ORB | 
+            51 | OUT Y5.5 | text for the operator until the program runs again
+            52 | LDI X3.7 | 
+            53 | LD Y5.6 | 
+            54 | ANI F0.5 | 
             55 | ANI F1.1 | 
             56 | ORB | 
-            57 | OUT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
-            58 | LD R40.1 | 
-            59 | ANI Y5.0 | 
-            60 | AND X0.5 | 
-            61 | AND X3.1 | 
-            62 | ANI F1.1 | 
-            63 | LD X3.3 | 
-            64 | AND X0.5 | 
-            65 | AND X3.1 | 
-            66 | ANI F1.1 | 
-            67 | ORB | 
-            68 | LD Y5.1 | 
-            69 | ANI R40.2 | 
-            70 | ANI X3.2 | 
-            71 | ANI X3.4 | 
+            57 | OUT Y5.6 | text for the operator until the program runs again
+            58 | LDI X4.0 | 
+            59 | LD Y5.7 | 
+            60 | ANI F0.5 | 
+            61 | ANI F1.1 | 
+            62 | ORB | 
+            63 | OUT Y5.7 | text for the operator until the program runs again
+            64 | LD R40.0 | 
+            65 | AND Y5.1 | 
+            66 | LD R40.1 | 
+            67 | AND Y5.0 | 
+            68 | ORB | 
+            69 | OUT Y5.3 | M3 and M4 need M5 between them
+            70 | LD R40.0 | 
+            71 | ANI Y5.1 | 
             72 | AND X0.5 | 
             73 | AND X3.1 | 
-            74 | ANI F1.1 | 
-            75 | ORB | 
-            76 | OUT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
-            77 | LDI R10.2 | 
-            78 | OUT G29.6 | spindle stops with the axes; S and M3 stay
-            79 | LD F7.0 | 
-            80 | OR F7.2 | 
-            81 | OR F7.3 | 
-            82 | OUT G4.3 | one answer for M, S and T
-            83 | LD R10.2 | 
-            84 | AND Y5.0 | 
-            85 | ANI F1.1 | 
-            86 | LD R10.2 | 
-            87 | AND Y5.1 | 
-            88 | ANI F1.1 | 
-            89 | ORB | 
-            90 | LD R10.3 | 
-            91 | ANI T0 | 
-            92 | ANI F1.1 | 
-            93 | ORB | 
-            94 | OUT R10.3 | axes wait at the restart
-            95 | LD R10.3 | 
-            96 | ANI R10.2 | 
-            97 | TMRB T0 2050 | as long as behind M3
-            98 | LDI R10.3 | 
-            99 | OR R10.2 | 
-            100 | OUT G8.0 | axes may move
+            74 | AND X3.5 | 
+            75 | ANI F1.1 | 
+            76 | LD X3.2 | 
+            77 | AND X0.5 | 
+            78 | AND X3.1 | 
+            79 | AND X3.5 | 
+            80 | ANI F1.1 | 
+            81 | ORB | 
+            82 | LD Y5.0 | 
+            83 | ANI R40.2 | 
+            84 | ANI X3.3 | 
+            85 | ANI X3.4 | 
+            86 | AND X0.5 | 
+            87 | AND X3.1 | 
+            88 | AND X3.5 | 
+            89 | ANI F1.1 | 
+            90 | ORB | 
+            91 | OUT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
+            92 | LD R40.1 | 
+            93 | ANI Y5.0 | 
+            94 | AND X0.5 | 
+            95 | AND X3.1 | 
+            96 | AND X3.5 | 
+            97 | ANI F1.1 | 
+            98 | LD X3.3 | 
+            99 | AND X0.5 | 
+            100 | AND X3.1 | 
+            101 | AND X3.5 | 
+            102 | ANI F1.1 | 
+            103 | ORB | 
+            104 | LD Y5.1 | 
+            105 | ANI R40.2 | 
+            106 | ANI X3.2 | 
+            107 | ANI X3.4 | 
+            108 | AND X0.5 | 
+            109 | AND X3.1 | 
+            110 | AND X3.5 | 
+            111 | ANI F1.1 | 
+            112 | ORB | 
+            113 | OUT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
+            114 | LDI R10.2 | 
+            115 | OUT G29.6 | spindle stops with the axes; S and M3 stay
+            116 | LD F7.0 | 
+            117 | OR F7.2 | 
+            118 | OR F7.3 | 
+            119 | OUT G4.3 | one answer for M, S and T
+            120 | LD R10.2 | 
+            121 | AND Y5.0 | 
+            122 | ANI F1.1 | 
+            123 | LD R10.2 | 
+            124 | AND Y5.1 | 
+            125 | ANI F1.1 | 
+            126 | ORB | 
+            127 | LD R10.3 | 
+            128 | ANI T0 | 
+            129 | ANI F1.1 | 
+            130 | ORB | 
+            131 | OUT R10.3 | axes wait at the restart
+            132 | LD R10.3 | 
+            133 | ANI R10.2 | 
+            134 | TMRB T0 2050 | as long as behind M3
+            135 | LDI R10.3 | 
+            136 | OR R10.2 | 
+            137 | OUT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );
@@ -174,9 +219,17 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X3.3 |  | machine | PLC |  | Key: spindle clockwise
             X3.4 |  | machine | PLC |  | Key: spindle counterclockwise
             X3.5 |  | machine | PLC |  | Key: spindle stop
+            X3.6 |  | machine | PLC |  | Inverter is ready: supply on, enable closed; open while it is not
+            X3.7 |  | machine | PLC |  | Loop sensor: open while the loop is at its longest limit, the loop capacity
+            X4.0 |  | machine | PLC |  | Tension switch at the loop: open while the ribbon is tight to its limit
+            X4.1 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
             Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
+            Y5.3 |  | PLC | machine |  | Message: inverter is not ready
+            Y5.4 |  | PLC | machine |  | Message: loop at its longest limit
+            Y5.5 |  | PLC | machine |  | Message: ribbon tight to its limit
+            Y5.6 |  | PLC | machine |  | Message: reel at its end
         "#]],
     );
     check(
@@ -212,72 +265,109 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             25 | RD R10.0 | 
             26 | SUB 45 MOVN 2 D100 G54 | the same to the program
             27 | RD.NOT X3.1 | 
-            28 | WRT Y5.2 | fault of the inverter: alarm
-            29 | RD X3.1 | 
-            30 | WRT G8.5 | fault of the inverter: the axes stop
-            31 | RD R40.0 | 
-            32 | AND X8.4 | 
-            33 | AND X3.1 | 
-            34 | AND.NOT F1.1 | 
-            35 | RD.STK X3.2 | 
-            36 | AND X8.4 | 
-            37 | AND X3.1 | 
-            38 | AND.NOT F1.1 | 
-            39 | OR.STK | 
-            40 | RD.STK Y5.0 | 
-            41 | AND.NOT R40.2 | 
-            42 | AND.NOT X3.3 | 
-            43 | AND.NOT X3.4 | 
-            44 | AND.NOT R40.1 | 
-            45 | AND X8.4 | 
-            46 | AND X3.1 | 
+            28 | RD.NOT.STK X3.5 | 
+            29 | AND R10.4 | 
+            30 | OR.STK | 
+            31 | WRT Y5.2 | fault of the inverter: alarm
+            32 | RD X3.1 | 
+            33 | AND X3.5 | 
+            34 | AND X3.6 | 
+            35 | AND X3.7 | 
+            36 | AND X4.0 | 
+            37 | WRT G8.5 | fault, inverter not ready, loop or reel at its limit: program held
+            38 | RD.NOT X3.5 | 
+            39 | RD.STK Y5.3 | 
+            40 | AND.NOT F0.5 | 
+            41 | AND.NOT F1.1 | 
+            42 | OR.STK | 
+            43 | WRT Y5.3 | text for the operator until the program runs again
+            44 | RD.NOT X3.6 | 
+            45 | RD.STK Y5.4 | 
+            46 | AND.NOT F0.5 | 
             47 | AND.NOT F1.1 | 
             48 | OR.STK | 
-            49 | WRT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
-            50 | RD R40.1 | 
-            51 | AND X8.4 | 
-            52 | AND X3.1 | 
+            49 | WRT Y5.4 | text for the operator until the program runs again
+            50 | RD.NOT X3.7 | 
+            51 | RD.STK Y5.5 | 
+            52 | AND.NOT F0.5 | 
             53 | AND.NOT F1.1 | 
-            54 | RD.STK X3.3 | 
-            55 | AND X8.4 | 
-            56 | AND X3.1 | 
-            57 | AND.NOT F1.1 | 
-            58 | OR.STK | 
-            59 | RD.STK Y5.1 | 
-            60 | AND.NOT R40.2 | 
-            61 | AND.NOT X3.2 | 
-            62 | AND.NOT X3.4 | 
-            63 | AND.NOT R40.0 | 
-            64 | AND X8.4 | 
-            65 | AND X3.1 | 
+            54 | OR.STK | 
+            55 | WRT Y5.5 | text for the operator until the program runs again
+            56 | RD.NOT X4.0 | 
+            57 | RD.STK Y5.6 | 
+            58 | AND.NOT F0.5 | 
+            59 | AND.NOT F1.1 | 
+            60 | OR.STK | 
+            61 | WRT Y5.6 | text for the operator until the program runs again
+            62 | RD R40.0 | 
+            63 | AND X8.4 | 
+            64 | AND X3.1 | 
+            65 | AND X3.5 | 
             66 | AND.NOT F1.1 | 
-            67 | OR.STK | 
-            68 | WRT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
-            69 | RD.NOT R10.2 | 
-            70 | WRT G29.6 | spindle stops with the axes; S and M3 stay
-            71 | RD F7.0 | 
-            72 | OR F7.2 | 
-            73 | OR F7.3 | 
-            74 | WRT G4.3 | one answer for M, S and T
-            75 | RD R10.2 | 
-            76 | AND Y5.0 | 
-            77 | AND.NOT F1.1 | 
-            78 | RD.STK R10.2 | 
-            79 | AND Y5.1 | 
-            80 | AND.NOT F1.1 | 
-            81 | OR.STK | 
-            82 | RD.STK R10.3 | 
-            83 | AND.NOT R30.0 | 
-            84 | AND.NOT F1.1 | 
-            85 | OR.STK | 
-            86 | WRT R10.3 | axes wait at the restart
-            87 | RD R10.3 | 
-            88 | AND.NOT R10.2 | 
-            89 | SUB 24 TMRB 1 2050 | 
-            90 | WRT R30.0 | as long as behind M3
-            91 | RD.NOT R10.3 | 
-            92 | OR R10.2 | 
-            93 | WRT G8.0 | axes may move
+            67 | RD.STK X3.2 | 
+            68 | AND X8.4 | 
+            69 | AND X3.1 | 
+            70 | AND X3.5 | 
+            71 | AND.NOT F1.1 | 
+            72 | OR.STK | 
+            73 | RD.STK Y5.0 | 
+            74 | AND.NOT R40.2 | 
+            75 | AND.NOT X3.3 | 
+            76 | AND.NOT X3.4 | 
+            77 | AND.NOT R40.1 | 
+            78 | AND X8.4 | 
+            79 | AND X3.1 | 
+            80 | AND X3.5 | 
+            81 | AND.NOT F1.1 | 
+            82 | OR.STK | 
+            83 | WRT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
+            84 | RD R40.1 | 
+            85 | AND X8.4 | 
+            86 | AND X3.1 | 
+            87 | AND X3.5 | 
+            88 | AND.NOT F1.1 | 
+            89 | RD.STK X3.3 | 
+            90 | AND X8.4 | 
+            91 | AND X3.1 | 
+            92 | AND X3.5 | 
+            93 | AND.NOT F1.1 | 
+            94 | OR.STK | 
+            95 | RD.STK Y5.1 | 
+            96 | AND.NOT R40.2 | 
+            97 | AND.NOT X3.2 | 
+            98 | AND.NOT X3.4 | 
+            99 | AND.NOT R40.0 | 
+            100 | AND X8.4 | 
+            101 | AND X3.1 | 
+            102 | AND X3.5 | 
+            103 | AND.NOT F1.1 | 
+            104 | OR.STK | 
+            105 | WRT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
+            106 | RD.NOT R10.2 | 
+            107 | WRT G29.6 | spindle stops with the axes; S and M3 stay
+            108 | RD F7.0 | 
+            109 | OR F7.2 | 
+            110 | OR F7.3 | 
+            111 | WRT G4.3 | one answer for M, S and T
+            112 | RD R10.2 | 
+            113 | AND Y5.0 | 
+            114 | AND.NOT F1.1 | 
+            115 | RD.STK R10.2 | 
+            116 | AND Y5.1 | 
+            117 | AND.NOT F1.1 | 
+            118 | OR.STK | 
+            119 | RD.STK R10.3 | 
+            120 | AND.NOT R30.0 | 
+            121 | AND.NOT F1.1 | 
+            122 | OR.STK | 
+            123 | WRT R10.3 | axes wait at the restart
+            124 | RD R10.3 | 
+            125 | AND.NOT R10.2 | 
+            126 | SUB 24 TMRB 1 2050 | 
+            127 | WRT R30.0 | as long as behind M3
+            128 | RD.NOT R10.3 | 
+            129 | OR R10.2 | 
+            130 | WRT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );

@@ -389,6 +389,10 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
             "Reset",
             "Emergency stop",
             "Inverter fault",
+            "Loop at its longest limit",
+            "Ribbon tight to its limit",
+            "Reel at its end",
+            "Inverter not ready",
         ];
         assert_eq!(names, wanted, "{}", control.id);
         assert!(rows.iter().flatten().all(|cell| !cell.is_empty() && !cell.contains("ribbon.")), "{rows:?}");
