@@ -1,5 +1,5 @@
 // Speed of the page in Chromium, medians of 50: `node benches/page.mjs` on the dist/ that is there. Each figure is a line `summary: …`.
-import { openPanel, processorTime, start, withPage } from '../tests/e2e/page.mjs';
+import { openGroups, openPanel, processorTime, start, withPage } from '../tests/e2e/page.mjs';
 
 const app = await start();
 const field = (page, id) => page.locator(`#${id}`);
@@ -29,7 +29,7 @@ await withPage(app, {}, async ({ page }) => {
   await page.waitForFunction(() => performance.getEntriesByName('frame').length > 60, null, { timeout: 60_000 });
   summary('script of a frame', await median(page, 'frame'), 4);
   await page.click('#play');
-  await page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));
+  await openGroups(page);
   // An hour is longer than the axes stay within the range of the control, unless their coordinates roll over.
   await field(page, 'endless').selectOption('roll-over');
   await field(page, 'pitch-count').fill('10000000');

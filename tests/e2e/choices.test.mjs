@@ -133,7 +133,7 @@ test('impossible value is counted and leads to its field', () =>
     await wrong.waitFor();
     assert.equal(await page.getByText('Results before the invalid entry').count(), 0);
     await wrong.click();
-    assert.equal(await page.evaluate(() => document.activeElement.id), 'clamp-x');
+    await page.waitForFunction(() => document.activeElement.id === 'clamp-x');
   }));
 
 test('the 802D is debugged and edited in its own words', () =>

@@ -126,7 +126,7 @@ test('a part of the drawing leads to its field', () =>
     const part = page.locator('.stage [data-field]').first();
     const field = await part.getAttribute('data-field');
     await part.dispatchEvent('click');
-    assert.equal(await page.evaluate(() => document.activeElement.id), field);
+    await page.waitForFunction((field) => document.activeElement.id === field, field);
   }));
 
 // Width and height in CSS pixels of a sheet without the margins of `@page` in style/report.css: of the first one, and of the others.

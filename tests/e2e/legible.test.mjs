@@ -1,7 +1,7 @@
 // Legibility: no word and no figure is cut off or covered, at every size, in every language.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PAPER, openPanel, ready, start, takeExample, withPage } from './page.mjs';
+import { PAPER, openGroups, openPanel, ready, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -128,7 +128,7 @@ for (const { locale, width, height } of each('mm', BESIDE)) {
           if (!(await page.locator(`#tab-${tab}`).isVisible())) continue;
           await page.click(`#tab-${tab}`);
           await page.waitForTimeout(300);
-          await page.evaluate(() => document.querySelectorAll('.form details').forEach((group) => (group.open = true)));
+          await openGroups(page);
           await page.waitForTimeout(300);
           assert.deepEqual([...(await cutOff(page, '.side, .form')), ...(await scrollsSideways(page))], [], `${name}, ${tab}`);
         }

@@ -171,4 +171,8 @@ export const listing = async (page) => (await page.locator('.listing li[data-l] 
 export const showSteps = (page, say = words('en')) => page.getByRole('button', { name: say('page.walk-short'), exact: true }).click();
 
 // Unfolds all groups of the form.
-export const openGroups = (page) => page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));
+export async function openGroups(page) {
+  await page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));
+  // A group of the form builds its fields when it is opened.
+  await page.waitForFunction(() => [...document.querySelectorAll('.form .group')].every((group) => group.querySelector('.field')));
+}

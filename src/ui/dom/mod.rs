@@ -192,12 +192,34 @@ pub(crate) fn set(element: &Element, name: &str, value: &str) {
     let _ = element.set_attribute(name, value);
 }
 
+/// Whether the `details` element of a toggle event is open.
+pub(crate) fn is_open(event: &Event) -> bool {
+    event.target().is_some_and(|details| details.unchecked_into::<Element>().has_attribute("open"))
+}
+
 /// Shows and focuses a field of the form: leaves an open dialog, opens the groups around the field.
 pub(crate) fn go_to_field(id: &str) {
     if let Ok(Some(open)) = document().query_selector("dialog[open]") {
         open.unchecked_into::<HtmlDialogElement>().close();
     }
-    let Some(input) = by_id(id) else { return };
+    if let Some(input) = by_id(id) {
+        return show_field(&input);
+    }
+    // Its group builds it when it is opened.
+    let Ok(Some(group)) = document().query_selector(&format!("details[data-fields~='{id}']")) else { return };
+    set(&group, "open", "");
+    if let Ok(toggled) = Event::new("toggle") {
+        let _ = group.dispatch_event(&toggled);
+    }
+    let id = id.to_owned();
+    turns::at_last(move || {
+        if let Some(input) = by_id(&id) {
+            show_field(&input);
+        }
+    });
+}
+
+fn show_field(input: &HtmlElement) {
     let mut inside = input.closest("details").ok().flatten();
     while let Some(group) = inside {
         set(&group, "open", "");

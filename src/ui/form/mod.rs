@@ -16,8 +16,9 @@ use leptos::prelude::*;
 
 use crate::machines::form::{FieldInfo, Provenance};
 use crate::text::number::filled;
+use crate::ui::dom;
 use crate::ui::parts::Later;
-use crate::ui::state::Page;
+use crate::ui::state::{Page, put};
 use crate::ui::words::{sentence, t};
 use field::FormField;
 use measure_first::MeasureFirst;
@@ -102,7 +103,7 @@ fn MachineData(
     let groups = groups(&fields);
     let open = RwSignal::new(false);
     view! {
-        <details class="data" on:toggle=move |event| open.set(event_target::<web_sys::HtmlDetailsElement>(&event).open())>
+        <details class="data" on:toggle=move |event| put(open, dom::is_open(&event))>
             <summary>
                 <b>{t("page.machine-data")}</b>
                 <span class="count">{move || sentence(&crate::msg!("page.assumed-of", count = count.get().0 as f64, all = count.get().1 as f64))}</span>
@@ -114,7 +115,7 @@ fn MachineData(
     }
 }
 
-/// A group of fields; it opens if one of them is wrong.
+/// A group of fields, which are built when it is first opened: most of them are never looked at, and the page is there sooner.
 #[component]
 fn Group(
     /// Catalog id of its name.
@@ -128,12 +129,18 @@ fn Group(
     let shown = move || page.results.hidden.with(|hidden| all.iter().filter(|id| !hidden.contains(id)).count());
     let own = ids.clone();
     let cause = move || page.view.causes.with(|causes| own.iter().any(|id| causes.contains(id)));
+    let holds = ids.join(" ");
     let wrong = move || page.wrong_fields().iter().any(|d| d.field.is_some_and(|field| ids.contains(&field)));
     let wrong = Memo::new(move |_| wrong());
+    let opened = RwSignal::new(false);
+    let rows = move || fields.iter().cloned().map(|info| view! { <FormField info=info /> }).collect_view();
     view! {
-        <details class="group" class:wrong=wrong class:cause=cause>
+        <details
+            class="group" class:wrong=wrong class:cause=cause data-fields=holds
+            on:toggle=move |event| if dom::is_open(&event) { put(opened, true) }
+        >
             <summary>{t(title)}<span class="count">{shown}</span></summary>
-            <Later>{fields.into_iter().map(|info| view! { <FormField info=info /> }).collect_view()}</Later>
+            {move || opened.get().then(&rows)}
         </details>
     }
 }
@@ -162,7 +169,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{ViewBench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount, settled, until};
 
     async fn form() -> ViewBench {
         mount(|| view! { <Form /> }).await
@@ -174,9 +181,38 @@ mod tests {
         let fields = crate::ui::testing::project().machine.fields();
         let essential = fields.iter().filter(|field| field.essential).count();
         assert_eq!(bench.all(".product .field").len(), essential);
-        assert_eq!(bench.all(".data .field").len(), fields.len() - essential);
         assert_eq!(bench.all("details.group").len(), groups(&fields).len());
         assert!(!bench.has("details[open]"));
+        assert!(!bench.has(".data .field"), "fields that nobody looks at are built");
+        for group in bench.all("details.group") {
+            unfold(&group);
+        }
+        settled().await;
+        assert_eq!(bench.all(".data .field").len(), fields.len() - essential);
+    }
+
+    fn unfold(group: &web_sys::Element) {
+        group.set_attribute("open", "").unwrap();
+        group.dispatch_event(&web_sys::Event::new("toggle").unwrap()).unwrap();
+    }
+
+    /// The form with the group of a field unfolded, so that its fields are there, and folded again.
+    async fn form_with(field: &str) -> ViewBench {
+        let bench = form().await;
+        let group = bench.find(&format!("[data-fields~='{field}']"));
+        unfold(&group);
+        settled().await;
+        group.remove_attribute("open").unwrap();
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn field_of_a_group_that_was_never_open_is_gone_to() {
+        let bench = form().await;
+        assert!(!bench.has("#clamp-x"));
+        dom::go_to_field("clamp-x");
+        until(|| document().active_element().is_some_and(|field| field.id() == "clamp-x")).await;
+        assert_eq!((bench.all(".group[open]").len(), bench.has(".data[open]")), (1, true));
     }
 
     #[wasm_bindgen_test]
@@ -198,7 +234,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn wrong_field_in_a_folded_group_is_pointed_at() {
-        let bench = form().await;
+        let bench = form_with("clamp-x").await;
         assert!(!bench.has(".stale.shown") && !bench.has(".group.wrong"));
         bench.type_into("#clamp-x", "x").await;
         assert!(bench.has(".stale.shown"));
@@ -210,7 +246,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn several_wrong_fields_are_visited_by_turns() {
-        let bench = form().await;
+        let bench = form_with("clamp-x").await;
         bench.type_into("#clamp-x", "x").await;
         bench.type_into("#pitch", "x").await;
         for field in ["clamp-x", "pitch", "clamp-x"] {
