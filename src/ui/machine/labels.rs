@@ -21,6 +21,9 @@ const FREE: f64 = 0.12;
 /// Pixels between a text and the start of its hairline, and from the ends of the text to the start at least.
 const CLEAR: (f64, f64) = (4.0, 8.0);
 
+/// Attribute of a moved hairline: its path in the drawing.
+const LED: &str = "data-led";
+
 /// A rectangle in pixels: left, top, right, bottom.
 type Area = [f64; 4];
 
@@ -115,16 +118,23 @@ fn ends(path: &str) -> Option<[(f64, f64); 2]> {
     Some([point(from)?, point(to)?])
 }
 
-/// The path of a hairline that begins at the edge of its text. Letters keep their size in a larger drawing, so that a text reaches less
-/// far there than it was laid out for. `None` where the text has come to the part itself.
-fn led(path: &str, drawn: Area, text: Area, unit: f64) -> Option<String> {
+/// Where a hairline ends in pixels, by the area that it is drawn in.
+fn end_of(path: &str, drawn: Area) -> Option<(f64, f64)> {
     let [from, to] = ends(path)?;
-    let is_below = from.1 <= to.1;
-    let x = if from.0 <= to.0 { drawn[0] } else { drawn[2] };
-    let (y, end) = if is_below { (drawn[1], drawn[3]) } else { (drawn[3], drawn[1]) };
+    let x = if from.0 <= to.0 { drawn[2] } else { drawn[0] };
+    let y = if from.1 <= to.1 { drawn[3] } else { drawn[1] };
+    Some((x, y))
+}
+
+/// A hairline of the drawing that ends at a place in pixels, made to begin at the edge of its text. Letters keep their size in a larger
+/// drawing, so that a text reaches less far there than it was laid out for. `None` where the text has come to the part itself.
+fn led(path: &str, end: (f64, f64), text: Area, unit: f64) -> Option<String> {
+    let [from, to] = ends(path)?;
+    let (x, y) = (end.0 - (to.0 - from.0) / unit, end.1 - (to.1 - from.1) / unit);
     let (clear, inset) = CLEAR;
+    let is_below = from.1 <= to.1;
     let edge = if is_below { text[3] + clear } else { text[1] - clear };
-    if (is_below && edge >= end) || (!is_below && edge <= end) {
+    if (is_below && edge >= end.1) || (!is_below && edge <= end.1) {
         return None;
     }
     let start = x.min(text[2] - inset).max(text[0] + inset);
@@ -178,9 +188,12 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
             let _ = leader.class_list().add_1("crowded");
             continue;
         };
-        let path = leader.get_attribute("d").unwrap_or_default();
-        if let Some(path) = led(&path, drawn, text, unit) {
-            dom::set(&leader, "d", &path);
+        // The path of the drawing is kept: a hairline must not depend on the sizes that the drawing had before.
+        let shown = leader.get_attribute("d").unwrap_or_default();
+        let path = leader.get_attribute(LED).unwrap_or_else(|| shown.clone());
+        if let Some(end) = end_of(&shown, drawn) {
+            dom::set(&leader, LED, &path);
+            dom::set(&leader, "d", &led(&path, end, text, unit).unwrap_or(path));
         }
     }
 }
@@ -252,14 +265,17 @@ mod tests {
     #[wasm_bindgen_test]
     fn hairline_begins_at_the_edge_of_its_text() {
         // Laid out for a text from 10 to 90 that ends at 40; drawn at two pixels a unit from (100, 100).
-        let drawn = [280.0, 180.0, 320.0, 300.0];
+        let end = end_of("M90 40L110 100", [280.0, 180.0, 320.0, 300.0]).unwrap();
+        assert_eq!(end, (320.0, 300.0));
         let text = [120.0, 100.0, 200.0, 150.0];
-        assert_eq!(led("M90 40L110 100", drawn, text, 0.5).as_deref(), Some("M46 27L110 100"));
-        // Below its part, and where the text is wide enough.
-        let above = [120.0, 320.0, 300.0, 340.0];
-        assert_eq!(led("M90 100L110 40", drawn, above, 0.5).as_deref(), Some("M90 108L110 40"));
-        assert_eq!(led("M90 40L110 100", drawn, [120.0, 100.0, 300.0, 297.0], 0.5), None);
-        assert_eq!(led("", drawn, text, 0.5), None);
+        assert_eq!(led("M90 40L110 100", end, text, 0.5).as_deref(), Some("M46 27L110 100"));
+        // The same after it was moved.
+        assert_eq!(end_of("M46 27L110 100", [192.0, 154.0, 320.0, 300.0]), Some(end));
+        // Below its part, and where the text comes to the part.
+        let end = end_of("M90 100L110 40", [280.0, 180.0, 320.0, 300.0]).unwrap();
+        assert_eq!(led("M90 100L110 40", end, [120.0, 320.0, 300.0, 340.0], 0.5).as_deref(), Some("M90 108L110 40"));
+        assert_eq!(led("M90 40L110 100", (320.0, 300.0), [120.0, 100.0, 300.0, 297.0], 0.5), None);
+        assert_eq!((end_of("", text), led("", end, text, 0.5)), (None, None));
     }
 
     #[wasm_bindgen_test]
