@@ -278,6 +278,14 @@ pub struct Gauge {
     pub value: f64,
 }
 
+impl<M> GaugeRow<M> {
+    /// The quantity with this value on a machine.
+    pub fn gauge(&self, machine: &M, value: f64) -> Gauge {
+        let GaugeRow { id, label, unit, decimals, field, .. } = *self;
+        Gauge { id, label, unit, decimals, limit: (self.limit)(machine), field, value }
+    }
+}
+
 /// Axes of work and tool that a power failure leaves to coast to rest, each by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoastedAxes {
@@ -304,8 +312,7 @@ pub fn read<M>(
         let worse = |worst: f64, next: f64| {
             if Limit::load(limit, next) > Limit::load(limit, worst) { next } else { worst }
         };
-        let value = values.reduce(worse).unwrap_or(0.0);
-        Gauge { id: row.id, label: row.label, unit: row.unit, decimals: row.decimals, limit, field: row.field, value }
+        row.gauge(machine, values.reduce(worse).unwrap_or(0.0))
     };
     rows.iter().map(gauge).collect()
 }

@@ -49,6 +49,11 @@ impl<'a> Book<'a> {
         self.bit_meanings.insert(bit, (meaning, cite));
     }
 
+    /// Sets the source of an input; its meaning is the same on every machine.
+    pub fn cite_input(&mut self, input: MachineContact, cite: Citation) {
+        self.means(Bit::Input(input), input_meaning(input), cite);
+    }
+
     /// Sets the meaning (catalog id) of a PLC number on this machine, with its source.
     pub fn means_number(&mut self, word: PlcNumber, meaning: &'static str, cite: Citation) {
         self.word_meanings.insert(word, (meaning, cite));

@@ -17,7 +17,7 @@ const LOOK: f64 = 0.01;
 /// Scans in which a ladder settles; further ones wait for the next moment.
 const SCANS: u32 = 24;
 /// Contacts that follow the measured speed.
-const BY_SPEED: [MachineContact; 2] = [MachineContact::AtSpeed, MachineContact::AtShiftSpeed];
+const BY_SPEED: [Bit; 2] = [Bit::Input(MachineContact::AtSpeed), Bit::Input(MachineContact::AtShiftSpeed)];
 /// The speed that the control puts out.
 const FINAL: PlcNumber = PlcNumber::Signal(SignalRole::SpindleFinal);
 
@@ -284,7 +284,7 @@ impl LadderPlc {
         (left.spindle_actual, left.spindle_command) = (io.spindle_actual, io.spindle_command);
         again.is_none_or(|again| t < again)
             && **left == *io
-            && BY_SPEED.map(Bit::Input).into_iter().all(|contact| {
+            && BY_SPEED.into_iter().all(|contact| {
                 self.named.binary_search(&contact).is_err()
                     || self.state(contact, io) == Some(self.image.is_on(contact))
             })
@@ -296,7 +296,6 @@ impl LadderPlc {
         let arrived = Bit::Signal(SignalRole::SpeedArrived);
         self.due = self.ladder.due(&self.image);
         self.waits_for_speed = BY_SPEED
-            .map(Bit::Input)
             .into_iter()
             .any(|contact| !self.image.is_on(contact) && self.ladder.waits_for(&self.image, contact, arrived));
     }

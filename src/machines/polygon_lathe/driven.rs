@@ -6,7 +6,7 @@ use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::servo::{Acceptance, Servo};
-use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, Gauge, GaugeRow};
+use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, GaugeRow};
 use crate::math::PI;
 use crate::motion::Mover;
 
@@ -67,10 +67,7 @@ pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
 
 /// Work and tool after a power failure at the speeds of the first polygon: the phase that they lose, and the time until both are at rest.
 pub(super) fn without_supply(lathe: &PolygonLathe) -> Option<CoastedAxes> {
-    let row = GAUGES.first()?;
-    let (value, limit) = (lathe.d.coast_phase.abs(), (row.limit)(lathe));
-    let GaugeRow { id, label, unit, decimals, field, .. } = *row;
-    let gauge = Gauge { id, label, unit, decimals, limit, field, value };
+    let gauge = GAUGES.first()?.gauge(lathe, lathe.d.coast_phase.abs());
     let speeds = [lathe.p.work_speed(), lathe.p.tool_speed()];
     let seconds = speeds.into_iter().zip(lathe.p.coasting()).map(|(speed, slows)| speed.abs() / slows);
     lathe.d.cuts.then(|| CoastedAxes { seconds: seconds.fold(0.0, f64::max), gauge })

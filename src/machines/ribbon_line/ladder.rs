@@ -25,7 +25,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
     let reports_speed = waits || rules.reached.is_some();
     let wishes = SpindleWishes { reaction: &unwinder, reports_speed, holds: &HOLDING };
     book.spindle(&rules, &wishes);
-    meanings(&mut book);
+    HOLDING.into_iter().for_each(|contact| book.cite_input(contact, CONTACTS));
     if waits {
         run_up(&mut book);
     }
@@ -34,18 +34,6 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
         restart(&mut book, line);
     }
     book.finish()
-}
-
-/// The contacts of the line, with the source of their places.
-fn meanings(book: &mut Book) {
-    for (contact, meaning) in HOLDING.into_iter().zip([
-        "plc.input.inverter-enabled",
-        "plc.input.loop-not-full",
-        "plc.input.web-not-tight",
-        "plc.input.reel-not-empty",
-    ]) {
-        book.means(Bit::Input(contact), meaning, CONTACTS);
-    }
 }
 
 /// The knob to the control and to the program, and the fixed feed override.

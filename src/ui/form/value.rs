@@ -12,7 +12,7 @@ pub(super) fn value_of(page: Page, info: &FieldInfo) -> Value {
 }
 
 /// The origin of a field's value, followed in effects and memos.
-pub(super) fn origin_of(page: Page, id: &str) -> Provenance {
+pub(super) fn origin_of(page: Page, id: &'static str) -> Provenance {
     page.field_changes.track(id);
     page.project.with_untracked(|project| project.provenance.get(id).copied().unwrap_or_default())
 }

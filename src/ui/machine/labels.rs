@@ -189,9 +189,9 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
             continue;
         };
         // The path of the drawing is kept: a hairline must not depend on the sizes that the drawing had before.
-        let shown = leader.get_attribute("d").unwrap_or_default();
-        let path = leader.get_attribute(LED).unwrap_or_else(|| shown.clone());
-        if let Some(end) = end_of(&shown, drawn) {
+        let present = leader.get_attribute("d").unwrap_or_default();
+        let path = leader.get_attribute(LED).unwrap_or_else(|| present.clone());
+        if let Some(end) = end_of(&present, drawn) {
             dom::set(&leader, LED, &path);
             dom::set(&leader, "d", &led(&path, end, text, unit).unwrap_or(path));
         }

@@ -8,7 +8,7 @@ use crate::project::Project;
 
 /// A trigger per field of the form that somebody follows. A handle: copies share its state.
 #[derive(Clone, Copy)]
-pub(crate) struct FieldChanges(StoredValue<BTreeMap<String, ArcTrigger>>);
+pub(crate) struct FieldChanges(StoredValue<BTreeMap<&'static str, ArcTrigger>>);
 
 impl FieldChanges {
     pub(super) fn new() -> FieldChanges {
@@ -16,8 +16,8 @@ impl FieldChanges {
     }
 
     /// Reruns the present effect or memo when value or origin of this field changes.
-    pub(crate) fn track(self, id: &str) {
-        let trigger = self.0.try_update_value(|all| all.entry(id.to_owned()).or_default().clone());
+    pub(crate) fn track(self, id: &'static str) {
+        let trigger = self.0.try_update_value(|all| all.entry(id).or_default().clone());
         if let Some(trigger) = trigger {
             trigger.track();
         }
