@@ -34,6 +34,15 @@ const drawing = (page) =>
     return { x, y, width, height, unit: getComputedStyle(svg).getPropertyValue('--u') };
   });
 
+// Pairs of labels of the drawing that lie over each other.
+const overlaps = (page) =>
+  page.locator('svg.scene').evaluate((svg) => {
+    const seen = [...svg.querySelectorAll('text[data-label]')].filter((text) => text.textContent && getComputedStyle(text).visibility === 'visible');
+    const boxes = seen.map((text) => ({ words: text.textContent, box: text.getBoundingClientRect() }));
+    const over = ({ box: a }, { box: b }) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 4 && b.top < a.bottom - 4;
+    return boxes.flatMap((one, at) => boxes.slice(at + 1).filter((other) => over(one, other)).map((other) => `${one.words} / ${other.words}`));
+  });
+
 for (const [width, height] of [[1366, 768], [1440, 900], [1920, 1080], [1024, 768], [390, 844]]) {
   test(`drawing precedes module, in place (${width} × ${height})`, () =>
     withPage(app, { viewport: { width, height } }, async ({ page }) => {
@@ -47,7 +56,9 @@ for (const [width, height] of [[1366, 768], [1440, 900], [1920, 1080], [1024, 76
       const still = await held(page, async () => {
         assert.ok((await page.locator('#boot').textContent()).includes('loading'));
         assert.equal(await page.locator('.listing').count(), 0);
-        assert.ok(await page.getByText('Print roller').first().isVisible());
+        assert.ok(await page.locator('svg.scene').isVisible());
+        assert.ok(await page.locator('.waits').first().isVisible());
+        assert.deepEqual(await overlaps(page), []);
         return drawing(page);
       });
       assert.deepEqual(await drawing(page), still);
