@@ -421,7 +421,14 @@ impl Writer<'_> {
             }
         }
         if look.opacity != 1.0 {
-            fill(self.out, " opacity=\"#\"", &[look.opacity]);
+            // A browser paints a shape with `opacity` on a layer of its own; fill or stroke alone look the same without.
+            let part = match (look.fill, look.stroke) {
+                (_, Paint::Clear) => "fill-",
+                (Paint::Clear, _) => "stroke-",
+                _ => "",
+            };
+            let _ = write!(self.out, " {part}opacity=\"");
+            fill(self.out, "#\"", &[look.opacity]);
         }
     }
 

@@ -21,23 +21,27 @@ fn fitted(page: Page) -> Vec<Counted> {
     })
 }
 
+/// A word of the control and its value now.
+fn cell(letter: String, mark: &'static str, value: impl Fn() -> Option<String> + Send + Sync + 'static) -> AnyView {
+    let value = Memo::new(move |_| value());
+    view! { <div><dt data-means="program" data-word=letter.clone()>{letter.clone()} {mark}</dt><dd>{value}</dd></div> }
+        .into_any()
+}
+
 /// Axes and spindle.
 #[component]
 pub(super) fn Now() -> impl IntoView {
     let page = Page::here();
     let axes = Memo::new(move |_| fitted(page));
-    let cell = |letter: String, mark: &'static str, value: String| {
-        view! { <div><dt data-means="program" data-word=letter.clone()>{letter.clone()} {mark}</dt><dd>{value}</dd></div> }
-    };
+    let now = page.player.now;
     let cells = move || {
-        page.player.now.with(|now| {
-            let axes = axes.get().into_iter().filter_map(|(at, letter, words)| {
-                let mark = if words > 1.0 { " Ø" } else { "" };
-                Some(cell(letter, mark, figure(words * now.axes.get(at)?.position, 3)))
-            });
-            let spindle = cell("S".to_owned(), "", figure(now.spindle.actual, 0));
-            axes.chain([spindle]).collect_view()
-        })
+        let axes = axes.get().into_iter().map(move |(at, letter, words)| {
+            let mark = if words > 1.0 { " Ø" } else { "" };
+            let position = move || now.with(|now| now.axes.get(at).map(|axis| figure(words * axis.position, 3)));
+            cell(letter, mark, position)
+        });
+        let speed = move || Some(now.with(|now| figure(now.spindle.actual, 0)));
+        axes.chain([cell("S".to_owned(), "", speed)]).collect_view()
     };
     view! { <dl class="now" aria-label=t("page.now")>{cells}</dl> }
 }
