@@ -50,9 +50,9 @@ data.words = `${root.lang}.properties`;
 // The machine of a person who has one, or a link to one, is drawn by the module alone; so is one with other than English names or in inches.
 if (own || location.hash || root.lang !== languages[0] || root.dataset.lengths === 'inch') still.querySelector('.scene')?.remove();
 
-// Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Parts
-// with values get their labels from the page, which finds places for them. The drawing is not laid out before its scale is known (`#still` in
-// `app.css`): all its labels would be twice.
+// Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Values
+// wait for the page, which finds places for them, and so do names in such a drawing. The drawing is not laid out before its scale is known
+// (`#still` in `app.css`): all its labels would be twice.
 const drawing = still.querySelector('.scene');
 if (drawing) {
   const stage = drawing.parentElement;

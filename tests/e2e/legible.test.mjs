@@ -1,6 +1,7 @@
 // Legibility: no word and no figure is cut off or covered, at every size, in every language.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { covered } from './covered.mjs';
 import { PAPER, openGroups, openPanel, ready, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
@@ -51,33 +52,6 @@ const cutOff = (page, places = '.top, .product, .cards, .keys, .chart, .now, .pa
     }
     return faults;
   }, places);
-
-// Labels of the drawing that overlap one another, a lens of another label, or elements over the drawing; figures of the chart over its
-// title.
-const covered = (page) =>
-  page.evaluate(() => {
-    const area = (element, free = 0) => {
-      const { left, top, right, bottom, height } = element.getBoundingClientRect();
-      return { left, top: top + free * height, right, bottom: bottom - free * height };
-    };
-    const overlap = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
-    const texts = [...document.querySelectorAll('.stage text[data-label]:not(.crowded)')].filter((text) => text.textContent);
-    const labels = texts.map((text) => ({ words: text.textContent, label: text.dataset.label, area: area(text, 0.12) }));
-    const lenses = [...document.querySelectorAll('.stage circle[data-label]')].map((rim) => {
-      const { left, top, right, bottom } = area(rim);
-      const part = 0.15 * (right - left);
-      return { words: 'lens', label: rim.dataset.label, area: { left: left + part, top: top + part, right: right - part, bottom: bottom - part } };
-    });
-    const over = [...document.querySelectorAll('.drawing .mode, .band .icon')].map((one) => ({ words: one.textContent, label: '', area: area(one) }));
-    const faults = [];
-    labels.forEach((one, at) => {
-      const others = [...labels.slice(at + 1), ...lenses.filter(({ label }) => label !== one.label), ...over];
-      others.filter((other) => overlap(one.area, other.area)).forEach((other) => faults.push(`“${one.words}” and “${other.words}”`));
-    });
-    const title = area(document.querySelector('.chart figcaption'), 0.12);
-    for (const tick of document.querySelectorAll('.plot .tick')) if (overlap(area(tick, 0.12), title)) faults.push(`“${tick.textContent}” of the chart`);
-    return faults;
-  });
 
 async function legible(page, about) {
   await page.waitForTimeout(300);
