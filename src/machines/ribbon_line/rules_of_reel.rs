@@ -1,5 +1,6 @@
 //! The results about the supply reel with their rules: ribbon on it, and what start and stop ask of ribbon and brake while its diameter changes.
 
+use super::contacts::left_at_reel_end;
 use super::mechanics::{unwinder_load, unwinder_torque};
 use super::params::{FIELDS, Params};
 use super::reel::{ramp_acceleration, wound};
@@ -29,7 +30,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "reel-products", label: "ribbon.readout.reel-products", unit: "", decimals: 0, headline: false,
-        formula: "whole products in the length", cite: FACTS, value: products,
+        formula: "whole products in the length, less what the stop at the reel’s end takes", cite: FACTS, value: products,
     },
     ReadoutRow {
         id: "reel-inertia-full", label: "ribbon.readout.reel-inertia-full", unit: "kg cm²", decimals: 2, headline: false,
@@ -87,9 +88,9 @@ fn time(line: &RibbonLine) -> f64 {
     if length > 0.0 { 60e3 * length / line.d.line_speed } else { 0.0 }
 }
 
-/// Whole products that the ribbon of a reel makes.
+/// Whole products that a reel makes until its sensor holds the program.
 fn products(line: &RibbonLine) -> f64 {
-    (1e3 * wound(&line.p).length() / line.d.product_length).floor()
+    ((1e3 * wound(&line.p).length() - left_at_reel_end(line)).max(0.0) / line.d.product_length).floor()
 }
 
 /// Pull (N) of the reel over the inverter's ramp, at the diameter with the greatest mass at the web.
@@ -110,7 +111,7 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(products(line)) {
         return ok(limit);
     }
-    let needed = line.d.product_length / 1e3;
+    let needed = (line.d.product_length + left_at_reel_end(line)) / 1e3;
     let said = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
     let set = up(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
     let fits = set.1.parse().is_ok_and(|diameter: f64| diameter <= LARGEST);
