@@ -211,8 +211,9 @@ fn fixture_programs_run_to_the_golden_bits() {
     }
 }
 
-/// Values beside the defaults that let a run end.
-const VALUES: [(&str, &str, f64); 1] = [("ribbon-line", "pitch-count", 120.0)];
+/// Values beside the defaults that let a run end: a short product, and a loop that takes up its start, its hold and its restart.
+const VALUES: [(&str, &str, f64); 2] =
+    [("ribbon-line", "pitch-count", 120.0), ("ribbon-line", "loop-capacity", 2000.0)];
 
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

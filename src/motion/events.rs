@@ -1,4 +1,4 @@
-//! The next event of a simulation: operator, PLC, spindle, reader or executor, always the earliest first.
+//! The next event of a simulation: operator, PLC, contacts, spindle, reader or executor, always the earliest first.
 
 use super::exec::Exec;
 use super::panel::Action;
@@ -17,6 +17,7 @@ pub(super) enum EventSource {
     PowerOn,
     Operator,
     Plc,
+    Contacts,
     Spindle,
     Reader,
     Executor,
@@ -37,6 +38,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         for (t, who) in [
             (first, EventSource::Operator),
             (self.s.plc.next_scan, EventSource::Plc),
+            (self.s.plc.next_reading, EventSource::Contacts),
             (self.s.spindle.next(), EventSource::Spindle),
             (self.reader_time(), EventSource::Reader),
             (self.executor_time(), EventSource::Executor),
@@ -56,6 +58,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             EventSource::PowerOn => self.power_on(),
             EventSource::Operator => self.operate(t),
             EventSource::Plc => self.scan(t),
+            EventSource::Contacts => self.read_contacts(t),
             EventSource::Spindle => self.spindle(t),
             EventSource::Reader => self.read(t),
             EventSource::Executor => self.execute(t),
@@ -63,6 +66,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.show_state(t);
         self.rest(t);
         self.mark(t);
+        self.await_contacts(t);
     }
 
     /// The end of the run, if only the operator can continue it; `t` is the time of the next event.

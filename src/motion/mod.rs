@@ -56,6 +56,7 @@ mod spindle_control;
 mod state;
 
 // Handling of events.
+mod contacts;
 mod dwell;
 mod events;
 mod executor;

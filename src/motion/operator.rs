@@ -2,7 +2,7 @@
 
 use super::exec::Exec;
 use super::panel::Action;
-use super::plc::{WordPart, percent, sense};
+use super::plc::{ProgramState, WordPart, percent, sense};
 use super::program::RunningProgram;
 use super::sim::Sim;
 use super::timeline::VariableChange;
@@ -33,12 +33,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             Action::Start => self.start(t),
             Action::Hold => {
-                if let Some(ended) = self.s.exec.returning() {
-                    self.break_off(t);
-                    self.s.exec = Exec::behind_return(ended);
-                }
-                self.s.operator.held |= self.s.exec.runs();
-                self.s.path.flow_end = None;
+                self.hold(t);
                 self.pace(t);
             }
             Action::Reset => self.reset(t, Exec::Ready),
@@ -95,6 +90,16 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
+    /// Feed hold, by the operator or the PLC; the path speed follows in [`pace`](Sim::pace).
+    pub(super) fn hold(&mut self, t: f64) {
+        if let Some(ended) = self.s.exec.returning() {
+            self.break_off(t);
+            self.s.exec = Exec::behind_return(ended);
+        }
+        self.s.operator.held |= self.s.exec.runs();
+        self.s.path.flow_end = None;
+    }
+
     /// Manual S. Most controls refuse it while the program runs; others let it replace the programmed S in a running or interrupted
     /// program, with a warning.
     fn manual_speed(&mut self, t: f64, rpm: f64) {
@@ -125,8 +130,16 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.out.report(Diagnostic::warning(msg!("motion.nothing-to-set", name)));
     }
 
-    /// Cycle start: continues after a stop or hold, restarts after reset or program end.
+    /// Cycle start: continues after a stop or hold, restarts after reset or program end. A hold of the PLC refuses it.
     fn start(&mut self, t: f64) {
+        let waits = !matches!(self.program_state(), ProgramState::Running | ProgramState::Alarm);
+        if self.s.plc.follows && waits {
+            self.read_contacts(t);
+        }
+        if self.s.plc.io.stops.hold && waits {
+            self.out.report(Diagnostic::warning(msg!("motion.start-refused")));
+            return;
+        }
         match self.s.exec {
             Exec::Stopped => {
                 self.s.exec = Exec::Idle;

@@ -178,6 +178,14 @@ impl Path {
         state
     }
 
+    /// Actual position of one axis at time `t`; see [`axis`](Path::axis).
+    pub(super) fn actual(&self, k: usize, plant: &AxisPlant, t: f64) -> f64 {
+        let segments = self.segments.until(t);
+        let Some(now) = segments.last() else { return 0.0 };
+        let place = self.run(now, k).position(t - now.t);
+        place - self.missing(segments, k, t, plant.time_constant, plant.position_gain)
+    }
+
     /// Commanded speed of one axis in mm/s or °/s after an acceleration filter over `tau` seconds: the mean speed of that time.
     pub(super) fn mean_speed(&self, k: usize, t: f64, tau: f64) -> f64 {
         let segments = self.segments.until(t);

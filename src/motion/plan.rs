@@ -71,6 +71,18 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
+    /// The same run, before its begin, with contacts of the machine that do not act: it shows how far their limits would be exceeded if nothing
+    /// held the program.
+    pub fn without_contacts(mut self) -> Planner<P> {
+        self.state.plc.follows = false;
+        self
+    }
+
+    /// Whether the PLC holds the program at the end of the planned part.
+    pub fn is_held_by_plc(&self) -> bool {
+        self.state.plc.io.stops.hold
+    }
+
     /// Plans on until machine time `until`, standstill after the end of the run, or `budget` events: whichever is first.
     pub fn advance(&mut self, until: f64, budget: usize) -> PlanProgress {
         self.plan(until, budget, None).0

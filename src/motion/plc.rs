@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::plant::PMC_AXES;
+use super::timeline::Timeline;
 use crate::controls::Alarm;
 use crate::drives::speed::Steps;
 use crate::text::Message;
@@ -63,6 +64,8 @@ pub struct Stops {
     pub spindle: bool,
     /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it releases them.
     pub axes: bool,
+    /// The PLC holds the program (FANUC: `*SP` at 0): feed hold until cycle start, which is refused as long as it lasts.
+    pub hold: bool,
 }
 
 /// Overrides from the PLC to the control.
@@ -105,7 +108,7 @@ pub struct Io {
     pub gear: u8,
     /// Alarm of the PLC: stops the program and clears the codes that wait for FIN.
     pub alarm: Option<Alarm>,
-    /// A remark of the PLC for the operator, shown once per run; the program continues.
+    /// A remark of the PLC for the operator, shown once per run; with a hold of the PLC, once per block.
     pub notice: Option<Message>,
     /// Volts from the PLC to the spindle in place of the speed's, during a gear change.
     pub gear_volts: Option<f64>,
@@ -162,6 +165,15 @@ impl Io {
 pub trait Plc {
     /// Reads and writes the interface at time `t` (s); returns the time of the latest next call, if any.
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64>;
+    /// Whether contacts of the machine follow its movers: see [`follow`](Plc::follow).
+    fn follows_movers(&self) -> bool {
+        false
+    }
+    /// Switches the contacts that follow the movers at time `t` (s). Called while the program runs and something moves, and at cycle start with
+    /// the state of the program before it. Returns whether a contact has changed, and the time (s) to the next reading at the latest.
+    fn follow(&mut self, _t: f64, _program: ProgramState, _machine: &Timeline) -> (bool, f64) {
+        (false, f64::INFINITY)
+    }
     /// Whether the PLC monitors the fault contact of the spindle inverter.
     fn watches_inverter(&self) -> bool {
         false

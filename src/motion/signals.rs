@@ -18,7 +18,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         // The speed at a cut's diameter and its feed per revolution depend on each other; they settle before the PLC is scanned.
         (0..ROUNDS).all(|_| self.turn(t));
         self.show_pmc(t);
-        let waited = self.s.plc.io.stops.axes;
+        let waited = (self.s.plc.io.stops.axes, self.s.operator.held);
         // A PLC and a control that never agree are left to the next scan.
         for _ in 0..ROUNDS {
             self.s.plc.io.spindle_actual =
@@ -38,8 +38,14 @@ impl<P: RunningProgram> Sim<'_, P> {
             if let Some(alarm) = self.s.plc.io.alarm.take() {
                 self.plc_alarm(t, alarm);
             }
+            if self.s.plc.io.stops.hold {
+                self.hold(t);
+            }
             if let Some(notice) = self.s.plc.io.notice.take() {
-                self.warn(Once::Notice as u32, || notice);
+                match self.s.plc.io.stops.hold {
+                    true => self.report_in_block(Diagnostic::warning(notice)),
+                    false => self.warn(Once::Notice as u32, || notice),
+                }
             }
             let io = &mut self.s.plc.io;
             let waiting = io.m_strobe.is_some() || io.s_strobe.is_some() || io.t_strobe.is_some();
@@ -56,14 +62,14 @@ impl<P: RunningProgram> Sim<'_, P> {
                 break;
             }
         }
-        if self.s.plc.io.stops.axes != waited {
+        if (self.s.plc.io.stops.axes, self.s.operator.held) != waited {
             self.pace(t);
         }
         self.turn_pmc(t);
         self.show_inputs(t);
     }
 
-    fn program_state(&self) -> ProgramState {
+    pub(super) fn program_state(&self) -> ProgramState {
         match &self.s.exec {
             Exec::Stopped => ProgramState::Stopped,
             Exec::Alarm(_) | Exec::Emergency(_) => ProgramState::Alarm,

@@ -112,6 +112,9 @@ pub(super) struct PlcState {
     pub(super) program: Box<dyn Plc>,
     /// Time (s) of the next scan requested by the PLC.
     pub(super) next_scan: f64,
+    /// Whether contacts follow the movers, and the time (s) at which they are read next.
+    pub(super) follows: bool,
+    pub(super) next_reading: f64,
     pub(super) io: Io,
     /// Macro inputs as last recorded.
     pub(super) shown: BTreeMap<u32, f64>,
@@ -122,6 +125,8 @@ impl Clone for PlcState {
         PlcState {
             program: self.program.boxed(),
             next_scan: self.next_scan,
+            follows: self.follows,
+            next_reading: self.next_reading,
             io: self.io.clone(),
             shown: self.shown.clone(),
         }
@@ -189,7 +194,14 @@ impl<P> SimState<P> {
             },
             operator: OperatorState { knobs, held: false, stepped: false, events_done: 0 },
             suppressed: Suppressed::default(),
-            plc: PlcState { program: plc, next_scan: f64::INFINITY, io: Io::default(), shown: BTreeMap::new() },
+            plc: PlcState {
+                follows: plc.follows_movers(),
+                program: plc,
+                next_scan: f64::INFINITY,
+                next_reading: f64::INFINITY,
+                io: Io::default(),
+                shown: BTreeMap::new(),
+            },
             spindle: SpindleControl::new(diameter_axis),
             clock: RunClock::default(),
             starved: 0,

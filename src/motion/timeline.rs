@@ -149,6 +149,16 @@ impl Timeline {
         now
     }
 
+    /// Actual position (mm or °) of an axis at time `t`, by its index.
+    pub fn actual(&self, axis: usize, t: f64) -> f64 {
+        self.axes.get(axis).map_or(0.0, |plant| self.path.actual(axis, plant, t))
+    }
+
+    /// Turns of the spindle's motor at time `t` since the start of the run, signed.
+    pub fn turns(&self, t: f64) -> f64 {
+        self.ramps.at(t).map_or(0.0, |ramp| ramp.turns(&self.spindle, t))
+    }
+
     /// Commanded positions at time `t` in the unit of words: diameters on a diameter axis.
     pub fn words_at(&self, t: f64) -> [f64; AXES] {
         let now = self.at(t).axes;

@@ -22,6 +22,7 @@ mod restart;
 mod ribbon_contacts;
 mod ribbon_controls;
 mod ribbon_endless;
+mod ribbon_holds;
 mod ribbon_knob;
 mod ribbon_length;
 mod ribbon_line;

@@ -18,6 +18,9 @@ const LOOK: f64 = 0.01;
 const SCANS: u32 = 24;
 /// Contacts that follow the measured speed.
 const BY_SPEED: [Bit; 2] = [Bit::Input(MachineContact::AtSpeed), Bit::Input(MachineContact::AtShiftSpeed)];
+/// Contacts that follow the movers of the machine: closed until [switched](LadderPlc::switch).
+pub const BY_MOVERS: [MachineContact; 3] =
+    [MachineContact::LoopNotFull, MachineContact::WebNotTight, MachineContact::ReelNotEmpty];
 /// The speed that the control puts out.
 const FINAL: PlcNumber = PlcNumber::Signal(SignalRole::SpindleFinal);
 
@@ -51,7 +54,14 @@ pub trait NamedBlock: Send + Sync {
     fn boxed(&self) -> Box<dyn NamedBlock>;
 }
 
+impl Clone for Box<dyn NamedBlock> {
+    fn clone(&self) -> Box<dyn NamedBlock> {
+        self.boxed()
+    }
+}
+
 /// A ladder as the PLC of a run.
+#[derive(Clone)]
 pub struct LadderPlc {
     ladder: Ladder,
     wiring: Wiring,
@@ -98,6 +108,8 @@ impl LadderPlc {
         let valves =
             (2..=speed::STAGES as u8).filter(|stage| ladder.drives(Bit::Output(MachineOutput::Gear(*stage)))).collect();
         let reads_speed = !ladder.word(FINAL).is_empty();
+        let mut image = Image::default();
+        BY_MOVERS.into_iter().for_each(|contact| image.set(Bit::Input(contact), true));
         LadderPlc {
             ladder,
             wiring,
@@ -106,7 +118,7 @@ impl LadderPlc {
             valves,
             written,
             reads_speed,
-            image: Image::default(),
+            image,
             settled: false,
             left: None,
             due: None,
@@ -121,6 +133,17 @@ impl LadderPlc {
     /// Adds a named block.
     pub fn with_block(self, block: Box<dyn NamedBlock>) -> LadderPlc {
         LadderPlc { block: Some(block), ..self }
+    }
+
+    /// Switches a contact that follows the movers; returns whether it was otherwise.
+    pub fn switch(&mut self, contact: MachineContact, closed: bool) -> bool {
+        let bit = Bit::Input(contact);
+        let changes = self.image.is_on(bit) != closed;
+        if changes {
+            self.image.set(bit, closed);
+            (self.settled, self.left) = (false, None);
+        }
+        changes
     }
 
     /// Reads control, keys and contacts.
@@ -168,10 +191,6 @@ impl LadderPlc {
             }
             Bit::Input(MachineContact::Emergency) => !(stops.reset && stops.emergency),
             Bit::Input(MachineContact::InverterReady | MachineContact::InverterEnabled) => !stops.inverter_fault,
-            // The run goes on beyond these limits: its gauges judge loop and tension, the results the reel.
-            Bit::Input(MachineContact::LoopNotFull | MachineContact::WebNotTight | MachineContact::ReelNotEmpty) => {
-                true
-            }
             Bit::Input(MachineContact::AtSpeed) => {
                 io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs()
             }
@@ -227,6 +246,8 @@ impl LadderPlc {
         io.stops.spindle = spindle.into_iter().flatten().any(|on| !on);
         let axes = [signal(SignalRole::AxesEnable), signal(SignalRole::AxesStop).map(|held| !held)];
         io.stops.axes = axes.into_iter().flatten().any(|on| !on);
+        io.stops.hold =
+            signal(SignalRole::HoldReleased) == Some(false) || signal(SignalRole::HoldRequest) == Some(true);
         io.overrides.feed_off = signal(SignalRole::FeedOverrideOff).unwrap_or(false);
         for rung in ladder.rungs.iter() {
             match rung.written() {
@@ -341,23 +362,6 @@ impl Plc for LadderPlc {
     }
 
     fn boxed(&self) -> Box<dyn Plc> {
-        Box::new(LadderPlc {
-            ladder: self.ladder.clone(),
-            wiring: self.wiring,
-            block: self.block.as_ref().map(|block| block.boxed()),
-            named: Arc::clone(&self.named),
-            valves: Arc::clone(&self.valves),
-            written: Arc::clone(&self.written),
-            reads_speed: self.reads_speed,
-            image: self.image.clone(),
-            settled: self.settled,
-            left: self.left.clone(),
-            due: self.due,
-            waits_for_speed: self.waits_for_speed,
-            strobes: self.strobes.clone(),
-            program: self.program,
-            code: self.code,
-            gear: self.gear,
-        })
+        Box::new(self.clone())
     }
 }

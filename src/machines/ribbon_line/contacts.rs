@@ -1,8 +1,14 @@
-//! Contacts that hold the program: inverter ready, loop at its longest and at its shortest, reel at its end.
+//! Contacts that hold the program (inverter ready, loop at its limits, reel at its end): their places, and their states in a run.
 
+use super::driven::stretch;
+use super::pose::{TIGHT, unwound};
+use super::reel::wound;
 use super::resolved::RibbonLine;
 use crate::machines::ladder::MachineContact;
-use crate::text::{Citation, Grade};
+use crate::machines::ladder::plc::BY_MOVERS;
+use crate::motion::{ProgramState, Timeline};
+use crate::msg;
+use crate::text::{Citation, Grade, Message};
 
 /// Source of the contacts and of their places.
 pub(super) const CONTACTS: Citation = Citation::new("ribbon line facts, 11", Grade::Inferred);
@@ -20,4 +26,77 @@ pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
     let (p, fast) = (&line.p, &line.fast);
     let ramp = p.inverter_ramp * fast.actual_speed / p.speed_at_10v;
     fast.line_speed / 60.0 * ramp / 2.0
+}
+
+/// The contacts of loop and reel in a run, in the order of [`BY_MOVERS`].
+#[derive(Debug, Clone)]
+pub(super) struct RibbonContacts {
+    /// Ribbon (mm) per turn of the unwinder's motor.
+    per_turn: f64,
+    /// Index of the axis that pulls.
+    pull: usize,
+    /// Ribbon (mm) in the loop at which the first contact opens; infinite for a line without a loop.
+    longest: f64,
+    /// Ribbon (mm) in the loop, negative, at which the second opens.
+    shortest: f64,
+    /// Ribbon (mm) unwound from a reel at which the third opens.
+    reel: f64,
+    /// Greatest speed (mm/s) at which the loop changes.
+    fastest: f64,
+    /// Ribbon unwound less ribbon pulled (mm) when the loop was last taken up.
+    taken_up: f64,
+    /// Ribbon unwound (mm) when the present reel was put on.
+    put_on: f64,
+    closed: [bool; 3],
+}
+
+impl RibbonContacts {
+    pub(super) fn new(line: &RibbonLine) -> RibbonContacts {
+        let p = &line.p;
+        let (per_turn, motor) = (unwound(p, 1.0), p.induction());
+        let unwinds = per_turn * (p.speed_at_10v * motor.gain().max(1.0) + motor.slip().abs());
+        RibbonContacts {
+            per_turn,
+            pull: line.pull(),
+            longest: if p.loop_capacity > 0.0 { p.loop_capacity } else { f64::INFINITY },
+            shortest: (-stretch(line)).min(TIGHT),
+            reel: (1e3 * wound(p).length() - left_at_reel_end(line)).max(0.0),
+            fastest: (unwinds + p.clamp_x.max(p.rapid_x)) / 60.0,
+            taken_up: 0.0,
+            put_on: 0.0,
+            closed: [true; 3],
+        }
+    }
+
+    /// Contacts with their states.
+    pub(super) fn states(&self) -> impl Iterator<Item = (MachineContact, bool)> + use<> {
+        BY_MOVERS.into_iter().zip(self.closed)
+    }
+
+    /// Reads the contacts at `t` (s); returns the time (s) within which no further limit is reached. At a cycle start the operator has done as the
+    /// table of stops says: a new product begins with a loop that is taken up and a full reel, and a reel at its end is replaced.
+    pub(super) fn read(&mut self, t: f64, program: ProgramState, machine: &Timeline) -> f64 {
+        let unwound = self.per_turn * machine.turns(t);
+        let laid = unwound - machine.actual(self.pull, t);
+        let begins = program == ProgramState::Idle;
+        if begins {
+            self.taken_up = laid;
+        }
+        if begins || program != ProgramState::Running && !self.closed[2] {
+            self.put_on = unwound;
+        }
+        let slack = laid - self.taken_up;
+        let left = [self.longest - slack, slack - self.shortest, self.reel - (unwound - self.put_on)];
+        self.closed = left.map(|left| left > 0.0);
+        left.into_iter().fold(f64::INFINITY, f64::min) / self.fastest
+    }
+
+    /// The sentence to the operator about an open contact.
+    pub(super) fn message(&self, contact: MachineContact) -> Message {
+        match contact {
+            MachineContact::LoopNotFull => msg!("ribbon.held-loop-full", capacity = (self.longest, 0)),
+            MachineContact::WebNotTight => msg!("ribbon.held-web-tight", missing = (-self.shortest, 1)),
+            _ => msg!("ribbon.held-reel-empty", length = (self.reel, 0)),
+        }
+    }
 }

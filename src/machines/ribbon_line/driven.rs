@@ -179,7 +179,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
 
 /// Stretch (mm) of the ribbon before X at the tension limit: `s = (T - T1) · L / (E · A)`, and none where T1 is above the limit. An empty loop
 /// may miss as much ribbon. Source: ribbon line facts, 7.
-fn stretch(line: &RibbonLine) -> f64 {
+pub(super) fn stretch(line: &RibbonLine) -> f64 {
     let (p, left) = (&line.p, line.d.tension_limit - line.p.web.tension_before);
     let per_strain = web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0);
     left.max(0.0) * p.web.span / per_strain

@@ -1,18 +1,24 @@
-//! The builder's PLC of the ribbon line: its ladder, and remarks where a knob moves unwinder or axes alone.
+//! The builder's PLC of the ribbon line: its ladder, its contacts, and remarks where a knob moves unwinder or axes alone.
 
+use super::contacts::RibbonContacts;
 use super::derive::AT_SPEED;
 use super::ladder::ladder;
 use super::program;
 use super::resolved::{GREATEST, RibbonLine};
 use crate::controls::interface::SignalRole;
 use crate::drives::speed::{STAGES, Steps};
+use crate::machines::ladder::MachineContact;
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
-use crate::motion::{Io, Plc, ProgramState};
+use crate::motion::{Io, Plc, ProgramState, Timeline};
 use crate::msg;
 
-/// The ladder.
+/// The ladder, and the contacts of loop and reel.
+#[derive(Clone)]
 pub(super) struct RibbonPlc {
-    ladder: Box<dyn Plc>,
+    ladder: LadderPlc,
+    contacts: RibbonContacts,
+    /// A contact that has opened since the last scan.
+    opened: Option<MachineContact>,
     /// The typed override (%), where the knob turns the unwinder and the axes stay.
     typed: Option<f64>,
     /// Ribbon (mm) per revolution of the unwinder, and capacity (mm) of the loop, where the feed override moves the axes alone.
@@ -31,7 +37,9 @@ impl RibbonPlc {
             shift_speeds: [0.0; STAGES],
         };
         RibbonPlc {
-            ladder: Box::new(LadderPlc::new(ladder(line), wiring, line.control)),
+            ladder: LadderPlc::new(ladder(line), wiring, line.control),
+            contacts: RibbonContacts::new(line),
+            opened: None,
             typed: line.p.knob_turns_alone().then(|| line.p.override_stepped()),
             filled: program::feed_override_acts(line).then_some((line.d.k, line.p.loop_capacity)),
         }
@@ -63,7 +71,9 @@ impl RibbonPlc {
 impl Plc for RibbonPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let next = self.ladder.scan(t, io);
-        if io.stops.program == ProgramState::Running && io.spindle_command != 0.0 {
+        if let Some(contact) = self.opened.take() {
+            io.notice = Some(self.contacts.message(contact));
+        } else if io.stops.program == ProgramState::Running && io.spindle_command != 0.0 {
             self.remark(io);
         }
         next
@@ -73,7 +83,24 @@ impl Plc for RibbonPlc {
         self.ladder.watches_inverter()
     }
 
+    fn follows_movers(&self) -> bool {
+        true
+    }
+
+    fn follow(&mut self, t: f64, program: ProgramState, machine: &Timeline) -> (bool, f64) {
+        let wait = self.contacts.read(t, program, machine);
+        let mut changed = false;
+        for (contact, closed) in self.contacts.states() {
+            let switched = self.ladder.switch(contact, closed);
+            if switched && !closed {
+                self.opened = self.opened.or(Some(contact));
+            }
+            changed |= switched;
+        }
+        (changed, wait)
+    }
+
     fn boxed(&self) -> Box<dyn Plc> {
-        Box::new(RibbonPlc { ladder: self.ladder.boxed(), typed: self.typed, filled: self.filled })
+        Box::new(self.clone())
     }
 }

@@ -21,10 +21,15 @@ use crate::view::{Paint, Placement, Pose};
 const SEEN: f64 = 20.0;
 
 /// Slack, mm, below which the ribbon is tight: less than half a millimetre is no pull.
-const TIGHT: f64 = -0.5;
+pub(super) const TIGHT: f64 = -0.5;
 
 /// Lag of the pull roller, mm, within which a dot counts as printed.
 const AT_DOT: f64 = 1e-4;
+
+/// Ribbon unwound (mm) after turns of the unwinder's motor: `n · π · D / i`.
+pub(super) fn unwound(p: &Params, turns: f64) -> f64 {
+    turns / p.reduction_ratio * PI * p.press_roller_diameter
+}
 
 /// The state of the line at a moment, in the units of the drawing's figures.
 pub(super) struct LineState {
@@ -51,7 +56,7 @@ impl LineState {
         // The axis itself, which lags its command.
         let pulled = x.actual;
         let turns = now.spindle.turns / p.reduction_ratio;
-        let unwound = turns * PI * p.press_roller_diameter;
+        let unwound = unwound(p, now.spindle.turns);
         let degrees = if line.degrees() { 1.0 } else { 360.0 / (PI * p.print_roller_diameter) };
         LineState {
             unwinder_turns: turns,

@@ -27,6 +27,9 @@ const POINTS: usize = 400;
 /// Step (%) by which an operator turns the knob: a tenth.
 const TURN: f64 = 10.0;
 
+/// Id of the row of an event at which a contact of the machine holds the program.
+const HOLD: &str = "hold";
+
 /// Tried change of the product size, as a fraction of the present size.
 const TENTH: f64 = 0.1;
 
@@ -145,6 +148,11 @@ fn mark_worst(rows: &mut [EnvelopeRow]) {
 }
 
 impl EnvelopeRow {
+    /// Whether it says that a contact of the machine holds the program at the event.
+    pub(super) fn is_hold(&self) -> bool {
+        self.id == HOLD
+    }
+
     /// Share of its limit that its value uses.
     fn load(&self) -> f64 {
         Limit::load(self.limit, self.value)
@@ -179,6 +187,7 @@ impl Envelope<'_> {
             OperatingEvent::Start => {
                 let mut rows = self.read(event, &whole.run, (0.0, whole.contact));
                 rows.push(time(event, whole.contact));
+                rows.extend(hold(event, &whole.run).filter(|_| !whole.works_before_its_end()));
                 rows
             }
             OperatingEvent::Run => {
@@ -187,6 +196,7 @@ impl Envelope<'_> {
                 let mut rows = worst(spans.map(|span| self.read(event, &whole.run, span)));
                 rows.push(time(event, whole.end - whole.contact));
                 rows.extend(alarm(event, Some(&whole.ended)));
+                rows.extend(hold(event, &whole.run).filter(|_| whole.works_before_its_end()));
                 rows
             }
             OperatingEvent::Knob => {
@@ -240,6 +250,7 @@ impl Envelope<'_> {
         let ended = plan(&mut run, until);
         let mut rows = self.read(event, &run, (at, until));
         rows.extend(alarm(event, ended.as_ref()));
+        rows.extend(hold(event, &run));
         rows
     }
 
@@ -263,6 +274,7 @@ impl Envelope<'_> {
         plan(&mut run, until);
         let mut rows = self.read(event, &run, (at, until));
         rows.push(time(event, rests - at));
+        rows.extend(hold(event, &run));
         rows
     }
 
@@ -342,7 +354,12 @@ fn coasts_on(run: &Run, end: f64) -> bool {
 
 /// The row of an event at which the program stops with its own alarm.
 fn alarm(event: OperatingEvent, ended: Option<&RunEnd>) -> Option<EnvelopeRow> {
-    matches!(ended, Some(RunEnd::Alarm(_))).then(|| alarmed(event))
+    matches!(ended, Some(RunEnd::Alarm(_))).then(|| stop(event, "alarm", "size.alarm"))
+}
+
+/// The row of an event at which a contact of the machine holds the program: other values of the event are those until then.
+fn hold(event: OperatingEvent, run: &Run) -> Option<EnvelopeRow> {
+    run.is_held_by_plc().then(|| stop(event, HOLD, "size.hold"))
 }
 
 /// A limit that would hold at every event.
@@ -389,11 +406,11 @@ fn asked_by_rules(project: &Project, field: &str) -> f64 {
     sets.filter(|set| set.0 == field).filter_map(|set| set.1.parse::<f64>().ok()).fold(0.0, f64::max)
 }
 
-/// An event at which the program stops with its own alarm.
-fn alarmed(event: OperatingEvent) -> EnvelopeRow {
+/// The row of an event at which the program stops.
+fn stop(event: OperatingEvent, id: &str, label: &'static str) -> EnvelopeRow {
     EnvelopeRow {
-        id: "alarm".to_owned(),
-        label: "size.alarm",
+        id: id.to_owned(),
+        label,
         value: 1.0,
         unit: "",
         decimals: 0,

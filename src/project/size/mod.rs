@@ -118,7 +118,13 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
     };
     part();
     let envelope = envelope::envelope(project, &runs, &mut part);
-    let offers = envelope::offers(project, &envelope);
+    let offers = if envelope.iter().any(EnvelopeRow::is_hold) {
+        // A hold ends the growth of the loop: the limit that would hold is that of runs without contacts.
+        let free = SizingRuns::without_contacts(project, written);
+        envelope::offers(project, &envelope::envelope(project, &free, &mut || ()))
+    } else {
+        envelope::offers(project, &envelope)
+    };
     let sizing = Sizing { envelope, offers, ..answers(project, &runs) };
     part();
     sizing

@@ -48,6 +48,8 @@ pub struct CutRun {
     pub at: f64,
     /// Reason of the end.
     pub ended: RunEnd,
+    /// Whether a contact of the machine holds the program.
+    pub is_held: bool,
 }
 
 impl CutRun {
@@ -58,6 +60,7 @@ impl CutRun {
             RunEnd::Blocks => msg!("size.cut-blocks", blocks = LIMITS.blocks as f64, time),
             RunEnd::Seconds => msg!("size.cut-seconds", time),
             RunEnd::Alarm(_) => msg!("size.cut-alarm", time),
+            RunEnd::Stop if self.is_held => msg!("size.cut-held", time),
             RunEnd::Stop | RunEnd::ProgramEnd => msg!("size.cut-stop", time),
         }
     }
@@ -113,6 +116,11 @@ impl WholeRun {
         0.5 * (self.contact + self.end)
     }
 
+    /// Whether the work begins before the run ends.
+    pub(super) fn works_before_its_end(&self) -> bool {
+        self.contact < self.end
+    }
+
     /// Times (s) at which a stop is tried: the middle of the work, and the moment of the highest spindle speed, where that is another one.
     pub(super) fn stops(&self) -> Vec<f64> {
         let speed = |t: f64| self.run.timeline().at(t).spindle.actual.abs();
@@ -132,8 +140,9 @@ impl SizingRuns {
 
     /// Time and reason of the end, if the run at the form's position of the knob ended before the end of the program.
     pub(super) fn cut(&self) -> Option<CutRun> {
-        let WholeRun { ended, end, .. } = &self.present;
-        (*ended != RunEnd::ProgramEnd).then(|| CutRun { at: *end, ended: ended.clone() })
+        let WholeRun { ended, end, run, .. } = &self.present;
+        let is_held = run.is_held_by_plc();
+        (*ended != RunEnd::ProgramEnd).then(|| CutRun { at: *end, ended: ended.clone(), is_held })
     }
 
     /// All runs, the one at the form's position of the knob first.
@@ -143,10 +152,19 @@ impl SizingRuns {
 
     /// Runs these programs of a project.
     pub fn new(project: &Project, written: &Written) -> SizingRuns {
+        SizingRuns::of(project, written, |run| run)
+    }
+
+    /// Runs these programs of a project with contacts that do not act.
+    pub(super) fn without_contacts(project: &Project, written: &Written) -> SizingRuns {
+        SizingRuns::of(project, written, Run::without_contacts)
+    }
+
+    fn of(project: &Project, written: &Written, changed: fn(Run) -> Run) -> SizingRuns {
         let prepared = project.prepared();
         let untouched = Project { panel: Panel::default(), ..project.clone() };
         let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
-        let begun = of_project(&untouched, written, &options);
+        let begun = changed(of_project(&untouched, written, &options));
         let now = prepared.panel().spindle_override;
         let Steps { low, high, .. } = project.on().dialect().spindle().knob;
         let at = |percent: f64| {

@@ -255,6 +255,8 @@ impl Sizing {
             let value = at_least(row.is_cut, units::text(row.value, row.decimals, row.unit));
             let event = say(row.event.name());
             Diagnostic::warning(match row.knob {
+                Some(percent) if row.is_hold() => msg!("size.held-at-knob", event, percent),
+                None if row.is_hold() => msg!("size.held", event),
                 Some(percent) => msg!("size.beyond-at-knob", event, percent, quantity, value, limit),
                 None => msg!("size.beyond", event, quantity, value, limit),
             })

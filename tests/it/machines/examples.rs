@@ -84,9 +84,12 @@ fn examples_run_to_their_end_unless_f_is_beyond_the_range() {
         for example in machine.examples() {
             let project = Project::example(machine, control, example);
             let end = end_of_run(&project);
-            let stops = verdicts(&project, Verdict::Fail).contains("vector-feed");
+            let failed = verdicts(&project, Verdict::Fail);
             let place = format!("{} {} on {}: {end:?}", machine.id(), example.id, control.id);
-            assert_eq!(matches!(end, RunEnd::ProgramEnd), !stops, "{place}");
+            // Late blocks and slip fill the loop that is assumed for the published line: its sensor holds the program.
+            let held = (example.id, control.id) == ("paper", "sinumerik-808d");
+            assert!(!held || failed.contains("loop-needed") && failed.contains("slack-rate"), "{place}: {failed:?}");
+            assert_eq!(end == RunEnd::ProgramEnd, !held && !failed.contains("vector-feed"), "{place}");
         }
     }
 }

@@ -28,15 +28,20 @@ pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {
 
 /// The project over time, to its end.
 pub(super) fn over_time(project: &Project, events: Vec<Event>) -> Planner<Interp> {
+    let mut planner = begun(project, events);
+    planner.advance(f64::INFINITY, usize::MAX);
+    planner
+}
+
+/// The run of the project at its begin.
+pub(super) fn begun(project: &Project, events: Vec<Event>) -> Planner<Interp> {
     let mut project = project.clone();
     for event in events {
         project.panel.add(event);
     }
     let limits = Budget { blocks: 10_000_000, seconds: 3600.0 };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
-    let mut planner = run::of_project(&project, &project.written(), &begin);
-    planner.advance(f64::INFINITY, usize::MAX);
-    planner
+    run::of_project(&project, &project.written(), &begin)
 }
 
 pub(super) fn ended(planner: &mut Planner<Interp>) -> RunEnd {

@@ -400,7 +400,8 @@ fn turned_knob_calculates_the_precomputed_listing_again() {
 #[test]
 fn listing_calculated_before_its_loop_reaches_its_speed() {
     let speeds = |variant: &str| {
-        let entries = values(&[("variant", variant), ("pi", "3.14"), ("pitch-count", "200")]);
+        let entries =
+            values(&[("variant", variant), ("pi", "3.14"), ("pitch-count", "200"), ("loop-capacity", "10000")]);
         let mut planner = planned(&entries, vec![]);
         planner.advance(f64::INFINITY, usize::MAX);
         let starves = planner.diagnostics().iter().any(|found| found.message.id == "motion.starved");
@@ -513,8 +514,8 @@ fn line_keeps_its_speed_between_pitches() {
 fn slack_in_the_run_equals_the_design() {
     for (dwell, wait) in [("2", "dwell"), ("0.5", "dwell"), ("5", "dwell"), ("2", "fin")] {
         // Without slip: with it the slack grows while X waits, too.
-        let values =
-            values(&[("dwell", dwell), ("wait", wait), ("no-load-speed", "1480"), ("rated-load-speed", "1480")]);
+        let even = [("no-load-speed", "1480"), ("rated-load-speed", "1480"), ("loop-capacity", "2000")];
+        let values = values(&[&[("dwell", dwell), ("wait", wait)][..], &even].concat());
         let mut run = planned(&values, vec![]);
         run.advance(3600.0, 10_000_000);
         let end = run.timeline().end();

@@ -9,7 +9,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Readout, Verdict};
 use proptest::prelude::*;
 
-use super::ribbon_controls::{ended, over_time, project};
+use super::ribbon_controls::{begun, ended, over_time, project};
 use super::ribbon_line::{controls, values};
 
 /// A line without slip whose F every control takes: 167.6 mm/s, a head every 8 mm.
@@ -146,13 +146,18 @@ fn ribbon_missing_after_the_start_counts_in_the_tension() {
         assert_eq!((tension.verdict, tension.limit), (Verdict::Fail, Some(Limit::AtMost(187.5))));
         let said = sentence(&tension.advice[0].message);
         assert!(said.starts_with(&format!("With the knob at {percent} % X is {missing:.1} mm ahead")), "{said}");
-        // The run misses as much.
+        // A run whose contacts do not act misses as much; the tension switch holds another one before.
         let mut fast = project.clone();
         let whole = if clamp == "1480" { "200" } else { "100" };
         fast.values.extend(values(&[("override", whole)]));
-        let points = slack(&fast, &over_time(&fast, vec![event(8.0, Action::Reset)]), 4001);
+        let mut free = begun(&fast, vec![event(8.0, Action::Reset)]).without_contacts();
+        ended(&mut free);
+        let points = slack(&fast, &free, 4001);
         let least = points.iter().map(|point| point.1).fold(0.0, f64::min);
         assert!((least + missing).abs() < 1.0, "{least} {missing}");
+        let mut held = over_time(&fast, vec![]);
+        assert_eq!((ended(&mut held), held.is_held_by_plc()), (RunEnd::Stop, true));
+        assert!(held.diagnostics().iter().any(|found| found.id() == "ribbon.held-web-tight"));
         // A longer dwell misses nothing.
         let mended = project.with_entries(&tension.advice[0].sets).unwrap();
         assert_eq!(tension.advice[0].sets[0].0, "dwell");
@@ -217,7 +222,7 @@ fn advice_on_the_loop_makes_it_hold() {
 fn hold_stops_the_unwinder_with_the_axes() {
     for control in controls() {
         for more in [[("wait", "dwell")], [("wait", "fin")]] {
-            let project = line(control.id, &more);
+            let project = line(control.id, &[&more[..], &[("loop-capacity", "2000")]].concat());
             let mut planner = over_time(&project, vec![event(8.0, Action::Hold), event(30.0, Action::Start)]);
             let name = format!("{} {more:?}", control.id);
             assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{name}");
@@ -269,13 +274,15 @@ fn every_stop_leaves_the_unwinder_at_rest() {
 fn hold_during_the_start_stays_within_the_loop() {
     for control in controls() {
         for wait in ["dwell", "fin"] {
-            let project = line(control.id, &[("wait", wait), ("pitch-count", "20")]);
+            let mut project = line(control.id, &[("wait", wait), ("pitch-count", "20")]);
+            // Its sensor does not hold a product in the loop that would do.
+            let needed = readout(&project, "loop-needed").value + looks(&project);
+            project.values.extend(values(&[("loop-capacity", &needed.ceil().to_string())]));
             for held in [0.01, 0.06, 0.2, 0.8, 1.9] {
                 let mut planner = over_time(&project, vec![event(held, Action::Hold), event(5.0, Action::Start)]);
                 assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{} {wait} {held}", control.id);
                 let points = slack(&project, &planner, 3001);
                 let most = points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
-                let needed = readout(&project, "loop-needed").value + looks(&project);
                 assert!(most <= needed, "{} {wait} {held}: {most} of {needed}", control.id);
             }
         }
@@ -409,7 +416,7 @@ fn operator_goes_on_as_the_table_says() {
         planner.timeline().at(planner.timeline().end()).axes[0].position / readout(project, "product-length").value
     };
     for control in controls() {
-        let project = line(control.id, &[]);
+        let project = line(control.id, &[("loop-capacity", "2000")]);
         let run = |actions: &[(f64, Action)]| {
             let events = actions.iter().map(|(t, action)| event(*t, action.clone())).collect();
             let mut planner = over_time(&project, events);

@@ -171,7 +171,9 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
                 // Its M17 costs the time of a block with words there, which the count of blocks does not know.
                 continue;
             }
-            let entries = [more, &[("pitch-count", "240"), ("inverter-ramp", "1")]].concat();
+            // A loop that takes up all that X loses.
+            let entries =
+                [more, &[("pitch-count", "240"), ("inverter-ramp", "1"), ("loop-capacity", "100000")]].concat();
             let line = line(control, &entries);
             let (value, pitch) = (|id: &str| readout(&line, id).value, readout(&line, "product-length").value / 240.0);
             let planner = over_time(&line, vec![]);

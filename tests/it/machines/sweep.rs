@@ -32,6 +32,10 @@ const TOLD: &[(&str, &[&str])] = &[
     ("The axes stop between blocks", &["block-time", "cutting-time"]),
     ("The spindle stands still", &["block-time"]),
     ("The gear is not in position", &["stage"]),
+    // A contact of the machine holds the program. M5 waits for the slower axis, so that unequal time constants fill the loop.
+    ("The loop is at its longest limit", &["loop-needed", "slack-rate", "slack-rate-rated", "register-error"]),
+    ("The ribbon is tight to its limit", &["tension", "slack-rate", "slack-rate-rated"]),
+    ("The reel is at its end", &["reel-products"]),
 ];
 
 /// A fixed sequence that looks random.
@@ -145,6 +149,8 @@ fn faults(project: &Project) -> Vec<String> {
         Some(RunEnd::ProgramEnd | RunEnd::Blocks | RunEnd::Seconds) => Vec::new(),
         // A part with a keyway: the program stops for it.
         Some(RunEnd::Stop) if project.values.get("keyway") == Some(&Value::Flag(true)) => Vec::new(),
+        // Its contact is among the findings.
+        Some(RunEnd::Stop) if planner.is_held_by_plc() => Vec::new(),
         Some(RunEnd::Alarm(alarm)) => vec![english(&alarm.message)],
         Some(RunEnd::Stop) => vec!["waits for the operator".to_owned()],
         None => vec!["does not end".to_owned()],

@@ -451,3 +451,26 @@ fn program_that_does_not_run_is_sized_as_far_as_it_comes() {
     assert!(sizing.envelope.iter().all(|row| row.value.is_finite()));
     assert!(!sizing.axes.is_empty());
 }
+
+#[test]
+fn hold_by_a_contact_is_a_row_of_its_event() {
+    // The start of the published machine lays 332 mm before X pulls.
+    let entries = [("no-load-speed", "1480"), ("rated-load-speed", "1480"), ("loop-capacity", "300")];
+    let project = Project::named("ribbon-line", None, Some("paper")).unwrap();
+    let project = project.with_entries(&entries.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let sizing = sized(&project);
+    let hold = row(&sizing, OperatingEvent::Start, "hold");
+    assert_eq!((hold.verdict, hold.knob), (Verdict::Fail, None));
+    // What is measured ends with the hold and the stop of the unwinder: 251 mm/s over a ramp of 1.62 s, knob at its end 310 mm/s over 2 s.
+    let filled = row(&sizing, OperatingEvent::Run, "loop").value;
+    assert!((300.0 + 200.0..300.0 + 320.0).contains(&filled), "{filled}");
+    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    assert!(told[0].starts_with("A contact of the machine holds the program from 2."), "{told:?}");
+    assert_eq!((sizing.cut.as_ref().unwrap().is_held, sizing.cycle), (true, None));
+    assert!(told.iter().any(|line| line.starts_with("Start: a contact of the machine holds the program.")), "{told:?}");
+    // The loop that is offered is the one of runs that nothing holds.
+    let sets: Vec<_> = sizing.offers.iter().filter_map(|offer| offer.entry.clone()).collect();
+    let after = sized(&project.with_entries(&sets).unwrap());
+    assert!(after.envelope.iter().all(|row| row.id != "hold" && (row.id != "loop" || row.verdict == Verdict::Ok)));
+    assert_eq!(after.cut, None);
+}
