@@ -40,19 +40,35 @@ fn laid_before(line: &RibbonLine) -> f64 {
     line.fast.slack_start.abs() + line.fast.slack_run.abs()
 }
 
-/// Ribbon (mm) laid at the worst moment, with the knob at its end: X is at rest after the last move and M5 is not read yet, so that the
-/// unwinder coasts from its full speed.
+/// Ribbon (mm) laid at the worst moment, with the knob at its end: both axes are at rest after the last move and M5 is not read yet, so that
+/// the unwinder coasts from its full speed.
 fn laid_behind_the_last_move(line: &RibbonLine) -> f64 {
-    let (edge, lag) = stop_of_x(line);
-    laid_beside(line, &line.fast, (edge, edge), lag)
+    let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
+    laid_beside(line, &line.fast, (rest, stop), lag)
 }
 
-/// Time (s) in which X comes to rest at the end of a product with the knob at its end, and its lag (mm) before: exact stops have both in
-/// the time of a block.
-fn stop_of_x(line: &RibbonLine) -> (f64, f64) {
-    match line.p.path_mode {
-        PathMode::ExactStop => (0.0, 0.0),
-        PathMode::Continuous => (line.p.time_constant_x / 1000.0, line.fast.line_speed / 60.0 / line.p.position_gain_x),
+/// The end of a product with the knob at its end: exact stops have all of it in the time of a block.
+#[derive(Default)]
+struct EndOfMove {
+    /// Time (s) in which both axes come to rest.
+    rest: f64,
+    /// Time (s) in which X stops.
+    stop: f64,
+    /// Lag (mm) of X before.
+    lag: f64,
+}
+
+impl EndOfMove {
+    fn new(line: &RibbonLine) -> EndOfMove {
+        let p = &line.p;
+        match p.path_mode {
+            PathMode::ExactStop => EndOfMove::default(),
+            PathMode::Continuous => EndOfMove {
+                rest: p.slowest(),
+                stop: p.time_constant_x / 1000.0,
+                lag: line.fast.line_speed / 60.0 / p.position_gain_x,
+            },
+        }
     }
 }
 
@@ -74,8 +90,8 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     let mut advice = Vec::new();
     // The brake that stops the unwinder in the time in which the loop fills up.
     let speed = line.fast.line_speed / 60.0;
-    let (edge, lag) = stop_of_x(line);
-    let left = 2.0 * (capacity - laid_before(line) + lag) / speed - edge;
+    let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
+    let left = 2.0 * (capacity - laid_before(line) + lag) / speed - 2.0 * rest + stop;
     if left > 0.0 {
         let torque = load::braking(inertia(line), line.fast.actual_speed * RPM, left);
         let set = up(FIELDS, "unwinder-motor-brake", torque - line.mechanics.unwinder);

@@ -194,7 +194,7 @@ impl Params {
     }
 
     /// The greater time constant of both axes, s.
-    fn slowest(&self) -> f64 {
+    pub(super) fn slowest(&self) -> f64 {
         self.time_constant_x.max(self.time_constant_y) / 1000.0
     }
 
@@ -554,7 +554,7 @@ impl Slack {
         let lag = second / p.position_gain_x;
         // Each exact stop has its ramps and the lag in its time.
         let stops = p.path_mode == PathMode::ExactStop;
-        let (edge, edge_lag) = if stops { (0.0, 0.0) } else { (tau, lag) };
+        let (edge, edge_lag, rest) = if stops { (0.0, 0.0, 0.0) } else { (tau, lag, p.slowest()) };
         let start = if started { laid(p, second, feed_ramp, edge) + edge_lag } else { 0.0 };
         // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it; others wait for it as
         // at the start.
@@ -573,8 +573,8 @@ impl Slack {
             rate,
             rate_rated,
             run: if started { run } else { 0.0 },
-            // M5 follows the last move and is read when X has stopped.
-            stop: web::slack_after_stop(second, feed_ramp, edge, edge) - edge_lag,
+            // M5 follows the last move and is read when both axes have stopped.
+            stop: web::slack_after_stop(second, feed_ramp, edge, rest) - edge_lag,
             hold,
             resume,
             interruption: (hold.abs() + resume.abs()).max(short),

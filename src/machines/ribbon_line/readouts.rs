@@ -229,7 +229,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "slack-stop", label: "ribbon.readout.slack-stop", unit: "mm", decimals: 1, headline: false,
-        formula: "v · (ramp / 2 + τ / 2 - 1 / Kx): M5 stands behind the last move",
+        formula: "v · (τr + ramp / 2 - τ / 2 - 1 / Kx): M5 is read when both axes rest, after τr",
         cite: Citation::new("sizing facts D25", Grade::Inferred), value: |line| line.d.slack_stop,
     },
     ReadoutRow {
@@ -265,7 +265,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "loop-coasting", label: "ribbon.readout.loop-coasting", unit: "mm", decimals: 1, headline: false,
-        formula: "|start| + |run| + v · (coasting / 2 + τ / 2 - 1 / Kx), the knob at its end",
+        formula: "|start| + |run| + v · (τr + coasting / 2 - τ / 2 - 1 / Kx), the knob at its end",
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: coasting::loop_needed,
     },
     ReadoutRow {

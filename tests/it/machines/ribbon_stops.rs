@@ -458,17 +458,18 @@ proptest! {
     fn any_interruption_stays_within_the_loop_that_would_do(
         control in 0usize..7,
         (speed, ramp, dwell) in (50u32..900, 0.0f64..5.0, 0.0f64..3.0),
-        (tau, gain) in (20u32..400, 10u32..80),
+        (tau_x, tau_y, gain) in (20u32..400, 20u32..2000, 10u32..80),
         (in_step, fin) in (any::<bool>(), any::<bool>()),
         (kind, at, pause) in (0usize..5, 0.0f64..1.0, 0.0f64..8.0),
     ) {
         let dwell_is_short = dwell < 0.3 || fin;
-        let (speed, tau, gain) = (speed.to_string(), tau.to_string(), gain.to_string());
+        let (speed, gain) = (speed.to_string(), gain.to_string());
+        let (tau_x, tau_y) = (tau_x.to_string(), tau_y.to_string());
         let (ramp, dwell) = (format!("{ramp:.3}"), format!("{dwell:.3}"));
         let control = controls().nth(control).unwrap();
         let project = line(control.id, &[
             ("spindle-speed", &speed), ("inverter-ramp", &ramp), ("dwell", &dwell), ("pitch-count", "100"),
-            ("time-constant-x", &tau), ("time-constant-y", &tau), ("position-gain-x", &gain), ("position-gain-y", &gain),
+            ("time-constant-x", &tau_x), ("time-constant-y", &tau_y), ("position-gain-x", &gain), ("position-gain-y", &gain),
             ("spindle-encoder", "true"), ("feed-form", if in_step { "per-revolution" } else { "per-minute" }),
             ("wait", if fin { "fin" } else { "dwell" }),
         ]);
