@@ -19,7 +19,7 @@ use super::timeline::Timeline;
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, Counts};
 use crate::msg;
-use crate::text::{Diagnostic, Place};
+use crate::text::{Diagnostic, Message, Place};
 
 /// State before all events at or after a time.
 #[derive(Debug, Clone)]
@@ -81,6 +81,11 @@ impl<P: RunningProgram> Planner<P> {
     /// Whether the PLC holds the program at the end of the planned part.
     pub fn is_held_by_plc(&self) -> bool {
         self.state.plc.io.stops.hold
+    }
+
+    /// What the PLC tells about its hold of the program at the end of the planned part.
+    pub fn plc_hold(&self) -> Option<&Message> {
+        self.state.plc.hold.as_ref()
     }
 
     /// Plans on until machine time `until`, standstill after the end of the run, or `budget` events: whichever is first.

@@ -38,13 +38,17 @@ impl<P: RunningProgram> Sim<'_, P> {
             if let Some(alarm) = self.s.plc.io.alarm.take() {
                 self.plc_alarm(t, alarm);
             }
+            let notice = self.s.plc.io.notice.take();
             if self.s.plc.io.stops.hold {
                 self.hold(t);
-            }
-            if let Some(notice) = self.s.plc.io.notice.take() {
-                match self.s.plc.io.stops.hold {
-                    true => self.report_in_block(Diagnostic::warning(notice)),
-                    false => self.warn(Once::Notice as u32, || notice),
+                if let Some(notice) = notice {
+                    self.s.plc.hold = Some(notice.clone());
+                    self.report_in_block(Diagnostic::warning(notice));
+                }
+            } else {
+                self.s.plc.hold = None;
+                if let Some(notice) = notice {
+                    self.warn(Once::Notice as u32, || notice);
                 }
             }
             let io = &mut self.s.plc.io;

@@ -8,7 +8,7 @@ use super::snapshot::Mode;
 use super::spindle_control::SpindleControl;
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, End};
-use crate::text::{Diagnostic, Place};
+use crate::text::{Diagnostic, Message, Place};
 
 /// A command read and not yet begun.
 #[derive(Debug, Clone)]
@@ -116,6 +116,8 @@ pub(super) struct PlcState {
     pub(super) follows: bool,
     pub(super) next_reading: f64,
     pub(super) io: Io,
+    /// What the PLC tells about its hold of the program, as long as it lasts.
+    pub(super) hold: Option<Message>,
     /// Macro inputs as last recorded.
     pub(super) shown: BTreeMap<u32, f64>,
 }
@@ -128,6 +130,7 @@ impl Clone for PlcState {
             follows: self.follows,
             next_reading: self.next_reading,
             io: self.io.clone(),
+            hold: self.hold.clone(),
             shown: self.shown.clone(),
         }
     }
@@ -200,6 +203,7 @@ impl<P> SimState<P> {
                 next_scan: f64::INFINITY,
                 next_reading: f64::INFINITY,
                 io: Io::default(),
+                hold: None,
                 shown: BTreeMap::new(),
             },
             spindle: SpindleControl::new(diameter_axis),

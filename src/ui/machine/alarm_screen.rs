@@ -6,7 +6,7 @@ use crate::motion::RunEnd;
 use crate::project::check::reported;
 use crate::project::run;
 use crate::text::catalog::of_program;
-use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Phrase, Place};
+use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue, Phrase, Place};
 use crate::ui::state::Page;
 use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{sentence, sentence_with_hints, t, value_of};
@@ -52,8 +52,11 @@ fn told(page: Page) -> Option<Told> {
     }
 }
 
-/// A stop at the end of the run, with the program's message.
+/// A stop at the end of the run, with the message of the PLC that holds the program, or the program's own.
 fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
+    if let Some(held) = page.player.ask_planner(|run| run.plc_hold().cloned()).flatten() {
+        return Some(of_hold(page, &held));
+    }
     let (headline, place) = page.player.ask_planner(|run| {
         let timeline = run.timeline();
         Some((timeline.message_at(end)?.to_owned(), timeline.block_at(end)))
@@ -66,6 +69,20 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
     let (tone, meaning) = if at_once { ("fail", "page.own-message-at-once") } else { ("warn", "page.own-message") };
     let translation = of_program(&headline);
     Some(Told { tone, headline, translation, meaning: t(meaning).to_owned(), alarm: String::new(), place, way_out })
+}
+
+/// A hold of the PLC at the end of the run: the message has the way out.
+fn of_hold(page: Page, held: &Message) -> Told {
+    let place = page.player.ask_planner(|run| run.timeline().block_at(run.timeline().end())).flatten();
+    Told {
+        tone: "fail",
+        headline: t("size.hold").to_owned(),
+        translation: None,
+        meaning: sentence(held),
+        alarm: String::new(),
+        place,
+        way_out: "",
+    }
 }
 
 fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
@@ -173,6 +190,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::machines::form::Value;
     use crate::motion::Action;
     use crate::project::Project;
     use crate::text::catalog::{self, Language};
@@ -248,6 +266,19 @@ mod tests {
             bench.run().await;
             assert!(bench.has(".alarm-screen .remedy"), "{control}");
         }
+    }
+
+    #[wasm_bindgen_test]
+    async fn hold_by_a_contact_is_told_where_cycle_start_only_comes_back() {
+        let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
+        project.values.insert("loop-capacity".to_owned(), Value::Number(100.0));
+        let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
+        bench.run().await;
+        bench.page.player.seek(bench.page.player.planned.get_untracked().0);
+        bench.drawn().await;
+        assert_eq!(bench.text("h2"), t("size.hold"));
+        assert!(bench.text(".alarm-screen p").starts_with("The loop is at its longest limit of 100 mm"));
+        assert_eq!(untrack(|| bench.page.outlook.cycle_start()), CycleStart::ComesBack);
     }
 
     #[wasm_bindgen_test]

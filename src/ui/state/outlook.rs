@@ -49,6 +49,7 @@ impl Outlook {
                 early.get().then(|| project.with_untracked(|project| stops_at_once(project).then(|| remedy(project))));
             tried.flatten().map(|remedy| Stopped { remedy })
         });
+        // A hold of the PLC refuses cycle start while its cause lasts.
         let comes_back = Memo::new(move |_| {
             player.plans.track();
             player.ended.with(|end| matches!(end, Some(RunEnd::Stop))) && player.ask_planner(comes_back) == Some(true)
@@ -62,7 +63,9 @@ impl Outlook {
         match mode {
             _ if self.stopped.with(Option::is_some) => CycleStart::StopsAtOnce,
             Mode::Alarm | Mode::EmergencyStop => CycleStart::AfterReset,
-            Mode::Stopped if at >= self.player.planned.get().0 && self.comes_back.get() => CycleStart::ComesBack,
+            Mode::Stopped | Mode::Hold if at >= self.player.planned.get().0 && self.comes_back.get() => {
+                CycleStart::ComesBack
+            }
             _ => CycleStart::Acts,
         }
     }
