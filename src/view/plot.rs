@@ -25,8 +25,8 @@ const SIZE: (u32, u32) = (1000, 200);
 const FINE: u32 = 8;
 /// Maximum grid lines.
 const GRID: (usize, usize) = (8, 4);
-/// Percent of the height above which a grid line has no space for its figure above it.
-const ROOM_ABOVE: f64 = 78.0;
+/// Percent of the height below which a figure stands on its grid line; others lie in their lines.
+const FLOOR: f64 = 8.0;
 /// Colour of grid lines; chart lines have `(tone, 0, 0)`. The backend turns both into classes.
 const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
 
@@ -125,8 +125,7 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
                 escape(out, x_unit);
                 out.push_str("</text>");
             } else if !across && at <= 97.0 {
-                // Above its line, or below it near the top.
-                let dy = if at > ROOM_ABOVE { 12.0 } else { -3.0 };
+                let dy = if at < FLOOR { -3.0 } else { 4.0 };
                 fill(out, "<text class=\"tick\" x=\"3\" y=\"#%\" dy=\"#\">", &[100.0 - at, dy]);
                 let _ = write!(out, "{text}</text>");
             }

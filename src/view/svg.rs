@@ -103,6 +103,8 @@ pub fn parts(scene: &Scene, pose: Option<&Pose>) -> Vec<String> {
     all
 }
 
+/// Width in pixels of the edge in the colour of the ground around labels (`scene.css` too).
+const EDGE: f64 = 3.0;
 /// Width in pixels of a picture without a limit for its labels.
 const WIDTH: f64 = 1200.0;
 
@@ -120,10 +122,12 @@ pub fn picture_with(scene: &Scene, pose: &Pose, theme: Theme, items: &[Balloon])
         &[x, y, w, h, w / unit, h / unit],
     );
     let (label, figure) = (token("label", theme), token("figure", theme));
-    let size = filled("#px", &[LETTER * unit]);
+    let (rim, sky) = (token("rim", theme), token("sky-high", theme));
+    let (size, edge) = (filled("#px", &[LETTER * unit]), filled("#px", &[EDGE * unit]));
     let _ = write!(
         out,
-        "<style>.label{{font:{size} {label}}}.value{{font:600 {size} {figure}}}.engraved{{font-family:{label};font-weight:600}}</style>"
+        "<style>.label{{font:{size} {label}}}.value{{font:600 {size} {figure}}}.engraved{{font-family:{label};font-weight:600}}\
+         :is(.label,.value):not([fill='{rim}']){{stroke:{sky};stroke-width:{edge};stroke-linejoin:round;paint-order:stroke}}</style>"
     );
     Writer { out: &mut out, scene, pose: Some(pose), place: Place::Alone(theme, unit), scale: 1.0 }
         .write(&mut Vec::new());
