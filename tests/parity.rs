@@ -1,4 +1,4 @@
-//! Native code and wasm under Node compute the same to the bit: the same goldens for both, decimals to read and check sums over all bits.
+//! Native code and wasm under Node compute the same to the bit: the same goldens for both, decimals to read and checksums over all bits.
 //!
 //! `UPDATE_EXPECT=1 cargo test --test parity` writes the goldens natively; `make test-wasm` compares wasm with them.
 #![allow(clippy::unwrap_used, reason = "a test stops at a fault")]
@@ -71,7 +71,7 @@ fn golden(name: &str, actual: &str) {
     assert_eq!(actual.lines().count(), expected.lines().count(), "{name}: number of lines");
 }
 
-/// Check sum over the bits of numbers and the bytes of texts (FNV-1a, 64 bits), printed in decimal.
+/// Checksum over the bits of numbers and the bytes of texts (FNV-1a, 64 bits), printed in decimal.
 struct Sum(u64);
 
 impl Sum {
@@ -154,7 +154,7 @@ const FUNCTIONS: [Function; 14] = [
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 fn math_functions_give_the_golden_bits() {
     let arguments = arguments();
-    let mut out = "300 arguments x, y is the one before; results for the last three, check sum over all\n".to_owned();
+    let mut out = "300 arguments x, y is the one before; results for the last three, checksum over all\n".to_owned();
     for (name, function) in FUNCTIONS {
         let mut sum = Sum::new();
         let pairs = std::iter::once(&3.0).chain(&arguments).zip(&arguments);
@@ -234,7 +234,7 @@ fn machines_on_their_controls_give_the_golden_bits() {
     }
 }
 
-/// Results, program, run and charts of a project: each with its check sum.
+/// Results, program, run and charts of a project: each with its checksum.
 fn machine_on_control(project: &Project) -> String {
     let mut out = format!("# {} on {}\n", project.machine.id(), project.control.id);
     let mut sum = Sum::new();

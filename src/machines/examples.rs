@@ -12,12 +12,12 @@ pub struct Example {
     /// Entries that differ from the defaults of the form, as they would be typed: id of each field and its text.
     pub entries: &'static [(&'static str, &'static str)],
     /// Verdicts that fail, each with its reason.
-    pub faults: &'static [Fault],
+    pub faults: &'static [KnownFault],
 }
 
 /// A verdict of an example that fails.
 #[derive(Debug)]
-pub struct Fault {
+pub struct KnownFault {
     /// Id of the result.
     pub result: &'static str,
     /// Catalog id of the reason.
@@ -26,14 +26,14 @@ pub struct Fault {
     pub everywhere: bool,
 }
 
-impl Fault {
+impl KnownFault {
     /// A fault of the machine itself.
-    pub const fn everywhere(result: &'static str, reason: &'static str) -> Fault {
-        Fault { result, reason, everywhere: true }
+    pub const fn everywhere(result: &'static str, reason: &'static str) -> KnownFault {
+        KnownFault { result, reason, everywhere: true }
     }
 
     /// A fault on controls that are too slow or whose ranges are too small.
-    pub const fn on_slow_controls(result: &'static str, reason: &'static str) -> Fault {
-        Fault { result, reason, everywhere: false }
+    pub const fn on_slow_controls(result: &'static str, reason: &'static str) -> KnownFault {
+        KnownFault { result, reason, everywhere: false }
     }
 }

@@ -72,11 +72,11 @@ pub struct Field<P: 'static> {
     /// Whether the field is shown with these parameters on this control.
     pub shown: fn(&P, &Control) -> bool,
     /// Kind and limits of its value.
-    pub kind: Kind<P>,
+    pub kind: FieldKind<P>,
 }
 
 /// Kind of a field, with getter and setter of its member of the parameters.
-pub enum Kind<P: 'static> {
+pub enum FieldKind<P: 'static> {
     /// A number.
     Number {
         /// Unit, or empty.
@@ -145,12 +145,12 @@ pub struct FieldInfo {
     /// A fact that is exact: a setting or a count.
     pub setting: bool,
     /// Kind and limits of its value.
-    pub kind: KindInfo,
+    pub kind: FieldKindInfo,
 }
 
 /// Kind and limits of a value.
 #[derive(Debug, Clone, PartialEq)]
-pub enum KindInfo {
+pub enum FieldKindInfo {
     /// A number.
     Number {
         /// Unit.
@@ -187,12 +187,12 @@ impl<P> Field<P> {
             fact: self.fact,
             setting: self.setting,
             kind: match self.kind {
-                Kind::Number { unit, min, max, default, decimals, step, .. } => {
-                    KindInfo::Number { unit, min, max, default, decimals, step }
+                FieldKind::Number { unit, min, max, default, decimals, step, .. } => {
+                    FieldKindInfo::Number { unit, min, max, default, decimals, step }
                 }
-                Kind::Flag { default, .. } => KindInfo::Flag(default),
-                Kind::Choice { options, .. } => KindInfo::Choice(options),
-                Kind::Text { max, .. } => KindInfo::Text(max),
+                FieldKind::Flag { default, .. } => FieldKindInfo::Flag(default),
+                FieldKind::Choice { options, .. } => FieldKindInfo::Choice(options),
+                FieldKind::Text { max, .. } => FieldKindInfo::Text(max),
             },
         }
     }
@@ -202,10 +202,12 @@ impl FieldInfo {
     /// The default value.
     pub fn default(&self) -> Value {
         match &self.kind {
-            KindInfo::Number { default, .. } => Value::Number(*default),
-            KindInfo::Flag(default) => Value::Flag(*default),
-            KindInfo::Choice(options) => Value::Text(options.first().map_or(String::new(), |(id, _)| (*id).to_owned())),
-            KindInfo::Text(_) => Value::Text(String::new()),
+            FieldKindInfo::Number { default, .. } => Value::Number(*default),
+            FieldKindInfo::Flag(default) => Value::Flag(*default),
+            FieldKindInfo::Choice(options) => {
+                Value::Text(options.first().map_or(String::new(), |(id, _)| (*id).to_owned()))
+            }
+            FieldKindInfo::Text(_) => Value::Text(String::new()),
         }
     }
 }

@@ -3,7 +3,7 @@
 //! The first line names machine and format (`MACROLINE RIBBON-LINE 1`), the next the control where it is not the machine's first
 //! (`CONTROL=…`), each further one a field (`PITCH=8`): the essential ones always, the others where they differ from the default.
 
-use super::form::{Field, Kind};
+use super::form::{Field, FieldKind};
 use super::machine::Machine;
 use crate::controls::Control;
 use crate::text::catalog::number_text;
@@ -24,15 +24,15 @@ pub fn lines<M: Machine>(params: &M::Params, control: &Control) -> Vec<String> {
     let fields: &[Field<M::Params>] = M::fields();
     for field in fields {
         let text = match &field.kind {
-            Kind::Number { get, default, decimals, .. } => {
+            FieldKind::Number { get, default, decimals, .. } => {
                 let number = get(params);
                 (field.essential || number != *default).then(|| number_text(number, *decimals))
             }
-            Kind::Flag { get, default, .. } => (get(params) != *default).then(|| get(params).to_string()),
-            Kind::Choice { options, get, .. } => {
+            FieldKind::Flag { get, default, .. } => (get(params) != *default).then(|| get(params).to_string()),
+            FieldKind::Choice { options, get, .. } => {
                 options.get(get(params)).filter(|_| get(params) != 0).map(|(option, _)| (*option).to_owned())
             }
-            Kind::Text { get, .. } => Some(plain(get(params))).filter(|text| !text.is_empty()),
+            FieldKind::Text { get, .. } => Some(plain(get(params))).filter(|text| !text.is_empty()),
         };
         lines.extend(text.map(|text| format!("{}={}", field.id, text).to_ascii_uppercase()));
     }

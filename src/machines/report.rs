@@ -1,12 +1,12 @@
 //! The report of any machine: its form, its results, its sheets, and the open points of its control.
 
-use super::form::{FieldInfo, KindInfo, Origins, Provenance, Value, Values};
+use super::form::{FieldInfo, FieldKindInfo, Origins, Provenance, Value, Values};
 use super::machine::{AnyMachine, ControlContext, PreparedMachine};
 use crate::controls::options::SwitchOption;
 use crate::controls::{Control, Switch, Switches};
 use crate::text::catalog::{number_text, words};
 use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
-use crate::view::report::{Input, ListedPart, Open, Report, RunReport, TitleBlock};
+use crate::view::report::{Input, ListedPart, OpenPoints, Report, RunReport, TitleBlock};
 use crate::view::{DrawnPart, Readout};
 
 /// Gathers the parts of the report that machine and control supply. `name` is the project's and may be empty; `further` are findings beyond
@@ -93,10 +93,10 @@ pub fn inputs(machine: &dyn AnyMachine, prepared: &PreparedMachine, values: &Val
 fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
     let value = values.get(field.id).cloned().unwrap_or_else(|| field.default());
     let (text, unit) = match (&field.kind, value) {
-        (KindInfo::Number { unit, decimals, .. }, Value::Number(number)) => {
+        (FieldKindInfo::Number { unit, decimals, .. }, Value::Number(number)) => {
             (units::exact(number, *decimals, unit), units::unit(unit))
         }
-        (KindInfo::Choice(options), Value::Text(id)) => {
+        (FieldKindInfo::Choice(options), Value::Text(id)) => {
             let label = options.iter().find(|(option, _)| *option == id).map(|(_, label)| *label);
             (label.map_or(id, |label| words(label).to_owned()), "")
         }
@@ -121,7 +121,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
 }
 
 /// Rows of each table that no manual confirms; of the switches also those that differ from their default.
-fn open(control: &Control, switches: &Switches) -> Vec<Open> {
+fn open(control: &Control, switches: &Switches) -> Vec<OpenPoints> {
     let doubtful = |cite: &Citation| cite.grade == Grade::Open;
     let code = |row: &&crate::controls::CodeDef| control.code_name(row.id);
     let tables: [(&'static str, Vec<String>); 7] = [
@@ -169,7 +169,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
         ),
         ("form.open.alarms", numbers(control.alarms.iter().filter(|row| doubtful(&row.cite)).map(|row| row.number))),
     ];
-    tables.into_iter().filter(|(_, facts)| !facts.is_empty()).map(|(kind, facts)| Open { kind, facts }).collect()
+    tables.into_iter().filter(|(_, facts)| !facts.is_empty()).map(|(kind, facts)| OpenPoints { kind, facts }).collect()
 }
 
 /// A switch with its setting and its options.

@@ -1,6 +1,6 @@
 //! Results as rows, and the rules that judge them.
 
-use super::form::{Field, Kind};
+use super::form::{Field, FieldKind};
 use crate::text::catalog::number_text;
 use crate::text::{Citation, Phrase};
 use crate::view::{Advice, Limit, Readout, Verdict};
@@ -88,7 +88,7 @@ pub fn near<P>(fields: &[Field<P>], id: &'static str, value: f64) -> (&'static s
 
 fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> (&'static str, String) {
     let decimals = fields.iter().find(|field| field.id == id).map_or(0, |field| match field.kind {
-        Kind::Number { decimals, .. } => decimals,
+        FieldKind::Number { decimals, .. } => decimals,
         _ => 0,
     });
     let unit = crate::nc::dec::POW10[usize::from(decimals.min(12))] as f64;

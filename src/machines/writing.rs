@@ -74,10 +74,10 @@ pub fn dwell(control: &Control, seconds: f64) -> [NewWord; 2] {
 }
 
 /// A variable of the operator, and whether only whole numbers are valid.
-pub type Entry = (u32, bool);
+pub type OperatorVariable = (u32, bool);
 
 /// Checks that every entry is above zero, and whole where required; else jumps to [`alarms`].
-pub fn guards(b: &mut Builder, entries: &[Entry]) {
+pub fn guards(b: &mut Builder, entries: &[OperatorVariable]) {
     for (at, (entry, _)) in (1..).zip(entries) {
         b.n(at).if_goto(v(*entry).le(0), 900 + at);
     }
@@ -87,7 +87,7 @@ pub fn guards(b: &mut Builder, entries: &[Entry]) {
 }
 
 /// The alarms of invalid entries.
-pub fn alarms(b: &mut Builder, control: &Control, entries: &[Entry]) {
+pub fn alarms(b: &mut Builder, control: &Control, entries: &[OperatorVariable]) {
     for (at, (entry, _)) in (1..).zip(entries) {
         alarm(b, control, at, &format!("{} MUST BE ABOVE ZERO", control.variable(*entry)));
     }

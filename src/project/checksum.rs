@@ -1,4 +1,4 @@
-//! Check sum of files and links: CRC-32, as in ZIP archives and PNG pictures.
+//! Checksum of files and links: CRC-32, as in ZIP archives and PNG pictures.
 
 use crc::{CRC_32_ISO_HDLC, Crc, NoTable};
 

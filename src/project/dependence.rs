@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Project;
 use super::sensitivity::changed;
-use crate::machines::form::{FieldInfo, KindInfo, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
 use crate::view::Readout;
 
 /// Ids of the fields by the id of each result that they change, in the order of the form.
@@ -36,18 +36,18 @@ pub fn fields_by_result(project: &Project) -> BTreeMap<&'static str, Vec<&'stati
 fn others(project: &Project, field: &FieldInfo) -> Vec<Value> {
     let present = project.values.get(field.id).cloned().unwrap_or_else(|| field.default());
     match &field.kind {
-        KindInfo::Number { min, max, step, .. } => {
+        FieldKindInfo::Number { min, max, step, .. } => {
             let number = if let Value::Number(number) = present { number } else { return Vec::new() };
             let part = [1.1, 0.9].into_iter().find_map(|factor| changed(project, field, factor));
             // A tenth of 0 is none.
             let near = [number + step, number - step].into_iter().find(|other| (*min..=*max).contains(other));
             part.or(near).map(Value::Number).into_iter().collect()
         }
-        KindInfo::Flag(_) => vec![Value::Flag(present != Value::Flag(true))],
-        KindInfo::Choice(options) => {
+        FieldKindInfo::Flag(_) => vec![Value::Flag(present != Value::Flag(true))],
+        FieldKindInfo::Choice(options) => {
             options.iter().map(|(id, _)| Value::Text((*id).to_owned())).filter(|value| *value != present).collect()
         }
-        KindInfo::Text(_) => Vec::new(),
+        FieldKindInfo::Text(_) => Vec::new(),
     }
 }
 

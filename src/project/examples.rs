@@ -2,7 +2,7 @@
 
 use super::Project;
 use crate::controls::{self, Control};
-use crate::machines::examples::{Example, Fault};
+use crate::machines::examples::{Example, KnownFault};
 use crate::machines::form::Values;
 use crate::machines::{self, AnyMachine};
 use crate::msg;
@@ -97,7 +97,7 @@ impl Project {
     }
 
     /// Failed verdicts of the example whose values the project has, each with its reason.
-    pub fn faults(&self) -> Vec<(Readout, &'static Fault)> {
+    pub fn faults(&self) -> Vec<(Readout, &'static KnownFault)> {
         let Some(example) = self.present_example() else { return Vec::new() };
         let failed = self.design().readouts.into_iter().filter(|readout| readout.verdict == Verdict::Fail);
         let reason = |id: &str| example.faults.iter().find(|fault| fault.result == id);

@@ -1,4 +1,4 @@
-//! The report of a project: what machine and control say, a run of the programs, and their check sums.
+//! The report of a project: what machine and control say, a run of the programs, and their checksums.
 
 use super::Project;
 use super::checksum::crc32;
@@ -108,7 +108,7 @@ impl Project {
     }
 }
 
-/// Check sum of an exported file: CRC-32 of its bytes.
+/// Checksum of an exported file: CRC-32 of its bytes.
 fn checksum(bytes: &[u8]) -> String {
     format!("{:08X}", crc32(bytes))
 }

@@ -1,7 +1,7 @@
 //! Assumed facts of a machine whose error by a tenth changes a verdict: the ones to measure first.
 
 use super::Project;
-use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Provenance, Value};
 use crate::math;
 use crate::text::catalog::number_text;
 use crate::view::{Readout, Verdict};
@@ -75,7 +75,7 @@ pub(super) fn assumed_numbers(project: &Project) -> Vec<FieldInfo> {
     let prepared = project.prepared();
     let assumed = |id: &str| project.provenance.get(id).is_none_or(|origin| *origin == Provenance::Assumed);
     let counts = |field: &FieldInfo| {
-        matches!(field.kind, KindInfo::Number { .. })
+        matches!(field.kind, FieldKindInfo::Number { .. })
             && field.fact
             && !field.setting
             && assumed(field.id)
@@ -108,7 +108,7 @@ impl TriedFact {
 
 /// The value of a number by a factor, as the field takes it; `None` where the field is no number, or its range or decimals leave no other value.
 pub(super) fn changed(project: &Project, field: &FieldInfo, factor: f64) -> Option<f64> {
-    let KindInfo::Number { min, max, default, decimals, .. } = field.kind else { return None };
+    let FieldKindInfo::Number { min, max, default, decimals, .. } = field.kind else { return None };
     let value = match project.values.get(field.id) {
         Some(value @ Value::Number(number)) if field.check(value).is_ok() => *number,
         _ => default,

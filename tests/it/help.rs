@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::process::Output;
 
 use macroline::controls::{self, Control};
-use macroline::machines::form::{KindInfo, Value};
+use macroline::machines::form::{FieldKindInfo, Value};
 use macroline::machines::{self, AnyMachine};
 use macroline::project::Project;
 use macroline::project::help::content::{HelpKind, HelpPlace};
@@ -80,8 +80,8 @@ fn choices(machine: &'static dyn AnyMachine, control: &'static Control) -> Vec<P
     let mut all: Vec<Project> = machine.examples().iter().map(|e| Project::example(machine, control, e)).collect();
     for field in machine.fields() {
         let others = match &field.kind {
-            KindInfo::Choice(options) => options.iter().map(|(id, _)| Value::Text((*id).to_owned())).collect(),
-            KindInfo::Flag(default) => vec![Value::Flag(!default)],
+            FieldKindInfo::Choice(options) => options.iter().map(|(id, _)| Value::Text((*id).to_owned())).collect(),
+            FieldKindInfo::Flag(default) => vec![Value::Flag(!default)],
             _ => Vec::new(),
         };
         for value in others {

@@ -1,7 +1,7 @@
 //! Lengths in inches for people: entries, figures, sentences, report; and what stays in millimetres.
 
 use expect_test::expect;
-use macroline::machines::form::{FieldInfo, KindInfo, Value};
+use macroline::machines::form::{FieldInfo, FieldKindInfo, Value};
 use macroline::machines::{self, AnyMachine};
 use macroline::msg;
 use macroline::project::export::ExportOptions;
@@ -31,7 +31,7 @@ fn each_machine() -> impl Iterator<Item = Project> {
 
 fn fields() -> Vec<FieldInfo> {
     let all = machines::ALL.iter().flat_map(|machine| machine.fields());
-    all.filter(|field| matches!(field.kind, KindInfo::Number { .. })).collect()
+    all.filter(|field| matches!(field.kind, FieldKindInfo::Number { .. })).collect()
 }
 
 #[test]
@@ -118,7 +118,7 @@ proptest! {
     fn shown_entry_typed_again_changes_nothing(at in any::<prop::sample::Index>(), part in 0.0_f64..1.0) {
         let fields = fields();
         let field = at.get(&fields);
-        let KindInfo::Number { min, max, decimals, .. } = field.kind else { unreachable!() };
+        let FieldKindInfo::Number { min, max, decimals, .. } = field.kind else { unreachable!() };
         let number = macroline::text::catalog::number_text(min + part * part * part * (max - min), decimals);
         let value = Value::Number(macroline::math::clamp(number.parse().unwrap(), min, max));
         let (shown, read) = in_inches(|| {
@@ -132,7 +132,7 @@ proptest! {
 #[test]
 fn limits_of_a_field_can_be_typed_as_they_are_shown() {
     for field in fields() {
-        let KindInfo::Number { min, max, .. } = field.kind else { unreachable!() };
+        let FieldKindInfo::Number { min, max, .. } = field.kind else { unreachable!() };
         for limit in [min, max] {
             let read = in_inches(|| field.typed(&field.text(&Value::Number(limit))));
             assert_eq!(read, Ok(Value::Number(limit)), "{}", field.id);

@@ -1,16 +1,16 @@
 //! Parameters from values: the defaults of the form, then every valid value.
 
-use super::{Field, Kind, Origins, Provenance, Value, Values};
+use super::{Field, FieldKind, Origins, Provenance, Value, Values};
 use crate::text::{Diagnostic, Severity};
 
 /// Sets every parameter to the default of its field.
 pub fn defaults<P>(fields: &[Field<P>], params: &mut P) {
     for field in fields {
         match &field.kind {
-            Kind::Number { default, set, .. } => set(params, *default),
-            Kind::Flag { default, set, .. } => set(params, *default),
-            Kind::Choice { set, .. } => set(params, 0),
-            Kind::Text { set, .. } => set(params, String::new()),
+            FieldKind::Number { default, set, .. } => set(params, *default),
+            FieldKind::Flag { default, set, .. } => set(params, *default),
+            FieldKind::Choice { set, .. } => set(params, 0),
+            FieldKind::Text { set, .. } => set(params, String::new()),
         }
     }
 }
@@ -32,14 +32,14 @@ pub fn fill<P>(fields: &[Field<P>], values: &Values, params: &mut P) -> Vec<Diag
             continue;
         }
         match (&field.kind, value) {
-            (Kind::Number { set, .. }, Value::Number(number)) => set(params, *number),
-            (Kind::Flag { set, .. }, Value::Flag(flag)) => set(params, *flag),
-            (Kind::Choice { options, set, .. }, Value::Text(id)) => {
+            (FieldKind::Number { set, .. }, Value::Number(number)) => set(params, *number),
+            (FieldKind::Flag { set, .. }, Value::Flag(flag)) => set(params, *flag),
+            (FieldKind::Choice { options, set, .. }, Value::Text(id)) => {
                 if let Some(at) = options.iter().position(|(option, _)| option == id) {
                     set(params, at);
                 }
             }
-            (Kind::Text { set, .. }, Value::Text(text)) => set(params, text.clone()),
+            (FieldKind::Text { set, .. }, Value::Text(text)) => set(params, text.clone()),
             _ => {}
         }
     }

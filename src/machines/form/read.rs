@@ -1,6 +1,6 @@
 //! Typed text to a checked value, with a diagnostic for every invalid one.
 
-use super::{FieldInfo, KindInfo, Value};
+use super::{FieldInfo, FieldKindInfo, Value};
 use crate::msg;
 use crate::text::listed;
 use crate::text::{Diagnostic, catalog::number_text, number, units};
@@ -27,7 +27,7 @@ impl FieldInfo {
 fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Result<Value, Box<Diagnostic>> {
     let text = typed.trim();
     match &field.kind {
-        KindInfo::Number { unit, decimals, .. } => {
+        FieldKindInfo::Number { unit, decimals, .. } => {
             let number = number::read(text).ok_or_else(|| {
                 let wrong =
                     if text.is_empty() { msg!("form.empty") } else { msg!("form.not-a-number", text = clip(text)) };
@@ -36,12 +36,12 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
             let value = Value::Number(in_unit(number, *decimals, unit));
             check(field, &value).map(|()| value)
         }
-        KindInfo::Flag(_) => match text {
+        FieldKindInfo::Flag(_) => match text {
             "true" => Ok(Value::Flag(true)),
             "false" => Ok(Value::Flag(false)),
             _ => Err(Box::new(Diagnostic::error(msg!("form.not-a-flag", text = clip(text))).about(field.id))),
         },
-        KindInfo::Choice(_) | KindInfo::Text(_) => {
+        FieldKindInfo::Choice(_) | FieldKindInfo::Text(_) => {
             let value = Value::Text(text.to_owned());
             check(field, &value).map(|()| value)
         }
@@ -50,7 +50,7 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
 
 fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
     let wrong = match (&field.kind, value) {
-        (KindInfo::Number { unit, min, max, decimals, .. }, Value::Number(number)) => {
+        (FieldKindInfo::Number { unit, min, max, decimals, .. }, Value::Number(number)) => {
             if !number.is_finite() {
                 msg!("form.not-finite")
             } else if number < min {
@@ -67,14 +67,14 @@ fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
                 return Ok(());
             }
         }
-        (KindInfo::Flag(_), Value::Flag(_)) => return Ok(()),
-        (KindInfo::Choice(options), Value::Text(id)) => {
+        (FieldKindInfo::Flag(_), Value::Flag(_)) => return Ok(()),
+        (FieldKindInfo::Choice(options), Value::Text(id)) => {
             if options.iter().any(|(option, _)| option == id) {
                 return Ok(());
             }
             msg!("form.no-such-choice", text = clip(id), choices = listed(options.iter().map(|(id, _)| *id)))
         }
-        (KindInfo::Text(max), Value::Text(text)) => {
+        (FieldKindInfo::Text(max), Value::Text(text)) => {
             if text.chars().count() <= *max {
                 return Ok(());
             }
@@ -93,7 +93,7 @@ fn too_fine(number: f64, decimals: u8) -> bool {
 
 fn with_range(field: &FieldInfo, diagnostic: Diagnostic) -> Diagnostic {
     match &field.kind {
-        KindInfo::Number { unit, min, max, decimals, .. } => diagnostic.hint(msg!(
+        FieldKindInfo::Number { unit, min, max, decimals, .. } => diagnostic.hint(msg!(
             "form.allowed",
             least = number_text(*min, (*decimals).max(6)),
             most = number_text(*max, (*decimals).max(6)),

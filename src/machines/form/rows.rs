@@ -4,7 +4,7 @@
 
 use core::ops::RangeInclusive;
 
-use super::{Field, Kind};
+use super::{Field, FieldKind};
 use crate::controls::Control;
 
 /// Getter and setter of a member of the parameters `P`.
@@ -78,22 +78,22 @@ options! {
 /// A number, for now without unit and limits, whole, in steps of 1.
 pub const fn number<P>(id: &'static str, (get, set): Member<P, f64>) -> Field<P> {
     let (min, max) = (f64::NEG_INFINITY, f64::INFINITY);
-    Field::new(id, Kind::Number { unit: "", min, max, default: 0.0, decimals: 0, step: 1.0, get, set })
+    Field::new(id, FieldKind::Number { unit: "", min, max, default: 0.0, decimals: 0, step: 1.0, get, set })
 }
 
 /// A check mark, off by default.
 pub const fn flag<P>(id: &'static str, (get, set): Member<P, bool>) -> Field<P> {
-    Field::new(id, Kind::Flag { default: false, get, set })
+    Field::new(id, FieldKind::Flag { default: false, get, set })
 }
 
 /// One of a few options.
 pub const fn choice<P>(id: &'static str, (options, (get, set)): ChoiceMember<P>) -> Field<P> {
-    Field::new(id, Kind::Choice { options, get, set })
+    Field::new(id, FieldKind::Choice { options, get, set })
 }
 
 /// A short text, 22 characters at most.
 pub const fn text<P>(id: &'static str, (get, set): TextMember<P>) -> Field<P> {
-    Field::new(id, Kind::Text { max: 22, get, set })
+    Field::new(id, FieldKind::Text { max: 22, get, set })
 }
 
 /// Shown with all parameters on all controls.
@@ -102,7 +102,7 @@ fn always<P>(_: &P, _: &Control) -> bool {
 }
 
 impl<P> Field<P> {
-    const fn new(id: &'static str, kind: Kind<P>) -> Field<P> {
+    const fn new(id: &'static str, kind: FieldKind<P>) -> Field<P> {
         Field {
             id,
             group: "",
@@ -166,7 +166,7 @@ impl<P> Field<P> {
 
     /// Unit of a number.
     pub const fn unit(mut self, value: &'static str) -> Field<P> {
-        if let Kind::Number { unit, .. } = &mut self.kind {
+        if let FieldKind::Number { unit, .. } = &mut self.kind {
             *unit = value;
         }
         self
@@ -174,7 +174,7 @@ impl<P> Field<P> {
 
     /// Least and greatest value of a number.
     pub const fn range(mut self, range: RangeInclusive<f64>) -> Field<P> {
-        if let Kind::Number { min, max, .. } = &mut self.kind {
+        if let FieldKind::Number { min, max, .. } = &mut self.kind {
             (*min, *max) = (*range.start(), *range.end());
         }
         self
@@ -182,7 +182,7 @@ impl<P> Field<P> {
 
     /// Default of a number.
     pub const fn default(mut self, value: f64) -> Field<P> {
-        if let Kind::Number { default, .. } = &mut self.kind {
+        if let FieldKind::Number { default, .. } = &mut self.kind {
             *default = value;
         }
         self
@@ -190,7 +190,7 @@ impl<P> Field<P> {
 
     /// Decimals that a number may have; 0 is a whole number.
     pub const fn decimals(mut self, count: u8) -> Field<P> {
-        if let Kind::Number { decimals, .. } = &mut self.kind {
+        if let FieldKind::Number { decimals, .. } = &mut self.kind {
             *decimals = count;
         }
         self
@@ -198,7 +198,7 @@ impl<P> Field<P> {
 
     /// Step of the arrow keys in a number.
     pub const fn step(mut self, value: f64) -> Field<P> {
-        if let Kind::Number { step, .. } = &mut self.kind {
+        if let FieldKind::Number { step, .. } = &mut self.kind {
             *step = value;
         }
         self
@@ -206,7 +206,7 @@ impl<P> Field<P> {
 
     /// Characters of a text at most.
     pub const fn characters(mut self, count: usize) -> Field<P> {
-        if let Kind::Text { max, .. } = &mut self.kind {
+        if let FieldKind::Text { max, .. } = &mut self.kind {
             *max = count;
         }
         self

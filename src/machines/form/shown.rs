@@ -1,6 +1,6 @@
 //! Fields in the units that are shown.
 
-use super::{FieldInfo, KindInfo, Value};
+use super::{FieldInfo, FieldKindInfo, Value};
 use crate::text::catalog::number_text;
 use crate::text::{number, units};
 
@@ -11,7 +11,7 @@ impl FieldInfo {
     /// Unit of a number in the project, and its decimals.
     fn metric(&self) -> (&'static str, u8) {
         match self.kind {
-            KindInfo::Number { unit, decimals, .. } => (unit, decimals),
+            FieldKindInfo::Number { unit, decimals, .. } => (unit, decimals),
             _ => ("", TYPED),
         }
     }
@@ -59,7 +59,7 @@ impl FieldInfo {
 
     /// The range of a number with its unit: `0.01 … 10000 mm`.
     pub fn range(&self) -> Option<String> {
-        let KindInfo::Number { min, max, .. } = self.kind else { return None };
+        let FieldKindInfo::Number { min, max, .. } = self.kind else { return None };
         let [min, max] = [min, max].map(|limit| self.text(&Value::Number(limit)));
         Some(format!("{min} … {max} {}", self.unit()))
     }

@@ -1,6 +1,6 @@
 //! Examples of the polygon lathe: the parts that the paper names.
 
-use crate::machines::examples::{Example, Fault};
+use crate::machines::examples::{Example, KnownFault};
 
 /// All examples, the first that of a new project.
 pub(super) const EXAMPLES: &[Example] = &[
@@ -80,6 +80,6 @@ pub(super) const EXAMPLES: &[Example] = &[
         name: "polygon.example.paper",
         about: "polygon.example.paper.about",
         entries: &[("depth", "2.5"), ("allowance", "0"), ("feed", "1"), ("finish-feed", "1")],
-        faults: &[Fault::everywhere("tool-torque", "polygon.example.paper.torque")],
+        faults: &[KnownFault::everywhere("tool-torque", "polygon.example.paper.torque")],
     },
 ];

@@ -1,6 +1,6 @@
 //! Examples of the ribbon line. The form's own defaults are the values of the paper, as far as it gives any.
 
-use crate::machines::examples::{Example, Fault};
+use crate::machines::examples::{Example, KnownFault};
 
 /// A print roller whose heads are a pitch apart, and rollers, gears and speeds that every control of the list can drive.
 ///
@@ -29,15 +29,15 @@ macro_rules! matched {
 }
 
 /// The paper's machine has no dancer, one speed for all controls, and a roller that is far too large for its heads.
-const PAPER: &[Fault] = &[
-    Fault::on_slow_controls("vector-feed", "ribbon.example.paper.feed"),
-    Fault::on_slow_controls("block-time", "ribbon.example.paper.blocks"),
-    Fault::everywhere("surface-ratio", "ribbon.example.paper.roller"),
-    Fault::everywhere("smear", "ribbon.example.paper.smear"),
-    Fault::everywhere("slack-rate", "ribbon.example.paper.slip"),
-    Fault::everywhere("slack-rate-rated", "ribbon.example.paper.slip-rated"),
-    Fault::everywhere("loop-needed", "ribbon.example.paper.loop"),
-    Fault::everywhere("loop-coasting", "ribbon.example.paper.coasting"),
+const PAPER: &[KnownFault] = &[
+    KnownFault::on_slow_controls("vector-feed", "ribbon.example.paper.feed"),
+    KnownFault::on_slow_controls("block-time", "ribbon.example.paper.blocks"),
+    KnownFault::everywhere("surface-ratio", "ribbon.example.paper.roller"),
+    KnownFault::everywhere("smear", "ribbon.example.paper.smear"),
+    KnownFault::everywhere("slack-rate", "ribbon.example.paper.slip"),
+    KnownFault::everywhere("slack-rate-rated", "ribbon.example.paper.slip-rated"),
+    KnownFault::everywhere("loop-needed", "ribbon.example.paper.loop"),
+    KnownFault::everywhere("loop-coasting", "ribbon.example.paper.coasting"),
 ];
 
 /// All examples, the first that of a new project.

@@ -10,7 +10,7 @@ use super::resolved::RibbonLine;
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, VarKind};
-use crate::machines::writing::{self, Entry};
+use crate::machines::writing::{self, OperatorVariable};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x};
 
@@ -22,7 +22,7 @@ pub(super) const RUN: u32 = 9101;
 pub(super) const SETUP: u32 = 9102;
 
 /// The operator's variables: number, and whether only whole numbers are valid.
-const ENTRIES: [Entry; 10] = [
+const ENTRIES: [OperatorVariable; 10] = [
     (100, true),
     (101, false),
     (102, false),
@@ -57,9 +57,9 @@ fn is_length(line: &RibbonLine) -> bool {
 }
 
 /// The operator's variables on this control.
-fn entries(line: &RibbonLine) -> Vec<Entry> {
+fn entries(line: &RibbonLine) -> Vec<OperatorVariable> {
     let typed = line.handed().is_none().then_some((line.input(), false));
-    let product = |entry: Entry| if entry.0 == COUNT && is_length(line) { (LENGTH, false) } else { entry };
+    let product = |entry: OperatorVariable| if entry.0 == COUNT && is_length(line) { (LENGTH, false) } else { entry };
     ENTRIES.into_iter().map(product).chain(typed).collect()
 }
 

@@ -7,7 +7,7 @@ use super::params::{Direction, Path};
 use super::resolved::{ALONG, CROSS, TurningSpindle};
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
-use crate::machines::writing::{self, Entry};
+use crate::machines::writing::{self, OperatorVariable};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, indexed, m, real, s, v, word, x, z};
 
@@ -24,7 +24,7 @@ pub(super) const CUTS: [u32; 2] = [36, 37];
 const SPEED: u32 = 109;
 
 /// The operator's variables, all above zero.
-fn entries(lathe: &TurningSpindle) -> Vec<Entry> {
+fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
     let end = (lathe.p.path == Path::Taper).then_some(104);
     let all = [100, 101, 102].into_iter().chain(end).chain([way(lathe), 106, 107, 108, 111, 112]);
     let limits = speed_limits(lathe).into_iter().flatten().map(|(_, number)| number);

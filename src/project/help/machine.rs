@@ -6,7 +6,7 @@ use super::content::{Fact, HelpEntry, HelpKind, HelpPage, HelpSection};
 use super::texts::{Texts, links, plain};
 use crate::controls::{self, Control};
 use crate::machines::AnyMachine;
-use crate::machines::form::{FieldInfo, KindInfo, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
 use crate::project::Project;
 use crate::project::dependence::fields_by_result;
 use crate::text::catalog::words;
@@ -94,18 +94,18 @@ fn fields(project: &Project, depends: &BTreeMap<&'static str, Vec<&'static str>>
 
 fn range(entry: &mut HelpEntry, field: &FieldInfo, texts: &Texts) {
     match &field.kind {
-        KindInfo::Number { .. } => {
+        FieldKindInfo::Number { .. } => {
             entry.fact(texts.words("fact.range"), field.range().unwrap_or_default());
             entry.fact(texts.words("fact.default"), field.text_with_unit(&field.default()));
         }
-        KindInfo::Choice(options) => {
+        FieldKindInfo::Choice(options) => {
             entry.fact(texts.words("fact.choices"), clauses(options.iter().map(|(_, label)| words(label))));
         }
-        KindInfo::Flag(default) => {
+        FieldKindInfo::Flag(default) => {
             let default = words(if *default { "form.report.yes" } else { "form.report.no" });
             entry.fact(texts.words("fact.default"), default);
         }
-        KindInfo::Text(max) => entry.fact(texts.words("fact.characters"), max.to_string()),
+        FieldKindInfo::Text(max) => entry.fact(texts.words("fact.characters"), max.to_string()),
     }
 }
 
@@ -138,8 +138,8 @@ fn readouts(project: &Project) -> Vec<Readout> {
 /// Values of a choice, or the other value of a flag; empty for numbers and texts.
 fn choices(field: &FieldInfo) -> Vec<Value> {
     match &field.kind {
-        KindInfo::Choice(options) => options.iter().map(|(id, _)| Value::Text((*id).to_owned())).collect(),
-        KindInfo::Flag(default) => vec![Value::Flag(!default)],
+        FieldKindInfo::Choice(options) => options.iter().map(|(id, _)| Value::Text((*id).to_owned())).collect(),
+        FieldKindInfo::Flag(default) => vec![Value::Flag(!default)],
         _ => Vec::new(),
     }
 }

@@ -1,4 +1,4 @@
-//! A project as the fragment of a link: its file, compressed, with a check sum, in characters that an address may have.
+//! A project as the fragment of a link: its file, compressed, with a checksum, in characters that an address may have.
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
@@ -19,7 +19,7 @@ const PROJECT: &str = "p";
 /// stream (RFC 1951); both as base64url text without padding (RFC 4648, 5).
 const FORM: &str = "p2.";
 
-/// Prefix of the first form, which is still read: the file as zlib data (RFC 1950). Their check sum, Adler-32, misses some changes of one
+/// Prefix of the first form, which is still read: the file as zlib data (RFC 1950). Their checksum, Adler-32, misses some changes of one
 /// character: a changed code of the compression changes the same two letters wherever they are next to each other.
 const FIRST_FORM: &str = "p1.";
 
@@ -94,7 +94,7 @@ fn file_of(data: &str, unpack: impl FnOnce(&[u8]) -> Option<Vec<u8>>) -> Option<
     String::from_utf8(unpack(&packed)?).ok()
 }
 
-/// The bytes of a deflate stream behind its check sum.
+/// The bytes of a deflate stream behind its checksum.
 fn inflated(packed: &[u8]) -> Option<Vec<u8>> {
     let (check_sum, deflated) = packed.split_first_chunk()?;
     let is_whole = crc32(deflated) == u32::from_be_bytes(*check_sum);

@@ -9,7 +9,7 @@ use super::panel;
 use super::v1::{ProgramV1, ProjectV1, VariantV1};
 use crate::controls::{self, Control, Switches};
 use crate::machines::AnyMachine;
-use crate::machines::form::{KindInfo, Provenance, Value, Values};
+use crate::machines::form::{FieldKindInfo, Provenance, Value, Values};
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::findings::Findings;
@@ -124,9 +124,9 @@ fn values<'t>(
             continue;
         };
         let value = match (&field.kind, &entry.value.value) {
-            (KindInfo::Number { .. }, Json::Number(number)) => number.as_f64().map(Value::Number),
-            (KindInfo::Flag(_), Json::Bool(flag)) => Some(Value::Flag(*flag)),
-            (KindInfo::Choice(_) | KindInfo::Text(_), Json::String(text)) => Some(Value::Text(text.clone())),
+            (FieldKindInfo::Number { .. }, Json::Number(number)) => number.as_f64().map(Value::Number),
+            (FieldKindInfo::Flag(_), Json::Bool(flag)) => Some(Value::Flag(*flag)),
+            (FieldKindInfo::Choice(_) | FieldKindInfo::Text(_), Json::String(text)) => Some(Value::Text(text.clone())),
             _ => None,
         };
         match value {

@@ -1,6 +1,6 @@
 //! Limits of growth: how far speed, mass or pitch grow until a verdict fails, and the fastest operation of this hardware.
 
-use crate::machines::form::{FieldInfo, KindInfo, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
 use crate::math;
 use crate::project::Project;
 use crate::text::catalog::number_text;
@@ -110,7 +110,7 @@ impl Trial<'_> {
 }
 
 fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
-    let KindInfo::Number { min, max, default, decimals, unit, .. } = field.kind else { return None };
+    let FieldKindInfo::Number { min, max, default, decimals, unit, .. } = field.kind else { return None };
     let now = match project.values.get(field.id) {
         Some(value @ Value::Number(number)) if field.check(value).is_ok() => *number,
         _ => default,
@@ -167,7 +167,7 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
 fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
     let binding = speed.binding?;
     let field = project.machine.fields().into_iter().find(|field| field.id == speed.field)?;
-    let KindInfo::Number { decimals, .. } = field.kind else { return None };
+    let FieldKindInfo::Number { decimals, .. } = field.kind else { return None };
     let entry = (speed.field, number_text(speed.value, decimals));
     let results = project.with_entries(core::slice::from_ref(&entry))?.prepared().results().readouts;
     let told = results.iter().find(|row| row.id == project.machine.speed_result())?;

@@ -2,7 +2,7 @@
 
 use leptos::prelude::*;
 
-use crate::machines::examples::{Example, Fault};
+use crate::machines::examples::{Example, KnownFault};
 use crate::machines::{self, AnyMachine};
 use crate::project::Project;
 use crate::text::listed;
@@ -126,7 +126,7 @@ fn ExampleCard(
         }
     };
     let about = format!("{}-{}", machine.id(), example.id);
-    let fault = |(readout, fault): &(Readout, &'static Fault)| {
+    let fault = |(readout, fault): &(Readout, &'static KnownFault)| {
         view! { <li><b>{t(readout.label)}</b> " " {t(fault.reason)}</li> }
     };
     let count = faults.len() as u32;

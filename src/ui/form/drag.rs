@@ -8,7 +8,7 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement, HtmlInputElement, MouseEvent};
 
 use super::value::value_of;
-use crate::machines::form::{FieldInfo, KindInfo, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
 use crate::math;
 use crate::text::units;
 use crate::ui::dom;
@@ -102,7 +102,7 @@ impl Drag {
             pull.from = self.present().unwrap_or(pull.from);
         }
         self.pull.set_value(Some(pull));
-        let KindInfo::Number { unit, min, max, decimals, .. } = self.info.kind else { return };
+        let FieldKindInfo::Number { unit, min, max, decimals, .. } = self.info.kind else { return };
         let steps = ((x - pull.x) / STEP).trunc();
         let from = self.info.shown(pull.from);
         let moved = from + steps * step(from, units::decimals(decimals, unit), pull.fine);
@@ -197,7 +197,7 @@ mod tests {
         send(&bench, "label", "pointerdown", 0.0, false).await;
         send(&bench, "label", "pointermove", -5.0, false).await;
         send(&bench, "label", "pointermove", -9000.0, false).await;
-        let KindInfo::Number { min, .. } = field("pitch").kind else { panic!("a number") };
+        let FieldKindInfo::Number { min, .. } = field("pitch").kind else { panic!("a number") };
         assert_eq!(bench.setting("pitch"), Some(Value::Number(min)));
     }
 

@@ -9,7 +9,7 @@ use leptos::prelude::*;
 use super::drag::Drag;
 use super::slider::Slider;
 use super::value::{origin_of, value_of};
-use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Provenance, Value};
 use crate::math;
 use crate::text::{headed, units};
 use crate::ui::dom;
@@ -34,9 +34,9 @@ pub(super) fn FormField(
     let is_wrong = Signal::derive(move || !wrong.with(String::is_empty));
     let unit = info.unit();
     let class = match &info.kind {
-        KindInfo::Number { .. } => "field",
-        KindInfo::Flag(_) => "field flag",
-        KindInfo::Choice(_) | KindInfo::Text(_) => "field wide",
+        FieldKindInfo::Number { .. } => "field",
+        FieldKindInfo::Flag(_) => "field flag",
+        FieldKindInfo::Choice(_) | FieldKindInfo::Text(_) => "field wide",
     };
     let from = move || match origin_of(page, id) {
         Provenance::Measured => "measured",
@@ -44,10 +44,10 @@ pub(super) fn FormField(
         Provenance::Assumed => "",
     };
     let info = Arc::new(info);
-    let slides = info.essential && matches!(info.kind, KindInfo::Number { .. });
+    let slides = info.essential && matches!(info.kind, FieldKindInfo::Number { .. });
     let slider = slides.then(|| view! { <Slider info=Arc::clone(&info) /> });
     let symbol = info.symbol;
-    let drags = matches!(info.kind, KindInfo::Number { .. });
+    let drags = matches!(info.kind, FieldKindInfo::Number { .. });
     let drag = Drag::new(&info);
     let [pressed, held, pulled, released, cancelled, clicked] = core::array::from_fn(|_| drag.clone());
     view! {
@@ -103,8 +103,10 @@ fn Input(
     let note = format!("{id}-note");
     let invalid = move || wrong.get().to_string();
     match &info.kind {
-        KindInfo::Number { .. } | KindInfo::Text(_) => view! { <TypedInput info=info wrong=wrong /> }.into_any(),
-        KindInfo::Flag(_) => {
+        FieldKindInfo::Number { .. } | FieldKindInfo::Text(_) => {
+            view! { <TypedInput info=info wrong=wrong /> }.into_any()
+        }
+        FieldKindInfo::Flag(_) => {
             let on = move || value_of(page, &info) == Value::Flag(true);
             view! {
                 <input
@@ -115,7 +117,7 @@ fn Input(
             }
             .into_any()
         }
-        KindInfo::Choice(options) => {
+        FieldKindInfo::Choice(options) => {
             let options: Vec<_> = options.iter().map(|(one, label)| ((*one).to_owned(), t(label).to_owned())).collect();
             let chosen = move || if let Value::Text(text) = value_of(page, &info) { text } else { String::new() };
             view! {
@@ -140,7 +142,7 @@ fn TypedInput(
 ) -> impl IntoView {
     let page = Page::here();
     let id = info.id;
-    let numeric = matches!(info.kind, KindInfo::Number { .. });
+    let numeric = matches!(info.kind, FieldKindInfo::Number { .. });
     let input: NodeRef<html::Input> = NodeRef::new();
     let row = Arc::clone(&info);
     Effect::new(move |last: Option<u32>| {
@@ -170,7 +172,9 @@ fn TypedInput(
             "ArrowDown" => -1.0,
             _ => return,
         };
-        let (KindInfo::Number { unit, step, min, max, .. }, Some(input)) = (&info.kind, input.get()) else { return };
+        let (FieldKindInfo::Number { unit, step, min, max, .. }, Some(input)) = (&info.kind, input.get()) else {
+            return;
+        };
         event.prevent_default();
         let scale = if event.shift_key() { 10.0 } else { 1.0 };
         let present = info.typed(&input.value()).unwrap_or_else(|_| untrack(|| value_of(page, &info)));
@@ -295,7 +299,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn choice_of_a_field_reaches_the_project() {
         let bench = mounted("job").await;
-        let KindInfo::Choice(options) = field("job").kind else { panic!("a choice") };
+        let FieldKindInfo::Choice(options) = field("job").kind else { panic!("a choice") };
         assert_eq!(bench.value("#job"), options[0].0);
         bench.choose("#job", options[1].0).await;
         assert_eq!(bench.setting("job"), Some(Value::Text(options[1].0.to_owned())));

@@ -3,7 +3,7 @@
 use leptos::prelude::*;
 
 use super::value::{origin_of, value_of};
-use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Provenance, Value};
 use crate::project::Project;
 use crate::ui::state::Page;
 use crate::ui::words::t;
@@ -30,7 +30,7 @@ pub(crate) fn FieldHelp() -> impl IntoView {
 
 fn range(info: &FieldInfo) -> Option<String> {
     match info.kind {
-        KindInfo::Text(max) => Some(format!("{max} {}", t("page.characters"))),
+        FieldKindInfo::Text(max) => Some(format!("{max} {}", t("page.characters"))),
         _ => info.range(),
     }
 }
@@ -43,8 +43,8 @@ fn value_of_new(page: Page, info: &FieldInfo) -> Value {
 
 fn default_text(info: &FieldInfo, default: &Value) -> String {
     match (&info.kind, default) {
-        (KindInfo::Number { .. }, _) => info.text_with_unit(default),
-        (KindInfo::Choice(options), Value::Text(id)) => {
+        (FieldKindInfo::Number { .. }, _) => info.text_with_unit(default),
+        (FieldKindInfo::Choice(options), Value::Text(id)) => {
             options.iter().find(|(option, _)| option == id).map_or("", |(_, label)| t(label)).to_owned()
         }
         (_, Value::Flag(on)) => t(if *on { "page.on" } else { "page.off" }).to_owned(),

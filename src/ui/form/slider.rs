@@ -5,7 +5,7 @@ use std::sync::Arc;
 use leptos::prelude::*;
 
 use super::value::value_of;
-use crate::machines::form::{FieldInfo, KindInfo, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
 use crate::math;
 use crate::text::units;
 use crate::ui::dom;
@@ -19,7 +19,7 @@ const POSITIONS: f64 = 400.0;
 /// The range that a slider reaches around the default, and its step, in the unit that is shown: from a quarter of the default to four times,
 /// within the limits of the field.
 fn reach(info: &FieldInfo) -> Option<(f64, f64, f64)> {
-    let KindInfo::Number { unit, min, max, default, step, .. } = info.kind else { return None };
+    let FieldKindInfo::Number { unit, min, max, default, step, .. } = info.kind else { return None };
     let (low, high) = (default / 4.0, default * 4.0);
     let [low, high] = [low, high].map(|end| info.shown(math::clamp(end, min, max)));
     Some((low, high, units::step(step, unit)))
@@ -150,7 +150,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn slider_keeps_the_limits_of_its_field() {
         let mut info = field("pitch");
-        if let KindInfo::Number { min, max, .. } = &mut info.kind {
+        if let FieldKindInfo::Number { min, max, .. } = &mut info.kind {
             (*min, *max) = (5.0, 10.0);
         }
         let (low, high, ..) = reach(&info).unwrap();

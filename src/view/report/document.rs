@@ -24,7 +24,7 @@ pub struct Input {
 
 /// A kind of facts about the control that are not confirmed by a manual at hand.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Open {
+pub struct OpenPoints {
     /// Catalog id of the kind.
     pub kind: &'static str,
     /// Short texts of the facts.
@@ -130,5 +130,5 @@ pub struct Report {
     /// Tables.
     pub sheets: Vec<Sheet>,
     /// Open points.
-    pub open: Vec<Open>,
+    pub open: Vec<OpenPoints>,
 }

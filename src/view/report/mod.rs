@@ -8,6 +8,6 @@ mod markdown;
 
 mod html;
 
-pub use document::{Figure, Input, ListedPart, Open, PrintedProgram, Report, RunReport, TitleBlock};
+pub use document::{Figure, Input, ListedPart, OpenPoints, PrintedProgram, Report, RunReport, TitleBlock};
 pub use html::html;
 pub use markdown::markdown;

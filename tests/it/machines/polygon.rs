@@ -6,7 +6,7 @@ use std::rc::Rc;
 use expect_test::{expect, expect_file};
 use macroline::controls::Switches;
 use macroline::interp::Interp;
-use macroline::machines::form::{KindInfo, Origins, Values};
+use macroline::machines::form::{FieldKindInfo, Origins, Values};
 use macroline::machines::{self, AnyMachine, Frame, Samples};
 use macroline::motion::{Action, Budget, Event, Mode, Panel, Planner, Retention, RunEnd, Timeline};
 use macroline::nc::{self, File, Files};
@@ -424,8 +424,10 @@ fn any_form_values_design_within_the_processor_time() {
         for field in &fields {
             let ends = match &field.kind {
                 // Both ends of the range, and two within.
-                KindInfo::Number { min, max, .. } => [min.to_string(), max.to_string(), "0".to_owned(), "7".to_owned()],
-                KindInfo::Text(_) => ["1 2 3", "-0.3 0.3", "0,5", "nonsense"].map(str::to_owned),
+                FieldKindInfo::Number { min, max, .. } => {
+                    [min.to_string(), max.to_string(), "0".to_owned(), "7".to_owned()]
+                }
+                FieldKindInfo::Text(_) => ["1 2 3", "-0.3 0.3", "0,5", "nonsense"].map(str::to_owned),
                 _ => continue,
             };
             let typed = if dice(3) == 0 { field.read(&ends[dice(4)]).ok() } else { None };

@@ -10,7 +10,7 @@ use macroline::controls::interface::SignalRole;
 use macroline::interp::canon::AXES;
 use macroline::interp::world::Still;
 use macroline::interp::{self, Canon, End, Feed, Interp, StartProgram};
-use macroline::machines::form::{FieldInfo, KindInfo, Origins, Value, Values};
+use macroline::machines::form::{FieldInfo, FieldKindInfo, Origins, Value, Values};
 use macroline::machines::{ControlContext, MachineProgram, settings};
 use macroline::math::{self, PI, hypot};
 use macroline::motion::{Action, Budget, Event, Mode, Panel, Planner, Retention, RunEnd, Setup};
@@ -590,7 +590,7 @@ fn s_changed_during_the_run_is_commanded_again() {
 fn any_value(field: FieldInfo) -> BoxedStrategy<(String, Value)> {
     let id = field.id.to_owned();
     let value = match field.kind {
-        KindInfo::Number { min, max, decimals, .. } => {
+        FieldKindInfo::Number { min, max, decimals, .. } => {
             let scale: f64 = format!("1e{decimals}").parse().unwrap();
             let low = min.max(1.0 / scale);
             (0.0f64..=1.0, 0u8..20)
@@ -605,9 +605,11 @@ fn any_value(field: FieldInfo) -> BoxedStrategy<(String, Value)> {
                 })
                 .boxed()
         }
-        KindInfo::Flag(_) => any::<bool>().prop_map(Value::Flag).boxed(),
-        KindInfo::Choice(options) => (0..options.len()).prop_map(|at| Value::Text(options[at].0.to_owned())).boxed(),
-        KindInfo::Text(max) => {
+        FieldKindInfo::Flag(_) => any::<bool>().prop_map(Value::Flag).boxed(),
+        FieldKindInfo::Choice(options) => {
+            (0..options.len()).prop_map(|at| Value::Text(options[at].0.to_owned())).boxed()
+        }
+        FieldKindInfo::Text(max) => {
             "[ -~äß%\n()]{0,40}".prop_map(move |text| Value::Text(text.chars().take(max).collect())).boxed()
         }
     };

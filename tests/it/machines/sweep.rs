@@ -1,6 +1,6 @@
 //! Whatever a form holds, its design is sound, and without errors so are its program and its run: fields at their ends, and random forms.
 
-use macroline::machines::form::{FieldInfo, KindInfo, Value};
+use macroline::machines::form::{FieldInfo, FieldKindInfo, Value};
 use macroline::machines::{self, AnyMachine};
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;
@@ -57,7 +57,7 @@ impl Random {
 
     fn value(&mut self, field: &FieldInfo) -> Value {
         match field.kind {
-            KindInfo::Number { min, max, decimals, .. } if self.below(4) > 0 => {
+            FieldKindInfo::Number { min, max, decimals, .. } if self.below(4) > 0 => {
                 Value::Number(self.within(min, max, decimals))
             }
             _ => {
@@ -73,10 +73,10 @@ impl Random {
 pub(super) fn ends(field: &FieldInfo) -> Vec<Value> {
     let text = |text: &str| Value::Text(text.to_owned());
     match field.kind {
-        KindInfo::Number { min, max, default, .. } => [min, max, default].map(Value::Number).to_vec(),
-        KindInfo::Flag(_) => [false, true].map(Value::Flag).to_vec(),
-        KindInfo::Choice(options) => options.iter().map(|(id, _)| text(id)).collect(),
-        KindInfo::Text(most) => vec![text(""), text(&"A".repeat(most)), text("(ö; %O1) N1 M30")],
+        FieldKindInfo::Number { min, max, default, .. } => [min, max, default].map(Value::Number).to_vec(),
+        FieldKindInfo::Flag(_) => [false, true].map(Value::Flag).to_vec(),
+        FieldKindInfo::Choice(options) => options.iter().map(|(id, _)| text(id)).collect(),
+        FieldKindInfo::Text(most) => vec![text(""), text(&"A".repeat(most)), text("(ö; %O1) N1 M30")],
     }
 }
 

@@ -127,6 +127,6 @@ fn no_speed_is_offered_where_none_is_slow_enough() {
 fn macroline_materials() -> Vec<(String, String)> {
     let fields = machine().fields();
     let field = fields.into_iter().find(|field| field.id == "material").unwrap();
-    let macroline::machines::form::KindInfo::Choice(options) = field.kind else { panic!("no choice") };
+    let macroline::machines::form::FieldKindInfo::Choice(options) = field.kind else { panic!("no choice") };
     options.iter().map(|(id, label)| ((*id).to_owned(), (*label).to_owned())).collect()
 }

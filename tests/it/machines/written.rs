@@ -1,6 +1,6 @@
 //! Programs that the machines write raise no finding: every machine, every control of it, every choice of its form.
 
-use macroline::machines::form::{KindInfo, Value};
+use macroline::machines::form::{FieldKindInfo, Value};
 use macroline::machines::{self, AnyMachine};
 use macroline::project::Project;
 use macroline::text::catalog::sentence;
@@ -12,8 +12,8 @@ const MOST: usize = 2000;
 fn choices(machine: &dyn AnyMachine) -> Vec<(&'static str, Vec<Value>)> {
     let fields = machine.fields().into_iter();
     let values = fields.map(|field| match field.kind {
-        KindInfo::Choice(options) => (field.id, options.iter().map(|row| Value::Text(row.0.to_owned())).collect()),
-        KindInfo::Flag(_) => (field.id, vec![Value::Flag(false), Value::Flag(true)]),
+        FieldKindInfo::Choice(options) => (field.id, options.iter().map(|row| Value::Text(row.0.to_owned())).collect()),
+        FieldKindInfo::Flag(_) => (field.id, vec![Value::Flag(false), Value::Flag(true)]),
         _ => (field.id, Vec::new()),
     });
     values.filter(|(_, values)| !values.is_empty()).collect()

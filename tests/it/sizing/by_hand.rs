@@ -1,7 +1,7 @@
 //! The hand calculation of `docs/sizing-by-hand.md`, followed step by step: its figures are read from the page.
 
 use macroline::drives::inertia;
-use macroline::machines::form::{KindInfo, Value};
+use macroline::machines::form::{FieldKindInfo, Value};
 use macroline::math;
 use macroline::project::Project;
 
@@ -48,7 +48,7 @@ fn inputs_of_the_hand_calculation_are_those_of_the_example() {
     ] {
         let rows = project.machine.fields();
         let row = rows.iter().find(|row| row.id == field).unwrap();
-        let KindInfo::Number { default, .. } = row.kind else { panic!("{field} is a number") };
+        let FieldKindInfo::Number { default, .. } = row.kind else { panic!("{field} is a number") };
         let value = project.values.get(field).cloned().unwrap_or(Value::Number(default));
         assert_eq!(value, Value::Number(figure(step).0), "{step}, {field}");
     }

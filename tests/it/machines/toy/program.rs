@@ -1,7 +1,7 @@
 //! The program of the cut-to-length feeder: O9301 feeds and waits for the knife, O9302 sets the values of the form once.
 
 use macroline::controls::Code;
-use macroline::machines::writing::{self, Entry};
+use macroline::machines::writing::{self, OperatorVariable};
 use macroline::nc::Deck;
 use macroline::nc::build::{Builder, f, g, m, real, v, z};
 
@@ -23,7 +23,7 @@ pub(super) const VARIABLES: [(u32, &str, &str); 5] = [
 ];
 
 /// Variables of the operator, and whether only whole numbers are valid.
-const ENTRIES: [Entry; 3] = [(100, false), (101, false), (102, true)];
+const ENTRIES: [OperatorVariable; 3] = [(100, false), (101, false), (102, true)];
 
 /// The programs, one per file.
 pub(super) fn deck(feeder: &CutToLength) -> Deck {
