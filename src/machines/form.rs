@@ -11,18 +11,7 @@ mod shown;
 use std::collections::BTreeMap;
 
 use crate::controls::Control;
-
-/// Origin of a value; the report lists the assumed ones.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Provenance {
-    /// Measured on the machine.
-    Measured,
-    /// From a data sheet.
-    DataSheet,
-    /// Assumed: the default.
-    #[default]
-    Assumed,
-}
+pub use crate::text::Provenance;
 
 /// A value of a field, as saved.
 #[derive(Debug, Clone, PartialEq)]

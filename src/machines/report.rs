@@ -4,7 +4,8 @@ use super::form::{FieldInfo, FieldKindInfo, Origins, Provenance, Value, Values};
 use super::machine::{AnyMachine, ControlContext, PreparedMachine};
 use crate::controls::options::SwitchOption;
 use crate::controls::{Control, Switch, Switches};
-use crate::text::catalog::{number_text, words};
+use crate::msg;
+use crate::text::catalog::{number_text, sentence, words};
 use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
 use crate::view::report::{Input, ListedPart, OpenPoints, Report, RunReport, TitleBlock};
 use crate::view::{DrawnPart, Readout};
@@ -60,7 +61,7 @@ fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
         let of = |(sign, id): &(&'static str, &'static str)| {
             let input = inputs.iter().find(|input| input.id == *id).filter(|input| !input.value.is_empty())?;
             let unit = if input.unit.is_empty() { String::new() } else { format!(" {}", input.unit) };
-            Some((format!("{sign}{}{unit}", input.value), input.origin == Some("form.report.assumed")))
+            Some((format!("{sign}{}{unit}", input.value), input.origin == Some(Provenance::Assumed)))
         };
         let data: Vec<(String, bool)> = part.data.iter().filter_map(of).collect();
         let assumed = data.iter().filter(|(_, assumed)| *assumed).count();
@@ -104,11 +105,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
         (_, Value::Number(number)) => (number_text(number, 6), ""),
         (_, Value::Text(text)) => (text, ""),
     };
-    let origin = match origins.get(field.id).copied().unwrap_or_default() {
-        Provenance::Measured => "form.report.measured",
-        Provenance::DataSheet => "form.report.data-sheet",
-        Provenance::Assumed => "form.report.assumed",
-    };
+    let origin = origins.get(field.id).copied().unwrap_or_default();
     Input {
         id: field.id,
         group: field.group,
@@ -194,8 +191,8 @@ fn ranges(control: &Control, rows: impl Iterator<Item = (u32, u32)>) -> Vec<Stri
         }
     }
     let range = |(first, last): (u32, u32)| match control.variable(first) {
-        first_name if first == last => first_name,
-        first_name => format!("{first_name} to {}", control.variable(last)),
+        name if first == last => name,
+        first => sentence(&msg!("form.open.range", first, last = control.variable(last))),
     };
     all.into_iter().map(range).collect()
 }

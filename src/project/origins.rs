@@ -10,7 +10,7 @@ use crate::machines::report::inputs;
 use crate::msg;
 use crate::text::catalog::{sentence, words};
 use crate::text::columns::left;
-use crate::text::{Diagnostic, DiagnosticKind, headed, listed};
+use crate::text::{Diagnostic, DiagnosticKind, Provenance, headed, listed};
 use crate::view::report::Input;
 
 /// Origin of a value.
@@ -24,8 +24,10 @@ pub enum Origin {
     Example,
     /// A fact whose source the project does not name.
     Assumed,
-    /// A fact that was measured, or read off a data sheet: catalog id of the source.
-    Known(&'static str),
+    /// A fact that was measured on the machine.
+    Measured,
+    /// A fact from a data sheet.
+    DataSheet,
 }
 
 impl Origin {
@@ -36,8 +38,8 @@ impl Origin {
             Origin::Default => "default",
             Origin::Example => "example",
             Origin::Assumed => "assumed",
-            Origin::Known("form.report.measured") => "measured",
-            Origin::Known(_) => "data sheet",
+            Origin::Measured => "measured",
+            Origin::DataSheet => "data sheet",
         }
     }
 
@@ -47,8 +49,9 @@ impl Origin {
             Origin::Entered => words("project.origin.entered"),
             Origin::Default => words("project.origin.default"),
             Origin::Example => words("project.origin.example"),
-            Origin::Assumed => words("form.report.assumed"),
-            Origin::Known(source) => words(source),
+            Origin::Assumed => Provenance::Assumed.words(),
+            Origin::Measured => Provenance::Measured.words(),
+            Origin::DataSheet => Provenance::DataSheet.words(),
         }
     }
 }
@@ -56,10 +59,11 @@ impl Origin {
 /// Every value that has a meaning on the control, in the order of the form, with its origin.
 pub fn values(project: &Project) -> Vec<(Input, Origin)> {
     let fresh = Project::new(project.machine, project.control);
-    let (assumed, is_example) = (assumed_facts(project), project.present_example().is_some());
+    let is_example = project.present_example().is_some();
     let origin = |input: &Input| match input.origin {
-        Some(_) if assumed.contains(&input.id) => Origin::Assumed,
-        Some(source) => Origin::Known(source),
+        Some(Provenance::Assumed) => Origin::Assumed,
+        Some(Provenance::Measured) => Origin::Measured,
+        Some(Provenance::DataSheet) => Origin::DataSheet,
         None if project.values.get(input.id).is_none_or(|value| fresh.values.get(input.id) == Some(value)) => {
             Origin::Default
         }
@@ -67,7 +71,11 @@ pub fn values(project: &Project) -> Vec<(Input, Origin)> {
         None => Origin::Entered,
     };
     let all = inputs(project.machine, &project.prepared(), &project.values, &project.provenance);
-    all.into_iter().map(|input| (origin(&input), input)).map(|(origin, input)| (input, origin)).collect()
+    let with_origin = |input: Input| {
+        let origin = origin(&input);
+        (input, origin)
+    };
+    all.into_iter().map(with_origin).collect()
 }
 
 /// Ids of the facts that are only assumed, in the order of the form.

@@ -156,7 +156,7 @@ impl<'f> Renderer<'f> {
         let fixes: Vec<Json> = self.fixes(diagnostic).map(fix).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
         json!({
-            "severity": word(diagnostic.severity),
+            "severity": diagnostic.severity,
             "alarm": diagnostic.alarm,
             "wording": diagnostic.wording,
             "id": diagnostic.id(),
@@ -197,15 +197,6 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
         Severity::Info => words("project.severity.info"),
     };
     headed(severity.to_owned() + &tag, sentence(&diagnostic.message))
-}
-
-/// Id of the severity in JSON.
-fn word(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Info => "info",
-    }
 }
 
 /// How many there are of each severity: `2 errors, 1 warning`.

@@ -1,4 +1,4 @@
-//! Sources of facts, with their grade of evidence.
+//! Sources of facts with their grade of evidence, and origins of the entries of a form.
 
 use serde::Serialize;
 
@@ -29,6 +29,29 @@ impl Grade {
             Grade::Measured => catalog::words("page.grade-measured"),
             Grade::Inferred => catalog::words("page.grade-inferred"),
             Grade::Open => catalog::words("page.grade-open"),
+        }
+    }
+}
+
+/// Origin of an entry of a form that states a fact of the machine; the report lists the assumed ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Provenance {
+    /// Measured on the machine.
+    Measured,
+    /// From a data sheet.
+    DataSheet,
+    /// Assumed: the default.
+    #[default]
+    Assumed,
+}
+
+impl Provenance {
+    /// The origin in a word or two, in the language in use.
+    pub fn words(self) -> &'static str {
+        match self {
+            Provenance::Measured => catalog::words("form.report.measured"),
+            Provenance::DataSheet => catalog::words("form.report.data-sheet"),
+            Provenance::Assumed => catalog::words("form.report.assumed"),
         }
     }
 }

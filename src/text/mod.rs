@@ -26,7 +26,7 @@ pub mod citation;
 
 pub mod diagnostic;
 
-pub use citation::{Citation, Grade};
+pub use citation::{Citation, Grade, Provenance};
 pub use columns::columns;
 pub use diagnostic::{Diagnostic, DiagnosticKind, Fix, Severity};
 pub use lines::{LineIndex, Position};

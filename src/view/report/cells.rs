@@ -84,7 +84,7 @@ pub(super) fn cells_of_input(report: &Report, input: &Input) -> [String; 5] {
         words(input.label).to_owned(),
         with_variable(report, input.symbol),
         format!("{} {}", input.value, input.unit).trim_end().to_owned(),
-        input.origin.map_or(String::new(), |id| words(id).to_owned()),
+        input.origin.map_or(String::new(), |origin| origin.words().to_owned()),
     ]
 }
 

@@ -1,6 +1,6 @@
 //! Content of a report, as data.
 
-use crate::text::{Diagnostic, Message};
+use crate::text::{Diagnostic, Message, Provenance};
 use crate::view::{Chart, Comparison, Readout, Sheet};
 
 /// An input of the report.
@@ -18,8 +18,8 @@ pub struct Input {
     pub value: String,
     /// Unit, or empty.
     pub unit: &'static str,
-    /// Catalog id of the origin of a fact; `None` for a choice.
-    pub origin: Option<&'static str>,
+    /// Origin of a fact; `None` for a choice.
+    pub origin: Option<Provenance>,
 }
 
 /// A kind of facts about the control that are not confirmed by a manual at hand.

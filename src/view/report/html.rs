@@ -11,7 +11,7 @@ use crate::text::columns;
 use crate::text::headed;
 use crate::text::number::{decimals_of_four, filled, four_digits, short};
 use crate::text::{
-    Message, Severity, {clauses, listed, sentences},
+    Message, Provenance, Severity, {clauses, listed, sentences},
 };
 use crate::view::svg::escape;
 use crate::view::{Chart, ComparedRow, Readout, Sheet, Verdict, ladder, plot};
@@ -219,7 +219,7 @@ impl Page<'_> {
     fn assumed(&mut self) {
         let facts = self.report.inputs.iter().filter_map(|input| input.origin);
         let (all, assumed) = facts.fold((0_u32, 0_u32), |(all, assumed), origin| {
-            (all + 1, assumed + u32::from(origin == "form.report.assumed"))
+            (all + 1, assumed + u32::from(origin == Provenance::Assumed))
         });
         if assumed > 0 {
             self.text("p", "assumed", &sentence(&msg!("form.report.assumed-facts", count = assumed, all)));

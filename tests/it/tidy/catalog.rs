@@ -12,7 +12,7 @@ use macroline::text::catalog::{self, Language};
 use macroline::text::units;
 
 use super::source::{Source, TokenKind};
-use super::{citations, hold, sources};
+use super::{citations, core, hold, sources};
 
 /// The sentences of a language: keys without their backslashes, in the order of the file.
 pub(crate) struct Sentences {
@@ -131,6 +131,36 @@ fn every_place_of_a_sentence_has_its_value() {
     }
     let mend = "`msg!(\"id\", speed = expression, limit)` names each place of its sentence, `{speed}`, and no other; a name is of small letters and _";
     hold("Every place of a sentence gets its value by its name.", mend, broken);
+}
+
+/// Literals of `format!` in the core with words that no reader sees: a command of the debugger, the end of serde's messages, a class.
+const NO_TEXT: [&str; 3] = [" if {}", " at line {} column {}", "tone tone-{}"];
+
+#[test]
+fn format_literals_of_the_core_have_no_words() {
+    let is_word = |word: &str| word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
+    let mut broken = Vec::new();
+    for source in core() {
+        for part in source.shipped().windows(4) {
+            let [name, mark, open, literal] = part else { continue };
+            if (&*name.text, &*mark.text, &*open.text) != ("format", "!", "(") || literal.kind != TokenKind::Text {
+                continue;
+            }
+            let mut depth = 0;
+            let outside = |c: char| {
+                depth += i32::from(c == '{') - i32::from(c == '}');
+                if depth > 0 || c == '}' { '#' } else { c }
+            };
+            let plain: String = literal.text.chars().map(outside).collect();
+            // The attributes of an element are no words.
+            let has_words = !plain.contains('<') && plain.split_whitespace().any(is_word);
+            if has_words && !NO_TEXT.contains(&literal.text.as_str()) {
+                broken.push(format!("{}: \"{}\"", source.place(literal.line), literal.text));
+            }
+        }
+    }
+    let mend = "a row of the catalog, said with `msg!`";
+    hold("The core writes no words of its own into texts.", mend, broken);
 }
 
 /// Names of the values in a sentence: those of its places, and units that are values too, `{drift, unit, unit}`.
