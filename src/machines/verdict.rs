@@ -2,8 +2,11 @@
 
 use super::form::{Field, FieldKind};
 use crate::text::catalog::number_text;
-use crate::text::{Citation, Phrase};
+use crate::text::{Citation, Grade, Phrase};
 use crate::view::{Advice, Limit, Readout, Verdict};
+
+/// Another unit of a result, and whether a machine `M` has it.
+pub type OtherUnit<M> = (fn(&M) -> bool, &'static str);
 
 /// A result of a machine `M` before it is judged.
 pub struct ReadoutRow<M> {
@@ -23,6 +26,31 @@ pub struct ReadoutRow<M> {
     pub headline: bool,
     /// The value.
     pub value: fn(&M) -> f64,
+    /// Whether the result applies to the form.
+    pub shown: fn(&M) -> bool,
+    /// Another unit: degrees of a rotary axis in place of mm.
+    pub other_unit: Option<OtherUnit<M>>,
+}
+
+impl<M> ReadoutRow<M> {
+    /// A row whose id, label, unit, formula, source and value are to be filled in: `ReadoutRow { id: "feed", …, ..ReadoutRow::BASE }`.
+    pub const BASE: ReadoutRow<M> = ReadoutRow {
+        id: "",
+        label: "",
+        unit: "",
+        decimals: 0,
+        formula: "",
+        cite: Citation { source: Phrase::NONE, grade: Grade::Open },
+        headline: false,
+        value: |_| 0.0,
+        shown: |_| true,
+        other_unit: None,
+    };
+
+    /// Its unit for this form.
+    fn unit(&self, machine: &M) -> &'static str {
+        self.other_unit.filter(|(has_it, _)| has_it(machine)).map_or(self.unit, |(_, unit)| unit)
+    }
 }
 
 /// The judgement of one rule.
@@ -95,13 +123,18 @@ fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) ->
     (id, number_text(round(value * unit) / unit, decimals))
 }
 
-/// A result with the judgement of every rule about it: the worst verdict, all advice. `unit` may differ from the row's.
-pub fn judge<M>(row: &ReadoutRow<M>, machine: &M, unit: &'static str, rules: &[Rule<M>]) -> Readout {
+/// The results that apply to the form, each with the judgement of every rule about it.
+pub fn results<M>(rows: &[ReadoutRow<M>], machine: &M, rules: &[Rule<M>]) -> impl Iterator<Item = Readout> {
+    rows.iter().filter(|row| (row.shown)(machine)).map(|row| judge(row, machine, rules))
+}
+
+/// A result with the judgement of every rule about it: the worst verdict, all advice.
+pub fn judge<M>(row: &ReadoutRow<M>, machine: &M, rules: &[Rule<M>]) -> Readout {
     let mut readout = Readout {
         id: row.id,
         label: row.label,
         value: (row.value)(machine),
-        unit,
+        unit: row.unit(machine),
         decimals: row.decimals,
         limit: None,
         verdict: Verdict::None,

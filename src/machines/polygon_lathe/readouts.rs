@@ -18,7 +18,7 @@ const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Infe
 const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
 macro_rules! row {
-    ($id:literal, $label:literal, $unit:literal, $decimals:literal, $headline:literal, $formula:literal, $cite:ident, $value:expr) => {
+    ($id:literal, $label:literal, $unit:literal, $decimals:literal, $headline:literal, $formula:literal, $cite:ident, $value:expr $(, $shown:expr)?) => {
         ReadoutRow {
             id: $id,
             label: $label,
@@ -28,73 +28,100 @@ macro_rules! row {
             cite: $cite,
             headline: $headline,
             value: $value,
+            $(shown: $shown,)?
+            ..ReadoutRow::BASE
         }
     };
+}
+
+/// Whether the flats come about.
+fn cuts(lathe: &PolygonLathe) -> bool {
+    lathe.d.cuts
+}
+
+/// Whether a cutting force is known for the flats.
+fn cuts_by_force(lathe: &PolygonLathe) -> bool {
+    lathe.d.cuts && lathe.p.specific().unit_force > 0.0
+}
+
+/// Whether the sides of the flats differ.
+fn cuts_unevenly(lathe: &PolygonLathe) -> bool {
+    lathe.d.cuts && !lathe.d.even
+}
+
+/// Whether the path of an insert is an ellipse.
+fn cuts_on_an_ellipse(lathe: &PolygonLathe) -> bool {
+    lathe.d.cuts && lathe.d.ratio == 2.0
+}
+
+/// Whether the flats are twisted along the work.
+fn cuts_a_twist(lathe: &PolygonLathe) -> bool {
+    lathe.d.cuts && lathe.p.lead != 0.0
 }
 
 /// Rows in the order they are shown; the headline ones first.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
-    row!("sides", "polygon.readout.sides", "", 0, true, "N = n |Q| / gcd(n, D), in lowest terms", GEOMETRY, |lathe| lathe.d.sides),
-    row!("flatness", "polygon.readout.flatness", "mm", 4, true, "highest less lowest point of a side", GEOMETRY, |lathe| lathe.d.flatness),
-    row!("across-flats", "polygon.readout.across-flats", "mm", 3, true, "2 (a - r), over the highest points", GEOMETRY, |lathe| lathe.d.across_flats),
-    row!("relief", "polygon.readout.relief", "°", 2, true, "atan[a sin σ / (a cos σ + (k - 1) r)], of all passes, each up to the corners that it meets", GEOMETRY, |lathe| lathe.d.relief_needed),
+    row!("sides", "polygon.readout.sides", "", 0, true, "N = n |Q| / gcd(n, D), in lowest terms", GEOMETRY, |lathe| lathe.d.sides, cuts),
+    row!("flatness", "polygon.readout.flatness", "mm", 4, true, "highest less lowest point of a side", GEOMETRY, |lathe| lathe.d.flatness, cuts),
+    row!("across-flats", "polygon.readout.across-flats", "mm", 3, true, "2 (a - r), over the highest points", GEOMETRY, |lathe| lathe.d.across_flats, cuts),
+    row!("relief", "polygon.readout.relief", "°", 2, true, "atan[a sin σ / (a cos σ + (k - 1) r)], of all passes, each up to the corners that it meets", GEOMETRY, |lathe| lathe.d.relief_needed, cuts),
     row!("tool-speed", "polygon.readout.tool-speed", "r/min", 0, true, "B · Q", PAPER, |lathe| lathe.d.tool_speed),
-    row!("orientation", "polygon.readout.orientation", "°", 3, true, "E/k - A", GEOMETRY, |lathe| lathe.d.orientation),
+    row!("orientation", "polygon.readout.orientation", "°", 3, true, "E/k - A", GEOMETRY, |lathe| lathe.d.orientation, cuts),
     row!("work-speed", "polygon.readout.work-speed", "r/min", 0, false, "B · D", PAPER, |lathe| lathe.d.work_speed),
     row!("ratio", "polygon.readout.ratio", "", 4, false, "k = Q / D", PAPER, |lathe| lathe.d.ratio),
-    row!("curvature", "polygon.readout.curvature", "1/mm", 6, false, "[a - r (k - 1)²] / [a + r (k - 1)]²", GEOMETRY, |lathe| lathe.d.curvature),
-    row!("deviation-low", "polygon.readout.deviation-low", "mm", 4, false, "lowest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.0),
-    row!("deviation-high", "polygon.readout.deviation-high", "mm", 4, false, "highest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.1),
-    row!("corner", "polygon.readout.corner", "mm", 3, false, "distance of the corners from the centre", GEOMETRY, |lathe| lathe.d.corner),
-    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |lathe| lathe.d.across_corners),
-    row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |lathe| lathe.d.area),
-    row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.slowest_cut),
-    row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.fastest_cut),
+    row!("curvature", "polygon.readout.curvature", "1/mm", 6, false, "[a - r (k - 1)²] / [a + r (k - 1)]²", GEOMETRY, |lathe| lathe.d.curvature, cuts),
+    row!("deviation-low", "polygon.readout.deviation-low", "mm", 4, false, "lowest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.0, cuts),
+    row!("deviation-high", "polygon.readout.deviation-high", "mm", 4, false, "highest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.1, cuts),
+    row!("corner", "polygon.readout.corner", "mm", 3, false, "distance of the corners from the centre", GEOMETRY, |lathe| lathe.d.corner, cuts),
+    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |lathe| lathe.d.across_corners, cuts),
+    row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |lathe| lathe.d.area, cuts),
+    row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.slowest_cut, cuts),
+    row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.fastest_cut, cuts),
     row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |lathe| lathe.d.distance),
     row!("reach", "polygon.readout.reach", "mm", 3, false, "(stock - AF) / 2", MECHANICS, |lathe| lathe.d.reach),
     row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |lathe| lathe.d.offset),
-    row!("half-axis-near", "polygon.readout.half-axis-near", "mm", 3, false, "R - r, R the distance of the axes", PAPER, |lathe| lathe.d.distance - lathe.p.tip_radius),
-    row!("half-axis-far", "polygon.readout.half-axis-far", "mm", 3, false, "R + r, R the distance of the axes", PAPER, |lathe| lathe.d.distance + lathe.p.tip_radius),
-    row!("orientation-error", "polygon.readout.orientation-error", "°", 3, false, "E/k - A + phase/k - ψ", GEOMETRY, |lathe| lathe.d.orientation_error),
-    row!("phase", "polygon.readout.phase", "°", 3, false, "6 n [(τ/2 + 1/K) work - (τ/2 + 1/K) tool]", MECHANICS, |lathe| lathe.d.phase),
-    row!("coast-phase", "polygon.readout.coast-phase", "°", 0, false, "3 (n² / slowing tool - k n² / slowing work)", MECHANICS, |lathe| lathe.d.coast_phase),
-    row!("least-across-flats", "polygon.readout.least-across-flats", "mm", 4, false, "over the lowest of the highest points", GEOMETRY, |lathe| lathe.d.least_across_flats),
-    row!("insert-depth", "polygon.readout.insert-depth", "mm", 4, false, "Δr", GEOMETRY, |lathe| lathe.d.insert_depth.1),
-    row!("insert-turn", "polygon.readout.insert-turn", "°", 3, false, "Δφ / k", GEOMETRY, |lathe| lathe.d.insert_turn.1),
-    row!("twist", "polygon.readout.twist", "°", 3, false, "360 L / K", GEOMETRY, |lathe| lathe.d.twist),
-    row!("twist-speed", "polygon.readout.twist-speed", "r/min", 3, false, "k (n work - F / K)", GEOMETRY, |lathe| lathe.d.twist_speed),
+    row!("half-axis-near", "polygon.readout.half-axis-near", "mm", 3, false, "R - r, R the distance of the axes", PAPER, |lathe| lathe.d.distance - lathe.p.tip_radius, cuts_on_an_ellipse),
+    row!("half-axis-far", "polygon.readout.half-axis-far", "mm", 3, false, "R + r, R the distance of the axes", PAPER, |lathe| lathe.d.distance + lathe.p.tip_radius, cuts_on_an_ellipse),
+    row!("orientation-error", "polygon.readout.orientation-error", "°", 3, false, "E/k - A + phase/k - ψ", GEOMETRY, |lathe| lathe.d.orientation_error, cuts),
+    row!("phase", "polygon.readout.phase", "°", 3, false, "6 n [(τ/2 + 1/K) work - (τ/2 + 1/K) tool]", MECHANICS, |lathe| lathe.d.phase, cuts),
+    row!("coast-phase", "polygon.readout.coast-phase", "°", 0, false, "3 (n² / slowing tool - k n² / slowing work)", MECHANICS, |lathe| lathe.d.coast_phase, cuts),
+    row!("least-across-flats", "polygon.readout.least-across-flats", "mm", 4, false, "over the lowest of the highest points", GEOMETRY, |lathe| lathe.d.least_across_flats, cuts_unevenly),
+    row!("insert-depth", "polygon.readout.insert-depth", "mm", 4, false, "Δr", GEOMETRY, |lathe| lathe.d.insert_depth.1, cuts_unevenly),
+    row!("insert-turn", "polygon.readout.insert-turn", "°", 3, false, "Δφ / k", GEOMETRY, |lathe| lathe.d.insert_turn.1, cuts_unevenly),
+    row!("twist", "polygon.readout.twist", "°", 3, false, "360 L / K", GEOMETRY, |lathe| lathe.d.twist, cuts_a_twist),
+    row!("twist-speed", "polygon.readout.twist-speed", "r/min", 3, false, "k (n work - F / K)", GEOMETRY, |lathe| lathe.d.twist_speed, cuts_a_twist),
     row!("passes", "polygon.readout.passes", "", 0, false, "(stock - AF - 2 allowance) / (2 depth), rounded up, and one", MECHANICS, |lathe| lathe.d.passes),
     row!("feed", "polygon.readout.feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.feed),
     row!("finish-feed", "polygon.readout.finish-feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.finish_feed),
-    row!("infeed", "polygon.readout.infeed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.infeed),
+    row!("infeed", "polygon.readout.infeed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.infeed, |lathe| lathe.p.is_behind_face()),
     row!("free-length", "polygon.readout.free-length", "mm", 3, false, "far end + clearance", MECHANICS, |lathe| lathe.free_length()),
-    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.d.mark_pitch),
+    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.d.mark_pitch, cuts),
     row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.d.ready),
-    row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 way / F, of all motions at feed", MECHANICS, |lathe| lathe.polygons().map(|lathe| lathe.d.cutting_time).sum()),
+    row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 way / F, of all motions at feed", MECHANICS, |lathe| lathe.polygons().map(|lathe| lathe.d.cutting_time).sum(), cuts),
     row!("turning-time", "polygon.readout.turning-time", "s", 2, false, "60 way / F, threads 60 way / (P S)", MECHANICS, |lathe| {
         lathe.p.slots.iter().filter(|slot| slot.on).map(|slot| slot.time(&lathe.p)).sum()
-    }),
-    row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[0].run_in(&lathe.p)),
-    row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[1].run_in(&lathe.p)),
-    row!("milling-time", "polygon.readout.milling-time", "s", 1, false, "60 ⌈L / depth⌉ · 2 N (AF/2 + D/2) tan(π/N) / F", SILENT, |lathe| lathe.polygons().map(|lathe| lathe.p.milling_time()).sum()),
+    }, |lathe| lathe.p.slots.iter().any(|slot| slot.on)),
+    row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[0].run_in(&lathe.p), |lathe| lathe.p.slots[0].threads()),
+    row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[1].run_in(&lathe.p), |lathe| lathe.p.slots[1].threads()),
+    row!("milling-time", "polygon.readout.milling-time", "s", 1, false, "60 ⌈L / depth⌉ · 2 N (AF/2 + D/2) tan(π/N) / F", SILENT, |lathe| lathe.polygons().map(|lathe| lathe.p.milling_time()).sum(), cuts),
     row!("milling-ratio", "polygon.readout.milling-ratio", "", 2, false, "milling time / (time until ready + cutting time)", SILENT, |lathe| {
         let turning: f64 = lathe.polygons().map(|lathe| lathe.d.ready + lathe.d.cutting_time).sum();
         lathe.polygons().map(|lathe| lathe.p.milling_time()).sum::<f64>() / turning
-    }),
-    row!("cutting-force", "polygon.readout.cutting-force", "N", 0, false, "kc1.1 · b · h^(1 - mc) · (1 - γ / 100), h the marks apart", CUTTING, |lathe| lathe.force()),
-    row!("at-once", "polygon.readout.at-once", "", 0, false, "1 + ⌊n σ / π⌋", GEOMETRY, |lathe| lathe.polygons().map(|lathe| lathe.d.load.at_once).fold(0.0, f64::max)),
-    row!("tool-torque", "polygon.readout.tool-torque", "Nm", 1, false, "F r (m + a cos σ) / V · inserts at once", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Peak).0),
-    row!("tool-torque-mean", "polygon.readout.tool-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Mean).0),
-    row!("tool-power", "polygon.readout.tool-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Power).0),
+    }, cuts),
+    row!("cutting-force", "polygon.readout.cutting-force", "N", 0, false, "kc1.1 · b · h^(1 - mc) · (1 - γ / 100), h the marks apart", CUTTING, |lathe| lathe.force(), cuts_by_force),
+    row!("at-once", "polygon.readout.at-once", "", 0, false, "1 + ⌊n σ / π⌋", GEOMETRY, |lathe| lathe.polygons().map(|lathe| lathe.d.load.at_once).fold(0.0, f64::max), cuts_by_force),
+    row!("tool-torque", "polygon.readout.tool-torque", "Nm", 1, false, "F r (m + a cos σ) / V · inserts at once", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Peak).0, cuts_by_force),
+    row!("tool-torque-mean", "polygon.readout.tool-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Mean).0, cuts_by_force),
+    row!("tool-power", "polygon.readout.tool-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Power).0, cuts_by_force),
     row!("tool-run-up", "polygon.readout.tool-run-up", "Nm", 1, false, "J · 2π n / (60 τ)", MECHANICS, |lathe| lathe.demand(Spindle::Tool, Asked::RunUp).0),
-    row!("work-torque", "polygon.readout.work-torque", "Nm", 1, false, "F [a (a + (m - r) cos σ) - r m] / V · inserts at once", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Peak).0),
-    row!("work-torque-mean", "polygon.readout.work-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Mean).0),
-    row!("work-power", "polygon.readout.work-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Power).0),
+    row!("work-torque", "polygon.readout.work-torque", "Nm", 1, false, "F [a (a + (m - r) cos σ) - r m] / V · inserts at once", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Peak).0, cuts_by_force),
+    row!("work-torque-mean", "polygon.readout.work-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Mean).0, cuts_by_force),
+    row!("work-power", "polygon.readout.work-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Power).0, cuts_by_force),
     row!("work-run-up", "polygon.readout.work-run-up", "Nm", 1, false, "J · 2π n / (60 τ)", MECHANICS, |lathe| lathe.demand(Spindle::Work, Asked::RunUp).0),
     row!("shortest-ramp", "polygon.readout.shortest-ramp", "s", 3, false, "J · 2π n / (60 M), of both the longer", MECHANICS, |lathe| lathe.ramp()),
-    row!("x-scaling-drift", "scaling.x-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0])),
-    row!("z-scaling-drift", "scaling.z-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1])),
-    row!("work-scaling-drift", "scaling.work-drift", "µ°/°", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.turning_drives()[0])),
-    row!("tool-scaling-drift", "scaling.tool-drift", "µ°/°", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.turning_drives()[1])),
+    row!("x-scaling-drift", "scaling.x-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0]), cuts),
+    row!("z-scaling-drift", "scaling.z-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1]), cuts),
+    row!("work-scaling-drift", "scaling.work-drift", "µ°/°", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.turning_drives()[0]), cuts),
+    row!("tool-scaling-drift", "scaling.tool-drift", "µ°/°", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.turning_drives()[1]), cuts),
 ];

@@ -4,7 +4,7 @@ use super::further::field;
 use super::readouts::ROWS;
 use super::resolved::PolygonLathe;
 use super::rules::RULES;
-use crate::machines::verdict::judge;
+use crate::machines::verdict::{self, judge};
 use crate::text::Phrase;
 use crate::view::{Advice, Readout};
 
@@ -37,27 +37,6 @@ pub(super) fn ids(at: usize) -> Vec<&'static str> {
 /// The result that becomes an angle to the first polygon.
 const ANGLE: &str = "orientation";
 
-/// Whether a result applies to this form.
-fn is_shown(lathe: &PolygonLathe, id: &str) -> bool {
-    let (p, d) = (&lathe.p, &lathe.d);
-    match id {
-        "tool-run-up" | "work-run-up" | "shortest-ramp" | "tool-speed" | "work-speed" | "ratio" | "distance"
-        | "reach" | "offset" | "passes" | "feed" | "finish-feed" | "ready" | "free-length" => true,
-        "infeed" => p.is_behind_face(),
-        "turning-time" => p.slots.iter().any(|slot| slot.on),
-        "before-run-in" => p.slots[0].threads(),
-        "after-run-in" => p.slots[1].threads(),
-        _ if !d.cuts => false,
-        "cutting-force" | "at-once" | "tool-torque" | "tool-torque-mean" | "tool-power" | "work-torque"
-        | "work-torque-mean" | "work-power" => p.specific().unit_force > 0.0,
-        "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
-        // At other ratios the path is no ellipse.
-        "half-axis-near" | "half-axis-far" => d.ratio == 2.0,
-        "twist" | "twist-speed" => p.lead != 0.0,
-        _ => true,
-    }
-}
-
 /// An advice about the first polygon as one about another: the form carries it out where all fields have their like there.
 fn advice(advice: Advice, at: usize) -> Advice {
     let sets: Option<Vec<(&'static str, String)>> =
@@ -70,13 +49,12 @@ fn advice(advice: Advice, at: usize) -> Advice {
 
 /// The results of all polygons of the part.
 pub(super) fn results(lathe: &PolygonLathe) -> Vec<Readout> {
-    let rows = ROWS.iter().filter(|row| is_shown(lathe, row.id));
-    let mut all: Vec<Readout> = rows.map(|row| judge(row, lathe, row.unit, RULES)).collect();
+    let mut all: Vec<Readout> = verdict::results(ROWS, lathe, RULES).collect();
     for (at, other) in lathe.further.iter().enumerate() {
         for (first, others) in RESULTS {
-            let row = ROWS.iter().find(|row| row.id == *first).filter(|row| is_shown(other, row.id));
+            let row = ROWS.iter().find(|row| row.id == *first).filter(|row| (row.shown)(other));
             let (Some(row), Some((id, label))) = (row, others.get(at)) else { continue };
-            let judged = judge(row, other, row.unit, RULES);
+            let judged = judge(row, other, RULES);
             let advice = judged.advice.into_iter().map(|told| advice(told, at)).collect();
             let mut readout = Readout { id, label, headline: false, advice, ..judged };
             if *first == ANGLE {

@@ -81,7 +81,7 @@ use crate::machines::left_out::LeftOut;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
 };
-use crate::machines::verdict::judge;
+use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::msg;
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
@@ -135,20 +135,12 @@ impl Machine for RibbonLine {
 
 impl Prepared for RibbonLine {
     fn results(&self) -> Design {
-        // Y counts degrees where it is a rotary axis.
-        let unit = |id: &str, unit: &'static str| match id {
-            "y-stroke" | "y-drift" if self.degrees() => "°",
-            "y-feed" if self.degrees() => "°/min",
-            "y-scaling" if self.degrees() => "°/rev",
-            "y-scaling-drift" if self.degrees() => "°/h",
-            _ => unit,
-        };
-        let line = readouts::ROWS.iter().map(|row| judge(row, self, unit(row.id, row.unit), RULES));
-        let drives = readouts_of_drives::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_drives::RULES));
-        let reel = rules_of_reel::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_reel::RULES));
+        let line = results(readouts::ROWS, self, RULES);
+        let drives = results(readouts_of_drives::ROWS, self, rules_of_drives::RULES);
+        let reel = results(rules_of_reel::ROWS, self, rules_of_reel::RULES);
         let cam: &[_] = if cams::chosen(self).is_some() { cams::ROWS } else { &[] };
-        let cam = cam.iter().map(|row| judge(row, self, row.unit, rules_of_cams::RULES));
-        let dots = dot_error::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_dots::RULES));
+        let cam = results(cam, self, rules_of_cams::RULES);
+        let dots = results(dot_error::ROWS, self, rules_of_dots::RULES);
         let readouts = line.chain(drives).chain(reel).chain(dots).chain(cam).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }

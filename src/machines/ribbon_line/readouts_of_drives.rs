@@ -10,114 +10,114 @@ use crate::text::{Citation, Grade};
 #[rustfmt::skip]
 pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
-        id: "x-load-inertia", label: "ribbon.readout.x-load-inertia", unit: "kg cm²", decimals: 4, headline: false,
+        id: "x-load-inertia", label: "ribbon.readout.x-load-inertia", unit: "kg cm²", decimals: 4,
         formula: "(roller + pinch roller · (Dx / d)² + ribbon · (Dx / 2)²) / ix² + gear",
-        cite: Citation::new("sizing facts 2.1", Grade::Inferred), value: |line| line.mechanics.pull.load.inertia / CM2,
+        cite: Citation::new("sizing facts 2.1", Grade::Inferred), value: |line| line.mechanics.pull.load.inertia / CM2, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "x-inertia-ratio", label: "ribbon.readout.x-inertia-ratio", unit: ": 1", decimals: 2, headline: false,
+        id: "x-inertia-ratio", label: "ribbon.readout.x-inertia-ratio", unit: ": 1", decimals: 2,
         formula: "load inertia / rotor inertia",
-        cite: Citation::new("sizing facts 2.3", Grade::Inferred), value: |line| line.mechanics.pull.shares().inertia_ratio,
+        cite: Citation::new("sizing facts 2.3", Grade::Inferred), value: |line| line.mechanics.pull.shares().inertia_ratio, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "x-load-torque", label: "ribbon.readout.x-load-torque", unit: "Nm", decimals: 4, headline: false,
+        id: "x-load-torque", label: "ribbon.readout.x-load-torque", unit: "Nm", decimals: 4,
         formula: "((T1 - T2) · Dx / 2 + friction) / (ix · η)",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.load.torque,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.load.torque, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "x-ramp-torque", label: "ribbon.readout.x-ramp-torque", unit: "Nm", decimals: 4, headline: false,
+        id: "x-ramp-torque", label: "ribbon.readout.x-ramp-torque", unit: "Nm", decimals: 4,
         formula: "(JL / η + JM) · 2π n / (60 · τ)",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.rise,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.rise, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "x-peak-torque", label: "ribbon.readout.x-peak-torque", unit: "Nm", decimals: 3, headline: false,
+        id: "x-peak-torque", label: "ribbon.readout.x-peak-torque", unit: "Nm", decimals: 3,
         formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.peak,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.peak, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "x-effective-torque", label: "ribbon.readout.x-effective-torque", unit: "Nm", decimals: 3, headline: false,
+        id: "x-effective-torque", label: "ribbon.readout.x-effective-torque", unit: "Nm", decimals: 3,
         formula: "SQRT[Σ T² t / Σ t] over a product, or a block with exact stop",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.effective,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.effective, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "x-shortest-ramp", label: "ribbon.readout.x-shortest-ramp", unit: "ms", decimals: 1, headline: false,
+        id: "x-shortest-ramp", label: "ribbon.readout.x-shortest-ramp", unit: "ms", decimals: 1,
         formula: "(JL / η + JM) · 2π n / 60 / (0.8 · peak torque - load torque)",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.shortest_ramp() * 1e3,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.shortest_ramp() * 1e3, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "nip-use", label: "ribbon.readout.nip-use", unit: "%", decimals: 1, headline: false,
+        id: "nip-use", label: "ribbon.readout.nip-use", unit: "%", decimals: 1,
         formula: "(T1 - T2 + mass of ribbon · v / τ) / (μ · N)",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| 100.0 * line.mechanics.nip_use,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| 100.0 * line.mechanics.nip_use, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-load-inertia", label: "ribbon.readout.y-load-inertia", unit: "kg cm²", decimals: 4, headline: false,
+        id: "y-load-inertia", label: "ribbon.readout.y-load-inertia", unit: "kg cm²", decimals: 4,
         formula: "(roller + #109 · mass · R²) / iy² + gear",
-        cite: Citation::new("sizing facts 2.1", Grade::Inferred), value: |line| line.mechanics.print.load.inertia / CM2,
+        cite: Citation::new("sizing facts 2.1", Grade::Inferred), value: |line| line.mechanics.print.load.inertia / CM2, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-inertia-ratio", label: "ribbon.readout.y-inertia-ratio", unit: ": 1", decimals: 2, headline: false,
+        id: "y-inertia-ratio", label: "ribbon.readout.y-inertia-ratio", unit: ": 1", decimals: 2,
         formula: "load inertia / rotor inertia",
-        cite: Citation::new("sizing facts 2.3", Grade::Inferred), value: |line| line.mechanics.print.shares().inertia_ratio,
+        cite: Citation::new("sizing facts 2.3", Grade::Inferred), value: |line| line.mechanics.print.shares().inertia_ratio, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-load-torque", label: "ribbon.readout.y-load-torque", unit: "Nm", decimals: 4, headline: false,
+        id: "y-load-torque", label: "ribbon.readout.y-load-torque", unit: "Nm", decimals: 4,
         formula: "(force · R + friction) / (iy · η)",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.load.torque,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.load.torque, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-ramp-torque", label: "ribbon.readout.y-ramp-torque", unit: "Nm", decimals: 4, headline: false,
+        id: "y-ramp-torque", label: "ribbon.readout.y-ramp-torque", unit: "Nm", decimals: 4,
         formula: "(JL / η + JM) · 2π n / (60 · τ)",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.rise,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.rise, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-peak-torque", label: "ribbon.readout.y-peak-torque", unit: "Nm", decimals: 3, headline: false,
+        id: "y-peak-torque", label: "ribbon.readout.y-peak-torque", unit: "Nm", decimals: 3,
         formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.peak,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.peak, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-effective-torque", label: "ribbon.readout.y-effective-torque", unit: "Nm", decimals: 3, headline: false,
+        id: "y-effective-torque", label: "ribbon.readout.y-effective-torque", unit: "Nm", decimals: 3,
         formula: "SQRT[Σ T² t / Σ t] over a product, or a block with exact stop",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.effective,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.effective, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-shortest-ramp", label: "ribbon.readout.y-shortest-ramp", unit: "ms", decimals: 1, headline: false,
+        id: "y-shortest-ramp", label: "ribbon.readout.y-shortest-ramp", unit: "ms", decimals: 1,
         formula: "(JL / η + JM) · 2π n / 60 / (0.8 · peak torque - load torque)",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.shortest_ramp() * 1e3,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.shortest_ramp() * 1e3, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-stop-energy", label: "ribbon.readout.y-stop-energy", unit: "J", decimals: 2, headline: false,
+        id: "y-stop-energy", label: "ribbon.readout.y-stop-energy", unit: "J", decimals: 2,
         formula: "(JL · η + JM) · ω² / 2 - load torque · ω · τ / 2",
-        cite: Citation::new("sizing facts 2.4", Grade::Inferred), value: |line| line.mechanics.print.stop_energy(),
+        cite: Citation::new("sizing facts 2.4", Grade::Inferred), value: |line| line.mechanics.print.stop_energy(), ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "y-best-gear", label: "ribbon.readout.y-best-gear", unit: ": 1", decimals: 2, headline: false,
+        id: "y-best-gear", label: "ribbon.readout.y-best-gear", unit: ": 1", decimals: 2,
         formula: "SQRT[J roller / (JM + gear)]",
         cite: Citation::new("sizing facts 2.1", Grade::Inferred),
         value: |line| {
             let axis = &line.mechanics.print;
             inertia::best_ratio(axis.output.inertia, axis.motor.rotor + line.p.print.gear_inertia * CM2)
-        },
+        }, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "site-share", label: "ribbon.readout.site-share", unit: "%", decimals: 1, headline: false,
+        id: "site-share", label: "ribbon.readout.site-share", unit: "%", decimals: 1,
         formula: "table of height and temperature, at most 100 %",
         cite: Citation::new("SIMOTICS S-1FL2 operating instructions, p.628: derating by height and temperature", Grade::Inferred),
-        value: |line| 100.0 * line.p.site().share(),
+        value: |line| 100.0 * line.p.site().share(), ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "dot-length", label: "ribbon.readout.dot-length", unit: "mm", decimals: 3, headline: false,
+        id: "dot-length", label: "ribbon.readout.dot-length", unit: "mm", decimals: 3,
         formula: "l / r + |1 - 1/r| · c",
         cite: Citation::new("sizing facts 3.2", Grade::Inferred),
-        value: |line| web::mark_length(line.p.print.head_length, line.d.surface_ratio, line.p.contact_length),
+        value: |line| web::mark_length(line.p.print.head_length, line.d.surface_ratio, line.p.contact_length), ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "unwinder-torque", label: "ribbon.readout.unwinder-torque", unit: "Nm", decimals: 4, headline: false,
+        id: "unwinder-torque", label: "ribbon.readout.unwinder-torque", unit: "Nm", decimals: 4,
         formula: "(brake · #102 / 2 + friction) / (#101 · η)",
-        cite: Citation::new("sizing facts D1", Grade::Inferred), value: |line| line.mechanics.unwinder,
+        cite: Citation::new("sizing facts D1", Grade::Inferred), value: |line| line.mechanics.unwinder, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "unwinder-ramp-torque", label: "ribbon.readout.unwinder-ramp-torque", unit: "Nm", decimals: 3, headline: false,
+        id: "unwinder-ramp-torque", label: "ribbon.readout.unwinder-ramp-torque", unit: "Nm", decimals: 3,
         formula: "torque + J · 2π n10 / (60 · ramp)",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.unwinder_ramp,
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.unwinder_ramp, ..ReadoutRow::BASE
     },
 ];

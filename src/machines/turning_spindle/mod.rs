@@ -52,7 +52,7 @@ use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
 };
-use crate::machines::verdict::judge;
+use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
@@ -87,18 +87,7 @@ impl Machine for TurningSpindle {
 
 impl Prepared for TurningSpindle {
     fn results(&self) -> Design {
-        let shown = |id: &str| match id {
-            "power" | "torque" => self.p.cutting_force > 0.0,
-            "gear-delay" => gears::has_gears(self) && self.p.spindle_ramp > 0.0,
-            "run-up-torque" => self.p.spindle_ramp > 0.0,
-            "keyway-time" | "driven-cutting-speed" => self.keyway().is_some(),
-            "limit-diameter" | "limited-share" | "low-diameter" | "surface-smallest" | "acceleration-needed" => {
-                self.surface()
-            }
-            _ => true,
-        };
-        let readouts = readouts::ROWS.iter().filter(|row| shown(row.id));
-        let readouts = readouts.map(|row| judge(row, self, row.unit, RULES)).collect();
+        let readouts = results(readouts::ROWS, self, RULES).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }
 

@@ -21,151 +21,156 @@ const RUN_UP: Citation = Citation::new("turning spindle facts, 5", Grade::Inferr
 const GEARS: Citation = Citation::new("turning spindle facts, 2", Grade::Inferred);
 const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
+/// Whether a cutting force is known.
+fn cuts_by_force(lathe: &TurningSpindle) -> bool {
+    lathe.p.cutting_force > 0.0
+}
+
 /// Rows in the order they are shown; the headline ones first.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "cutting-time", label: "turning.readout.cutting-time", unit: "s", decimals: 2, headline: true,
-        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.cutting_time,
+        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.cutting_time, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "speed-largest", label: "turning.readout.speed-largest", unit: "r/min", decimals: 1, headline: true,
-        formula: "n = 1000 v / (π D)", cite: SURFACE, value: |lathe| lathe.d.speed_largest,
+        formula: "n = 1000 v / (π D)", cite: SURFACE, value: |lathe| lathe.d.speed_largest, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "speed-smallest", label: "turning.readout.speed-smallest", unit: "r/min", decimals: 1, headline: true,
-        formula: "n = 1000 v / (π D), within the limits", cite: SURFACE, value: |lathe| lathe.d.speed_smallest,
+        formula: "n = 1000 v / (π D), within the limits", cite: SURFACE, value: |lathe| lathe.d.speed_smallest, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "limit-diameter", label: "turning.readout.limit-diameter", unit: "mm", decimals: 3, headline: true,
-        formula: "D = 1000 v / (π n limit)", cite: SURFACE, value: |lathe| lathe.d.limit_diameter,
+        formula: "D = 1000 v / (π n limit)", cite: SURFACE, value: |lathe| lathe.d.limit_diameter, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "volts-smallest", label: "turning.readout.volts-smallest", unit: "V", decimals: 3, headline: true,
-        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.volts_smallest,
+        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.volts_smallest, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "saved", label: "turning.readout.saved", unit: "%", decimals: 1, headline: true,
-        formula: "1 - t surface / t fixed", cite: MECHANICS, value: |lathe| lathe.d.saved,
+        formula: "1 - t surface / t fixed", cite: MECHANICS, value: |lathe| lathe.d.saved, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "passes", label: "turning.readout.passes", unit: "", decimals: 0, headline: false,
-        formula: "allowance / depth, rounded up", cite: MECHANICS, value: |lathe| lathe.d.passes,
+        id: "passes", label: "turning.readout.passes", unit: "", decimals: 0,
+        formula: "allowance / depth, rounded up", cite: MECHANICS, value: |lathe| lathe.d.passes, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "stage", label: "turning.readout.stage", unit: "", decimals: 0, headline: false,
-        formula: "lowest stage that reaches the highest speed", cite: MECHANICS, value: |lathe| f64::from(lathe.d.stage),
+        id: "stage", label: "turning.readout.stage", unit: "", decimals: 0,
+        formula: "lowest stage that reaches the highest speed", cite: MECHANICS, value: |lathe| f64::from(lathe.d.stage), ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "stage-speed", label: "turning.readout.stage-speed", unit: "r/min", decimals: 0, headline: false,
-        formula: "n10 of the stage", cite: OUTPUT, value: |lathe| lathe.d.stage_speed,
+        id: "stage-speed", label: "turning.readout.stage-speed", unit: "r/min", decimals: 0,
+        formula: "n10 of the stage", cite: OUTPUT, value: |lathe| lathe.d.stage_speed, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "gear-delay", label: "turning.readout.gear-delay", unit: "s", decimals: 2, headline: false,
-        formula: "t · n / n10", cite: GEARS, value: gears::slowing,
+        id: "gear-delay", label: "turning.readout.gear-delay", unit: "s", decimals: 2,
+        formula: "t · n / n10", cite: GEARS, value: gears::slowing, shown: |lathe| gears::has_gears(lathe) && lathe.p.spindle_ramp > 0.0, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "volts-largest", label: "turning.readout.volts-largest", unit: "V", decimals: 3, headline: false,
-        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.volts_largest,
+        id: "volts-largest", label: "turning.readout.volts-largest", unit: "V", decimals: 3,
+        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.volts_largest, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "analog-step", label: "turning.readout.analog-step", unit: "r/min", decimals: 3, headline: false,
-        formula: "n10 / 4095", cite: OUTPUT, value: |lathe| lathe.d.analog_step,
+        id: "analog-step", label: "turning.readout.analog-step", unit: "r/min", decimals: 3,
+        formula: "n10 / 4095", cite: OUTPUT, value: |lathe| lathe.d.analog_step, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "limited-share", label: "turning.readout.limited-share", unit: "%", decimals: 1, headline: false,
-        formula: "(D limit - D small) / (D large - D small)", cite: MECHANICS, value: |lathe| lathe.d.limited_share * 100.0,
+        id: "limited-share", label: "turning.readout.limited-share", unit: "%", decimals: 1,
+        formula: "(D limit - D small) / (D large - D small)", cite: MECHANICS, value: |lathe| lathe.d.limited_share * 100.0, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "low-diameter", label: "turning.readout.low-diameter", unit: "mm", decimals: 3, headline: false,
-        formula: "D = 1000 v / (π n low)", cite: SURFACE, value: |lathe| lathe.d.low_diameter,
+        id: "low-diameter", label: "turning.readout.low-diameter", unit: "mm", decimals: 3,
+        formula: "D = 1000 v / (π n low)", cite: SURFACE, value: |lathe| lathe.d.low_diameter, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "surface-smallest", label: "turning.readout.surface-smallest", unit: "m/min", decimals: 2, headline: false,
-        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.surface_smallest,
+        id: "surface-smallest", label: "turning.readout.surface-smallest", unit: "m/min", decimals: 2,
+        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.surface_smallest, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "surface-time", label: "turning.readout.surface-time", unit: "s", decimals: 2, headline: false,
-        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.surface_time,
+        id: "surface-time", label: "turning.readout.surface-time", unit: "s", decimals: 2,
+        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.surface_time, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "fixed-time", label: "turning.readout.fixed-time", unit: "s", decimals: 2, headline: false,
-        formula: "60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.fixed_time,
+        id: "fixed-time", label: "turning.readout.fixed-time", unit: "s", decimals: 2,
+        formula: "60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.fixed_time, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "fixed-surface-smallest", label: "turning.readout.fixed-surface-smallest", unit: "m/min", decimals: 2, headline: false,
-        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.fixed_surface_smallest,
+        id: "fixed-surface-smallest", label: "turning.readout.fixed-surface-smallest", unit: "m/min", decimals: 2,
+        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.fixed_surface_smallest, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "feed-top", label: "turning.readout.feed-top", unit: "mm/min", decimals: 1, headline: false,
-        formula: "f · n", cite: MECHANICS, value: |lathe| lathe.d.feed_top,
+        id: "feed-top", label: "turning.readout.feed-top", unit: "mm/min", decimals: 1,
+        formula: "f · n", cite: MECHANICS, value: |lathe| lathe.d.feed_top, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "acceleration-needed", label: "turning.readout.acceleration-needed", unit: "r/min/s", decimals: 1, headline: false,
-        formula: "n² f s / (60 D)", cite: MECHANICS, value: |lathe| lathe.d.acceleration_needed,
+        id: "acceleration-needed", label: "turning.readout.acceleration-needed", unit: "r/min/s", decimals: 1,
+        formula: "n² f s / (60 D)", cite: MECHANICS, value: |lathe| lathe.d.acceleration_needed, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "power", label: "turning.readout.power", unit: "kW", decimals: 2, headline: false,
-        formula: "F v / 60 000", cite: MECHANICS, value: |lathe| lathe.d.power,
+        id: "power", label: "turning.readout.power", unit: "kW", decimals: 2,
+        formula: "F v / 60 000", cite: MECHANICS, value: |lathe| lathe.d.power, shown: cuts_by_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "torque", label: "turning.readout.torque", unit: "Nm", decimals: 1, headline: false,
-        formula: "F D / 2000", cite: MECHANICS, value: |lathe| lathe.d.torque,
+        id: "torque", label: "turning.readout.torque", unit: "Nm", decimals: 1,
+        formula: "F D / 2000", cite: MECHANICS, value: |lathe| lathe.d.torque, shown: cuts_by_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1, headline: false,
-        formula: "9549 P η x / max(n, n b · n10 / n m)", cite: MOTOR, value: |lathe| lathe.d.torque_available,
+        id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1,
+        formula: "9549 P η x / max(n, n b · n10 / n m)", cite: MOTOR, value: |lathe| lathe.d.torque_available, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "force", label: "turning.readout.force", unit: "N", decimals: 0, headline: false,
-        formula: "kc1.1 · b · h^(1 - mc) · (1 - γ / 100)", cite: KIENZLE, value: |lathe| lathe.p.cutting_force,
+        id: "force", label: "turning.readout.force", unit: "N", decimals: 0,
+        formula: "kc1.1 · b · h^(1 - mc) · (1 - γ / 100)", cite: KIENZLE, value: |lathe| lathe.p.cutting_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "work-inertia", label: "turning.readout.work-inertia", unit: "kg m²", decimals: 4, headline: false,
-        formula: "π ρ L D⁴ / 32", cite: INERTIA, value: |lathe| lathe.p.work_inertia(),
+        id: "work-inertia", label: "turning.readout.work-inertia", unit: "kg m²", decimals: 4,
+        formula: "π ρ L D⁴ / 32", cite: INERTIA, value: |lathe| lathe.p.work_inertia(), ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "inertia", label: "turning.readout.inertia", unit: "kg m²", decimals: 4, headline: false,
-        formula: "J spindle + J work + J rotor · (n m / n10)²", cite: INERTIA, value: run_up::inertia,
+        id: "inertia", label: "turning.readout.inertia", unit: "kg m²", decimals: 4,
+        formula: "J spindle + J work + J rotor · (n m / n10)²", cite: INERTIA, value: run_up::inertia, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "run-up-torque", label: "turning.readout.run-up-torque", unit: "Nm", decimals: 1, headline: false,
-        formula: "J · 2π n10 / (60 t) + friction", cite: RUN_UP, value: run_up::torque,
+        id: "run-up-torque", label: "turning.readout.run-up-torque", unit: "Nm", decimals: 1,
+        formula: "J · 2π n10 / (60 t) + friction", cite: RUN_UP, value: run_up::torque, shown: |lathe| lathe.p.spindle_ramp > 0.0, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "shortest-ramp", label: "turning.readout.shortest-ramp", unit: "s", decimals: 2, headline: false,
-        formula: "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: run_up::shortest_ramp,
+        id: "shortest-ramp", label: "turning.readout.shortest-ramp", unit: "s", decimals: 2,
+        formula: "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: run_up::shortest_ramp, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "run-up-time", label: "turning.readout.run-up-time", unit: "s", decimals: 2, headline: false,
-        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: run_up::run_up,
+        id: "run-up-time", label: "turning.readout.run-up-time", unit: "s", decimals: 2,
+        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: run_up::run_up, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "braking-time", label: "turning.readout.braking-time", unit: "s", decimals: 2, headline: false,
-        formula: "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", cite: RUN_UP, value: run_up::braking,
+        id: "braking-time", label: "turning.readout.braking-time", unit: "s", decimals: 2,
+        formula: "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", cite: RUN_UP, value: run_up::braking, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "coasting-time", label: "turning.readout.coasting-time", unit: "s", decimals: 1, headline: false,
-        formula: "J · 2π n / 60 / friction, from the highest speed", cite: TORQUE, value: run_up::coasting,
+        id: "coasting-time", label: "turning.readout.coasting-time", unit: "s", decimals: 1,
+        formula: "J · 2π n / 60 / friction, from the highest speed", cite: TORQUE, value: run_up::coasting, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "stop-energy", label: "turning.readout.stop-energy", unit: "J", decimals: 0, headline: false,
-        formula: "½ J ω² - ½ friction · ω t", cite: ENERGY, value: run_up::stop_energy,
+        id: "stop-energy", label: "turning.readout.stop-energy", unit: "J", decimals: 0,
+        formula: "½ J ω² - ½ friction · ω t", cite: ENERGY, value: run_up::stop_energy, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "keyway-time", label: "turning.readout.keyway-time", unit: "s", decimals: 2, headline: false,
-        formula: "60 · ((c + t) / f x + (L - w) / f z)", cite: MECHANICS, value: |lathe| keyway::time(&lathe.p),
+        id: "keyway-time", label: "turning.readout.keyway-time", unit: "s", decimals: 2,
+        formula: "60 · ((c + t) / f x + (L - w) / f z)", cite: MECHANICS, value: |lathe| keyway::time(&lathe.p), shown: |lathe| lathe.keyway().is_some(), ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "driven-cutting-speed", label: "turning.readout.driven-cutting-speed", unit: "m/min", decimals: 1, headline: false,
-        formula: "v = π w n / 1000", cite: MECHANICS, value: |lathe| keyway::cutting_speed(&lathe.p),
+        id: "driven-cutting-speed", label: "turning.readout.driven-cutting-speed", unit: "m/min", decimals: 1,
+        formula: "v = π w n / 1000", cite: MECHANICS, value: |lathe| keyway::cutting_speed(&lathe.p), shown: |lathe| lathe.keyway().is_some(), ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "x-scaling-drift", label: "scaling.x-drift", unit: "µm/m", decimals: 4, headline: false,
-        formula: "10⁶ · (travel of the motor / travel by the parameters - 1)", cite: SCALING, value: |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0]),
+        id: "x-scaling-drift", label: "scaling.x-drift", unit: "µm/m", decimals: 4,
+        formula: "10⁶ · (travel of the motor / travel by the parameters - 1)", cite: SCALING, value: |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0]), ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "z-scaling-drift", label: "scaling.z-drift", unit: "µm/m", decimals: 4, headline: false,
-        formula: "10⁶ · (travel of the motor / travel by the parameters - 1)", cite: SCALING, value: |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1]),
+        id: "z-scaling-drift", label: "scaling.z-drift", unit: "µm/m", decimals: 4,
+        formula: "10⁶ · (travel of the motor / travel by the parameters - 1)", cite: SCALING, value: |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1]), ..ReadoutRow::BASE
     },
 ];

@@ -10,7 +10,7 @@ mod scene;
 
 use macroline::machines::form::Field;
 use macroline::machines::form::rows::LineEnds;
-use macroline::machines::verdict::judge;
+use macroline::machines::verdict::results;
 use macroline::machines::{
     ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples, chart_rows, sheets,
 };
@@ -38,7 +38,7 @@ impl Machine for CutToLength {
 
 impl Prepared for CutToLength {
     fn results(&self) -> Design {
-        let readouts = rules::READOUTS.iter().map(|row| judge(row, self, row.unit, rules::RULES)).collect();
+        let readouts = results(rules::READOUTS, self, rules::RULES).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }
 
@@ -60,7 +60,7 @@ impl Prepared for CutToLength {
     }
 
     fn sheets(&self) -> Vec<Sheet> {
-        let units = sheets::AxisUnits { cross_words: 1.0, rotary: &[] };
+        let units = sheets::AxisUnits { in_diameters: &[], rotary: &[] };
         vec![sheets::parameters(self.control, &units, plant::parameters(self))]
     }
 

@@ -15,15 +15,15 @@ const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 pub(super) const READOUTS: &[ReadoutRow<CutToLength>] = &[
     ReadoutRow {
         id: "piece-time", label: "toy.readout.piece-time", unit: "s", decimals: 3, headline: true,
-        formula: "60 L / v + τ + t cut", cite: MECHANICS, value: |feeder| feeder.d.piece_time,
+        formula: "60 L / v + τ + t cut", cite: MECHANICS, value: |feeder| feeder.d.piece_time, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "output", label: "toy.readout.output", unit: "1/h", decimals: 0, headline: true,
-        formula: "3600 / t", cite: MECHANICS, value: |feeder| feeder.d.output,
+        formula: "3600 / t", cite: MECHANICS, value: |feeder| feeder.d.output, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "speed", label: "toy.readout.speed", unit: "mm/min", decimals: 0, headline: false,
-        formula: "v", cite: MECHANICS, value: |feeder| feeder.d.speed,
+        id: "speed", label: "toy.readout.speed", unit: "mm/min", decimals: 0,
+        formula: "v", cite: MECHANICS, value: |feeder| feeder.d.speed, ..ReadoutRow::BASE
     },
 ];
 
