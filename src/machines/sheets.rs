@@ -27,8 +27,8 @@ pub enum ParamValue {
 
 /// Units that the words of a machine's axes count.
 pub struct AxisUnits<'a> {
-    /// Units of X words per millimetre of its slide: 2 where they are diameters.
-    pub cross_words: f64,
+    /// Axes whose words count diameters, two units per millimetre of the slide.
+    pub in_diameters: &'a [&'a str],
     /// Axes that count degrees.
     pub rotary: &'a [&'a str],
 }
@@ -83,33 +83,18 @@ pub fn interface(rows: Vec<Row>) -> Sheet {
 
 /// A row of the sheet; none where the control's unit is not known.
 fn parameter(axes: &AxisUnits, def: &ParamDef, axis: &str, value: &ParamValue) -> Option<Row> {
-    let words = if def.diameter && axis == "X" { axes.cross_words } else { 1.0 };
+    let words = if def.diameter && axes.in_diameters.contains(&axis) { 2.0 } else { 1.0 };
     let text = match value {
-        ParamValue::Number(value) => number_text(*value * words * per_unit(def.unit)?, 3),
-        ParamValue::Fine(value) => number_text(*value * words * per_unit(def.unit)?, 6),
+        ParamValue::Number(value) => number_text(*value * words * def.unit.per_form_unit()?, 3),
+        ParamValue::Fine(value) => number_text(*value * words * def.unit.per_form_unit()?, 6),
         ParamValue::Answer(yes) => def.answer(*yes).to_owned(),
     };
     if text.is_empty() {
         return None;
     }
-    let unit = match def.unit.rfind("mm").and_then(|at| def.unit.split_at_checked(at)) {
-        Some((before, rest)) if axes.rotary.contains(&axis) => {
-            format!("{before}°{}", rest.strip_prefix("mm").unwrap_or(rest))
-        }
-        _ => def.unit.to_owned(),
-    };
-    Some(row([def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit, def.text.to_string()], def.cite))
-}
-
-/// Units of a parameter per unit of the form.
-fn per_unit(unit: &str) -> Option<f64> {
-    match unit {
-        "0.001 mm" => Some(1000.0),
-        "0.01/s" => Some(100.0),
-        "kp/rev" => Some(0.001),
-        "1000/min" => Some(0.06),
-        "rev/s²" => Some(1.0 / 60.0),
-        "pulses" => None,
-        _ => Some(1.0),
-    }
+    let unit = if axes.rotary.contains(&axis) { def.unit.rotary_text() } else { def.unit.text() };
+    Some(row(
+        [def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit.to_owned(), def.text.to_string()],
+        def.cite,
+    ))
 }

@@ -151,7 +151,7 @@ impl<'a> Words<'a> {
             Table::Parameters => {
                 let row = control.params.iter().find(|row| row.number == word)?;
                 let says = vec![told(row.text), msg!("meaning.parameter", parameter = row.name)];
-                Some(meaning(word, Subject::Parameter, says, row.unit, row.cite))
+                Some(meaning(word, Subject::Parameter, says, row.unit.text(), row.cite))
             }
             Table::Alarms => {
                 let row = control.alarms.iter().find(|row| row.number == word)?;

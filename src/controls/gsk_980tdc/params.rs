@@ -3,6 +3,7 @@
 use super::sources::{AXES, PARAMETERS, SPINDLE};
 use crate::controls::ParamDef;
 use crate::controls::ParamRole::*;
+use crate::controls::ParamUnit::*;
 use crate::controls::params::param;
 use crate::text::{Citation, Grade};
 
@@ -14,23 +15,23 @@ const PLC_DATA: Citation = Citation::new("GSK980TDi PLC data list; bits counted 
 
 /// One row per parameter, by number.
 pub(super) const PARAMS: &[ParamDef] = &[
-    param(CommandUnit, "No.001#1", "", "", "0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)", PARAMETERS).answered("0", "1"),
-    param(AxisDiameter, "No.001#2", "", "", "words of X: 0 diameters, 1 radii", PARAMETERS).answered("0", "1"),
-    param(SpindleConnection, "No.001#4", "", "", "1: analog voltage, 0: gears by contacts", PARAMETERS),
+    param(CommandUnit, "No.001#1", "", Plain, "0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)", PARAMETERS).answered("0", "1"),
+    param(AxisDiameter, "No.001#2", "", Plain, "words of X: 0 diameters, 1 radii", PARAMETERS).answered("0", "1"),
+    param(SpindleConnection, "No.001#4", "", Plain, "1: analog voltage, 0: gears by contacts", PARAMETERS),
     param(
         ExactStopCheck,
         "No.007#6",
         "",
-        "",
+        Plain,
         "0: smooth from block to block, 1: each block ends in position",
         PARAMETERS,
     ),
-    param(CountsOver, "No.015", "CMR", "", "numerator: counts of the encoder per turn of the motor", SCALING),
+    param(CountsOver, "No.015", "CMR", Plain, "numerator: counts of the encoder per turn of the motor", SCALING),
     param(
         CountsUnder,
         "No.016",
         "CMD",
-        "",
+        Plain,
         "denominator: output units of 0.001 mm per turn (X by diameters: 0.0005 mm), both in lowest terms",
         SCALING,
     ),
@@ -38,44 +39,58 @@ pub(super) const PARAMS: &[ParamDef] = &[
         SpindleOffsetRated,
         "No.021",
         "",
-        "mV",
+        Millivolts,
         "offset of the analog output at its highest speed (10 V)",
         PARAMETERS,
     ),
-    param(AxisRapid, "No.022", "", "mm/min", "rapid traverse", RANGES),
-    param(AxisClamp, "No.027", "", "mm/min", "upper limit of the cutting feed; of X as diameter", RANGES)
+    param(AxisRapid, "No.022", "", MmPerMinute, "rapid traverse", RANGES),
+    param(AxisClamp, "No.027", "", MmPerMinute, "upper limit of the cutting feed; of X as diameter", RANGES)
         .in_diameters(),
-    param(AxisTimeConstant, "No.029", "", "ms", "time constant of acceleration, cutting feed, 10 to 4000", RANGES),
+    param(
+        AxisTimeConstant,
+        "No.029",
+        "",
+        Milliseconds,
+        "time constant of acceleration, cutting feed, 10 to 4000",
+        RANGES,
+    ),
     param(
         SpindleOffsetZero,
         "No.036",
         "",
-        "mV",
+        Millivolts,
         "offset of the analog output at speed 0 (the manual's \"10 V\" is a slip)",
         PARAMETERS,
     ),
-    param(SpindleLimit, "No.037", "", "r/min", "spindle speed at 10 V, gear 1", SPINDLE),
-    param(SpindleGear(2), "No.038", "", "r/min", "spindle speed at 10 V, gear 2", SPINDLE),
-    param(SpindleGear(3), "No.039", "", "r/min", "spindle speed at 10 V, gear 3", SPINDLE),
-    param(SpindleGear(4), "No.040", "", "r/min", "spindle speed at 10 V, gear 4", SPINDLE),
-    param(SpindleMinimum, "No.043", "", "r/min", "smallest spindle speed at constant surface speed", PARAMETERS),
-    param(AxisSoftLimits, "No.045/046", "", "0.001 mm", "soft limits 1, machine coordinates", PARAMETERS)
+    param(SpindleLimit, "No.037", "", TurnsPerMinute, "spindle speed at 10 V, gear 1", SPINDLE),
+    param(SpindleGear(2), "No.038", "", TurnsPerMinute, "spindle speed at 10 V, gear 2", SPINDLE),
+    param(SpindleGear(3), "No.039", "", TurnsPerMinute, "spindle speed at 10 V, gear 3", SPINDLE),
+    param(SpindleGear(4), "No.040", "", TurnsPerMinute, "spindle speed at 10 V, gear 4", SPINDLE),
+    param(SpindleMinimum, "No.043", "", TurnsPerMinute, "smallest spindle speed at constant surface speed", PARAMETERS),
+    param(AxisSoftLimits, "No.045/046", "", ThousandthMm, "soft limits 1, machine coordinates", PARAMETERS)
         .answered("", ""),
-    param(SpindleShiftVolts, "No.067", "", "mV", "analog output while gears are shifted", PARAMETERS),
-    param(SpindleEncoder, "No.069/070", "", "", "spindle encoder fitted, and its lines (100 to 10000)", PARAMETERS),
-    param(SpindleReachedDelay, "No.072", "", "ms", "delay until the signal of reached speed is looked at", PARAMETERS),
-    param(SpindleMaximum, "No.075", "", "r/min", "spindle speed clamp, 0: none", PARAMETERS),
-    param(SpindleReached, "No.175#6", "", "", "1: cuts wait for the signal of reached speed", PARAMETERS),
-    param(AxisRotary, "No.187#0", "", "", "kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none", AXES)
+    param(SpindleShiftVolts, "No.067", "", Millivolts, "analog output while gears are shifted", PARAMETERS),
+    param(SpindleEncoder, "No.069/070", "", Plain, "spindle encoder fitted, and its lines (100 to 10000)", PARAMETERS),
+    param(
+        SpindleReachedDelay,
+        "No.072",
+        "",
+        Milliseconds,
+        "delay until the signal of reached speed is looked at",
+        PARAMETERS,
+    ),
+    param(SpindleMaximum, "No.075", "", TurnsPerMinute, "spindle speed clamp, 0: none", PARAMETERS),
+    param(SpindleReached, "No.175#6", "", Plain, "1: cuts wait for the signal of reached speed", PARAMETERS),
+    param(AxisRotary, "No.187#0", "", Plain, "kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none", AXES)
         .answered("01", "00"),
-    param(SpindleCount, "No.196#4", "", "", "1: several spindles", PARAMETERS).answered("0", "1"),
-    param(AxisInPosition, "No.248", "", "pulses", "in-position width", PARAMETERS),
-    param(AxisAcceleration, "No.252", "", "", "acceleration of cutting feed: 0 linear, 1 S-shaped", PARAMETERS)
+    param(SpindleCount, "No.196#4", "", Plain, "1: several spindles", PARAMETERS).answered("0", "1"),
+    param(AxisInPosition, "No.248", "", Pulses, "in-position width", PARAMETERS),
+    param(AxisAcceleration, "No.252", "", Plain, "acceleration of cutting feed: 0 linear, 1 S-shaped", PARAMETERS)
         .answered("0", "1"),
-    param(TurnsThroughReset, "K10.1", "", "", "1: the spindle turns on through reset", PLC_DATA),
-    param(GearShift, "K15.0", "", "", "1: gears are shifted by M41 to M44", PLC_DATA),
-    param(StopLast, "K16.5", "", "", "M05 beside a motion: 0 at its end, 1 at once", PLC_DATA).answered("0", "1"),
-    param(VoltsOffAtStop, "K17.3", "", "", "analog output at M05: 0 kept, 1 off", PLC_DATA),
-    param(GearShiftBefore, "DT000", "", "ms", "delay until the old gear goes out", PLC_DATA),
-    param(GearShiftAfter, "DT001", "", "ms", "delay behind the new gear", PLC_DATA),
+    param(TurnsThroughReset, "K10.1", "", Plain, "1: the spindle turns on through reset", PLC_DATA),
+    param(GearShift, "K15.0", "", Plain, "1: gears are shifted by M41 to M44", PLC_DATA),
+    param(StopLast, "K16.5", "", Plain, "M05 beside a motion: 0 at its end, 1 at once", PLC_DATA).answered("0", "1"),
+    param(VoltsOffAtStop, "K17.3", "", Plain, "analog output at M05: 0 kept, 1 off", PLC_DATA),
+    param(GearShiftBefore, "DT000", "", Milliseconds, "delay until the old gear goes out", PLC_DATA),
+    param(GearShiftAfter, "DT001", "", Milliseconds, "delay behind the new gear", PLC_DATA),
 ];

@@ -3,6 +3,7 @@
 use super::sources::PAPER;
 use crate::controls::Code::*;
 use crate::controls::ParamRole::EditLock;
+use crate::controls::ParamUnit::Plain;
 use crate::controls::VarKind::*;
 use crate::controls::base::fanuc;
 use crate::controls::base::fanuc::MEMORY;
@@ -57,7 +58,7 @@ pub(super) const VARS: &[VarRange] = extended![
 /// Parameters that a machine has to set.
 pub(super) const PARAMS: &[ParamDef] = extended![
     ParamDef: cited![ParamDef: fanuc::LATHE_PARAMS, MEMORY],
-    &[param(EditLock, "3202#4", "NE9", "", "1: programs 9000 to 9999 cannot be edited; 0 to load O9120", MEMORY)],
+    &[param(EditLock, "3202#4", "NE9", Plain, "1: programs 9000 to 9999 cannot be edited; 0 to load O9120", MEMORY)],
 ];
 
 /// Registers between PMC and control.

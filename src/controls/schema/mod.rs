@@ -46,7 +46,7 @@ pub use drive::{DriveRole, DriveSystem};
 pub use interface::Signal;
 pub use limits::{Limits, Timing};
 pub use macros::Macros;
-pub use params::{ParamDef, ParamRole};
+pub use params::{ParamDef, ParamRole, ParamUnit};
 pub use spindle::SpindleRules;
 pub use switch::{Switch, Switches};
 pub use syntax::Syntax;

@@ -132,6 +132,113 @@ pub enum ParamRole {
     MacroSingle,
 }
 
+/// Unit of a parameter's value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ParamUnit {
+    /// No unit: a number of pieces, a ratio, a choice.
+    Plain,
+    /// Digits of a hexadecimal number.
+    Hexadecimal,
+    /// mm.
+    Mm,
+    /// 0.001 mm.
+    ThousandthMm,
+    /// 0.1 µm.
+    TenthMicrometre,
+    /// mm/min.
+    MmPerMinute,
+    /// °.
+    Degrees,
+    /// r/min.
+    TurnsPerMinute,
+    /// rev/s².
+    TurnsPerSecondSquared,
+    /// ms.
+    Milliseconds,
+    /// 1/s.
+    PerSecond,
+    /// 0.01/s.
+    HundredthPerSecond,
+    /// 1000/min.
+    ThousandPerMinute,
+    /// Pulses per revolution.
+    PulsesPerTurn,
+    /// Thousand pulses per revolution.
+    KilopulsesPerTurn,
+    /// Pulses of a length or a voltage that the manual at hand does not name.
+    Pulses,
+    /// mV.
+    Millivolts,
+    /// %.
+    Percent,
+    /// 0.1 %.
+    TenthPercent,
+}
+
+impl ParamUnit {
+    /// The unit as shown, or empty.
+    pub const fn text(self) -> &'static str {
+        match self {
+            ParamUnit::Plain => "",
+            ParamUnit::Hexadecimal => "hex",
+            ParamUnit::Mm => "mm",
+            ParamUnit::ThousandthMm => "0.001 mm",
+            ParamUnit::TenthMicrometre => "0.1 µm",
+            ParamUnit::MmPerMinute => "mm/min",
+            ParamUnit::Degrees => "°",
+            ParamUnit::TurnsPerMinute => "r/min",
+            ParamUnit::TurnsPerSecondSquared => "rev/s²",
+            ParamUnit::Milliseconds => "ms",
+            ParamUnit::PerSecond => "1/s",
+            ParamUnit::HundredthPerSecond => "0.01/s",
+            ParamUnit::ThousandPerMinute => "1000/min",
+            ParamUnit::PulsesPerTurn => "p/rev",
+            ParamUnit::KilopulsesPerTurn => "kp/rev",
+            ParamUnit::Pulses => "pulses",
+            ParamUnit::Millivolts => "mV",
+            ParamUnit::Percent => "%",
+            ParamUnit::TenthPercent => "0.1 %",
+        }
+    }
+
+    /// The unit as shown for a rotary axis, whose units are degrees.
+    pub const fn rotary_text(self) -> &'static str {
+        match self {
+            ParamUnit::Mm => "°",
+            ParamUnit::ThousandthMm => "0.001 °",
+            ParamUnit::MmPerMinute => "°/min",
+            other => other.text(),
+        }
+    }
+
+    /// Units per unit of a machine's form (mm, mm/min, °, r/min, r/min per second, ms, 1/s, p/rev, mV, %); `None` where the length or
+    /// the voltage of the unit is unknown.
+    pub const fn per_form_unit(self) -> Option<f64> {
+        match self {
+            ParamUnit::Plain
+            | ParamUnit::Hexadecimal
+            | ParamUnit::Mm
+            | ParamUnit::MmPerMinute
+            | ParamUnit::Degrees
+            | ParamUnit::TurnsPerMinute
+            | ParamUnit::Milliseconds
+            | ParamUnit::PerSecond
+            | ParamUnit::PulsesPerTurn
+            | ParamUnit::Millivolts
+            | ParamUnit::Percent => Some(1.0),
+            ParamUnit::ThousandthMm => Some(1000.0),
+            ParamUnit::TenthMicrometre => Some(10_000.0),
+            ParamUnit::HundredthPerSecond => Some(100.0),
+            ParamUnit::TenthPercent => Some(10.0),
+            ParamUnit::KilopulsesPerTurn => Some(0.001),
+            // 60 s of a minute by a thousand.
+            ParamUnit::ThousandPerMinute => Some(0.06),
+            ParamUnit::TurnsPerSecondSquared => Some(1.0 / 60.0),
+            ParamUnit::Pulses => None,
+        }
+    }
+}
+
 /// A parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParamDef {
@@ -141,8 +248,8 @@ pub struct ParamDef {
     pub number: &'static str,
     /// Short name on the screen, for instance `slimt1`.
     pub name: &'static str,
-    /// Unit, or empty.
-    pub unit: &'static str,
+    /// Unit of its value.
+    pub unit: ParamUnit,
     /// Description.
     pub text: Phrase,
     /// Values for yes and no, for roles that are a question.
@@ -175,7 +282,7 @@ pub(in crate::controls) const fn param(
     role: ParamRole,
     number: &'static str,
     name: &'static str,
-    unit: &'static str,
+    unit: ParamUnit,
     text: &'static str,
     cite: Citation,
 ) -> ParamDef {

@@ -51,7 +51,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
     ];
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
     values.extend(scaling::parameters(lathe.control, &lathe.turning_drives()));
-    let axes = AxisUnits { cross_words: lathe.words(), rotary: &["3", "4"] };
+    let axes = AxisUnits { in_diameters: if lathe.words() > 1.0 { &["X"] } else { &[] }, rotary: &["3", "4"] };
     let mut sheet = sheets::parameters(lathe.control, &axes, values);
     for ((number, code), program) in (FIRST..).zip(program::codes(lathe)).zip(MACROS) {
         let code = code.map_or(String::new(), |code| code.to_string());

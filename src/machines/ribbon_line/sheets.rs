@@ -63,7 +63,7 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::MacroSingle, yes(false)),
     ];
     values.extend(scaling::parameters(line.control, &line.drives(print)));
-    let axes = AxisUnits { cross_words: f64::from(line.pull_words()), rotary: &rolling };
+    let axes = AxisUnits { in_diameters: if line.pull_words() == 2 { &["X"] } else { &[] }, rotary: &rolling };
     sheets::parameters(line.control, &axes, values)
 }
 

@@ -6,7 +6,7 @@ use super::params::Output;
 use super::plant::SHIFT_VOLTS;
 use super::resolved::TurningSpindle;
 use super::stops::reactions;
-use crate::controls::ParamRole;
+use crate::controls::{ParamRole, ParamUnit};
 use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, AxisValues, ParamValue};
 use crate::machines::stops;
@@ -30,7 +30,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     let stage = |speed: f64| if speed > 0.0 { number(speed) } else { Vec::new() };
     // Some controls have a gain here, or units of their own.
     let volts = |role: ParamRole, value: f64| {
-        let millivolts = lathe.control.param(role).is_some_and(|row| row.unit == "mV");
+        let millivolts = lathe.control.param(role).is_some_and(|row| row.unit == ParamUnit::Millivolts);
         if millivolts { number(value) } else { Vec::new() }
     };
     // One value per gear stage.
@@ -87,6 +87,6 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::VariablesAtPowerOn, yes(false)),
     ];
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
-    let axes = AxisUnits { cross_words: if lathe.diameters() { 2.0 } else { 1.0 }, rotary: &[] };
+    let axes = AxisUnits { in_diameters: if lathe.diameters() { &["X"] } else { &[] }, rotary: &[] };
     sheets::parameters(lathe.control, &axes, values)
 }

@@ -142,7 +142,7 @@ fn parameters(control: &Control, texts: &Texts) -> HelpSection {
             name => format!("{name}: {}", row.text.words()),
         };
         let mut entry = HelpEntry::new(HelpKind::Parameter, format!("param.{}", row.number), row.number, title);
-        entry.fact(texts.words("fact.unit"), row.unit);
+        entry.fact(texts.words("fact.unit"), row.unit.text());
         entry.also.push(format!("param.{}", id_of(&format!("{:?}", row.role))));
         entry.cite = Some(row.cite);
         section.entries.push(entry);
