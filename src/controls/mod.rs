@@ -22,9 +22,9 @@ pub mod sinumerik_808d;
 
 pub use schema::address;
 pub use schema::{
-    Address, AddressSet, Alarm, AlarmDef, AxisDef, Bench, Code, CodeDef, CodeId, CodeNumber, Control, Dialect,
-    DriveRole, DriveSystem, Group, Limits, Macros, ParamDef, ParamRole, ParamUnit, Point, Signal, SpindleRules, Switch,
-    Switches, Syntax, Timing, VarKind, VarRange,
+    Address, AddressSet, Alarm, AlarmDef, AnalogOutput, AxisDef, AxisScaling, Bench, Code, CodeDef, CodeId, CodeNumber,
+    Control, Dialect, DriveRole, DriveSystem, Group, Limits, Macros, ParamDef, ParamRole, ParamUnit, Point,
+    ScalingKind, Signal, SpindleRules, Switch, Switches, Syntax, Timing, VarKind, VarRange,
 };
 pub use schema::{
     alarm, bench, code, dialect, drive, interface, limits, macros, options, params, spindle, switch, syntax, vars,

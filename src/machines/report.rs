@@ -141,6 +141,8 @@ fn open(control: &Control, switches: &Switches) -> Vec<OpenPoints> {
                 (control.timing.cite, "form.open.block-times"),
             ]
             .into_iter()
+            .chain([(control.analog_output.cite, "form.open.analog-output")])
+            .chain(control.scaling.map(|row| (row.cite, "form.open.scaling")))
             .chain(control.zero_return.map(|cite| (cite, "form.open.zero-return")))
             .filter(|(cite, _)| doubtful(cite))
             .map(|(cite, what)| format!("{} ({})", words(what), cite.source))

@@ -4,19 +4,10 @@ use super::form::Field;
 use super::form::rows::{Member, number};
 use super::sheets::{AxisValues, ParamValue};
 use super::verdict::{Judgement, fail, ok, warn};
-use crate::controls::{Control, ParamRole};
+use crate::controls::{Control, ParamRole, ScalingKind};
 use crate::drives::scaling::Fraction;
 use crate::msg;
 use crate::view::Limit::AtMost;
-
-/// Greatest term of a gear parameter that all controls with such parameters take (FANUC 2084, GSK No.015, Mitsubishi #2201).
-const TERMS: u64 = 32_767;
-
-/// Greatest term of the gear of a Siemens control: it takes more, but no gear needs more.
-const LONG_TERMS: u64 = 1_000_000;
-
-/// Detection units per motor turn to which a FANUC control scales any encoder.
-const FEEDBACK: f64 = 1_000_000.0;
 
 /// Units of a turn of a rotary axis, as controls have it.
 const TURN: f64 = 360.0;
@@ -55,25 +46,17 @@ impl AxisDrive<'_> {
 
     /// Scaling as the control has it; `None` where the control has no such parameters, or no whole numbers that do.
     pub fn scaling(&self, control: &Control) -> Option<Scaling> {
-        let has = |role| control.param(role).is_some();
-        let increment = control.limits.increment;
-        if has(ParamRole::CountsOver) {
-            self.by_counts(increment / self.words)
-        } else if has(ParamRole::FeedGearOver) {
-            self.by_feed_gear(increment)
-        } else if has(ParamRole::WholeLead) {
-            self.by_whole_lead()
-        } else if has(ParamRole::Lead) {
-            self.by_lead()
-        } else {
-            None
+        let row = control.scaling?;
+        let (increment, terms) = (control.limits.increment, row.greatest_term);
+        match row.kind {
+            ScalingKind::Counts => self.by_counts(increment / self.words, terms),
+            ScalingKind::FeedGear { feedback, multiplier, diameter_multiplier } => {
+                let multiplier = if self.words > 1.0 { diameter_multiplier } else { multiplier };
+                self.by_feed_gear(increment, feedback, multiplier, terms)
+            }
+            ScalingKind::WholeLead => self.by_whole_lead(terms),
+            ScalingKind::Lead => self.by_lead(terms),
         }
-    }
-
-    /// Whether the control has parameters for it.
-    pub fn is_scaled(control: &Control) -> bool {
-        let roles = [ParamRole::CountsOver, ParamRole::FeedGearOver, ParamRole::WholeLead, ParamRole::Lead];
-        roles.into_iter().any(|role| control.param(role).is_some())
     }
 
     /// Relative error of the travel by rounded parameters: `T / T' - 1`, with the travel T per turn of the motor and T' that of the
@@ -84,20 +67,20 @@ impl AxisDrive<'_> {
         Some(if error.abs() < 1e-14 { 0.0 } else { error })
     }
 
-    /// GSK: `CMR / CMD = counts · unit / travel`, with the counts of the encoder per turn of the motor. Source: GSK980MDi manual, p.401.
-    fn by_counts(&self, unit: f64) -> Option<Scaling> {
-        let fraction = Fraction::nearest(self.encoder * unit / self.travel(), TERMS)?;
+    /// `over / under = counts · unit / travel`, with the counts of the encoder and the travel per turn of the motor.
+    fn by_counts(&self, unit: f64, terms: u64) -> Option<Scaling> {
+        let fraction = Fraction::nearest(self.encoder * unit / self.travel(), terms)?;
         let values =
             vec![(ParamRole::CountsOver, fraction.over as f64), (ParamRole::CountsUnder, fraction.under as f64)];
         Some(Scaling { values, travel: self.encoder * unit / fraction.value() })
     }
 
-    /// FANUC: `N / M = travel / unit / 1 000 000`, unit of detection 0.001 mm of travel; a command in diameters has half of it, CMR 1/2.
-    fn by_feed_gear(&self, unit: f64) -> Option<Scaling> {
-        let fraction = Fraction::nearest(self.travel() / unit / FEEDBACK, TERMS)?;
-        let travel = fraction.value() * FEEDBACK * unit;
+    /// `over / under = travel / unit / feedback`, with the detection unit in mm of travel, the travel and the feedback counts per turn of the motor.
+    fn by_feed_gear(&self, unit: f64, feedback: f64, multiplier: f64, terms: u64) -> Option<Scaling> {
+        let fraction = Fraction::nearest(self.travel() / unit / feedback, terms)?;
+        let travel = fraction.value() * feedback * unit;
         let values = vec![
-            (ParamRole::CommandMultiplier, if self.words > 1.0 { 102.0 } else { 2.0 }),
+            (ParamRole::CommandMultiplier, multiplier),
             (ParamRole::ReferenceCounts, travel / unit),
             (ParamRole::FeedGearOver, fraction.over as f64),
             (ParamRole::FeedGearUnder, fraction.under as f64),
@@ -105,14 +88,14 @@ impl AxisDrive<'_> {
         Some(Scaling { values, travel })
     }
 
-    /// Mitsubishi: `travel = PIT · PC1 / PC2`, PIT in whole millimetres, 360 for a rotary axis.
-    fn by_whole_lead(&self) -> Option<Scaling> {
+    /// `travel = lead · load turns / motor turns`, with the lead in whole millimetres, 360 for a rotary axis.
+    fn by_whole_lead(&self, terms: u64) -> Option<Scaling> {
         let lead = match self.lead.fract() == 0.0 {
             _ if self.rotary => TURN,
             true => self.lead,
             false => 10.0,
         };
-        let fraction = Fraction::nearest(self.travel() / lead, TERMS)?;
+        let fraction = Fraction::nearest(self.travel() / lead, terms)?;
         let values = vec![
             (ParamRole::LoadTurns, fraction.over as f64),
             (ParamRole::MotorTurns, fraction.under as f64),
@@ -122,12 +105,12 @@ impl AxisDrive<'_> {
         Some(Scaling { values, travel: lead * fraction.value() })
     }
 
-    /// Siemens: `travel = lead · load turns / motor turns`; of a rotary axis `360 · load turns / motor turns`.
-    fn by_lead(&self) -> Option<Scaling> {
+    /// `travel = lead · load turns / motor turns`; of a rotary axis `360 · load turns / motor turns`.
+    fn by_lead(&self, terms: u64) -> Option<Scaling> {
         // Six decimals are written.
         let lead = if self.rotary { TURN } else { (self.lead * 1e6).round() / 1e6 };
         let ratio = if self.rotary { self.travel() / TURN } else { self.gear.1 / self.gear.0 };
-        let fraction = Fraction::nearest(ratio, LONG_TERMS)?;
+        let fraction = Fraction::nearest(ratio, terms)?;
         let mut values = vec![
             (ParamRole::LoadTurns, fraction.over as f64),
             (ParamRole::MotorTurns, fraction.under as f64),
@@ -152,7 +135,7 @@ pub fn parts_per_million(control: &Control, drive: &AxisDrive) -> f64 {
 pub fn judge(control: &Control, drive: &AxisDrive) -> Option<Judgement> {
     let limit = AtMost(MOST);
     match drive.error(control) {
-        _ if !AxisDrive::is_scaled(control) => None,
+        _ if control.scaling.is_none() => None,
         None => fail(None, [msg!("scaling.no-ratio", axis = drive.axis).into()]),
         Some(error) if 1e6 * error.abs() > MOST => {
             warn(limit, [msg!("scaling.drifts", axis = drive.axis, millionths = (1e6 * error, 4)).into()])

@@ -120,7 +120,7 @@ impl SpindlePlant {
     pub fn bench(control: &Control, rules: SpindleRules) -> SpindlePlant {
         let bench = &control.bench;
         let first = bench.gears.first().copied().unwrap_or(0.0);
-        let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(first, bench.volts_full) };
+        let analog = control.analog_output.with_speed(first);
         // On controls without a code for presetting coordinates, axes count from the turning centre until a program shifts them.
         let centre = (!control.can(Code::SetCoordinates)).then_some(0.0);
         let spindle = SpindlePlant::new(analog, bench.speed_clamp, bench.ramp, rules);

@@ -35,7 +35,7 @@ pub fn json() -> Json {
             .collect();
         json!({ "id": c.id, "name": c.name, "bench": {
             "axes": axes, "speed_at_full": c.bench.gears.first(), "gears": c.bench.gears, "speed_clamp": c.bench.speed_clamp,
-            "volts": c.bench.volts_full, "output_bits": c.bench.output_bits, "ramp_s": c.bench.ramp },
+            "volts": c.analog_output.volts, "output_bits": c.analog_output.bits, "ramp_s": c.bench.ramp },
             "switches": c.switches.iter().map(switch).collect::<Vec<_>>() })
     };
     json!({
@@ -70,8 +70,8 @@ pub fn text() -> String {
             sentence(&msg!("project.list.axis", axis = a.letter.to_string(), clamp = a.clamp, unit))
         });
         let full = bench.gears.first().copied().unwrap_or(0.0);
-        let told =
-            msg!("project.list.bench", axes = listed(axes), speed = full, volts = bench.volts_full, ramp = bench.ramp);
+        let (volts, ramp) = (control.analog_output.volts, bench.ramp);
+        let told = msg!("project.list.bench", axes = listed(axes), speed = full, volts, ramp);
         out += &format!("  {:<20} {}\n", "", sentence(&told));
         out += &format!("  {:<20} {}\n", "", words("project.list.switches"));
         for switch in control.switches {

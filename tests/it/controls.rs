@@ -28,7 +28,12 @@ fn citations(control: &'static Control) -> Vec<(String, Citation)> {
         ("macros".to_owned(), control.macros.cite),
         ("limits".to_owned(), control.limits.cite),
         ("timing".to_owned(), control.timing.cite),
+        ("spindle".to_owned(), control.spindle.cite),
+        ("analog output".to_owned(), control.analog_output.cite),
     ];
+    all.extend(control.scaling.map(|row| ("scaling".to_owned(), row.cite)));
+    all.extend(control.zero_return.map(|cite| ("zero return".to_owned(), cite)));
+    all.extend(control.drives.iter().map(|row| (format!("drives {:?}", row.role), row.cite)));
     all.extend(control.axes.iter().map(|row| (format!("axis {}", row.letter), row.cite)));
     all.extend(control.codes.iter().map(|row| (control.code_name(row.id), row.cite)));
     all.extend(control.vars.iter().map(|row| (format!("#{}", row.first), row.cite)));

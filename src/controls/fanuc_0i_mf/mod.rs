@@ -8,7 +8,7 @@ use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
 use super::interface::PlcLanguage;
 use super::schema::control::axis;
-use super::{Address, AddressSet, Control, Limits, SpindleRules, Syntax};
+use super::{Address, AddressSet, AnalogOutput, AxisScaling, Control, Limits, SpindleRules, Syntax};
 use rows::MEMORY;
 
 /// The control.
@@ -40,6 +40,8 @@ pub static CONTROL: Control = Control {
     plc: PlcLanguage::Pmc,
     switches: rows::SWITCHES,
     spindle: SpindleRules { signed_output: true, cite: MEMORY, ..fanuc::SPINDLE },
+    analog_output: AnalogOutput { cite: MEMORY, ..fanuc::ANALOG_OUTPUT },
+    scaling: Some(AxisScaling { cite: MEMORY, ..fanuc::SCALING }),
     zero_return: None,
     bench: Bench {
         axes: &[

@@ -31,6 +31,8 @@ pub static CONTROL: Control = Control {
     plc: PlcLanguage::Pmc,
     switches: series_0i_f::LATHE_SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },
+    analog_output: fanuc::ANALOG_OUTPUT,
+    scaling: Some(fanuc::SCALING),
     zero_return: None,
     bench: fanuc::BENCH,
     drives: series_0i_f::DRIVES,

@@ -18,7 +18,9 @@ use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::schema::table::joined;
 use super::spindle::RapidSpeed;
 use super::syntax::Percent;
-use super::{AxisDef, Control, DriveSystem, Limits, Macros, SpindleRules, Syntax, Timing};
+use super::{
+    AnalogOutput, AxisDef, AxisScaling, Control, DriveSystem, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing,
+};
 use crate::controls::Address;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -109,6 +111,11 @@ pub static CONTROL: Control = Control {
         cite: Citation::new("GSK980TDc manual, 2.2.2 and 2.2.3; override by 988TA", Grade::Sister),
         ..fanuc::SPINDLE
     },
+    analog_output: AnalogOutput {
+        cite: Citation::new("turning spindle facts 1; 12 bits from a sister control", Grade::Sister),
+        ..fanuc::ANALOG_OUTPUT
+    },
+    scaling: Some(AxisScaling { kind: ScalingKind::Counts, greatest_term: 32_767, cite: params::SCALING }),
     zero_return: Some(RETURN),
     bench: Bench {
         axes: &[

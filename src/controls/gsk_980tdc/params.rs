@@ -9,7 +9,7 @@ use crate::text::{Citation, Grade};
 
 const RANGES: Citation = Citation::new("GSK980TDi parameter list; range GSK980MDi manual, p.374", Grade::Sister);
 
-const SCALING: Citation = Citation::new("GSK980MDi manual, p.385, 401 and 402: CMR and CMD", Grade::Sister);
+pub(super) const SCALING: Citation = Citation::new("GSK980MDi manual, p.385, 401 and 402: CMR and CMD", Grade::Sister);
 
 const PLC_DATA: Citation = Citation::new("GSK980TDi PLC data list; bits counted from 0", Grade::Sister);
 

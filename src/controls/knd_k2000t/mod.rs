@@ -51,6 +51,8 @@ pub static CONTROL: Control = Control {
     plc: PlcLanguage::Pmc,
     switches: rows::SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },
+    analog_output: fanuc::ANALOG_OUTPUT,
+    scaling: Some(fanuc::SCALING),
     zero_return: Some(RETURN),
     bench: fanuc::BENCH,
     drives: joined![DriveSystem: &PULSE, ANALOG_SPINDLE],

@@ -17,7 +17,7 @@ use super::macros::CodeCalls;
 use super::schema::control::axis;
 use super::schema::table::joined;
 use super::syntax::{ArcTangent, Function};
-use super::{Control, Limits, Macros, SpindleRules, Syntax, Timing};
+use super::{AnalogOutput, AxisScaling, Control, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing};
 use crate::controls::{Address, AddressSet};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -109,6 +109,11 @@ pub static CONTROL: Control = Control {
         ),
         ..fanuc::SPINDLE
     },
+    analog_output: AnalogOutput {
+        cite: Citation::new("ribbon line facts, 4; 12 bits from memory", Grade::Open),
+        ..fanuc::ANALOG_OUTPUT
+    },
+    scaling: Some(AxisScaling { kind: ScalingKind::WholeLead, greatest_term: 32_767, cite: params::SCALING }),
     zero_return: None,
     bench: Bench {
         axes: &[

@@ -11,7 +11,7 @@ const HEADER: Citation = Citation::new("Mitsubishi Custom-API header, parameter 
 const NAME: Citation = Citation::new("name: Custom-API header; number by order, unverified", Grade::Open);
 const M800: Citation = Citation::new("M800 parameter names and Custom-API header", Grade::Sister);
 const ROLL_OVER: Citation = Citation::new("names: Custom-API header; effect on rotary axes unverified", Grade::Open);
-const SCALING: Citation =
+pub(super) const SCALING: Citation =
     Citation::new("Custom-API header: PC1, PC2, PIT by name; numbers M800; formula inferred", Grade::Inferred);
 const RESOLUTION: Citation =
     Citation::new("Custom-API header: RNG1, RNG2 by name; unit of older drives unverified", Grade::Open);

@@ -42,10 +42,6 @@ pub struct Bench {
     pub shift: BenchShift,
     /// Spindle clamp in r/min.
     pub speed_clamp: f64,
-    /// Full output in volts.
-    pub volts_full: f64,
-    /// Bits of the analog output.
-    pub output_bits: u8,
     /// In-position width of the axes in mm.
     pub in_position: f64,
     /// Seconds from 0 to full speed.

@@ -3,8 +3,8 @@
 use super::interface::PlcLanguage;
 use super::options::SwitchKind;
 use super::{
-    Address, Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, CodeNumber, DriveSystem, Limits, Macros, ParamDef,
-    ParamRole, Signal, SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
+    Address, Alarm, AlarmDef, AnalogOutput, AxisScaling, Bench, Code, CodeDef, CodeId, CodeNumber, DriveSystem, Limits,
+    Macros, ParamDef, ParamRole, Signal, SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
 };
 use crate::msg;
 use crate::text::{Citation, Grade, Message, Phrase, either};
@@ -44,6 +44,10 @@ pub struct Control {
     pub switches: &'static [Switch],
     /// Effects of S, M3, constant surface speed and speed limits.
     pub spindle: SpindleRules,
+    /// Analog output for the speed of the spindle.
+    pub analog_output: AnalogOutput,
+    /// Axis scaling; `None` where the control has no parameters for it.
+    pub scaling: Option<AxisScaling>,
     /// Program zero return: source of a mode in which the operator sends the axes back to the program's reference point; `None` without it.
     pub zero_return: Option<Citation>,
     /// Test bench for programs without a machine.

@@ -24,6 +24,10 @@ pub mod params;
 
 pub mod interface;
 
+pub mod analog_output;
+
+pub mod scaling;
+
 pub mod bench;
 
 pub mod spindle;
@@ -38,6 +42,7 @@ pub mod dialect;
 
 pub use address::{Address, AddressSet};
 pub use alarm::{Alarm, AlarmDef};
+pub use analog_output::AnalogOutput;
 pub use bench::Bench;
 pub use code::{Code, CodeDef, CodeId, CodeNumber, Group, Point};
 pub use control::{AxisDef, Control};
@@ -47,6 +52,7 @@ pub use interface::Signal;
 pub use limits::{Limits, Timing};
 pub use macros::Macros;
 pub use params::{ParamDef, ParamRole, ParamUnit};
+pub use scaling::{AxisScaling, ScalingKind};
 pub use spindle::SpindleRules;
 pub use switch::{Switch, Switches};
 pub use syntax::Syntax;

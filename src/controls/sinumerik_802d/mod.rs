@@ -35,6 +35,8 @@ pub static CONTROL: Control = Control {
     interface: sinumerik::SIGNALS,
     plc: PlcLanguage::Step7,
     switches: rows::SWITCHES,
+    analog_output: sinumerik::ANALOG_OUTPUT,
+    scaling: Some(sinumerik::SCALING),
     zero_return: None,
     bench: sinumerik::BENCH,
     drives: joined![DriveSystem: sinumerik::DRIVES, &FIELD_BUS],

@@ -3,7 +3,7 @@
 //! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
 
 use super::params::{FeedForm, Job, KnobUse, Params, PathMode, PiForm, Rest, Variant, Wait, YUnit};
-use crate::drives::Analog;
+use crate::controls::AnalogOutput;
 use crate::drives::block::AxisBlock;
 use crate::drives::induction::Induction;
 use crate::drives::web;
@@ -269,7 +269,7 @@ pub(super) fn vector_feed(x_speed: f64, a: f64, b: f64) -> f64 {
 
 impl Derived {
     /// Computes the results for an analog output of `bits` bits.
-    pub(super) fn new(p: &Params, bits: u8) -> Derived {
+    pub(super) fn new(p: &Params, output: &AnalogOutput) -> Derived {
         let pi = p.program_pi();
         let k = k(pi, p.press_roller_diameter, p.reduction_ratio);
         let top_speed = p.top_speed();
@@ -289,7 +289,7 @@ impl Derived {
         let surface_speed = line_speed * arc / p.pitch;
         let surface_ratio = arc / p.pitch;
         let print_roller_speed = surface_speed / (PI * p.print_roller_diameter);
-        let analog = Analog { bits, ..Analog::unipolar(p.speed_at_10v, 10.0) };
+        let analog = output.with_speed(p.speed_at_10v);
         let errors = p.speed_errors(actual_speed);
         // A feed per revolution follows the measured speed.
         let driven = |error: f64| if p.in_step() && error > -1.0 { pitch_time / (1.0 + error) } else { pitch_time };

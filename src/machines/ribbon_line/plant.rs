@@ -5,7 +5,6 @@ use super::params::PULL;
 use super::resolved::RibbonLine;
 use super::stops::unwinder;
 use crate::controls::SpindleRules;
-use crate::drives::Analog;
 use crate::drives::speed::STAGES;
 use crate::machines::stops::{Interruption, SpindleReaction};
 use crate::math::PI;
@@ -51,11 +50,11 @@ pub(super) fn plant(line: &RibbonLine) -> Plant {
 
 /// The unwinder. A dancer trims it to the pull of X: no slip, and π as the program writes it.
 fn spindle(line: &RibbonLine) -> SpindlePlant {
-    let (p, bench) = (&line.p, &line.control.bench);
+    let p = &line.p;
     let motor = p.induction();
     let (gain, slip) =
         if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
-    let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(p.speed_at_10v, bench.volts_full) };
+    let analog = line.control.analog_output.with_speed(p.speed_at_10v);
     // The builder's ladder, not the control's, decides about M3 at reset.
     let turns_through_reset = unwinder(Interruption::Reset) == SpindleReaction::Turns;
     let rules = SpindleRules { turns_through_reset, ..line.dialect.spindle() };

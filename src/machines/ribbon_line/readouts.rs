@@ -34,7 +34,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "volts", label: "ribbon.readout.volts", unit: "V", decimals: 3, headline: true,
-        formula: "10 · round(4095 · #104 / n10) / 4095",
+        formula: "10 · round(steps · #104 / n10) / steps",
         cite: Citation::new("ribbon line facts, 4; 12 bits from memory", Grade::Open), value: |line| line.d.volts, ..ReadoutRow::BASE
     },
     ReadoutRow {
@@ -109,7 +109,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "analog-step", label: "ribbon.readout.analog-step", unit: "r/min", decimals: 3,
-        formula: "n10 / 4095",
+        formula: "n10 / steps of the output",
         cite: Citation::new("sizing facts D14", Grade::Open), value: |line| line.d.analog_step, ..ReadoutRow::BASE
     },
     ReadoutRow {

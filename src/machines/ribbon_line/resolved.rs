@@ -8,7 +8,7 @@ use super::params::{Endless, KnobStep, OverrideForm, PULL, Params, PathMode, Pri
 use super::scene::captions::{distance, names};
 use super::scene::layout::Layout;
 use crate::controls::interface::SignalRole;
-use crate::controls::{Control, Dialect};
+use crate::controls::{AnalogOutput, Control, Dialect};
 use crate::drives::speed::Steps;
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
@@ -67,14 +67,14 @@ impl RibbonLine {
             // A code has positions of its own, and no others reach spindle or program.
             (p.override_percent, p.knob_step) = (knob.nearest(p.override_percent), KnobStep::Ten);
         }
-        let [d, fast, slow] = over_knob(&p, knob, control.bench.output_bits);
+        let [d, fast, slow] = over_knob(&p, knob, &control.analog_output);
         let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d), Mechanics::new(&p, &fast));
         RibbonLine { form, p, d, fast, slow, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
     }
 
     /// Results of the formulas for another form, with the knob as it is, at its fast and at its slow end.
     pub(super) fn with(&self, p: &Params) -> [Derived; 3] {
-        over_knob(p, self.dialect.spindle().knob, self.control.bench.output_bits)
+        over_knob(p, self.dialect.spindle().knob, &self.control.analog_output)
     }
 
     /// The results at that position of the knob at which one of them is greatest.
@@ -181,9 +181,9 @@ impl RibbonLine {
 
 /// Results of the formulas with the knob as it is, at its fast and at its slow end. A locked knob has no other end, a line at standstill
 /// neither; a slow end at 0 % is standstill, and the present results stand for it.
-fn over_knob(p: &Params, knob: Steps, bits: u8) -> [Derived; 3] {
-    let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, bits);
-    let now = Derived::new(p, bits);
+fn over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
+    let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, output);
+    let now = Derived::new(p, output);
     if now.actual_speed <= 0.0 || p.knob_is_locked() {
         return [now.clone(), now.clone(), now];
     }

@@ -4,7 +4,6 @@ use super::params::{Endless, FIELDS, PrintAxis};
 use super::resolved::RibbonLine;
 use crate::controls::dialect::CoordinateFrame;
 use crate::controls::{Code, ParamRole};
-use crate::machines::scaling::AxisDrive;
 use crate::machines::verdict::{Judgement, down, fail, ok, warn};
 use crate::math::PI;
 use crate::msg;
@@ -112,9 +111,7 @@ pub(super) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
 /// The dots of a product may drift by the tolerance of a dot.
 fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
-    if !AxisDrive::is_scaled(line.control) {
-        return None;
-    }
+    line.control.scaling?;
     let axis = if at == 0 { "X".to_owned() } else { line.letter() };
     let Some(drift) = scaling_drifts(line)[at] else {
         return fail(None, [msg!("scaling.no-ratio", axis).into()]);

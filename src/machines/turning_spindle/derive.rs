@@ -1,7 +1,7 @@
 //! The formulas of the turning spindle, each once: results that need no run.
 
 use super::params::{Direction, Gear, Output, Params, Path, SpeedMode};
-use crate::controls::SpindleRules;
+use crate::controls::{AnalogOutput, SpindleRules};
 use crate::drives::cutting::{self, Cut};
 use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_speed};
 use crate::drives::{Analog, Bound};
@@ -146,13 +146,12 @@ impl Params {
     }
 
     /// The converter of the analog output in a gear stage that has `rated` r/min at 10 V.
-    pub(super) fn analog(&self, rated: f64, volts: f64, bits: u8) -> Analog {
+    pub(super) fn analog(&self, rated: f64, output: &AnalogOutput) -> Analog {
         Analog {
-            bits,
             offset_zero: self.offset_zero / 1000.0,
             offset_rated: self.offset_full / 1000.0,
             bipolar: self.output == Output::Bipolar,
-            ..Analog::unipolar(rated, volts)
+            ..output.with_speed(rated)
         }
     }
 
@@ -173,7 +172,7 @@ fn slower(best: Option<(u8, f64)>, next: (u8, f64)) -> Option<(u8, f64)> {
 
 impl Derived {
     /// Computes the results for an analog output of `bits` bits with `volts` at full scale, on a control with these rules.
-    pub(super) fn new(p: &Params, volts: f64, bits: u8, rules: &SpindleRules) -> Derived {
+    pub(super) fn new(p: &Params, output: &AnalogOutput, rules: &SpindleRules) -> Derived {
         let (largest, smallest) = p.diameters();
         let fixed = p.speed_mode == SpeedMode::Fixed;
         let knob = p.override_percent / 100.0;
@@ -185,7 +184,7 @@ impl Derived {
         let top = if fixed { surface_rpm(p.cutting_speed, p.stock_diameter) * knob } else { surface_rpm(v, smallest) };
         let top = top.max(low);
         let (stage, stage_speed) = p.stage(top.min(if fixed { p.chuck_limit } else { machine }));
-        let analog = p.analog(stage_speed, volts, bits);
+        let analog = p.analog(stage_speed, output);
         let limits = |surface: bool| SpeedLimits {
             machine: p.chuck_limit,
             gear: (
@@ -211,7 +210,7 @@ impl Derived {
         let fixed_time = all().map(|cut| cut.time_at(fixed_speed)).sum::<f64>();
         let span = largest - smallest;
         let sign = if p.direction == Direction::CounterClockwise { -1.0 } else { 1.0 };
-        let middle = 0.5 * volts;
+        let middle = 0.5 * output.volts;
         let motor = p.continuous(stage_speed);
         Derived {
             passes,
@@ -241,7 +240,7 @@ impl Derived {
             high: highest,
             volts_largest: analog.output(sign * speed(largest)),
             volts_smallest: analog.output(sign * speed(smallest)),
-            analog_step: analog.speed(middle + volts / f64::from(analog.steps())) - analog.speed(middle),
+            analog_step: analog.speed(middle + output.volts / f64::from(analog.steps())) - analog.speed(middle),
             power: cutting::power(p.cutting_force, surface_speed(speed(largest), largest)),
             power_available: motor.power,
             torque: cutting::torque(p.cutting_force, largest),

@@ -38,8 +38,8 @@ pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
 }
 
 fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
-    let (p, bench) = (&lathe.p, &lathe.control.bench);
-    let analog = p.analog(p.stage_1, bench.volts_full, bench.output_bits);
+    let p = &lathe.p;
+    let analog = p.analog(p.stage_1, &lathe.control.analog_output);
     let rules = SpindleRules {
         lock: (p.lock_code > 0.0).then_some(p.lock_code as u32).or(lathe.rules().lock),
         driven_tool: (p.driven_code > 0.0).then_some(p.driven_code as u32).or(lathe.rules().driven_tool),
@@ -80,10 +80,10 @@ pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
 
 /// Speed (r/min) up to which the gears of each stage may shift: that at the shift voltage and a tenth above it.
 fn shift_speeds(lathe: &TurningSpindle) -> [f64; STAGES] {
-    let bench = &lathe.control.bench;
+    let output = &lathe.control.analog_output;
     let mut all = [0.0; STAGES];
     for (place, rated) in all.iter_mut().zip(lathe.p.stages()) {
-        *place = 1.1 * lathe.p.analog(rated, bench.volts_full, bench.output_bits).speed(SHIFT_VOLTS).abs();
+        *place = 1.1 * lathe.p.analog(rated, output).speed(SHIFT_VOLTS).abs();
     }
     all
 }

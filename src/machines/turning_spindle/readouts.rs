@@ -75,7 +75,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "analog-step", label: "turning.readout.analog-step", unit: "r/min", decimals: 3,
-        formula: "n10 / 4095", cite: OUTPUT, value: |lathe| lathe.d.analog_step, ..ReadoutRow::BASE
+        formula: "n10 / steps of the output", cite: OUTPUT, value: |lathe| lathe.d.analog_step, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "limited-share", label: "turning.readout.limited-share", unit: "%", decimals: 1,

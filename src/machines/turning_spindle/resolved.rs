@@ -51,8 +51,7 @@ impl TurningSpindle {
             let chip = (p.depth, p.feed);
             p.cutting_force = cutting::kienzle(row.unit_force, row.exponent, chip, (p.edge_angle, p.rake));
         }
-        let bench = &control.bench;
-        let d = Derived::new(&p, bench.volts_full, bench.output_bits, &dialect.spindle());
+        let d = Derived::new(&p, &control.analog_output, &dialect.spindle());
         TurningSpindle { form, p, d, control, dialect }
     }
 

@@ -298,12 +298,12 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// A gear stage in which the torque suffices and the speed is the same.
 fn stronger_stage(lathe: &TurningSpindle) -> Option<u8> {
-    let bench = &lathe.control.bench;
+    let output = &lathe.control.analog_output;
     let gears = [Gear::First, Gear::Second, Gear::Third, Gear::Fourth];
     let mut fitted = (1..).zip(lathe.p.stages()).zip(gears);
     let found = fitted.find(|(_, gear)| {
         let p = Params { gear: *gear, ..lathe.p.clone() };
-        let d = Derived::new(&p, bench.volts_full, bench.output_bits, &lathe.dialect.spindle());
+        let d = Derived::new(&p, output, &lathe.dialect.spindle());
         let as_fast = |now: f64, before: f64| (now - before).abs() <= 1e-9 * before.abs();
         d.torque <= d.torque_available
             && as_fast(d.speed_largest, lathe.d.speed_largest)

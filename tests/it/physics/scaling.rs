@@ -69,6 +69,19 @@ fn roller_of_the_facts_has_its_parameters_on_each_control() {
 }
 
 #[test]
+fn scaling_writes_parameters_that_the_control_has() {
+    for control in macroline::controls::ALL {
+        let roles = control.scaling.map_or(&[][..], |row| row.kind.roles());
+        for role in roles {
+            assert!(control.param(*role).is_some(), "{} {role:?}", control.id);
+        }
+        let written: Vec<ParamRole> = values(&ROLLER, control.id).into_iter().map(|(role, _)| role).collect();
+        assert!(written.iter().all(|role| roles.contains(role)), "{} {written:?}", control.id);
+        assert_eq!(written.len(), roles.len(), "{}", control.id);
+    }
+}
+
+#[test]
 fn screws_and_tables_leave_no_remainder() {
     let screw = AxisDrive { lead: 4.0, gear: (1.0, 1.0), ..ROLLER };
     assert_eq!(

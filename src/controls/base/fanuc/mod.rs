@@ -21,7 +21,9 @@ use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
 use crate::controls::syntax::{ArcTangent, Function, Percent, RoundBrackets};
-use crate::controls::{Address, AddressSet, Limits, Macros, SpindleRules, Syntax, Timing};
+use crate::controls::{
+    Address, AddressSet, AnalogOutput, AxisScaling, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing,
+};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
@@ -185,6 +187,16 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     cite: MEMORY,
 };
 
+/// Analog output for the speed of the spindle.
+pub const ANALOG_OUTPUT: AnalogOutput = AnalogOutput { volts: 10.0, bits: 12, cite: MEMORY };
+
+/// Feed gear of 2084 and 2085, command multiplier of 1820.
+pub const SCALING: AxisScaling = AxisScaling {
+    kind: ScalingKind::FeedGear { feedback: 1_000_000.0, multiplier: 2.0, diameter_multiplier: 102.0 },
+    greatest_term: 32_767,
+    cite: MEMORY,
+};
+
 /// An axis of the test bench with 0.1 s of acceleration and a position gain of 33/s.
 pub const fn bench_axis(letter: Address, rapid: f64, clamp: f64) -> BenchAxis {
     BenchAxis { letter, rapid, clamp, time_constant: 0.1, position_gain: 33.0 }
@@ -201,8 +213,6 @@ pub const BENCH: Bench = Bench {
     gears: &[3000.0, 2000.0, 1200.0, 600.0],
     shift: BenchShift { volts: 0.1, before: 1.0, meshing: 0.5, after: 1.0 },
     speed_clamp: 3000.0,
-    volts_full: 10.0,
-    output_bits: 12,
     in_position: 0.02,
     ramp: 2.0,
     positioning: None,

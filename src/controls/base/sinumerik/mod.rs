@@ -23,7 +23,7 @@ use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::schema::table::joined;
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
 use crate::controls::syntax::{ArcTangent, Function, Names, Percent, RoundBrackets};
-use crate::controls::{Address, AddressSet};
+use crate::controls::{Address, AddressSet, AnalogOutput, AxisScaling, ScalingKind};
 use crate::controls::{DriveSystem, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::Positioning;
 use crate::drives::speed::Steps;
@@ -232,6 +232,13 @@ pub const TIMING: Timing = Timing {
     cite: Citation::new("assumed; measure with a counting loop", Grade::Open),
 };
 
+/// Analog output for the speed of the spindle.
+pub const ANALOG_OUTPUT: AnalogOutput = AnalogOutput { volts: 10.0, bits: 12, cite: MEMORY };
+
+/// Lead and gear of an axis. The parameters take longer numbers, but no gear needs them.
+pub const SCALING: AxisScaling =
+    AxisScaling { kind: ScalingKind::Lead, greatest_term: 1_000_000, cite: params::SCALING };
+
 /// Test bench of a lathe: two slides, a third linear axis, a spindle without gears.
 pub const BENCH: Bench = Bench {
     axes: &[
@@ -242,8 +249,6 @@ pub const BENCH: Bench = Bench {
     gears: &[3750.0],
     shift: BenchShift { volts: 0.0, before: 0.0, meshing: 0.5, after: 0.0 },
     speed_clamp: 3500.0,
-    volts_full: 10.0,
-    output_bits: 12,
     in_position: 0.02,
     ramp: 2.0,
     positioning: Some(Positioning { speed: 100.0, acceleration: 500.0, clockwise: true }),

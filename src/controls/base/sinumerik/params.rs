@@ -11,7 +11,7 @@ const TRANSVERSE: Citation = Citation::new("alarm 10870 of the 840D sl, function
 const VELOCITY: Citation = Citation::new("alarm 22270 of the 828D, p.338", Grade::Sister);
 const ENCODER: Citation = Citation::new("alarm 16770 of the 808D, p.243", Grade::Sister);
 const MODULO: Citation = Citation::new("808D parameter manual, p.225 and 227: modulo axes", Grade::Sister);
-const SCALING: Citation =
+pub(super) const SCALING: Citation =
     Citation::new("840D sl basic functions 01/2015, p.349: encoder, lead and gear", Grade::Sister);
 const OUTPUT: Citation = Citation::new("start-up of Siemens controls, unverified", Grade::Open);
 
