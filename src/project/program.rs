@@ -29,7 +29,7 @@ pub struct Written {
 impl Project {
     /// Characters that comments can have on the control, with its settings.
     pub fn characters(&self) -> CommentCharacters {
-        CommentCharacters::set(self.control, &self.switches)
+        self.on().dialect().comment_characters()
     }
 
     /// The language of the comments that are written: Chinese where that is chosen and the control can show it.

@@ -8,8 +8,7 @@ use super::file_findings::{FileFindings, FileRead, Sources};
 use super::list;
 use super::origins;
 use super::silence::silence;
-use crate::controls::options::CommentCharacters;
-use crate::controls::{self, Control, Switches};
+use crate::controls::{self, Control, Dialect, Switches};
 use crate::msg;
 use crate::nc;
 use crate::text::{Diagnostic, Message, catalog, listed};
@@ -100,7 +99,7 @@ pub fn check(subject: ProgramSource, choices: &Choices) -> Result<Checked, Refus
     let mut findings = match subject {
         ProgramSource::Programs(control, mut programs) => {
             let switches = choices.switched(Switches::default(), control)?;
-            programs.sources.read_in(CommentCharacters::set(control, &switches));
+            programs.sources.read_in(Dialect::resolve(control, &switches).comment_characters());
             let parsed = Rc::new(nc::parse_with(&programs.sources.files, control, &switches));
             programs.list.extend(review(&parsed, None, &[]));
             vec![programs]

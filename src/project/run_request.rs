@@ -11,7 +11,6 @@ use super::origins;
 use super::request::{Choices, ProgramSource, Refused};
 use super::run::{self, AtStop, Run, RunOptions, RunSummary, Setting};
 use super::silence::silence;
-use crate::controls::options::CommentCharacters;
 use crate::controls::{Control, Dialect, Switches};
 use crate::interp::StartProgram;
 use crate::interp::canon::Line;
@@ -159,7 +158,7 @@ impl Operated {
         };
         let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
         let switches = self.choices.switched(switches, control)?;
-        program.sources.read_in(CommentCharacters::set(control, &switches));
+        program.sources.read_in(Dialect::resolve(control, &switches).comment_characters());
         let parsed = Rc::new(nc::parse_with(&program.sources.files, control, &switches));
         settable(&self.settings, control, parsed.dialect())?;
         let start = program_of_name(self.start.as_deref(), &parsed)?;

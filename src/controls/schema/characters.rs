@@ -2,9 +2,7 @@
 
 use core::ops::RangeInclusive;
 
-use super::control::Control;
-use super::options::{CommentCharacters, SwitchChoice};
-use super::switch::Switches;
+use super::options::CommentCharacters;
 
 /// Characters of GBK for comments: ideographs, punctuation, wide letters, technical signs. The rest of GBK is left out.
 const GBK: [RangeInclusive<char>; 18] = [
@@ -29,13 +27,6 @@ const GBK: [RangeInclusive<char>; 18] = [
 ];
 
 impl CommentCharacters {
-    /// The setting of a control's switch `comment-characters`; ASCII without that switch.
-    pub fn set(control: &Control, switches: &Switches) -> CommentCharacters {
-        let id = control.switch(CommentCharacters::SWITCH).map(|row| switches.setting(row));
-        let chinese = [CommentCharacters::Gbk, CommentCharacters::Utf8];
-        chinese.into_iter().find(|one| id == Some(one.option().id)).unwrap_or(CommentCharacters::Ascii)
-    }
-
     /// Whether comments may contain this character.
     pub fn has(self, c: char) -> bool {
         c.is_ascii()
