@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use super::plant::PMC_AXES;
 use super::timeline::Timeline;
-use crate::controls::Alarm;
 use crate::drives::speed::Steps;
 use crate::text::Message;
 
@@ -77,6 +76,17 @@ pub struct PlcOverrides {
     pub feed_off: bool,
 }
 
+/// Alarms that a PLC raises.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlcAlarm {
+    /// M03 while the spindle turns by M04, or the other way round, without M05 between them.
+    SpindleReversal,
+    /// The gear did not engage in time.
+    GearTimeout,
+    /// The inverter of the spindle reports a fault.
+    InverterFault,
+}
+
 /// The interface between PLC and control at one moment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Io {
@@ -107,7 +117,7 @@ pub struct Io {
     /// Engaged gear stage, from 1, from the PLC to the control.
     pub gear: u8,
     /// Alarm of the PLC: stops the program and clears the codes that wait for FIN.
-    pub alarm: Option<Alarm>,
+    pub alarm: Option<PlcAlarm>,
     /// A remark of the PLC for the operator, shown once per run; with a hold of the PLC, once per block.
     pub notice: Option<Message>,
     /// Volts from the PLC to the spindle in place of the speed's, during a gear change.
@@ -208,7 +218,7 @@ impl GearShift {
         if let Some(patience) = self.patience.filter(|&patience| patience < self.meshing) {
             let late = out + patience;
             io.gear_volts = (t < late).then_some(self.volts);
-            io.alarm = (t >= late).then_some(Alarm::GearTimeout);
+            io.alarm = (t >= late).then_some(PlcAlarm::GearTimeout);
             return Some(if t < out { out } else { late });
         }
         let done = out + self.meshing + self.after;
@@ -281,7 +291,7 @@ impl Plc for BenchPlc {
             return None;
         };
         if self.stop_between && matches!((io.m_strobe, self.turns), (Some(3), -1) | (Some(4), 1)) {
-            io.alarm = Some(Alarm::SpindleReversal);
+            io.alarm = Some(PlcAlarm::SpindleReversal);
             return None;
         }
         let shifted = self.shift.shift(t, since, io);

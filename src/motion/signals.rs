@@ -1,11 +1,10 @@
 //! The PLC scan: exchanges [`Io`], applies forced inputs, handles FIN.
 
 use super::exec::Exec;
-use super::plc::{Io, ProgramState};
+use super::plc::{Io, PlcAlarm, ProgramState};
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use super::timeline::VariableChange;
-use crate::controls::Alarm;
 use crate::msg;
 use crate::text::Diagnostic;
 
@@ -91,20 +90,20 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Stops the program with an alarm of the PLC.
-    fn plc_alarm(&mut self, t: f64, alarm: Alarm) {
+    fn plc_alarm(&mut self, t: f64, alarm: PlcAlarm) {
         let (shown, message) = match alarm {
-            Alarm::SpindleReversal => {
+            PlcAlarm::SpindleReversal => {
                 // The earlier code stays active.
                 self.s.spindle.direction = -self.s.spindle.direction;
                 (self.plant.reversal, msg!("motion.spindle-reversal"))
             }
-            Alarm::InverterFault => {
+            PlcAlarm::InverterFault => {
                 if !self.s.exec.runs() && !matches!(self.s.exec, Exec::Stopped) {
                     self.s.place = None;
                 }
                 (self.plant.inverter_fault, msg!("motion.inverter-fault"))
             }
-            _ => (self.plant.gear_timeout, msg!("motion.gear-timeout")),
+            PlcAlarm::GearTimeout => (self.plant.gear_timeout, msg!("motion.gear-timeout")),
         };
         self.s.plc.io.clear_strobes();
         self.stop_with(Diagnostic::error(message).alarm(shown));

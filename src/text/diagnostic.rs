@@ -4,24 +4,10 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 
+use super::with_all::with_all;
 use super::{Message, Phrase, Place};
 
-/// Defines an enum together with the list of its variants.
-macro_rules! listed {
-    ($(#[$about:meta])* pub enum $name:ident { $($(#[$variant_about:meta])* $variant:ident,)+ }) => {
-        $(#[$about])*
-        pub enum $name {
-            $($(#[$variant_about])* $variant,)+
-        }
-
-        impl $name {
-            /// All variants in order: `ALL[variant as usize]` is the variant.
-            pub const ALL: &[$name] = &[$($name::$variant),+];
-        }
-    };
-}
-
-listed! {
+with_all! {
 /// Severity. Only an error prevents the export of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -44,7 +30,7 @@ pub struct Fix {
     pub edits: Vec<(Place, String)>,
 }
 
-listed! {
+with_all! {
 /// Kinds of diagnostics tested by code; sentences are only for people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]

@@ -24,6 +24,8 @@ pub mod columns;
 
 pub mod citation;
 
+mod with_all;
+
 pub mod diagnostic;
 
 pub use citation::{Citation, Grade, Provenance};
@@ -34,3 +36,4 @@ pub use list::{clauses, either, headed, listed, sentences};
 pub use message::{Message, MessageValue};
 pub use phrase::Phrase;
 pub use span::{FileId, Place, Span};
+pub(crate) use with_all::with_all;

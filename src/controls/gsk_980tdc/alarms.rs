@@ -84,6 +84,8 @@ pub(super) const ALARMS: &[AlarmDef] = &[
         "END",
         "The program runs out of blocks",
         Citation::new("what the control does is not known", Grade::Open),
-    ),
-    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred)),
+    )
+    .in_our_words(),
+    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
+        .in_our_words(),
 ];

@@ -55,6 +55,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(SoftLimit, "500", "Over travel: stored stroke check", MEMORY),
     alarm(User, "3000", "Macro alarm", MEMORY),
     alarm(NoProgramEnd, "5010", "End of record", MEMORY),
-    alarm(EmergencyStop, "ESP", "Emergency stop", MEMORY),
-    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred)),
+    alarm(EmergencyStop, "ESP", "Emergency stop", MEMORY).in_our_words(),
+    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
+        .in_our_words(),
 ];

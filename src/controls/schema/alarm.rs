@@ -1,8 +1,9 @@
 //! The alarms that macroline can raise, and the number and wording each control has for them.
 
 use super::table::{Key, single};
-use crate::text::{Citation, Phrase};
+use crate::text::{Citation, Phrase, with_all};
 
+with_all! {
 /// Cause of a stop, independent of the alarm number that a control gives it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Alarm {
@@ -195,6 +196,7 @@ pub enum Alarm {
     /// A fault of the spindle inverter, with a number of the machine builder.
     InverterFault,
 }
+}
 
 /// Number and wording of an alarm on one control.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -203,8 +205,10 @@ pub struct AlarmDef {
     pub kind: Alarm,
     /// Number, for instance `P283`.
     pub number: &'static str,
-    /// The control's wording.
+    /// Wording.
     pub text: Phrase,
+    /// The wording is the control's own, from memory or from a source; otherwise it is ours, and no screen of a control shows it.
+    pub own_wording: bool,
     /// Source and grade.
     pub cite: Citation,
 }
@@ -216,108 +220,10 @@ pub(in crate::controls) const fn alarm(
     text: &'static str,
     cite: Citation,
 ) -> AlarmDef {
-    AlarmDef { kind, number, text: Phrase::new(text), cite }
+    AlarmDef { kind, number, text: Phrase::new(text), own_wording: true, cite }
 }
 
 impl Alarm {
-    /// All kinds.
-    pub const ALL: &[Alarm] = &[
-        Alarm::IllegalAddress,
-        Alarm::Format,
-        Alarm::UnknownCode,
-        Alarm::OutOfRange,
-        Alarm::NoProgramEnd,
-        Alarm::NumberZero,
-        Alarm::SequencePlace,
-        Alarm::SequenceDigits,
-        Alarm::NoFeed,
-        Alarm::FeedZero,
-        Alarm::FeedRange,
-        Alarm::Arc,
-        Alarm::SubNesting,
-        Alarm::NoSequence,
-        Alarm::GotoTarget,
-        Alarm::JumpNumber,
-        Alarm::NoProgram,
-        Alarm::VariableRange,
-        Alarm::NoEquals,
-        Alarm::VariableSide,
-        Alarm::ReadOnly,
-        Alarm::Mixed,
-        Alarm::MacroNesting,
-        Alarm::ArgumentSets,
-        Alarm::NoModalCall,
-        Alarm::OwnCall,
-        Alarm::User,
-        Alarm::BracketDepth,
-        Alarm::BracketPair,
-        Alarm::Calculation,
-        Alarm::DivisionByZero,
-        Alarm::IfSentence,
-        Alarm::WhileSentence,
-        Alarm::DoNesting,
-        Alarm::DoPair,
-        Alarm::MissingEnd,
-        Alarm::MissingDo,
-        Alarm::Budget,
-        Alarm::SoftLimit,
-        Alarm::WorkingArea,
-        Alarm::CoordinateRange,
-        Alarm::EmergencyStop,
-        Alarm::NoNumber,
-        Alarm::Digits,
-        Alarm::PointNotAllowed,
-        Alarm::AddressTwice,
-        Alarm::BlockTooLong,
-        Alarm::BlockWords,
-        Alarm::CommentBracket,
-        Alarm::NoCallProgram,
-        Alarm::CallNotFirst,
-        Alarm::CallMixed,
-        Alarm::ReturnInModal,
-        Alarm::ArgumentAddress,
-        Alarm::CallFunction,
-        Alarm::CallOperands,
-        Alarm::UserAlarmRange,
-        Alarm::VacantWritten,
-        Alarm::VacantValue,
-        Alarm::SquareRoot,
-        Alarm::Logarithm,
-        Alarm::Tangent,
-        Alarm::ArcFunction,
-        Alarm::AtanForm,
-        Alarm::Overflow,
-        Alarm::NotWhole,
-        Alarm::DoNumber,
-        Alarm::IntoLoop,
-        Alarm::ArcRadius,
-        Alarm::NoPositioning,
-        Alarm::NoSurfaceSpeed,
-        Alarm::SurfaceRange,
-        Alarm::SpindleAngle,
-        Alarm::NotAlone,
-        Alarm::GroupTwice,
-        Alarm::SyntaxTwice,
-        Alarm::AuxiliaryTwice,
-        Alarm::Auxiliaries,
-        Alarm::LabelTwice,
-        Alarm::UnknownName,
-        Alarm::MainReturn,
-        Alarm::MessageBlocks,
-        Alarm::IdleAddress,
-        Alarm::RepeatRange,
-        Alarm::SpeedRange,
-        Alarm::SpeedLimitRange,
-        Alarm::NoLead,
-        Alarm::LeadAxis,
-        Alarm::ShortestWay,
-        Alarm::PositiveWay,
-        Alarm::NegativeWay,
-        Alarm::SpindleReversal,
-        Alarm::GearTimeout,
-        Alarm::InverterFault,
-    ];
-
     /// The wider kind to show on a control without a number for this one; `None` for the widest.
     pub fn wider(self) -> Option<Alarm> {
         use Alarm::*;
@@ -349,6 +255,11 @@ impl Alarm {
 }
 
 impl AlarmDef {
+    /// The row, with a wording that is not the control's own.
+    pub(in crate::controls) const fn in_our_words(self) -> AlarmDef {
+        AlarmDef { own_wording: false, ..self }
+    }
+
     /// Whether the table is sorted, for binary search.
     pub const SORTED: bool = false;
 

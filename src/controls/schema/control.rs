@@ -7,7 +7,7 @@ use super::{
     Macros, ParamDef, ParamRole, Signal, SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
 };
 use crate::msg;
-use crate::text::{Citation, Grade, Message, Phrase, either};
+use crate::text::{Citation, Message, Phrase, either};
 
 /// All tables of one control.
 #[derive(Debug)]
@@ -99,12 +99,9 @@ impl Control {
         self.alarms.iter().any(|row| row.kind == kind)
     }
 
-    /// Number and wording that the control shows for an alarm; the wording is empty where the simulation stops and not the control.
+    /// Number and wording that the control shows for an alarm; the wording is empty where it is not the control's own.
     pub fn alarm_shown(&self, kind: Alarm) -> Option<(&'static str, Phrase)> {
-        let own =
-            |row: &AlarmDef| row.cite.grade != Grade::Open || row.number.bytes().any(|byte| byte.is_ascii_digit());
-        self.alarm(kind)
-            .map(|row| (row.number, if kind != Alarm::Budget && own(row) { row.text } else { Phrase::NONE }))
+        self.alarm(kind).map(|row| (row.number, if row.own_wording { row.text } else { Phrase::NONE }))
     }
 
     /// The number the control shows for an alarm.

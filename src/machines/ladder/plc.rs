@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use super::scan::Image;
 use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
+use crate::controls::Control;
 use crate::controls::interface::SignalRole;
-use crate::controls::{Alarm, Control};
 use crate::drives::speed::{self, Steps};
-use crate::motion::{Io, Plc, ProgramState, Strobes};
+use crate::motion::{Io, Plc, PlcAlarm, ProgramState, Strobes};
 
 /// Time (s) from a code to the end of its block, at the least: strobe, a few scans, and the width of FIN.
 pub const ANSWER: f64 = 0.05;
@@ -274,8 +274,10 @@ impl LadderPlc {
         }
         io.gear = self.gear.0;
         io.gear_volts = output(MachineOutput::ShiftVolts).filter(|on| *on).map(|_| self.wiring.shift_volts);
-        let raised =
-            [(MachineOutput::ReversalAlarm, Alarm::SpindleReversal), (MachineOutput::GearAlarm, Alarm::GearTimeout)];
+        let raised = [
+            (MachineOutput::ReversalAlarm, PlcAlarm::SpindleReversal),
+            (MachineOutput::GearAlarm, PlcAlarm::GearTimeout),
+        ];
         for ((alarm, kind), before) in raised.into_iter().zip(alarms) {
             if image.is_on(Bit::Output(alarm)) && !before {
                 io.alarm = Some(kind);
@@ -283,7 +285,7 @@ impl LadderPlc {
         }
         // The alarm lasts as long as the fault: reset and cycle start raise it again.
         if image.is_on(Bit::Output(MachineOutput::InverterAlarm)) && io.stops.program != ProgramState::Alarm {
-            io.alarm = Some(Alarm::InverterFault);
+            io.alarm = Some(PlcAlarm::InverterFault);
         }
         let since = self.strobes.since(t, io);
         let answered = signal(SignalRole::Finished).unwrap_or(true) && signal(SignalRole::ReadInDisable) != Some(true);

@@ -1,8 +1,7 @@
 //! The timeline after the end of a run goes on until axes and spindle have settled, and not much longer.
 
 use super::*;
-use macroline::controls::Alarm;
-use macroline::motion::Io;
+use macroline::motion::{Io, PlcAlarm};
 
 /// Everything has settled at the end of the timeline, and 20 ms before something had not.
 #[track_caller]
@@ -75,7 +74,7 @@ struct Alarming(BenchPlc);
 impl Plc for Alarming {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let next = self.0.scan(t, io);
-        io.alarm = (t == 0.8).then_some(Alarm::GearTimeout);
+        io.alarm = (t == 0.8).then_some(PlcAlarm::GearTimeout);
         [next, (t < 0.8).then_some(0.8)].into_iter().flatten().reduce(f64::min)
     }
 

@@ -38,7 +38,7 @@ fn one_group() -> &'static Control {
         }
     }
     codes.sort_by_key(|row| row.id);
-    let alarm = |kind, number| AlarmDef { kind, number, text: Phrase::NONE, cite: MADE };
+    let alarm = |kind, number| AlarmDef { kind, number, text: Phrase::NONE, own_wording: true, cite: MADE };
     let mut alarms = base.alarms.to_vec();
     alarms.extend([alarm(Alarm::NoSurfaceSpeed, "10900"), alarm(Alarm::SurfaceRange, "14840")]);
     let spindle = SpindleRules {

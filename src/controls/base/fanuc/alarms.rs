@@ -52,6 +52,7 @@ pub const ALARMS: &[AlarmDef] = &[
     alarm(NoProgramEnd, "PS5010", "End of record", ALARM_LIST),
     alarm(User, "MC3000", "Macro alarm", MEMORY),
     alarm(SoftLimit, "OT0500", "Overtravel: soft limit 1", MEMORY),
-    alarm(EmergencyStop, "EMG", "Emergency stop", MEMORY),
-    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred)),
+    alarm(EmergencyStop, "EMG", "Emergency stop", MEMORY).in_our_words(),
+    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
+        .in_our_words(),
 ];
