@@ -51,24 +51,10 @@ pub struct Message {
 }
 
 impl Message {
-    /// A sentence with the values of its placeholders; `names` has their names, each followed by a space. For `msg!`. A function, because a
-    /// call needs less code at each use than its body, and one text less than a list of names.
-    #[inline(never)]
-    pub fn new<const N: usize>(id: &'static str, mut names: &'static str, values: [MessageValue; N]) -> Message {
-        Message { id, values: values.map(|value| (first_name(&mut names), value)).into() }
-    }
-
     /// Value of a placeholder.
     pub fn value(&self, name: &str) -> Option<&MessageValue> {
         self.values.iter().find(|(place, _)| *place == name).map(|(_, value)| value)
     }
-}
-
-/// Removes and returns the first name of a list of names.
-fn first_name(names: &mut &'static str) -> &'static str {
-    let (first, others) = names.split_once(' ').unwrap_or((names, ""));
-    *names = others;
-    first
 }
 
 /// `msg!("area.subject", speed = expression, limit)`: a [`Message`]; `limit` is short for `limit = limit`. Every id has to be in the
@@ -76,7 +62,7 @@ fn first_name(names: &mut &'static str) -> &'static str {
 #[macro_export]
 macro_rules! msg {
     ($id:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
-        $crate::text::Message::new($id, concat!($(stringify!($name), " "),*), [$($crate::msg!(@ $name $(= $value)?)),*])
+        $crate::text::Message { id: $id, values: vec![$((stringify!($name), $crate::msg!(@ $name $(= $value)?))),*] }
     };
     (@ $name:ident) => {
         $crate::text::MessageValue::from($name)
