@@ -53,7 +53,11 @@ impl Location {
             Some((program, number)) => (program.trim(), Some(number.trim().parse().ok()?)),
             None => (upper.as_str(), None),
         };
-        let program = if program.is_empty() { program_at(parsed, here)? } else { program_number(program)? };
+        let program = if program.is_empty() {
+            program_at(parsed, here)?
+        } else {
+            program_number(program, &parsed.control().syntax)?
+        };
         Some(Location::Sequence { program, number })
     }
 

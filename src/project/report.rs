@@ -100,7 +100,9 @@ impl Project {
             Percent::End => msg!("form.report.percent-end"),
             Percent::Head => msg!("form.report.percent-head"),
         };
-        let locked = |name: &&str| program_number(name).is_some_and(|number| (9000..=9999).contains(&number));
+        let locked = |name: &&str| {
+            program_number(name, &self.control.syntax).is_some_and(|number| (9000..=9999).contains(&number))
+        };
         let locked = names.iter().any(locked).then(|| msg!("form.report.locked"));
         let first = [msg!("form.report.load", files = listed(names))].into_iter().chain(locked);
         let line_ends = msg!("form.report.line-ends", ends = if ends == "\n" { "LF" } else { "CR LF" });

@@ -8,7 +8,7 @@ use super::program::Written;
 pub use super::setting::Setting;
 use super::{Project, io_names};
 use crate::controls::bench::BenchShift;
-use crate::controls::{Control, Dialect, VarKind};
+use crate::controls::{Control, Dialect, Syntax, VarKind};
 use crate::interp::canon::{AXES, Line};
 use crate::interp::world::Still;
 use crate::interp::{Interp, StartProgram, Step};
@@ -53,17 +53,20 @@ pub fn set_by_operator(settings: &[Setting], panel: &Panel, control: &Control) -
     settings.iter().filter_map(|setting| setting.number(control)).chain(events).collect()
 }
 
-/// The number of a program from its name: `O9101`, `9101`, `o9101.nc`.
-pub fn program_number(name: &str) -> Option<u32> {
-    let stem = name.split('.').next()?;
-    stem.trim_start_matches(['O', 'o', 'L', 'l']).parse().ok()
+/// The number of a program from its name, with or without a letter of the control: `O9101`, `9101`, `o9101.nc`.
+pub fn program_number(name: &str, syntax: &Syntax) -> Option<u32> {
+    let stem = name.split('.').next()?.to_ascii_uppercase();
+    let of_number =
+        stem.strip_prefix(|c: char| u8::try_from(c).is_ok_and(|byte| syntax.program_letters.contains(&byte)));
+    let of_name = || syntax.names()?.numbered.iter().find_map(|letters| stem.strip_prefix(letters));
+    of_number.or_else(of_name).unwrap_or(&stem).parse().ok()
 }
 
 /// The program that a text names: `O9101`, or a name where programs have names.
 pub fn program_meant(name: &str, parsed: &Parsed) -> Option<StartProgram> {
     match parsed.control().syntax.names() {
         Some(_) => parsed.deck().program_named(name.split('.').next()?).map(StartProgram::Nth),
-        None => program_number(name).map(StartProgram::Program),
+        None => program_number(name, &parsed.control().syntax).map(StartProgram::Program),
     }
 }
 
