@@ -9,7 +9,7 @@ use crate::msg;
 use crate::nc::{self, Files};
 use crate::text::catalog::{sentence, words};
 use crate::text::columns::of_char;
-use crate::text::escape::{is_obeyed, terminal};
+use crate::text::escape::{is_terminal_control, terminal};
 use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span, headed, listed};
 
 /// Writes diagnostics about a set of files. It reads each file's lines once.
@@ -251,7 +251,7 @@ impl Shown {
             }
             match c {
                 '\t' => shown.text.extend(core::iter::repeat_n(' ', wide)),
-                c if is_obeyed(c) => shown.text.push(char::REPLACEMENT_CHARACTER),
+                c if is_terminal_control(c) => shown.text.push(char::REPLACEMENT_CHARACTER),
                 c => shown.text.push(c),
             }
         }

@@ -1,6 +1,6 @@
 //! Width of texts in columns, on a terminal and in a drawing's label, and padding to a width.
 
-use super::escape::is_obeyed;
+use super::escape::is_terminal_control;
 
 /// Width of a text in columns; a Chinese character is as wide as two letters.
 pub fn columns(text: &str) -> usize {
@@ -10,7 +10,7 @@ pub fn columns(text: &str) -> usize {
 /// Width of a character in columns: 2 for East Asian wide characters and emoji, 0 for combining marks.
 pub fn of_char(c: char) -> usize {
     match c {
-        c if is_obeyed(c) => 1,
+        c if is_terminal_control(c) => 1,
         '\u{300}'..='\u{36f}' | '\u{200b}'..='\u{200f}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' => 0,
         '\u{1100}'..='\u{115f}'
         | '\u{2e80}'..='\u{a4cf}'

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 /// Whether a terminal interprets a character: C0 and C1 controls, and controls of the writing direction.
-pub fn is_obeyed(c: char) -> bool {
+pub fn is_terminal_control(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
@@ -18,8 +18,8 @@ pub fn clip(text: &str) -> String {
 
 /// A text for a terminal: characters that the terminal interprets become U+FFFD, except line feeds and tabs.
 pub fn terminal(text: &str) -> Cow<'_, str> {
-    let obeyed = |c: char| is_obeyed(c) && !matches!(c, '\n' | '\t');
-    if text.contains(obeyed) { Cow::Owned(text.replace(obeyed, "\u{fffd}")) } else { Cow::Borrowed(text) }
+    let replaced = |c: char| is_terminal_control(c) && !matches!(c, '\n' | '\t');
+    if text.contains(replaced) { Cow::Owned(text.replace(replaced, "\u{fffd}")) } else { Cow::Borrowed(text) }
 }
 
 /// A text within a line of Markdown: no HTML, no links or pictures, no line end.
@@ -30,7 +30,7 @@ pub fn markdown(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '(' if out.ends_with(']') => out.push_str("\\("),
             '\n' | '\r' | '\t' | '\u{2028}' | '\u{2029}' => out.push(' '),
-            c if is_obeyed(c) => out.push('\u{fffd}'),
+            c if is_terminal_control(c) => out.push('\u{fffd}'),
             c => out.push(c),
         }
     }

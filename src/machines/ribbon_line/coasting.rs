@@ -73,7 +73,7 @@ impl EndOfMove {
 }
 
 /// Capacity (mm) that takes up a product which ends without current at any moment, with the knob at its end:
-/// `C ≥ |start| + |run| + |coasting behind the last move|`. A brake that stops the unwinder sooner than X stops asks for more within a move.
+/// `C ≥ |start| + |run| + |coasting after the last move|`. A brake that stops the unwinder sooner than X stops asks for more within a move.
 pub(super) fn loop_needed(line: &RibbonLine) -> f64 {
     laid_before(line) + laid_behind_the_last_move(line).abs().max(laid(line, &line.fast).abs())
 }
