@@ -30,8 +30,10 @@ pub(super) struct Rules {
     pub(super) modulo: [bool; AXES],
     /// The control has tangential arcs (CT).
     pub(super) tangents: bool,
-    /// Reference points and fixed point, in command increments, machine frame.
-    pub(super) points: [[i64; AXES]; 2],
+    /// Reference points, in command increments, machine frame.
+    pub(super) reference_points: [i64; AXES],
+    /// Fixed point, in command increments, machine frame.
+    pub(super) fixed_point: [i64; AXES],
     /// The axis perpendicular to the spindle, for constant surface speed.
     pub(super) surface_axis: usize,
     /// Rules of the control for its spindle.
@@ -52,7 +54,8 @@ impl Rules {
             moves: core::array::from_fn(|k| if dialect.counts_diameters(k) { 0.5 } else { 1.0 }),
             modulo: core::array::from_fn(|k| control.raises(Alarm::PositiveWay) && dialect.is_rotary(k)),
             tangents: control.can(Code::ArcTangent),
-            points: [0, 1].map(|at| point(control, &dialect.points[at])),
+            reference_points: point(control, &dialect.reference_points),
+            fixed_point: point(control, &dialect.fixed_point),
             surface_axis: diameter_axis.unwrap_or(0).min(AXES - 1),
             spindle: dialect.spindle(),
             dialect: Rc::clone(dialect),
@@ -66,7 +69,10 @@ impl Rules {
 
     /// Position of a reference or fixed point.
     pub(super) fn point(&self, point: Point) -> [i64; AXES] {
-        self.points[usize::from(point == Point::Fixed)]
+        match point {
+            Point::Reference => self.reference_points,
+            Point::Fixed => self.fixed_point,
+        }
     }
 }
 

@@ -28,8 +28,10 @@ pub struct Dialect {
     diameters: u32,
     /// Bits of axis indexes: the axis is rotary (degrees).
     rotary: u32,
-    /// Axis index and coordinate (mm or °, machine frame) of the reference points and of the fixed point; axes not listed are at 0.
-    pub(crate) points: [Vec<(usize, f64)>; 2],
+    /// Axis index and coordinate (mm or °, machine frame) of the reference points; axes not listed are at 0.
+    pub(crate) reference_points: Vec<(usize, f64)>,
+    /// Axis index and coordinate of the fixed point.
+    pub(crate) fixed_point: Vec<(usize, f64)>,
     spindle: SpindleRules,
     calls: Vec<CodeCall>,
     call_parts: Vec<CallPart>,
@@ -155,10 +157,8 @@ impl Dialect {
             startup: startup(control, &set),
             diameters: bits(counts),
             rotary: bits(turns),
-            points: [
-                point(control, ReferencePoint::ID, set.reference_point.unwrap_or(""), &mut unread),
-                point(control, FixedPoint::ID, set.fixed_point.unwrap_or(""), &mut unread),
-            ],
+            reference_points: point(control, ReferencePoint::ID, set.reference_point.unwrap_or(""), &mut unread),
+            fixed_point: point(control, FixedPoint::ID, set.fixed_point.unwrap_or(""), &mut unread),
             spindle: spindle(control.spindle, &set, &mut unread),
             calls: calls(control, &call_parts.iter().filter_map(|part| part.1).collect::<Vec<_>>()),
             call_parts,
