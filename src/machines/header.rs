@@ -17,8 +17,8 @@ pub(super) const CONTROL: &str = "control";
 
 /// Comment lines, without brackets, that hold the parameters of a machine on a control.
 pub fn lines<M: Machine>(params: &M::Params, control: &Control) -> Vec<String> {
-    let mut lines = vec![format!("{MARK} {} {VERSION}", M::ID).to_ascii_uppercase()];
-    if M::CONTROLS.first() != Some(&control.id) {
+    let mut lines = vec![format!("{MARK} {} {VERSION}", M::INFO.id).to_ascii_uppercase()];
+    if M::INFO.controls.first() != Some(&control.id) {
         lines.push(format!("{CONTROL}={}", control.id).to_ascii_uppercase());
     }
     let fields: &[Field<M::Params>] = M::fields();

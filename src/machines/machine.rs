@@ -192,7 +192,7 @@ pub trait Prepared: Send + Sync {
     fn drawings(&self) -> Vec<File> {
         Vec::new()
     }
-    /// Catalog ids of the names of the shapes that can be explored; see [`Machine::EXPLORES`].
+    /// Catalog ids of the names of the shapes that can be explored; see [`MachineInfo::explores`].
     fn explored(&self) -> Vec<&'static str> {
         Vec::new()
     }
@@ -250,32 +250,59 @@ pub trait Prepared: Send + Sync {
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
 
+/// Constants of a type of machine.
+#[derive(Debug, Clone, Copy)]
+pub struct MachineInfo {
+    /// Id, for instance `ribbon-line`.
+    pub id: &'static str,
+    /// Catalog id of the name.
+    pub name: &'static str,
+    /// Ids of the controls it goes with; the first is the default.
+    pub controls: &'static [&'static str],
+    /// The published listing of the machine's program, word for word as printed; empty if none is known.
+    pub listing: &'static str,
+    /// Blocks that the listing leaves out.
+    pub left_out: &'static [LeftOut],
+    /// Machine seconds per second at which the motion is visible: one of the speeds of the page.
+    pub speed: f64,
+    /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
+    pub growth: &'static [&'static str],
+    /// Id of the result that is its speed; empty if there is none.
+    pub speed_result: &'static str,
+    /// Id of the field with the customer's name; empty if there is none.
+    pub customer: &'static str,
+    /// The motors that its form describes, in the order of a bill.
+    pub motors: &'static [FormMotor],
+    /// Whether it has an [explorer](Prepared::explorer).
+    pub explores: bool,
+    /// Named examples; a new project is the first, and the defaults of the form where there is none.
+    pub examples: &'static [Example],
+}
+
+impl MachineInfo {
+    /// A machine without listing, growth, motors, explorer and examples; id, name and controls are to be filled in.
+    pub const BASE: MachineInfo = MachineInfo {
+        id: "",
+        name: "",
+        controls: &[],
+        listing: "",
+        left_out: &[],
+        speed: 1.0,
+        growth: &[],
+        speed_result: "",
+        customer: "",
+        motors: &[],
+        explores: false,
+        examples: &[],
+    };
+}
+
 /// A type of machine: a form that fills `Params`, and the [`Prepared`] machine made from them.
 pub trait Machine: Prepared + Sized + 'static {
     /// The values of the form in the units of the formulas, all within their ranges.
     type Params: Default;
-    /// Id, for instance `ribbon-line`.
-    const ID: &'static str;
-    /// Catalog id of the name.
-    const NAME: &'static str;
-    /// Ids of the controls it goes with; the first is the default.
-    const CONTROLS: &'static [&'static str];
-    /// The published listing of the machine's program, word for word as printed; empty if none is known.
-    const LISTING: &'static str = "";
-    /// Blocks that the listing leaves out.
-    const LEFT_OUT: &'static [LeftOut] = &[];
-    /// Machine seconds per second at which the motion is visible: one of the speeds of the page.
-    const SPEED: f64;
-    /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
-    const GROWTH: &'static [&'static str] = &[];
-    /// Id of the result that is its speed; empty if there is none.
-    const SPEED_RESULT: &'static str = "";
-    /// The motors that its form describes, in the order of a bill.
-    const MOTORS: &'static [FormMotor] = &[];
-    /// Whether it has an [explorer](Prepared::explorer).
-    const EXPLORES: bool = false;
-    /// Named examples; a new project is the first, and the defaults of the form where there is none.
-    const EXAMPLES: &'static [Example] = &[];
+    /// Name, controls, examples and roles of fields and results.
+    const INFO: MachineInfo;
     /// The fields of the form in their order.
     fn fields() -> &'static [Field<Self::Params>];
     /// Values and settings of a new project on this control in place of the form's defaults: the control's own block times.
@@ -288,28 +315,24 @@ pub trait Machine: Prepared + Sized + 'static {
 
 /// A machine without the type of its parameters, for the list of machines.
 pub trait AnyMachine: Sync {
+    /// Its constants.
+    fn info(&self) -> &'static MachineInfo;
     /// Id, for instance `ribbon-line`.
-    fn id(&self) -> &'static str;
+    fn id(&self) -> &'static str {
+        self.info().id
+    }
     /// Catalog id of the name.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &'static str {
+        self.info().name
+    }
     /// Ids of the controls it goes with; the first is the default.
-    fn controls(&self) -> &'static [&'static str];
-    /// The published listing of its program, word for word as printed.
-    fn listing(&self) -> &'static str;
-    /// Blocks that the listing leaves out.
-    fn left_out(&self) -> &'static [LeftOut];
-    /// Machine seconds per second at which the motion is visible.
-    fn speed(&self) -> f64;
-    /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
-    fn growth(&self) -> &'static [&'static str];
-    /// Id of the result that is its speed.
-    fn speed_result(&self) -> &'static str;
-    /// The motors that its form describes, in the order of a bill.
-    fn motors(&self) -> &'static [FormMotor];
-    /// Whether it has an explorer.
-    fn explores(&self) -> bool;
+    fn controls(&self) -> &'static [&'static str] {
+        self.info().controls
+    }
     /// Named examples; a new project is the first, and the defaults of the form where there is none.
-    fn examples(&self) -> &'static [Example];
+    fn examples(&self) -> &'static [Example] {
+        self.info().examples
+    }
     /// The form.
     fn fields(&self) -> Vec<FieldInfo>;
     /// Values and settings that a new project on this control has instead of the defaults of the form.
@@ -456,48 +479,8 @@ impl<M: Machine> Default for Erased<M> {
 }
 
 impl<M: Machine> AnyMachine for Erased<M> {
-    fn id(&self) -> &'static str {
-        M::ID
-    }
-
-    fn name(&self) -> &'static str {
-        M::NAME
-    }
-
-    fn controls(&self) -> &'static [&'static str] {
-        M::CONTROLS
-    }
-
-    fn listing(&self) -> &'static str {
-        M::LISTING
-    }
-
-    fn left_out(&self) -> &'static [LeftOut] {
-        M::LEFT_OUT
-    }
-
-    fn speed(&self) -> f64 {
-        M::SPEED
-    }
-
-    fn growth(&self) -> &'static [&'static str] {
-        M::GROWTH
-    }
-
-    fn speed_result(&self) -> &'static str {
-        M::SPEED_RESULT
-    }
-
-    fn motors(&self) -> &'static [FormMotor] {
-        M::MOTORS
-    }
-
-    fn explores(&self) -> bool {
-        M::EXPLORES
-    }
-
-    fn examples(&self) -> &'static [Example] {
-        M::EXAMPLES
+    fn info(&self) -> &'static MachineInfo {
+        const { &M::INFO }
     }
 
     fn fields(&self) -> Vec<FieldInfo> {

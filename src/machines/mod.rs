@@ -48,6 +48,6 @@ pub mod report;
 
 pub use list::{ALL, find};
 pub use machine::{
-    AnyMachine, ControlContext, Defaults, Design, Erased, Frame, Machine, MachineProgram, PanelSetup, Prepared,
-    PreparedMachine, Samples,
+    AnyMachine, ControlContext, Defaults, Design, Erased, Frame, Machine, MachineInfo, MachineProgram, PanelSetup,
+    Prepared, PreparedMachine, Samples,
 };

@@ -27,7 +27,7 @@ pub fn report(
     Report {
         title: listed(title.into_iter().filter(|part| !part.is_empty())),
         project: name.to_owned(),
-        customer: customer(values),
+        customer: customer(machine, values),
         block: TitleBlock::default(),
         date: String::new(),
         checksum: String::new(),
@@ -48,8 +48,8 @@ pub fn report(
 }
 
 /// The customer that the form names.
-fn customer(values: &Values) -> String {
-    match values.get("customer") {
+fn customer(machine: &dyn AnyMachine, values: &Values) -> String {
+    match values.get(machine.info().customer) {
         Some(Value::Text(customer)) => customer.clone(),
         _ => String::new(),
     }

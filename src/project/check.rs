@@ -122,7 +122,7 @@ impl Project {
 
     /// Blocks that the machine's published listing leaves out and that this program lacks, each with its fix.
     fn left_out(&self, parsed: &Parsed) -> Vec<Diagnostic> {
-        self.machine.left_out().iter().filter_map(|block| block.find(parsed)).collect()
+        self.machine.info().left_out.iter().filter_map(|block| block.find(parsed)).collect()
     }
 
     /// Certain alarms and warnings of the project's program, beyond the findings of its reader; silenced ones too.

@@ -259,7 +259,7 @@ impl Project {
 
     /// The published listing as printed, as a file.
     pub fn listing(&self) -> Files {
-        Files::one("listing.nc", self.machine.listing())
+        Files::one("listing.nc", self.machine.info().listing)
     }
 
     /// The machine with the project's values on its control, prepared once per change.

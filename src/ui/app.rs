@@ -137,7 +137,7 @@ const TABS: [(Tab, &str, &str); 7] = [
 /// Whether the machine has something for a tab.
 fn is_there(page: Page, tab: Tab) -> bool {
     page.machine.track();
-    tab != Tab::Explore || page.project.with_untracked(|project| project.machine.explores())
+    tab != Tab::Explore || page.project.with_untracked(|project| project.machine.info().explores)
 }
 
 /// Program and everything that follows from the project, as tabs; below them the operator's panel.
@@ -315,7 +315,7 @@ mod tests {
     async fn machine_without_an_explorer_leaves_its_tab() {
         let bench = app().await;
         assert!(bench.has("#tab-explore.gone"));
-        let at = crate::machines::ALL.iter().position(|machine| machine.explores()).unwrap() + 1;
+        let at = crate::machines::ALL.iter().position(|machine| machine.info().explores).unwrap() + 1;
         bench.press(&format!(".segments button:nth-child({at})")).await;
         bench.press("#tab-explore").await;
         assert_eq!(bench.attribute("#tab-explore", "aria-selected"), "true");

@@ -151,18 +151,18 @@ fn control_names_are_only_in_controls() {
         }
     }
     let mend = "ask the control for an ability or a row (`control.can(…)`, `control.alarm(…)`, `control.name`); \
-                a machine lists its controls in `fn controls` or `CONTROLS`; for a new control that finds itself all over \
+                a machine lists its controls in `controls` of its `INFO`; for a new control that finds itself all over \
                 the code, choose an id whose parts have at least 2 characters and are no everyday words";
     hold("A control's name stands only in src/controls/, in tests and in a machine's list of controls.", mend, broken);
 }
 
-/// The tokens of a machine's list of controls: from `fn controls` or `CONTROLS` to the end of that item.
+/// The tokens of a machine's list of controls: `controls: &[…]` of its constants.
 fn list_of_controls(source: &Source) -> std::ops::Range<usize> {
     let tokens = source.shipped();
     let is = |at: usize, text: &str| tokens.get(at).is_some_and(|token| token.text == text);
-    let begins = |at: &usize| is(*at, "CONTROLS") && is(at + 1, ":") || is(*at, "fn") && is(at + 1, "controls");
+    let begins = |at: &usize| (*at..).zip(["controls", ":", "&", "["]).all(|(at, text)| is(at, text));
     match (0..tokens.len()).find(begins).filter(|_| source.room() == Some("machines")) {
-        Some(begin) => begin..(begin..tokens.len()).find(|&at| is(at, "}") || is(at, ";")).unwrap_or(tokens.len()),
+        Some(begin) => begin..(begin..tokens.len()).find(|&at| is(at, "]")).unwrap_or(tokens.len()),
         None => 0..0,
     }
 }

@@ -69,12 +69,13 @@ mod explore;
 pub(crate) use resolved::PolygonLathe;
 
 use crate::machines::chart_rows;
-use crate::machines::driven::{CoastedAxes, DrivenAxis, FormMotor, Gauge, read};
-use crate::machines::examples::Example;
+use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, read};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
-use crate::machines::machine::{ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples};
+use crate::machines::machine::{
+    ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples,
+};
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::nc::File;
 use crate::view::{Chart, DrawnPart, Explorer, Pose, Scene, Sheet};
@@ -82,16 +83,20 @@ use params::{FIELDS, Params};
 
 impl Machine for PolygonLathe {
     type Params = Params;
-    const ID: &'static str = "polygon-lathe";
-    const MOTORS: &'static [FormMotor] = parts_list::MOTORS;
-    const NAME: &'static str = "polygon.name";
-    const CONTROLS: &'static [&'static str] = &["knd-k2000t"];
-    const LISTING: &'static str = include_str!("listing.nc");
-    const SPEED: f64 = 0.05;
-    const GROWTH: &'static [&'static str] = &["speed", "feed", "depth"];
-    const SPEED_RESULT: &'static str = "work-speed";
-    const EXPLORES: bool = true;
-    const EXAMPLES: &'static [Example] = examples::EXAMPLES;
+    const INFO: MachineInfo = MachineInfo {
+        id: "polygon-lathe",
+        name: "polygon.name",
+        controls: &["knd-k2000t"],
+        listing: include_str!("listing.nc"),
+        speed: 0.05,
+        growth: &["speed", "feed", "depth"],
+        speed_result: "work-speed",
+        motors: parts_list::MOTORS,
+        explores: true,
+        customer: "customer",
+        examples: examples::EXAMPLES,
+        ..MachineInfo::BASE
+    };
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS

@@ -72,14 +72,13 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
-use crate::machines::driven::{DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, SpindleEncoder, read};
-use crate::machines::examples::Example;
+use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, SpindleEncoder, read};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
 use crate::machines::left_out::LeftOut;
 use crate::machines::machine::{
-    ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
+    ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
 };
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot};
@@ -90,29 +89,33 @@ use rules::RULES;
 
 impl Machine for RibbonLine {
     type Params = Params;
-    const ID: &'static str = "ribbon-line";
-    const MOTORS: &'static [FormMotor] = parts_list::MOTORS;
-    const NAME: &'static str = "ribbon.name";
-    const CONTROLS: &'static [&'static str] = &[
-        "mitsubishi-e60",
-        "gsk-980tdc",
-        "sinumerik-802d",
-        "sinumerik-808d",
-        "knd-k2000t",
-        "fanuc-0i-tf",
-        "fanuc-0i-mf",
-    ];
-    const LISTING: &'static str = include_str!("listing.nc");
-    const LEFT_OUT: &'static [LeftOut] = &[LeftOut {
-        number: 30,
-        variable: 115,
-        text: "#115=#105*SQRT[#107*#107+#110*#110]/#107",
-        finding: || msg!("ribbon.equation-4"),
-    }];
-    const SPEED: f64 = 0.05;
-    const GROWTH: &'static [&'static str] = &["spindle-speed", "head-mass", "pitch"];
-    const SPEED_RESULT: &'static str = "line-speed";
-    const EXAMPLES: &'static [Example] = examples::EXAMPLES;
+    const INFO: MachineInfo = MachineInfo {
+        id: "ribbon-line",
+        name: "ribbon.name",
+        controls: &[
+            "mitsubishi-e60",
+            "gsk-980tdc",
+            "sinumerik-802d",
+            "sinumerik-808d",
+            "knd-k2000t",
+            "fanuc-0i-tf",
+            "fanuc-0i-mf",
+        ],
+        listing: include_str!("listing.nc"),
+        left_out: &[LeftOut {
+            number: 30,
+            variable: 115,
+            text: "#115=#105*SQRT[#107*#107+#110*#110]/#107",
+            finding: || msg!("ribbon.equation-4"),
+        }],
+        speed: 0.05,
+        growth: &["spindle-speed", "head-mass", "pitch"],
+        speed_result: "line-speed",
+        motors: parts_list::MOTORS,
+        customer: "customer",
+        examples: examples::EXAMPLES,
+        ..MachineInfo::BASE
+    };
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS

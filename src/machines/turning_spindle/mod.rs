@@ -44,13 +44,12 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
-use crate::machines::driven::{FormMotor, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, read};
-use crate::machines::examples::Example;
+use crate::machines::driven::{Gauge, InverterDrive, ResistorDemand, SpindleEncoder, read};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
-    ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
+    ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
 };
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot};
@@ -60,15 +59,18 @@ use rules::RULES;
 
 impl Machine for TurningSpindle {
     type Params = Params;
-    const ID: &'static str = "turning-spindle";
-    const MOTORS: &'static [FormMotor] = parts_list::MOTORS;
-    const NAME: &'static str = "turning.name";
-    const CONTROLS: &'static [&'static str] =
-        &["gsk-980tdc", "sinumerik-802d", "sinumerik-808d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"];
-    const SPEED: f64 = 1.0;
-    const GROWTH: &'static [&'static str] = &["cutting-speed", "feed", "depth"];
-    const SPEED_RESULT: &'static str = "speed-largest";
-    const EXAMPLES: &'static [Example] = examples::EXAMPLES;
+    const INFO: MachineInfo = MachineInfo {
+        id: "turning-spindle",
+        name: "turning.name",
+        controls: &["gsk-980tdc", "sinumerik-802d", "sinumerik-808d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"],
+        speed: 1.0,
+        growth: &["cutting-speed", "feed", "depth"],
+        speed_result: "speed-largest",
+        motors: parts_list::MOTORS,
+        customer: "customer",
+        examples: examples::EXAMPLES,
+        ..MachineInfo::BASE
+    };
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS

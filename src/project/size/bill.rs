@@ -51,7 +51,7 @@ impl BillRow {
 pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<BillRow> {
     let control = described("size.item.control", None, project.control.name.to_owned(), PartGrade::Entered);
     let inputs = inputs(project.machine, prepared, &project.values, &project.provenance);
-    let motors = project.machine.motors();
+    let motors = project.machine.info().motors;
     let entered = |motor: &FormMotor| entered(motor, &inputs);
     let sized = axes.iter().flat_map(|axis| {
         let entered = motors.iter().find(|motor| motor.drive == axis.id).and_then(entered);

@@ -55,7 +55,7 @@ pub struct Fastest {
 pub(super) fn growth(project: &Project) -> (Vec<Growth>, Option<Fastest>) {
     let fields = project.machine.fields();
     let hidden = project.prepared();
-    let named = project.machine.growth().iter().filter(|id| !hidden.hidden().contains(id));
+    let named = project.machine.info().growth.iter().filter(|id| !hidden.hidden().contains(id));
     let grown: Vec<Growth> =
         named.filter_map(|id| edge(project, fields.iter().find(|field| field.id == *id)?)).collect();
     let fastest = grown.first().and_then(|first| fastest(project, first));
@@ -170,7 +170,7 @@ fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
     let FieldKindInfo::Number { decimals, .. } = field.kind else { return None };
     let entry = (speed.field, number_text(speed.value, decimals));
     let results = project.with_entries(core::slice::from_ref(&entry))?.prepared().results().readouts;
-    let told = results.iter().find(|row| row.id == project.machine.speed_result())?;
+    let told = results.iter().find(|row| row.id == project.machine.info().speed_result)?;
     Some(Fastest {
         result: (told.id, told.label),
         value: (told.value, told.unit),

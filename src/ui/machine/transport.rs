@@ -104,7 +104,7 @@ fn Speed() -> impl IntoView {
     let value = |speed: f64| number_text(speed, 6);
     let options = move || {
         page.machine.track();
-        let visible = page.project.with_untracked(|project| project.machine.speed());
+        let visible = page.project.with_untracked(|project| project.machine.info().speed);
         let automatic = ("0".to_owned(), format!("{} {}", t("page.automatic"), speed_text(visible)));
         core::iter::once(automatic).chain(SPEEDS.map(|speed| (value(speed), speed_text(speed)))).collect::<Vec<_>>()
     };

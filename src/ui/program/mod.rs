@@ -186,7 +186,7 @@ fn Tools(
     };
     let unpublished = move || {
         page.machine.track();
-        page.project.with_untracked(|project| project.machine.listing().is_empty())
+        page.project.with_untracked(|project| project.machine.info().listing.is_empty())
     };
     view! {
         <div class="bar tools">

@@ -179,7 +179,7 @@ mod tests {
     use crate::ui::testing::{ViewBench, mount_project};
 
     async fn explorer() -> ViewBench {
-        let machine = crate::machines::ALL.iter().find(|machine| machine.explores()).unwrap();
+        let machine = crate::machines::ALL.iter().find(|machine| machine.info().explores).unwrap();
         mount_project(Project::of(machine.id(), None).unwrap(), || view! { <ExploreTab /> }).await
     }
 

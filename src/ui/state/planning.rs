@@ -53,7 +53,7 @@ impl Player {
             state.planner = Some(run);
             state.id = id;
             state.machine = Some(project.prepared());
-            state.visible = project.machine.speed();
+            state.visible = project.machine.info().speed;
             state.expected = 0.0;
         });
         self.walk_away();

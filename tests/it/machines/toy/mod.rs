@@ -12,7 +12,7 @@ use macroline::machines::form::Field;
 use macroline::machines::form::rows::LineEnds;
 use macroline::machines::verdict::results;
 use macroline::machines::{
-    ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples, chart_rows, sheets,
+    ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples, chart_rows, sheets,
 };
 use macroline::motion::{BenchPlc, Plant, Plc, Snapshot};
 use macroline::view::{Chart, DrawnPart, Pose, Scene, Sheet};
@@ -22,10 +22,13 @@ pub(super) use resolved::{CutToLength, PREPARED};
 
 impl Machine for CutToLength {
     type Params = Params;
-    const ID: &'static str = "cut-to-length";
-    const NAME: &'static str = "toy.name";
-    const CONTROLS: &'static [&'static str] = &["mitsubishi-e60", "gsk-980tdc", "knd-k2000t"];
-    const SPEED: f64 = 1.0;
+    const INFO: MachineInfo = MachineInfo {
+        id: "cut-to-length",
+        name: "toy.name",
+        controls: &["mitsubishi-e60", "gsk-980tdc", "knd-k2000t"],
+        speed: 1.0,
+        ..MachineInfo::BASE
+    };
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS
