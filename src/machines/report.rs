@@ -121,7 +121,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
 fn open(control: &Control, switches: &Switches) -> Vec<OpenPoints> {
     let doubtful = |cite: &Citation| cite.grade == Grade::Open;
     let code = |row: &&crate::controls::CodeDef| control.code_name(row.id);
-    let tables: [(&'static str, Vec<String>); 7] = [
+    let tables: [(&'static str, Vec<String>); 9] = [
         (
             "form.open.switches",
             control
@@ -139,6 +139,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<OpenPoints> {
                 (control.macros.cite, "form.open.macros"),
                 (control.limits.cite, "form.open.ranges"),
                 (control.timing.cite, "form.open.block-times"),
+                (control.spindle.cite, "form.open.spindle"),
             ]
             .into_iter()
             .chain([(control.analog_output.cite, "form.open.analog-output")])
@@ -147,6 +148,14 @@ fn open(control: &Control, switches: &Switches) -> Vec<OpenPoints> {
             .filter(|(cite, _)| doubtful(cite))
             .map(|(cite, what)| format!("{} ({})", words(what), cite.source))
             .collect(),
+        ),
+        (
+            "form.open.axes",
+            control.axes.iter().filter(|row| doubtful(&row.cite)).map(|row| row.letter.to_string()).collect(),
+        ),
+        (
+            "form.open.drives",
+            control.drives.iter().filter(|row| doubtful(&row.cite)).map(|row| row.series.to_owned()).collect(),
         ),
         (
             "form.open.params",

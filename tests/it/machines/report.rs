@@ -233,3 +233,35 @@ fn failing_design_says_so_first_and_names_its_repair() {
     let rank = |sign: &String| ["✕", "△", "✓", ""].iter().position(|known| known == sign).unwrap().min(2);
     assert!(signs.is_sorted_by_key(rank), "{signs:?}");
 }
+
+#[test]
+fn open_points_list_every_open_row_of_the_control() {
+    use macroline::controls::{self, Control, Switches};
+    use macroline::text::{Citation, Grade};
+    let is_open = |cite: Citation| cite.grade == Grade::Open;
+    let rows = |control: &Control| {
+        let mut rows: Vec<(&str, String)> = Vec::new();
+        let mut add = |kind, text: &str, cite| rows.extend(is_open(cite).then(|| (kind, text.to_owned())));
+        control.axes.iter().for_each(|row| add("form.open.axes", &row.letter.to_string(), row.cite));
+        control.drives.iter().for_each(|row| add("form.open.drives", row.series, row.cite));
+        control.interface.iter().for_each(|row| add("form.open.signals", row.device, row.cite));
+        control.alarms.iter().for_each(|row| add("form.open.alarms", row.number, row.cite));
+        add("form.open.timing", "effects of spindle codes", control.spindle.cite);
+        add("form.open.timing", "analog output of the spindle", control.analog_output.cite);
+        control.scaling.iter().for_each(|row| add("form.open.timing", "scaling of axes", row.cite));
+        rows
+    };
+    for control in controls::ALL {
+        let machine = ALL.iter().find(|machine| machine.controls().contains(&control.id)).unwrap();
+        let project = Project::of(machine.id(), Some(control.id)).unwrap();
+        let switches = Switches::default();
+        let on = macroline::machines::ControlContext { control, switches: &switches };
+        let origins = (&project.values, &project.provenance);
+        let report = macroline::machines::report::report(*machine, &project.prepared(), "", origins, on, &[]);
+        for (kind, text) in rows(control) {
+            let points = report.open.iter().find(|points| points.kind == kind);
+            let is_listed = points.is_some_and(|points| points.facts.iter().any(|fact| fact.starts_with(&text)));
+            assert!(is_listed, "{}: {kind} {text}", control.id);
+        }
+    }
+}
