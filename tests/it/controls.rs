@@ -445,3 +445,38 @@ fn each_plc_bit_belongs_to_a_word() {
     assert_eq!(gsk().word_of_bit(1107), Some((1132, 7)));
     assert_eq!(knd().word_of_bit(1132), None);
 }
+
+/// A text such as `0.001 mm` has as many units in one mm as its factor says.
+#[test]
+fn units_of_parameters_have_the_factor_of_their_text() {
+    let units = ALL.iter().flat_map(|control| control.params).map(|row| row.unit);
+    let mut seen = 0;
+    for unit in units {
+        let text = unit.text();
+        let digits = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+        let (number, rest) = text.split_at(digits);
+        let Ok(number) = number.parse::<f64>() else { continue };
+        // Parts of the unit of a form: µm of mm, and minutes of a gain in 1/s.
+        let part = match rest.trim() {
+            "µm" => 0.001,
+            "/min" => 1.0 / 60.0,
+            _ => 1.0,
+        };
+        if text != "1/s" {
+            assert!((unit.per_form_unit().unwrap() * number * part - 1.0).abs() < 1e-12, "{text}");
+            seen += 1;
+        }
+    }
+    assert!(seen >= 8, "{seen} units");
+}
+
+#[test]
+fn number_of_a_program_has_a_letter_of_its_control() {
+    use macroline::project::run::program_number;
+    let read = |id: &str, name: &str| program_number(name, &find(id).unwrap().syntax);
+    for id in ["gsk-980tdc", "fanuc-0i-tf", "mitsubishi-e60"] {
+        assert_eq!((read(id, "o9101.nc"), read(id, "9101")), (Some(9101), Some(9101)), "{id}");
+    }
+    assert_eq!((read("mitsubishi-e60", "L9101"), read("gsk-980tdc", "L9101")), (Some(9101), None));
+    assert_eq!((read("sinumerik-802d", "L9101.SPF"), read("sinumerik-802d", "O9101")), (Some(9101), None));
+}
