@@ -233,7 +233,7 @@ impl Reader<'_> {
     #[cold]
     fn two_signs(&mut self, start: usize) {
         let behind = self.cursor.line.get(start..).unwrap_or_default();
-        let run = behind.iter().take_while(|b| matches!(b, b'+' | b'-' | b' ')).count();
+        let run = behind.iter().take_while(|b| matches!(b, b'+' | b'-' | b' ' | b'\t')).count();
         let signs = behind.get(..run).unwrap_or_default().trim_ascii_end();
         let place = self.place(self.span(start, start + signs.len()));
         let last = self.findings.list.last().filter(|last| last.id() == "nc.two-signs");

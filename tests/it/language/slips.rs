@@ -46,6 +46,14 @@ fn two_signs_are_not_read_in_silence() {
             Read it as “+”: 1:6 "-+"→""
     "#]],
     );
+    check_block(
+        "G00 X-\t-10.",
+        expect![[r#"
+        1:6 warning - Two signs in a row: “-	-” is read as “+” here, and a control may refuse it. Write the sign that is meant.
+            Read it as “+”: 1:6 "-\t-"→""
+            Read it as “-”: 1:6 "-\t-"→"-"
+    "#]],
+    );
     check_802d(
         "G0 X=--10",
         expect![[r#"
