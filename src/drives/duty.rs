@@ -2,6 +2,7 @@
 
 use super::load::{Load, Regeneration, power};
 use super::servo::Servo;
+use super::spindle_motor::MotorCurve;
 use crate::math::RPM;
 
 /// A part of a motion with constant acceleration.
@@ -39,6 +40,19 @@ pub struct Motion {
     pause: f64,
     /// Start and end times (s) of the load's steady torque; `None`: it always acts.
     works: Option<Vec<(f64, f64)>>,
+    /// Further steady torques, in order and without overlaps; `None` for a load that is always in work.
+    cuts: Option<Vec<CutSpan>>,
+}
+
+/// A span of a cut with one torque, which acts besides the steady torque of the load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CutSpan {
+    /// Start, s.
+    pub begin: f64,
+    /// End, s.
+    pub end: f64,
+    /// Torque at the shaft, Nm.
+    pub torque: f64,
 }
 
 /// An interrupted cut at a steady speed: its torque around the mean, which is the steady torque of the load. All zero without such a cut.
@@ -115,7 +129,7 @@ impl Motion {
     /// Nm.
     pub fn new(turns: impl IntoIterator<Item = Turn>, load: Load, hold: f64) -> Motion {
         let turns = turns.into_iter().flat_map(at_reversal).filter(|turn| turn.seconds > 0.0).collect();
-        Motion { turns, load, hold, strikes: Strikes::default(), pause: 0.0, works: None }
+        Motion { turns, load, hold, strikes: Strikes::default(), pause: 0.0, works: None, cuts: None }
     }
 
     /// The motion, with an interrupted cut during all steady speeds.
@@ -131,20 +145,28 @@ impl Motion {
     /// The motion, with the load's steady torque and strikes only within these times (s), in order and without overlaps; otherwise it
     /// idles.
     pub fn with_work(self, works: Vec<(f64, f64)>) -> Motion {
-        let mut ends = works.iter().flat_map(|(from, to)| [*from, *to]).peekable();
-        let mut turns = Vec::with_capacity(self.turns.len());
-        for turn in self.turns {
-            let mut rest = turn;
-            while ends.next_if(|t| *t <= rest.t).is_some() {}
-            while let Some(t) = ends.next_if(|t| *t < rest.t + rest.seconds) {
-                let [first, second] = rest.split(t);
-                turns.push(first);
-                rest = second;
-            }
-            turns.push(rest);
-        }
-        turns.retain(|turn| turn.seconds > 0.0);
+        let turns = split_at(&self.turns, works.iter().flat_map(|(from, to)| [*from, *to]));
         Motion { turns, works: Some(works), ..self }
+    }
+
+    /// The motion with the torques of a cut besides the steady torque of the load.
+    pub fn with_cuts(self, cuts: Vec<CutSpan>) -> Motion {
+        let turns = split_at(&self.turns, cuts.iter().flat_map(|cut| [cut.begin, cut.end]));
+        Motion { turns, cuts: Some(cuts), ..self }
+    }
+
+    /// The motion of a load without inertia: its steady torques alone.
+    pub fn without_inertia(self) -> Motion {
+        Motion { load: Load { inertia: 0.0, ..self.load }, ..self }
+    }
+
+    /// Torque (Nm) of a cut during a turn; none for a load without cuts.
+    fn cut(&self, turn: &Turn) -> Option<f64> {
+        let middle = turn.t + 0.5 * turn.seconds;
+        let cuts = self.cuts.as_ref()?;
+        let at = cuts.partition_point(|cut| cut.begin <= middle).checked_sub(1);
+        let within = at.and_then(|at| cuts.get(at)).filter(|cut| middle < cut.end);
+        Some(within.map_or(0.0, |cut| cut.torque))
     }
 
     /// Whether the load's steady torque acts during a turn.
@@ -160,7 +182,8 @@ impl Motion {
     pub fn loaded(&self) -> f64 {
         let is_loaded = |turn: &&Turn| {
             let speed = turn.from.abs().max(turn.to.abs());
-            speed >= STANDS && (self.works(turn) || (turn.to - turn.from).abs() > STEADY * speed)
+            let works = self.cut(turn).map_or_else(|| self.works(turn), |torque| torque > 0.0);
+            speed >= STANDS && (works || (turn.to - turn.from).abs() > STEADY * speed)
         };
         self.turns.iter().filter(is_loaded).map(|turn| turn.seconds).sum()
     }
@@ -180,7 +203,7 @@ impl Motion {
         let side = (from + to).signum();
         let rises = side * (to - from) > 0.0;
         let change = |by: f64| by * (to - from).abs() / seconds;
-        let steady = if self.works(turn) { self.load.torque } else { 0.0 };
+        let steady = if self.works(turn) { self.load.torque } else { 0.0 } + self.cut(turn).unwrap_or(0.0);
         let along = if rises {
             steady + change(self.load.accelerating(rotor, 1.0, 1.0))
         } else {
@@ -222,16 +245,50 @@ impl Motion {
 
     /// The operating point with the largest fraction of the motor's short-time torque at its speed.
     pub fn hardest(&self, motor: &Servo) -> Hardest {
+        self.hardest_under(motor.rotor, |_, speed| motor.most(speed))
+    }
+
+    /// The operating point with the largest fraction of the torque (Nm) that a drive gives at a speed in r/min, with a rotor in kg m². The
+    /// first argument of `most` is whether the drive brakes.
+    pub fn hardest_under(&self, rotor: f64, most: impl Fn(bool, f64) -> f64) -> Hardest {
         let mut hardest = Hardest::default();
         for turn in &self.turns {
-            let (torque, _) = self.greatest(turn, self.torque(turn, motor.rotor));
+            let signed = self.torque(turn, rotor);
+            let (torque, _) = self.greatest(turn, signed);
             let speed = turn.from.abs().max(turn.to.abs()) / RPM;
-            let share = torque / motor.most(speed);
+            let share = torque / most(signed * (turn.from + turn.to) < 0.0, speed);
             if share > hardest.share {
                 hardest = Hardest { torque, speed, share };
             }
         }
         hardest
+    }
+
+    /// Effective torque as a fraction of a motor's continuous curve, over the motion and its pause: `√(Σ ∫ (T / M(n))² dt / t)`. Above base
+    /// speed the curve falls, so that a torque heats the motor as a greater one does below. Source: turning spindle facts, 4.
+    pub fn effective_share(&self, rotor: f64, curve: &MotorCurve) -> f64 {
+        let (mut square, mut seconds) = (0.0, self.counted_pause());
+        for turn in &self.turns {
+            let speeds = (turn.from / RPM, turn.to / RPM);
+            square += curve.mean_square(self.torque(turn, rotor), speeds) * turn.seconds;
+            seconds += turn.seconds;
+        }
+        if seconds > 0.0 { (square / seconds).sqrt() } else { 0.0 }
+    }
+
+    /// Energies (J) that come back at the shaft, one for each time that the load drives the motor, in their order. Source: sizing facts 2.4.
+    pub fn returns(&self, rotor: f64) -> Vec<f64> {
+        let mut all = vec![0.0];
+        for turn in &self.turns {
+            let back = -0.5 * self.torque(turn, rotor) * (turn.from + turn.to) * turn.seconds;
+            match all.last_mut() {
+                Some(last) if back > 0.0 => *last += back,
+                Some(last) if *last > 0.0 => all.push(0.0),
+                _ => {}
+            }
+        }
+        all.retain(|energy| *energy > 0.0);
+        all
     }
 
     /// Mean speed in r/min over the whole motion and its pause, without sign.
@@ -372,6 +429,24 @@ pub fn duty_type(turning: f64, loaded: f64, cycle: f64) -> DutyType {
         (None, Some(factor)) if turning >= WITHOUT_STANDSTILL => DutyType::Periodic(factor),
         _ => DutyType::Continuous,
     }
+}
+
+/// Splits turns at these times (s), which ascend.
+fn split_at(turns: &[Turn], times: impl Iterator<Item = f64>) -> Vec<Turn> {
+    let mut times = times.peekable();
+    let mut parts = Vec::with_capacity(turns.len());
+    for turn in turns {
+        let mut rest = *turn;
+        while times.next_if(|t| *t <= rest.t).is_some() {}
+        while let Some(t) = times.next_if(|t| *t < rest.t + rest.seconds) {
+            let [first, second] = rest.split(t);
+            parts.push(first);
+            rest = second;
+        }
+        parts.push(rest);
+    }
+    parts.retain(|turn| turn.seconds > 0.0);
+    parts
 }
 
 /// Splits a turn where its direction reverses.

@@ -27,9 +27,31 @@ impl MotorCurve {
         MotorCurve { power: power * efficiency, base: stage * base / top }
     }
 
+    /// Curve of a motor of `power` kW with a rated torque in Nm: base speed `n_b = 9549.3 P / M`.
+    pub fn with_torque(power: f64, torque: f64) -> MotorCurve {
+        MotorCurve { power, base: TORQUE * power / torque }
+    }
+
     /// Torque in Nm at a spindle speed in r/min: `M = 9549.3 P / max(n, n_b)`.
     pub fn torque(&self, rpm: f64) -> f64 {
         TORQUE * self.power / rpm.abs().max(self.base)
+    }
+
+    /// Mean square of a torque (Nm) as a fraction of the curve, while the speed changes linearly from one value (r/min) to another:
+    /// `mean of (T / M(n))²`, with `M` inversely proportional to `max(n, n_b)`.
+    ///
+    /// Source: `reference/turning-spindle.md` section 4.
+    pub fn mean_square(&self, torque: f64, (from, to): (f64, f64)) -> f64 {
+        let (low, high) = (from.abs().min(to.abs()), from.abs().max(to.abs()));
+        let share = torque / self.torque(0.0);
+        let bend = self.base.max(low).min(high);
+        if high - low <= SMALL * high {
+            let share = torque / self.torque(high);
+            return share * share;
+        }
+        let cube = |speed: f64| speed * speed * speed;
+        let mean = ((bend - low) + (cube(high) - cube(bend)) / (3.0 * self.base * self.base)) / (high - low);
+        share * share * mean
     }
 
     /// The curve with a share of its torque at every speed.

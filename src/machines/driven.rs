@@ -1,8 +1,9 @@
 //! Drives that a machine is sized by: motors behind its axes, the drive behind its inverter, and quantities checked during operation.
 
-use crate::drives::duty::{Motion, Strikes, Turn};
+use crate::drives::duty::{Hardest, Motion, Strikes, Turn};
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
+use crate::drives::spindle_motor::MotorCurve;
 use crate::math::RPM;
 use crate::motion::{Mover, Snapshot, Stretch};
 use crate::view::Limit;
@@ -126,7 +127,7 @@ impl DrivenAxis {
 }
 
 /// Stretches of a run as turns of a shaft, in radians per unit of the run.
-fn turns(stretches: &[Stretch], per_unit: f64) -> impl Iterator<Item = Turn> {
+pub fn turns(stretches: &[Stretch], per_unit: f64) -> impl Iterator<Item = Turn> {
     stretches.iter().map(move |stretch| Turn {
         t: stretch.t,
         seconds: stretch.seconds,
@@ -169,8 +170,6 @@ pub struct InverterDrive {
     pub turned: Load,
     /// Inertia of its rotor, kg m²; 0 if the load includes it.
     pub rotor: f64,
-    /// Energy (J) at its shaft that the work of a part takes besides that torque.
-    pub work: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// Fields of the form for maker with model and for the rated torque.
@@ -178,7 +177,7 @@ pub struct InverterDrive {
 }
 
 impl InverterDrive {
-    /// The motion of the motor's shaft in a part of a run, without its work.
+    /// The motion of the motor's shaft in a part of a run; that of a main spindle without its cut.
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {
         Motion::new(turns(stretches, self.turn), self.turned, 0.0)
     }
@@ -219,6 +218,46 @@ impl InverterCycle {
     }
 }
 
+/// The motor of a main spindle in a part of a run: cut, friction and acceleration together. Torques at its shaft.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpindleRun {
+    /// Catalog id of the name of its drive.
+    pub name: &'static str,
+    /// Motion of its shaft, without the rotor: friction and cut, and the inertia of chuck and work.
+    pub motion: Motion,
+    /// The same motion in a run without stock: no cut helps to brake.
+    pub idle: Motion,
+    /// Inertia of the form's rotor, kg m².
+    pub rotor: f64,
+    /// The form's motor by its data sheet.
+    pub motor: MotorCurve,
+    /// Short-time torque as a share of the rated one at the same speed, driving and braking.
+    pub peak: [f64; 2],
+}
+
+impl SpindleRun {
+    /// The operating point with the largest fraction of the short-time torque of a motor with this curve and rotor (kg m²), with and without
+    /// stock.
+    pub fn hardest(&self, motor: &MotorCurve, rotor: f64) -> Hardest {
+        let (cut, idle) = (self.under(&self.motion, motor, rotor), self.hardest_idle(motor, rotor));
+        if idle.share > cut.share { idle } else { cut }
+    }
+
+    /// The same point of a run without stock: that of its ramps.
+    pub fn hardest_idle(&self, motor: &MotorCurve, rotor: f64) -> Hardest {
+        self.under(&self.idle, motor, rotor)
+    }
+
+    fn under(&self, motion: &Motion, motor: &MotorCurve, rotor: f64) -> Hardest {
+        motion.hardest_under(rotor, |brakes, speed| self.peak[usize::from(brakes)] * motor.torque(speed))
+    }
+
+    /// The operating point of cut and friction with the largest fraction of the torque that this curve gives.
+    pub fn hardest_steady(&self, motor: &MotorCurve) -> Hardest {
+        self.motion.clone().without_inertia().hardest_under(0.0, |_, speed| motor.torque(speed))
+    }
+}
+
 /// Demand on the encoder of a spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpindleEncoder {
@@ -229,16 +268,28 @@ pub struct SpindleEncoder {
 }
 
 /// Braking of a motor behind an inverter with more torque than the inverter takes back without a brake resistor.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ResistorDemand {
     /// Catalog id of the name of its drive.
     pub name: &'static str,
     /// Braking torque of the form, % of the rated one.
     pub percent: f64,
-    /// Energy of a stop, J.
-    pub energy: f64,
-    /// Mean power over the cycle, W.
-    pub power: f64,
+    /// Energies (J) that come back in a part, one for each time that the drive brakes.
+    pub energies: Vec<f64>,
+    /// Time (s) from one start to the next.
+    pub cycle: f64,
+}
+
+impl ResistorDemand {
+    /// Mean power, W.
+    pub fn power(&self) -> f64 {
+        if self.cycle > 0.0 { self.energies.iter().sum::<f64>() / self.cycle } else { 0.0 }
+    }
+
+    /// Greatest energy of all, J.
+    pub fn greatest(&self) -> f64 {
+        self.energies.iter().copied().fold(0.0, f64::max)
+    }
 }
 
 /// A quantity of a machine `M` that is checked during operation.

@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 use core::ops::Deref;
 
 use super::driven::{
-    CoastedAxes, DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder,
+    CoastedAxes, DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, SpindleRun,
 };
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
@@ -18,7 +18,7 @@ use super::left_out::LeftOut;
 use crate::controls::options::{CommonAtReset, SwitchChoice};
 use crate::controls::{Control, Dialect, Switches};
 use crate::math;
-use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Visit};
+use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Stretch, Visit};
 use crate::msg;
 use crate::nc::{Deck, File};
 use crate::text::catalog::words;
@@ -113,6 +113,10 @@ pub trait Samples {
     fn passes(&self, sequence: u32, t: f64) -> (u32, bool);
     /// Visits of the commands of two axes (by index) to the region where both are below their limits, up to time `t`.
     fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit>;
+    /// Spans (s) up to time `t` in which the block with this sequence number (in the started program) executes.
+    fn executions(&self, _sequence: u32, _t: f64) -> Vec<(f64, f64)> {
+        Vec::new()
+    }
 }
 
 impl<P: RunningProgram> Samples for Planner<P> {
@@ -128,6 +132,13 @@ impl<P: RunningProgram> Samples for Planner<P> {
 
     fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit> {
         self.timeline().visits(below, t)
+    }
+
+    fn executions(&self, sequence: u32, t: f64) -> Vec<(f64, f64)> {
+        let Some(place) = self.program().numbered(sequence) else { return Vec::new() };
+        let timeline = self.timeline();
+        let end = |begin: f64| timeline.next_block(begin).map_or(t, |end| end.min(t));
+        timeline.begins(place).take_while(|begin| *begin < t).map(|begin| (begin, end(begin))).collect()
     }
 }
 
@@ -218,8 +229,13 @@ pub trait Prepared: Send + Sync {
     fn inverter_drive(&self) -> Option<InverterDrive> {
         None
     }
-    /// The brake resistor of the spindle's inverter, if the form's braking torque needs one that no sized drive has.
-    fn resistor_demand(&self) -> Option<ResistorDemand> {
+    /// The motor of a main spindle in these stretches of a run, with the torques of its cut; none for other drives.
+    fn spindle_run(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<SpindleRun> {
+        None
+    }
+    /// The brake resistor of the spindle's inverter in these stretches of a run, if the form's braking torque needs one that no sized drive
+    /// has.
+    fn resistor_demand(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<ResistorDemand> {
         None
     }
     /// The encoder of the spindle, if it has one of its own; a servo motor includes its encoder.

@@ -58,6 +58,9 @@ impl Timeline {
         for (at, ramp) in ramps.iter().enumerate() {
             let end = ramps.get(at + 1).map_or(to, |next| next.t).min(to);
             let begin = ramp.t.max(from);
+            if end <= begin {
+                continue;
+            }
             let mut moments: Vec<f64> =
                 ramp.bends(&self.spindle).into_iter().filter(|t| *t > begin && *t < end).collect();
             moments.extend([begin, end]);

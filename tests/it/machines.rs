@@ -38,6 +38,7 @@ mod toy;
 mod turning;
 mod turning_clauses;
 mod turning_controls;
+mod turning_demand;
 mod turning_drawing;
 mod turning_gears;
 mod turning_restart;

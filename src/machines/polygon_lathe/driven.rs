@@ -13,7 +13,7 @@ use crate::motion::Mover;
 /// All that the drive gives may be asked: the form has no reserve beside its peak torque.
 const WHOLE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
 
-/// The motors of work and tool, as if each cut at the greatest torque of all feeds for as long as it turns at a steady speed.
+/// The motors of work and tool, under the greatest torque of all feeds while the slide is in the stock.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
     let axis = |id, name, at, spindle: Spindle, (motor_teeth, teeth): (f64, f64)| {
         let p = &lathe.p;

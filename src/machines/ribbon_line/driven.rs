@@ -130,7 +130,6 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         turn: RPM,
         turned: unwinder_load(&line.p, line.mechanics.unwinder),
         rotor: 0.0,
-        work: 0.0,
         gear: is_geared(line.p.reduction_ratio).then(|| unwinder_gear(line)),
         fields: Some(("unwinder-motor", "unwinder-torque-rated")),
     }

@@ -2,7 +2,6 @@
 
 use super::resolved::TurningSpindle;
 use crate::controls::Address;
-use crate::drives::cutting;
 use crate::drives::speed::surface_speed;
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::machines::chart_rows::{ChartLine, ChartRow};
@@ -100,7 +99,7 @@ pub(super) fn over_speed(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
             let at = |at: usize| {
                 let diameter = d.smallest + (d.largest - d.smallest) * share(at);
                 let speed = d.speed_at(p, diameter);
-                (speed, of(cutting::torque(p.cutting_force, diameter), speed))
+                (speed, of(p.steady_torque(diameter), speed))
             };
             line("turning.chart.cut", CUT, (0..points).map(at).collect())
         });

@@ -2,7 +2,7 @@
 
 use super::params::{Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::{AnalogOutput, SpindleRules};
-use crate::drives::cutting::{self, Cut};
+use crate::drives::cutting::Cut;
 use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_speed};
 use crate::drives::{Analog, Bound};
 use crate::math;
@@ -26,6 +26,11 @@ impl Held {
     /// Speed (r/min) at a diameter (mm) under constant surface speed, and the limit that binds it.
     pub(super) fn at(&self, diameter: f64) -> (f64, Bound) {
         self.within(surface_rpm(self.speed, diameter))
+    }
+
+    /// Surface speed after every override, m/min.
+    pub(super) fn surface(&self) -> f64 {
+        self.speed * self.behind
     }
 
     fn within(&self, rpm: f64) -> (f64, Bound) {
@@ -68,8 +73,10 @@ pub(super) struct Derived {
     pub volts_largest: f64,
     pub volts_smallest: f64,
     pub analog_step: f64,
+    /// Greatest power of cut and friction, kW.
     pub power: f64,
     pub power_available: f64,
+    /// Torque of cut and friction at the largest diameter, Nm.
     pub torque: f64,
     /// Continuous torque of the motor at the spindle at the largest diameter, Nm.
     pub torque_available: f64,
@@ -212,7 +219,7 @@ impl Derived {
         let sign = if p.direction == Direction::CounterClockwise { -1.0 } else { 1.0 };
         let middle = 0.5 * output.volts;
         let motor = p.continuous(stage_speed);
-        Derived {
+        let derived = Derived {
             passes,
             largest,
             smallest,
@@ -241,9 +248,9 @@ impl Derived {
             volts_largest: analog.output(sign * speed(largest)),
             volts_smallest: analog.output(sign * speed(smallest)),
             analog_step: analog.speed(middle + output.volts / f64::from(analog.steps())) - analog.speed(middle),
-            power: cutting::power(p.cutting_force, surface_speed(speed(largest), largest)),
+            power: 0.0,
             power_available: motor.power,
-            torque: cutting::torque(p.cutting_force, largest),
+            torque: p.steady_torque(largest),
             torque_available: motor.torque(speed(largest)),
             torque_most: motor.torque(0.0),
             acceleration_needed: if fixed { 0.0 } else { acceleration(p, v, limit.max(smallest)) },
@@ -251,7 +258,8 @@ impl Derived {
             feed_top: p.feed * speed(smallest).max(speed(largest)),
             asked: s * before,
             held: surface,
-        }
+        };
+        Derived { power: derived.steady_power(p), ..derived }
     }
 }
 

@@ -6,6 +6,8 @@ mod examples;
 
 mod derive;
 
+mod demand;
+
 mod driven;
 
 mod resolved;
@@ -44,7 +46,7 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
-use crate::machines::driven::{Gauge, InverterDrive, ResistorDemand, SpindleEncoder, read};
+use crate::machines::driven::{Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
@@ -52,7 +54,7 @@ use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
 };
 use crate::machines::verdict::results;
-use crate::motion::{Plant, Plc, Snapshot};
+use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 use rules::RULES;
@@ -143,8 +145,12 @@ impl Prepared for TurningSpindle {
         driven::inverter(self)
     }
 
-    fn resistor_demand(&self) -> Option<ResistorDemand> {
-        driven::resistor(self)
+    fn spindle_run(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
+        (self.d.stage_speed > 0.0).then(|| demand::in_run(self, run, stretches))
+    }
+
+    fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
+        driven::resistor(&self.spindle_run(run, stretches)?, self)
     }
 
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {

@@ -16,6 +16,7 @@ const KIENZLE: Citation = Citation::new("ISCAR turning catalogue 2017, p.558, gr
 const INERTIA: Citation = Citation::new("sizing facts 2.1", Grade::Inferred);
 const TORQUE: Citation = Citation::new("sizing facts 2.2", Grade::Inferred);
 const ENERGY: Citation = Citation::new("sizing facts 2.4", Grade::Inferred);
+const DEMAND: Citation = Citation::new("turning spindle facts, 4", Grade::Inferred);
 const RUN_UP: Citation = Citation::new("turning spindle facts, 5", Grade::Inferred);
 
 const GEARS: Citation = Citation::new("turning spindle facts, 2", Grade::Inferred);
@@ -111,11 +112,16 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "power", label: "turning.readout.power", unit: "kW", decimals: 2,
-        formula: "F v / 60 000", cite: MECHANICS, value: |lathe| lathe.d.power, shown: cuts_by_force, ..ReadoutRow::BASE
+        formula: "F v / 60 000 + friction · n / 9549", cite: MECHANICS, value: |lathe| lathe.d.power, shown: cuts_by_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "torque", label: "turning.readout.torque", unit: "Nm", decimals: 1,
-        formula: "F D / 2000", cite: MECHANICS, value: |lathe| lathe.d.torque, shown: cuts_by_force, ..ReadoutRow::BASE
+        formula: "F D / 2000 + friction", cite: MECHANICS, value: |lathe| lathe.d.torque, shown: cuts_by_force, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "peak-torque", label: "turning.readout.peak-torque", unit: "Nm", decimals: 1,
+        formula: "F D / 2000 + friction + J · 2π / 60 · dn/dt", cite: DEMAND, value: |lathe| lathe.d.hardest_point(&lathe.p).torque,
+        shown: |lathe| cuts_by_force(lathe) && lathe.surface(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1,

@@ -29,7 +29,15 @@ pub(crate) struct TurningSpindle {
 impl TurningSpindle {
     /// Fits the form to the control and computes the formulas.
     pub(super) fn resolve(form: Params, on: ControlContext) -> TurningSpindle {
-        let (control, dialect) = (on.control, on.dialect());
+        TurningSpindle::on(form, on.control, on.dialect())
+    }
+
+    /// The same lathe with another form.
+    pub(super) fn with(&self, form: Params) -> TurningSpindle {
+        TurningSpindle::on(form, self.control, self.dialect.clone())
+    }
+
+    fn on(form: Params, control: &'static Control, dialect: Dialect) -> TurningSpindle {
         let mut p = form.clone();
         if !form.holds_surface_speed(control) {
             (p.speed_mode, p.lower_limit) = (SpeedMode::Fixed, 0.0);

@@ -1,5 +1,6 @@
 //! The rules of the turning spindle, as rows: result, limit, remedy.
 
+use super::demand::CutPoint;
 use super::derive::Derived;
 use super::gears::{gear_times, judge_delay};
 use super::keyway;
@@ -8,7 +9,7 @@ use super::program;
 use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::controls::spindle::RapidSpeed;
-use crate::drives::Bound;
+use crate::drives::{Bound, spindle_motor};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
 use crate::machines::verdict::{Judgement, Rule, down, fail, ok, warn};
@@ -36,6 +37,7 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("cutting-time", block_time, Citation::new("what a block costs, a parameter", Grade::Open)),
     Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
     Rule::new("torque", torque, Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred)),
+    Rule::new("peak-torque", peak_torque, Citation::new("turning spindle facts, 4", Grade::Inferred)),
 ];
 
 fn scaling_x(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -222,6 +224,9 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
         return overloaded(lathe, rated);
     }
     let slower = (p.cutting_speed * rated / d.power).floor();
+    // Friction keeps its power with less depth.
+    let friction = spindle_motor::power(p.spindle_friction, d.speed_largest.max(d.speed_smallest));
+    let part = (rated - friction) / (d.power - friction);
     // Below base speed a slower cut needs the same torque, and the motor has no more.
     let advice = match slower >= 1.0 && d.torque <= d.torque_most {
         true => {
@@ -234,16 +239,12 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
             ))
             .setting(msg!("advice.set-cutting-speed", speed = set.1.as_str()), [set])
         }
-        false if slower >= 1.0 => with_depth(
-            lathe,
-            rated / d.power,
-            msg!("turning.slower-lacks-torque", power = (d.power, 2), limit = (rated, 2)),
-        ),
-        false => with_depth(
-            lathe,
-            rated / d.power,
-            msg!("turning.far-too-little-power", power = (d.power, 2), limit = (rated, 2)),
-        ),
+        false if slower >= 1.0 => {
+            with_depth(lathe, part, msg!("turning.slower-lacks-torque", power = (d.power, 2), limit = (rated, 2)))
+        }
+        false => {
+            with_depth(lathe, part, msg!("turning.far-too-little-power", power = (d.power, 2), limit = (rated, 2)))
+        }
     };
     fail(AtMost(most), [advice])
 }
@@ -265,7 +266,7 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
 /// Least depth of cut (mm) that an advice names: below it an edge rubs.
 const LEAST_DEPTH: f64 = 0.1;
 
-/// Torque of the cut at the largest diameter, where it is greatest, against the motor's curve in the gear stage.
+/// Torque of cut and friction at the largest diameter, where it is greatest, against the motor's curve in the gear stage.
 fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
     if p.cutting_force <= 0.0 {
@@ -291,9 +292,51 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
             let sets = gear.map(|(_, (id, _))| ("gear", (*id).to_owned()));
             Advice::from(message).setting(msg!("advice.set-stage", stage = f64::from(stage)), Vec::from_iter(sets))
         }
-        None => with_depth(lathe, rated / d.torque, message),
+        None => with_depth(lathe, (rated - p.spindle_friction) / (d.torque - p.spindle_friction), message),
     };
     fail(AtMost(most), [advice])
+}
+
+/// Cut, friction and acceleration together against the short-time curve of the motor, at the diameter where they ask most of it.
+fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
+    if lathe.p.cutting_force <= 0.0 {
+        return None;
+    }
+    let CutPoint { diameter, speed, torque, most } = lathe.d.hardest_point(&lathe.p);
+    if torque <= most {
+        return ok(AtMost(most));
+    }
+    let message = msg!(
+        "turning.cut-stalls",
+        diameter = (diameter, 1),
+        torque = (torque, 1),
+        speed = (speed, 0),
+        limit = (most, 1)
+    );
+    let advice = match slower_feed(lathe) {
+        Some(share) => with_feed(lathe, share, message),
+        None => message.into(),
+    };
+    fail(AtMost(most), [advice])
+}
+
+/// Least share of the present feed that an advice offers, and the halvings by which it is found.
+const LEAST_FEED: f64 = 0.1;
+const HALVINGS: u32 = 20;
+
+/// Greatest share of the present feed at which the motor has the torque for cut, friction and acceleration; none where less feed does not help.
+fn slower_feed(lathe: &TurningSpindle) -> Option<f64> {
+    let holds = |share: f64| {
+        let form = Params { feed: lathe.form.feed * share, ..lathe.form.clone() };
+        let other = lathe.with(form);
+        let point = other.d.hardest_point(&other.p);
+        point.torque <= point.most
+    };
+    let halved = |(holding, failing): (f64, f64), _| {
+        let middle = 0.5 * (holding + failing);
+        if holds(middle) { (middle, failing) } else { (holding, middle) }
+    };
+    holds(LEAST_FEED).then(|| (0..HALVINGS).fold((LEAST_FEED, 1.0), halved).0)
 }
 
 /// A gear stage in which the torque suffices and the speed is the same.

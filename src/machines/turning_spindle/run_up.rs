@@ -50,7 +50,7 @@ impl Params {
     }
 
     /// Short-time torque of the motor at the spindle, in run-up and in braking.
-    fn for_moments(&self, rated: f64) -> [MotorCurve; 2] {
+    pub(super) fn for_moments(&self, rated: f64) -> [MotorCurve; 2] {
         [self.motor_peak, self.motor_braking].map(|percent| self.motor(rated).share(percent / 100.0))
     }
 }
@@ -108,7 +108,7 @@ pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
     lathe.p.coasting(lathe.d.stage_speed, highest(lathe))
 }
 
-/// Energy (J) that a stop over the ramp from there gives back at the spindle, less what friction takes; 0 where that takes all.
+/// Energy (J) that a stop over the ramp from the highest speed gives back at the spindle, less what friction takes; 0 where that takes all.
 /// Source: sizing facts 2.4.
 pub(super) fn stop_energy(lathe: &TurningSpindle) -> f64 {
     let seconds = lathe.p.spindle_ramp * highest(lathe) / lathe.d.stage_speed;

@@ -2,12 +2,14 @@
 //! A motor named in the form is ordered; one given by figures alone is a row of these figures, with the smallest motor of the catalogue
 //! that passes as a proposal.
 
-use super::choice::{Candidate, SizedAxis, name, named};
+use super::choice::{Candidate, MotorDemand, SizedAxis, name, named};
+use super::runs::SizingRuns;
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{FormMotor, ResistorDemand, SpindleEncoder};
 use crate::machines::report::inputs;
 use crate::machines::sheets::say;
+use crate::motion::Mover;
 use crate::msg;
 use crate::project::Project;
 use crate::text::catalog::{number_text, sentence};
@@ -31,6 +33,8 @@ pub struct BillRow {
     pub quantity: u32,
     /// Reason of the list of motors why the form's motor does not carry its axis; none if it does, or is not in the list.
     pub refusal: Option<Message>,
+    /// Open point of the order; none without one.
+    pub open: Option<Message>,
     /// Production status; none if it is not known.
     pub status: Option<Status>,
     /// Grade of evidence.
@@ -48,7 +52,12 @@ impl BillRow {
 }
 
 /// The rows: the control, then the sized drives, then those with the form's figures alone.
-pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<BillRow> {
+pub(super) fn bill(
+    project: &Project,
+    prepared: &PreparedMachine,
+    runs: &SizingRuns,
+    axes: &[SizedAxis],
+) -> Vec<BillRow> {
     let control = described("size.item.control", None, project.control.name.to_owned(), PartGrade::Entered);
     let inputs = inputs(project.machine, prepared, &project.values, &project.provenance);
     let motors = project.machine.info().motors;
@@ -63,14 +72,16 @@ pub(super) fn bill(project: &Project, prepared: &PreparedMachine, axes: &[SizedA
         entered(motor).into_iter().flat_map(move |motor| [motor, open.clone()])
     });
     let encoder = prepared.spindle_encoder().map(|asked| encoder(project, asked));
-    let resistor = prepared.resistor_demand().map(resistor);
+    let spindle = runs.present.stretches(Mover::Spindle);
+    let resistor = prepared.resistor_demand(&runs.present.run, &spindle).map(|asked| resistor(&asked));
     core::iter::once(control).chain(sized).chain(others).chain(resistor).chain(encoder).collect()
 }
 
 /// The brake resistor of an inverter: the demand, for no inverter of the catalogue has its own.
-fn resistor(asked: ResistorDemand) -> BillRow {
-    let (power, energy, percent) = ((asked.power, 1), (asked.energy, 0), (asked.percent, 0));
-    let told = sentence(&msg!("size.bill.inverter-resistor", power, energy, percent));
+fn resistor(asked: &ResistorDemand) -> BillRow {
+    let (power, energy, percent) = ((asked.power(), 1), (asked.greatest(), 0), (asked.percent, 0));
+    let count = asked.energies.len() as f64;
+    let told = sentence(&msg!("size.bill.inverter-resistor", power, energy, count, percent));
     described("size.item.resistor", Some(asked.name), told, PartGrade::Open)
 }
 
@@ -108,6 +119,7 @@ fn described(item: &'static str, axis: Option<&'static str>, model: String, grad
         proposed: false,
         quantity: 1,
         refusal: None,
+        open: None,
         status: None,
         grade,
         source,
@@ -150,6 +162,7 @@ fn of_part(item: &'static str, axis: &'static str, part: &Part, proposed: bool) 
         proposed,
         quantity: 1,
         refusal: None,
+        open: None,
         status: part.status,
         grade: part.evidence.grade,
         source: part.evidence.source.clone(),
@@ -161,13 +174,24 @@ fn amplifier_item(is_servo: bool) -> &'static str {
     if is_servo { "size.item.amplifier" } else { "size.item.inverter" }
 }
 
+/// Open point of an amplifier or inverter at a site that derates the motor: there is no table of its own.
+fn site(share: f64) -> Option<Message> {
+    (share < 1.0).then(|| msg!("size.bill.site", percent = (100.0 * share, 1)))
+}
+
 fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec<BillRow> {
     let item = amplifier_item(axis.work.is_some());
     let open = |words| described(item, Some(axis.name), say(words), PartGrade::Open);
     let of = |item, part: &Part, proposed| of_part(item, axis.name, part, proposed);
     let pair = |chosen: &Candidate, proposed| {
-        let amplifier = chosen.amplifier.as_ref().map(|part| of(item, part, proposed));
-        let amplifier = amplifier.unwrap_or_else(|| open("size.bill.no-amplifier"));
+        let amplifier =
+            chosen.amplifier.as_ref().map(|part| BillRow { open: site(axis.site_share), ..of(item, part, proposed) });
+        let short = chosen.shortage.as_ref();
+        let short = short.map(|short| {
+            let told = sentence(&msg!("size.bill.amplifier-short", reason = sentence(short)));
+            described(item, Some(axis.name), told, PartGrade::Open)
+        });
+        let amplifier = amplifier.or(short).unwrap_or_else(|| open("size.bill.no-amplifier"));
         let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
         [BillRow { refusal, ..of("size.item.motor", &chosen.part, proposed) }, amplifier]
     };
@@ -191,7 +215,13 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
         }
         (None, None) => {
             let proposal: Option<Vec<BillRow>> = axis.ordered().map(|chosen| all(chosen, true));
-            entered.into_iter().chain(proposal.unwrap_or_else(|| vec![open("size.bill.with-motor")])).collect()
+            let asked = || {
+                let MotorDemand { peak, effective, speed } = axis.asked;
+                let told = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
+                let motor = described("size.item.motor", Some(axis.name), sentence(&told), PartGrade::Open);
+                vec![motor, open("size.bill.with-motor")]
+            };
+            entered.into_iter().chain(proposal.unwrap_or_else(asked)).collect()
         }
     }
 }

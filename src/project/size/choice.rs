@@ -9,10 +9,11 @@ use crate::drives::cage_motor::highest_speed;
 use crate::drives::duty::{Hardest, Motion, ToResistor, Work, with_pause};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
-use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits};
+use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits, Status};
 use crate::drives::servo::{Acceptance, Duty, Reason, Servo, Shares};
+use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::PreparedMachine;
-use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields};
+use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields, SpindleRun};
 use crate::machines::form::Value;
 use crate::math::RPM;
 use crate::motion::Mover;
@@ -54,6 +55,10 @@ pub struct SizedAxis {
     pub gear: Option<SizedGear>,
     /// Current (A) of the form's motor for 1 Nm; none if the catalogue does not have it.
     pub ampere_per_torque: Option<f64>,
+    /// Demand on a motor to be bought.
+    pub asked: MotorDemand,
+    /// Share (0 to 1) of its continuous torque that the site leaves the motor.
+    pub site_share: f64,
     /// Demand of the run on the form's motor; none for a drive behind an inverter.
     pub work: Option<Work>,
     /// Position (%) of the knob in the run with the knob at its end, if there is such a run.
@@ -72,6 +77,23 @@ impl SizedAxis {
         self.candidates.iter().filter(|candidate| candidate.refusal.is_none())
     }
 
+    /// Sentence with the demand where no motor of the catalogue passes that its maker is known to make, or none of them has an amplifier; none
+    /// where one does.
+    pub fn shortage(&self) -> Option<Message> {
+        let is_current = |of: &&Candidate| of.part.status == Some(Status::Current);
+        let MotorDemand { peak, effective, speed } = self.asked;
+        let (peak, effective, speed) = ((peak, 2), (effective, 2), (speed, 0));
+        if self.least().is_none() {
+            Some(msg!("size.no-motor", peak, effective, speed))
+        } else if self.passing().all(|of| of.amplifier.is_none()) {
+            Some(msg!("size.no-motor-with-amplifier", peak, effective, speed))
+        } else if !self.passing().any(|of| is_current(&of)) {
+            Some(msg!("size.no-current-motor", peak, effective, speed))
+        } else {
+            None
+        }
+    }
+
     /// The smallest motor of the catalogue that passes at the speed of the form; none if none does.
     pub fn least(&self) -> Option<&Part> {
         self.passing().next().map(|candidate| &candidate.part)
@@ -83,6 +105,17 @@ impl SizedAxis {
     }
 }
 
+/// Demand on a motor to be bought.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotorDemand {
+    /// Torque for a short time, Nm; with the inertia of the form's rotor.
+    pub peak: f64,
+    /// Effective torque, Nm.
+    pub effective: f64,
+    /// Highest speed, r/min.
+    pub speed: f64,
+}
+
 /// A motor for an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
@@ -90,6 +123,8 @@ pub struct Candidate {
     pub part: Part,
     /// The smallest amplifier or inverter that the catalogue pairs with it.
     pub amplifier: Option<Part>,
+    /// Shortage of the paired amplifiers, if all of them are too small.
+    pub shortage: Option<Message>,
     /// Its limits, with their source.
     pub limits: &'static SeriesLimits,
     /// Demand as shares of its ratings; none if a rating is not known, and for an induction motor.
@@ -126,6 +161,7 @@ pub struct Refusal {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Inertia,
+    Amplifier,
     Regeneration,
     Effective,
     Peak,
@@ -147,11 +183,7 @@ struct Asked {
 
 impl Asked {
     fn of(axis: &DrivenAxis, runs: &[&WholeRun], pause: f64) -> Asked {
-        let motion = |whole: &&WholeRun| {
-            let timeline = whole.run.timeline();
-            axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end())).with_pause(pause)
-        };
-        let motions: Vec<Motion> = runs.iter().map(motion).collect();
+        let motions: Vec<Motion> = runs.iter().map(|whole| whole.motion(axis).with_pause(pause)).collect();
         let greatest = |of: fn(&Motion) -> f64| motions.iter().map(of).fold(0.0, f64::max);
         let (mean_speed, starts_per_minute) = (greatest(Motion::mean_speed), greatest(Motion::starts_per_minute));
         Asked { motions, mean_speed, starts_per_minute, knob: runs.iter().find_map(|whole| whole.knob) }
@@ -237,6 +269,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
         let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
         let (turning, loaded) = (share_turning(of, axis.mover, pause), share_loaded(of, &asked, pause));
+        let work = asked.work(axis.fitted.motor.rotor);
         SizedAxis {
             id: axis.id,
             name: axis.name,
@@ -246,7 +279,9 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: 0.0,
             gear: gears::of_axis(&axis, &asked.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
-            work: Some(asked.work(axis.fitted.motor.rotor)),
+            asked: MotorDemand { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM },
+            site_share: axis.site_share,
+            work: Some(work),
             knob: asked.knob,
             peak_is_at_knob: asked.peak_is_at_knob(axis.fitted.motor.rotor),
             chart: Some(asked.chart(&fitted(project, &axis), axis.site_share)),
@@ -256,20 +291,26 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     let behind = prepared.inverter_drive().map(|drive| {
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
-        let candidates = motors.map(|part| induction(part, &drive, &catalogue, control)).collect();
+        let spindle = of.present.spindle(prepared);
+        let spindle = spindle.map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle });
+        let candidates = motors.map(|part| induction(part, &drive, spindle.as_ref(), &catalogue, control)).collect();
         let field = drive.fields.map(|(model, _)| model);
         let turning = share_turning(of, Mover::Spindle, pause);
+        let in_run =
+            spindle.as_ref().map(|spindle| spindle.motion.loaded() / (of.present.run.timeline().end() + pause));
         SizedAxis {
             id: drive.id,
             name: drive.name,
             field,
             turning,
-            loaded: drive
-                .cycle
-                .map_or(turning, |cycle| turning.min((cycle.of.run + 2.0 * cycle.of.ramp) / (of.present.end + pause))),
+            loaded: turning.min(in_run.unwrap_or_else(|| {
+                drive.cycle.map_or(turning, |cycle| (cycle.of.run + 2.0 * cycle.of.ramp) / (of.present.end + pause))
+            })),
             brake: drive.brake,
             gear: gears::of_inverter(&drive, &catalogue),
             ampere_per_torque: None,
+            asked: asked_behind(&drive, spindle.as_ref()),
+            site_share: drive.site_share,
             work: None,
             knob: None,
             peak_is_at_knob: false,
@@ -278,6 +319,14 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         }
     });
     servo.chain(behind).collect()
+}
+
+/// Demand on the motor of a drive behind an inverter.
+fn asked_behind(drive: &InverterDrive, spindle: Option<&SpindleRun>) -> MotorDemand {
+    let ramps = drive.cycle.iter().flat_map(|cycle| cycle.ramps(None)).map(|ramp| ramp.torque.abs());
+    let of_run = spindle.map(|spindle| spindle.hardest(&spindle.motor, spindle.rotor).torque);
+    let steady = drive.torque.abs();
+    MotorDemand { peak: ramps.chain(of_run).fold(steady, f64::max), effective: steady, speed: drive.top_speed }
 }
 
 /// Share of the time of a part, with the pause after it, in which the mover turns.
@@ -291,8 +340,8 @@ fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
 /// Share of the time of a part, with the pause after it, in which an axis is loaded; none if the machine does not say when it works. The
 /// first motion of `asked` is that of the present run.
 fn share_loaded(of: &SizingRuns, asked: &Asked, pause: f64) -> Option<f64> {
-    let (works, motion) = (of.present.works.clone()?, asked.motions.first()?.clone());
-    Some(motion.with_work(works).loaded() / (of.present.run.timeline().end() + pause))
+    of.present.works.as_ref()?;
+    Some(asked.motions.first()?.loaded() / (of.present.run.timeline().end() + pause))
 }
 
 /// The part of the catalogue with the name in the form of an axis's motor.
@@ -360,7 +409,9 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
         return Candidate { amplifier: amplifier.cloned(), ..unknown(part) };
     };
     let work = asked.work(motor.rotor);
-    let amplifier = amplifier(part, (work.effective, work.peak.0), catalogue, control);
+    let torques = (work.effective, work.peak.0);
+    let amplifier = amplifier(part, torques, catalogue, control);
+    let shortage = if amplifier.is_none() { shortage(part, torques, catalogue, control) } else { None };
     let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
     let hardest = asked.hardest(&motor);
     let shares = Shares { peak: hardest.share, ..motor.shares(&axis.load, &duty) };
@@ -376,10 +427,12 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
         .or_else(|| {
             let share = regenerative.filter(|share| *share > 1.0 && !has_resistor)?;
             Some((Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))))
-        });
+        })
+        .or_else(|| Some((Rank::Amplifier, shortage.clone()?)));
     Candidate {
         part: part.clone(),
         amplifier: amplifier.cloned(),
+        shortage,
         limits: part.limits(),
         shares: Some(shares),
         regenerative,
@@ -408,6 +461,27 @@ fn amplifier<'a>(
         }
         _ => None,
     })
+}
+
+/// Shortage of the amplifiers paired with a servo motor for an effective and a greatest torque (Nm): the currents of the largest one; none if
+/// none is paired, or no current is known.
+fn shortage(motor: &Part, (effective, peak): (f64, f64), catalogue: &[&Part], control: &Control) -> Option<Message> {
+    let Ratings::Servo(ratings) = &motor.ratings else { return None };
+    let per_torque = ratings.ampere_per_torque()?;
+    let paired = catalogue.iter().filter(|part| goes_with(part, control)).filter_map(|part| match &part.ratings {
+        Ratings::Amplifier(of) if part.fits.contains(&motor.model) => Some((part, of)),
+        _ => None,
+    });
+    let size = |of: &AmplifierRatings| of.rated_current.or(of.peak_current).unwrap_or(0.0);
+    let (part, of) = paired.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
+    let short =
+        |has: Option<f64>, torque: f64| has.map(|has| (torque * per_torque, has)).filter(|(asked, has)| asked > has);
+    let amplifier = part.model.as_str();
+    if let Some((current, limit)) = short(of.rated_current, effective) {
+        return Some(msg!("size.refused-amplifier", current = (current, 2), amplifier, limit = (limit, 2)));
+    }
+    let (current, limit) = short(of.peak_current, peak)?;
+    Some(msg!("size.refused-amplifier-peak", current = (current, 2), amplifier, limit = (limit, 2)))
 }
 
 /// Reason why a servo motor is refused, in words; none if it passes.
@@ -524,7 +598,13 @@ pub(super) fn name(part: &Part) -> String {
 
 /// A motor behind the inverter: torque up to its rated speed, power above, both as far as its site leaves them; in run-up and stop their
 /// short-time share, and over both with the work between them the continuous torque.
-fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &Control) -> Candidate {
+fn induction(
+    part: &Part,
+    drive: &InverterDrive,
+    spindle: Option<&SpindleRun>,
+    catalogue: &[&Part],
+    control: &Control,
+) -> Candidate {
     let Ratings::Induction(of) = part.ratings else { return unknown(part) };
     let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
     let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
@@ -574,6 +654,12 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
             refusal = refusal.or_else(refused);
         }
     }
+    if let Some(spindle) = spindle {
+        let curve = MotorCurve::with_torque(rated_power / 1000.0, torque);
+        let found = of_spindle(spindle, of.inertia.unwrap_or(drive.rotor), &curve, drive.site_share);
+        (shares.peak, shares.effective) = (found.0, found.1);
+        refusal = refusal.or(found.2);
+    }
     let entries = drive.fields.map(|(model, rated)| vec![(model, name(part)), (rated, number_text(torque, 3))]);
     Candidate {
         amplifier: inverter.cloned(),
@@ -584,11 +670,45 @@ fn induction(part: &Part, drive: &InverterDrive, catalogue: &[&Part], control: &
     }
 }
 
+/// A motor of a main spindle in the run: shares of its short-time and of its continuous torque, and the reason of its refusal. Cut and friction
+/// stay below the continuous curve at each speed, with the acceleration below the short-time one, and all of the run below the continuous
+/// one in the effective mean.
+fn of_spindle(
+    spindle: &SpindleRun,
+    rotor: f64,
+    curve: &MotorCurve,
+    site_share: f64,
+) -> (f64, f64, Option<(Rank, Message)>) {
+    let continuous = curve.share(site_share);
+    let (steady, hardest) = (spindle.hardest_steady(&continuous), spindle.hardest(curve, rotor));
+    let ramps = spindle.hardest_idle(curve, rotor);
+    let effective = spindle.motion.effective_share(rotor, &continuous);
+    let at = |of: Hardest| ((of.torque, 3), (of.speed, 0), (of.torque / of.share, 3));
+    let refusal = if steady.share > 1.0 {
+        let (torque, speed, limit) = at(steady);
+        Some((Rank::Effective, msg!("size.refused-cut", torque, speed, limit)))
+    } else if ramps.share > 1.0 {
+        let (torque, _, limit) = at(ramps);
+        Some((Rank::Peak, msg!("size.refused-ramp", torque, limit)))
+    } else if hardest.share > 1.0 {
+        let (torque, speed, limit) = at(hardest);
+        Some((Rank::Peak, msg!("size.refused-cut-peak", torque, speed, limit)))
+    } else if effective > 1.0 {
+        let most = continuous.torque(0.0);
+        let (torque, limit) = ((effective * most, 3), (most, 3));
+        Some((Rank::Effective, msg!("size.refused-cycle", torque, limit)))
+    } else {
+        None
+    };
+    (hardest.share, effective, refusal)
+}
+
 /// A part whose ratings do not suffice for a choice.
 fn unknown(part: &Part) -> Candidate {
     Candidate {
         part: part.clone(),
         amplifier: None,
+        shortage: None,
         limits: part.limits(),
         shares: None,
         regenerative: None,

@@ -5,11 +5,12 @@
 
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
-use crate::drives::duty::Hardest;
+use crate::drives::duty::{Hardest, Motion};
+use crate::drives::servo::Servo;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
 use crate::math;
-use crate::motion::{Action, Event, RunEnd};
+use crate::motion::{Action, Event, Mover, RunEnd};
 use crate::project::Project;
 use crate::project::run::Run;
 use crate::text::catalog::number_text;
@@ -128,7 +129,8 @@ pub(super) fn envelope(project: &Project, runs: &SizingRuns, done: &mut dyn FnMu
     let with_current = |axis: DrivenAxis| (axis, ampere_per_torque(project, &axis));
     let axes = prepared.driven_axes().into_iter().map(with_current).collect();
     let product = prepared.product_size().filter(|_| project.edited.is_none());
-    let envelope = Envelope { prepared, runs, axes, product };
+    let is_spindle_sized = prepared.inverter_drive().is_some();
+    let envelope = Envelope { prepared, runs, axes, is_spindle_sized, product };
     let mut rows = Vec::new();
     for (event, _) in OperatingEvent::IDS {
         rows.extend(envelope.rows(event));
@@ -155,7 +157,11 @@ impl EnvelopeRow {
 
     /// Share of its limit that its value uses.
     fn load(&self) -> f64 {
-        Limit::load(self.limit, self.value)
+        match self.limit {
+            // The limit of a torque falls with the speed.
+            Some(Limit::AtMost(most)) if most > 0.0 => self.value / most,
+            limit => Limit::load(limit, self.value),
+        }
     }
 }
 
@@ -164,6 +170,8 @@ struct Envelope<'a> {
     runs: &'a SizingRuns,
     /// The axes, each with the current (A) of its motor for 1 Nm, if it is known.
     axes: Vec<(DrivenAxis, Option<f64>)>,
+    /// Whether the demand of the main spindle's motor is known.
+    is_spindle_sized: bool,
     /// The size of the product for the operator; none if the program is not macroline's own.
     product: Option<ProductSize>,
 }
@@ -292,11 +300,12 @@ impl Envelope<'_> {
 
     /// Gauges and torques in a part of a run.
     fn read(&self, event: OperatingEvent, run: &Run, span: (f64, f64)) -> Vec<EnvelopeRow> {
+        let works = self.prepared.working(run, span.1);
         let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| gauged(event, &gauge));
         let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
             let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
-            let Hardest { torque, speed, .. } = motion.hardest(&axis.fitted.motor);
+            let Hardest { torque, speed, .. } = hardest(motion, &works, &axis.fitted.motor);
             let limit = Some(Limit::AtMost(axis.fitted.most(speed)));
             let of_torque = EnvelopeRow {
                 id: format!("{}-torque", axis.id),
@@ -321,8 +330,34 @@ impl Envelope<'_> {
             });
             [Some(of_torque), of_current].into_iter().flatten()
         });
-        gauges.chain(motors).collect()
+        let stretches = run.timeline().stretches(Mover::Spindle, span.0, span.1);
+        let spindle = self.prepared.spindle_run(run, &stretches).filter(|_| self.is_spindle_sized);
+        let spindle = spindle.map(|spindle| {
+            let Hardest { torque, speed, share } = spindle.hardest(&spindle.motor, spindle.rotor);
+            let most = if share > 0.0 { torque / share } else { spindle.peak[0] * spindle.motor.torque(speed) };
+            let limit = Some(Limit::AtMost(most));
+            EnvelopeRow {
+                id: "spindle-torque".to_owned(),
+                label: "size.torque",
+                axis: Some(spindle.name),
+                value: torque,
+                unit: "Nm",
+                decimals: 3,
+                limit,
+                verdict: verdict(limit, torque),
+                ..time(event, 0.0)
+            }
+        });
+        gauges.chain(motors).chain(spindle).collect()
     }
+}
+
+/// The operating point of a motion that asks most of a motor, with the torque of its work within these spans and without any: a work that is
+/// left out does not help to brake.
+fn hardest(motion: Motion, works: &Option<Vec<(f64, f64)>>, motor: &Servo) -> Hardest {
+    let Some(works) = works else { return motion.hardest(motor) };
+    let [working, idle] = [works.clone(), Vec::new()].map(|works| motion.clone().with_work(works).hardest(motor));
+    if idle.share > working.share { idle } else { working }
 }
 
 /// The row of a quantity that is checked during operation.

@@ -24,7 +24,7 @@ mod terminals;
 mod tornado;
 
 pub use bill::BillRow;
-pub use choice::{Candidate, Refusal, Resistor, SizedAxis};
+pub use choice::{Candidate, MotorDemand, Refusal, Resistor, SizedAxis};
 pub use envelope::{EnvelopeRow, Offer, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth};
@@ -35,7 +35,7 @@ pub use tornado::{Swing, Tornado};
 use super::Project;
 use super::program::Written;
 use super::sensitivity::{Flip, Sensitivity};
-use crate::drives::duty::{Motion, Work, on_one_bus};
+use crate::drives::duty::{Motion, on_one_bus};
 use crate::machines::PreparedMachine;
 use crate::motion::Mover;
 
@@ -134,7 +134,7 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
 pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
     let axes = choice::axes(project, &prepared, runs);
-    let bill = bill::bill(project, &prepared, &axes);
+    let bill = bill::bill(project, &prepared, runs, &axes);
     let terminals = terminals::terminals(&prepared, &axes);
     let (limits, fastest) = growth::growth(project);
     let sensitivity = Sensitivity::new(project);
@@ -156,20 +156,12 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
 /// Time and energy of the run; none if it does not reach the end of the program.
 fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
     let seconds = runs.seconds_of_a_part()?;
-    let timeline = runs.present.run.timeline();
-    let motors: Vec<(Motion, f64)> = prepared
-        .driven_axes()
-        .into_iter()
-        .map(|axis| {
-            let motion = axis.motion(&timeline.stretches(axis.mover, 0.0, timeline.end()));
-            let works = runs.present.works.clone();
-            (works.map_or_else(|| motion.clone(), |works| motion.clone().with_work(works)), axis.fitted.motor.rotor)
-        })
-        .collect();
+    let motors: Vec<(Motion, f64)> =
+        prepared.driven_axes().into_iter().map(|axis| (runs.present.motion(&axis), axis.fitted.motor.rotor)).collect();
     let inverter = prepared.inverter_drive().map(|drive| {
-        let motion = drive.motion(&timeline.stretches(Mover::Spindle, 0.0, timeline.end()));
-        let work = motion.work(drive.rotor);
-        Work { given: work.given + drive.work, ..work }
+        let spindle = runs.present.spindle(prepared).map(|spindle| spindle.motion);
+        let motion = spindle.unwrap_or_else(|| drive.motion(&runs.present.stretches(Mover::Spindle)));
+        motion.work(drive.rotor)
     });
     let works = motors.iter().map(|(motion, rotor)| motion.work(*rotor)).chain(inverter);
     let (given, returned) =

@@ -1,8 +1,10 @@
 //! The runs of a sizing: the program on the machine, with the knob at the form's position and near both of its ends.
 
+use crate::drives::duty::Motion;
 use crate::drives::speed::Steps;
 use crate::machines::PreparedMachine;
-use crate::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
+use crate::machines::driven::{DrivenAxis, SpindleRun};
+use crate::motion::{Action, Budget, Event, Mover, Panel, Retention, RunEnd, Stretch};
 use crate::msg;
 use crate::project::Project;
 use crate::project::program::Written;
@@ -109,6 +111,26 @@ impl WholeRun {
         let contact = prepared.first_contact(&run, end).map_or(end, |(t, _)| t);
         let works = prepared.working(&run, run.timeline().end());
         WholeRun { knob, run, contact, end, ended, works }
+    }
+
+    /// Its stretches of a mover, from start to rest.
+    pub(super) fn stretches(&self, of: Mover) -> Vec<Stretch> {
+        let timeline = self.run.timeline();
+        timeline.stretches(of, 0.0, timeline.end())
+    }
+
+    /// The motion of the motor of an axis, under the torque of its work while that lasts.
+    pub(super) fn motion(&self, axis: &DrivenAxis) -> Motion {
+        let motion = axis.motion(&self.stretches(axis.mover));
+        match &self.works {
+            Some(works) => motion.with_work(works.clone()),
+            None => motion,
+        }
+    }
+
+    /// The motor of the main spindle in it; none for other drives.
+    pub(super) fn spindle(&self, prepared: &PreparedMachine) -> Option<SpindleRun> {
+        prepared.spindle_run(&self.run, &self.stretches(Mover::Spindle))
     }
 
     /// Time (s) of the middle of its work.

@@ -1,6 +1,6 @@
 //! A sizing as sheets, for page, report and command line.
 
-use super::choice::Candidate;
+use super::choice::{Candidate, MotorDemand};
 use super::envelope::{EnvelopeRow, Offer, OperatingEvent};
 use super::gears::{GearCandidate, SizedGear};
 use super::{BillRow, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
@@ -313,14 +313,16 @@ fn ordered_status(of: Option<Status>) -> String {
     match of {
         Some(Status::PhasedOut) => say("size.status.phased-out-ordered"),
         Some(Status::SparePart) => say("size.status.spare-part-ordered"),
-        Some(Status::Current) | None => status(of),
+        Some(Status::Current) => status(of),
+        None => say("size.status.unknown-ordered"),
     }
 }
 
-/// Remarks for the order of a part: its refusal, and its production status.
+/// Remarks for the order of a part: its refusal, its production status, and open points.
 fn order_of(of: &BillRow) -> String {
     let refused = of.refusal.as_ref().map(|message| format!("✕ {}", sentence(message)));
-    refused.into_iter().chain([ordered_status(of.status)]).collect::<Vec<_>>().join(" · ")
+    let open = of.open.as_ref().map(sentence);
+    refused.into_iter().chain([ordered_status(of.status)]).chain(open).collect::<Vec<_>>().join(" · ")
 }
 
 /// Grade of a part in words.
@@ -405,6 +407,12 @@ fn motors(axis: &SizedAxis) -> Sheet {
         let cite = Citation { grade: known(part.evidence.grade), ..limits };
         Row { sets: of.entries.clone(), ..row(cells, cite) }
     };
+    // The demand above the motors where the catalogue has none to be bought.
+    let lacking = axis.shortage().map(|shortage| {
+        let MotorDemand { peak, effective, .. } = axis.asked;
+        let [effective, peak] = [effective, peak].map(|torque| units::text(torque, 2, "Nm"));
+        row([say("size.asked-of-motor"), effective, peak, String::new(), String::new(), sentence(&shortage)], RUNS)
+    });
     Sheet {
         id: "motors",
         kind: SheetKind::Choice,
@@ -418,7 +426,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
             Column::Plain("sheet.status"),
             Column::Prose("sheet.answer"),
         ],
-        rows: axis.candidates.iter().map(cells).collect(),
+        rows: lacking.into_iter().chain(axis.candidates.iter().map(cells)).collect(),
         drawing: String::new(),
     }
 }

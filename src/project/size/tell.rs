@@ -67,6 +67,7 @@ fn axis(axis: &SizedAxis) -> Json {
         "loaded": percent(axis.loaded),
         "least": axis.least().map(Part::name),
         "asked": work,
+        "shortage": axis.shortage().map(|shortage| sentence(&shortage)),
         "candidates": axis.candidates.iter().map(candidate).collect::<Vec<_>>(),
         "gear": axis.gear.as_ref().map(gear),
     })
@@ -167,7 +168,7 @@ fn terminal(row: &TerminalRow) -> Json {
 fn bill(row: &BillRow) -> Json {
     json!({
         "item": words(row.item), "axis": row.axis.map(words), "part": row.part(), "maker": row.maker, "model": row.model, "proposal": row.proposed,
-        "quantity": row.quantity, "refused": row.refusal.as_ref().map(sentence), "status": status(row.status), "grade": grade(row.grade), "source": row.source,
+        "quantity": row.quantity, "refused": row.refusal.as_ref().map(sentence), "open": row.open.as_ref().map(sentence), "status": status(row.status), "grade": grade(row.grade), "source": row.source,
     })
 }
 

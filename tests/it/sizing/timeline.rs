@@ -115,6 +115,7 @@ fn energy_of_a_run_goes_into_friction_alone() {
 #[test]
 fn machine_without_servo_motors_has_no_energy_of_them() {
     let project = Project::named("turning-spindle", None, None).unwrap();
+    let project = project.with_entries(&[("material", "none".to_owned())]).unwrap();
     let sizing = size(&project, &project.written());
     assert_eq!(sizing.cycle.expect("the program comes to its end").energy, None);
     assert!(!sizing.text().contains("motors give"));

@@ -1,0 +1,178 @@
+//! Demand on the spindle's motor, once for rules, charts and sizing: cut, friction and acceleration together, by the formulas and in a run.
+
+use super::derive::Derived;
+use super::driven;
+use super::params::{Params, Path, SpeedMode};
+use super::program::CUTS;
+use super::resolved::TurningSpindle;
+use crate::drives::cutting;
+use crate::drives::duty::{CutSpan, Motion};
+use crate::drives::load::through_gear;
+use crate::drives::speed::limit_diameter;
+use crate::drives::spindle_motor::{self, MotorCurve};
+use crate::machines::driven::{SpindleRun, turns};
+use crate::machines::machine::Samples;
+use crate::math::RPM;
+use crate::motion::Stretch;
+
+/// Relative change of a diameter by which a change of the speed with it is found.
+const CLOSE: f64 = 1e-6;
+
+/// Least and greatest number of pieces of a cut with one torque each, and that of all cuts of a run.
+const PIECES: (usize, usize) = (4, 48);
+const ALL_PIECES: usize = 2000;
+
+/// Halvings of the time in which the tool enters the stock.
+const HALVINGS: u32 = 20;
+
+/// The spindle at a diameter of the cut.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct CutPoint {
+    /// Diameter, mm.
+    pub diameter: f64,
+    /// Speed, r/min.
+    pub speed: f64,
+    /// Torque of cut, friction and acceleration, Nm.
+    pub torque: f64,
+    /// Torque (Nm) that the motor gives there for a short time.
+    pub most: f64,
+}
+
+impl Params {
+    /// Torque (Nm) of cut and friction at a diameter in mm: `F d / 2000 + M_f`. Source: turning spindle facts, 4.
+    pub(super) fn steady_torque(&self, diameter: f64) -> f64 {
+        cutting::torque(self.cutting_force, diameter) + self.spindle_friction
+    }
+}
+
+impl Derived {
+    /// Acceleration of the spindle (r/min per second) at a diameter (mm) of a cut towards smaller ones: `dn/dt = n² f s / (60 d)`, at most that of
+    /// the ramp; 0 where the speed does not change with the diameter.
+    ///
+    /// Source: derivative of `n = 1000 v / (π d)` along the path.
+    fn acceleration_at(&self, p: &Params, diameter: f64) -> f64 {
+        let n = self.speed_at(p, diameter);
+        let changes = p.speed_mode == SpeedMode::Surface && self.speed_at(p, diameter * (1.0 + CLOSE)) < n;
+        let cuts = p.cuts(1.0).filter(|cut| cut.length > 0.0);
+        let slope = cuts.map(|cut| (cut.diameters.0 - cut.diameters.1) / cut.length).fold(0.0, f64::max);
+        if changes && diameter > 0.0 {
+            (n * n * p.feed * slope / (60.0 * diameter)).min(self.acceleration)
+        } else {
+            0.0
+        }
+    }
+
+    /// Torque (Nm) at the spindle at a diameter (mm): `F d / 2000 + M_f + J · 2π / 60 · dn/dt`. Source: turning spindle facts, 4.
+    pub(super) fn torque_at(&self, p: &Params, diameter: f64) -> f64 {
+        let inertia = p.turned(self.stage_speed).inertia;
+        p.steady_torque(diameter) + inertia * self.acceleration_at(p, diameter) * RPM
+    }
+
+    /// Diameters (mm) among which the cut asks most of a motor with a base speed at the spindle, in r/min. Above base speed its demand of power
+    /// falls with the diameter, `F v / 60 + ω (M_f + J dω/dt)`; below, torque of cut and acceleration have no greatest value between both ends.
+    fn asked_most(&self, base: f64) -> [f64; 3] {
+        let least = self.limit_diameter.max(self.smallest).min(self.largest);
+        let bend = limit_diameter(self.held.surface(), base);
+        [self.largest, if bend > least && bend < self.largest { bend } else { self.largest }, least]
+    }
+
+    /// The point of the cut with the greatest fraction of a curve of the motor, by its torque at a diameter.
+    fn hardest(&self, p: &Params, motor: MotorCurve, torque: impl Fn(f64) -> f64) -> CutPoint {
+        let at = |diameter: f64| {
+            let speed = self.speed_at(p, diameter);
+            CutPoint { diameter, speed, torque: torque(diameter), most: motor.torque(speed) }
+        };
+        let all = self.asked_most(motor.base).map(at);
+        all.into_iter()
+            .fold(all[0], |worst, next| if next.torque * worst.most > worst.torque * next.most { next } else { worst })
+    }
+
+    /// The point of the cut that asks most of the short-time torque: cut, friction and acceleration together.
+    pub(super) fn hardest_point(&self, p: &Params) -> CutPoint {
+        let [motor, _] = p.for_moments(self.stage_speed);
+        self.hardest(p, motor, |diameter| self.torque_at(p, diameter))
+    }
+
+    /// Greatest power (kW) of cut and friction.
+    pub(super) fn steady_power(&self, p: &Params) -> f64 {
+        let power = |diameter: f64| spindle_motor::power(p.steady_torque(diameter), self.speed_at(p, diameter));
+        self.asked_most(f64::INFINITY).map(power).into_iter().fold(0.0, f64::max)
+    }
+}
+
+/// The spindle's motor in stretches of a run: chuck and work against friction and cut, at its shaft.
+pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> SpindleRun {
+    let (p, gear) = (&lathe.p, driven::gear(lathe));
+    let idle = Motion::new(turns(stretches, gear * RPM), driven::turned(lathe), 0.0);
+    SpindleRun {
+        name: driven::NAME,
+        motion: idle.clone().with_cuts(cuts(lathe, run, stretches)),
+        idle,
+        rotor: p.rotor_inertia,
+        motor: MotorCurve::new(p.motor_power, 1.0, (p.motor_base, 1.0), 1.0),
+        peak: [p.motor_peak, p.motor_braking].map(|percent| percent / 100.0),
+    }
+}
+
+/// The spans in which the tool cuts, each so short that its mean torque holds.
+fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec<CutSpan> {
+    let (p, gear) = (&lathe.p, driven::gear(lathe));
+    let Some((from, to)) = stretches.first().zip(stretches.last()).map(|(a, b)| (a.t, b.t + b.seconds)) else {
+        return Vec::new();
+    };
+    let block = CUTS[usize::from(p.path == Path::Taper)];
+    let spans = run.executions(block, to);
+    let count = (ALL_PIECES / spans.len().max(1)).clamp(PIECES.0, PIECES.1);
+    let mut cuts = Vec::new();
+    for (begin, end) in spans {
+        let (begin, end) = (begin.max(from), end.min(to));
+        let bends = stretches.iter().map(|stretch| stretch.t);
+        let first = stretches.partition_point(|stretch| stretch.t <= begin);
+        let pieces = (0..=count).map(|at| begin + (end - begin) * at as f64 / count as f64);
+        let mut moments: Vec<f64> = bends.skip(first).take_while(|t| *t < end).chain(pieces).collect();
+        moments.sort_by(f64::total_cmp);
+        for pair in moments.windows(2) {
+            if let [a, b] = *pair
+                && b > a
+                && let Some((a, b)) = within_stock(lathe, run, (a, b))
+            {
+                let diameter = 0.5 * (depth_at(lathe, run, a) + depth_at(lathe, run, b));
+                let torque = cutting::torque(p.cutting_force, diameter);
+                cuts.push(CutSpan { begin: a, end: b, torque: through_gear(torque, gear, p.efficiency / 100.0) });
+            }
+        }
+    }
+    cuts
+}
+
+/// Diameter (mm) at the tool at a time in a run.
+fn depth_at(lathe: &TurningSpindle, run: &dyn Samples, t: f64) -> f64 {
+    lathe.diameter(&run.at(t))
+}
+
+/// The part of a span of a cutting block in which the tool moves in the stock.
+fn within_stock(lathe: &TurningSpindle, run: &dyn Samples, (a, b): (f64, f64)) -> Option<(f64, f64)> {
+    let p = &lathe.p;
+    let is_inside = |t: f64| {
+        let now = run.at(t);
+        let (_, z) = lathe.tool(&now);
+        let moves =
+            [lathe.cross(), lathe.along()].iter().any(|axis| now.axes.get(*axis).is_some_and(|axis| axis.feed != 0.0));
+        let along = p.path == Path::Facing || (-p.length..0.0).contains(&z);
+        moves && along && lathe.diameter(&now).abs() < p.stock_diameter
+    };
+    let edge = |inside: f64, outside: f64| {
+        let halved = |(inside, outside): (f64, f64), _| {
+            let middle = 0.5 * (inside + outside);
+            if is_inside(middle) { (middle, outside) } else { (inside, middle) }
+        };
+        (0..HALVINGS).fold((inside, outside), halved).0
+    };
+    let middle = 0.5 * (a + b);
+    match (is_inside(a), is_inside(b)) {
+        (true, true) => Some((a, b)),
+        (true, false) => Some((a, edge(a, b))),
+        (false, true) => Some((edge(b, a), b)),
+        (false, false) => is_inside(middle).then(|| (edge(middle, a), edge(middle, b))),
+    }
+}
