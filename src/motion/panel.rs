@@ -51,6 +51,11 @@ pub enum ActionValue {
 }
 
 impl Action {
+    /// Whether it turns a knob.
+    pub fn is_knob(&self) -> bool {
+        matches!(self, Action::SpindleOverride(_) | Action::FeedOverride(_) | Action::RapidOverride(_))
+    }
+
     /// The value; `None` for a button.
     pub fn value(&self) -> Option<ActionValue> {
         match self {
@@ -140,6 +145,20 @@ impl Panel {
         let at = self.events.partition_point(|other| other.t <= event.t);
         self.events.insert(at, event);
         at
+    }
+
+    /// Adds an event of the operator at the panel, and returns its index. A knob that is turned on at the same time stands where it was left.
+    pub fn act(&mut self, event: Event) -> usize {
+        let event = event.in_range();
+        let same = |other: &Event| {
+            other.t == event.t
+                && event.action.is_knob()
+                && core::mem::discriminant(&other.action) == core::mem::discriminant(&event.action)
+        };
+        match self.events.iter().rposition(same) {
+            Some(at) => self.replace(at, event).unwrap_or(at),
+            None => self.add(event),
+        }
     }
 
     /// Removes the event at an index.

@@ -175,7 +175,7 @@ impl<P: RunningProgram> Planner<P> {
             event.t = event.t.max(self.state.now);
         }
         let t = if event.t > 0.0 { event.t } else { 0.0 };
-        self.panel.add(event);
+        self.panel.act(event);
         self.forget_from(t);
     }
 

@@ -260,3 +260,18 @@ fn other_texts_are_no_panel_files() {
     }
     assert!(is_panel("\u{feff} [\n{ \"t\": 1, \"hold\": true } ]") && is_panel("[ ]"));
 }
+
+#[test]
+fn knob_that_is_turned_on_at_one_time_is_one_action() {
+    let mut panel = Panel::default();
+    for percent in [90.0, 80.0, 70.0] {
+        panel.act(Event { t: 2.0, action: Action::SpindleOverride(percent) });
+        panel.act(Event { t: 2.0, action: Action::FeedOverride(percent) });
+    }
+    panel.act(Event { t: 2.0, action: Action::Hold });
+    panel.act(Event { t: 2.0, action: Action::Hold });
+    panel.act(Event { t: 3.0, action: Action::SpindleOverride(60.0) });
+    let actions: Vec<_> = panel.events().iter().map(|event| event.action.clone()).collect();
+    let knobs = [Action::SpindleOverride(70.0), Action::FeedOverride(70.0)];
+    assert_eq!(actions, [&knobs[..], &[Action::Hold, Action::Hold, Action::SpindleOverride(60.0)]].concat());
+}

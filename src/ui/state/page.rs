@@ -22,10 +22,11 @@ use crate::nc;
 use crate::project::Project;
 use crate::project::check::{FixChoice, with_run};
 use crate::project::dependence::fields_by_result;
+use crate::project::operator::kind_name;
 use crate::project::silence::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 use crate::view::Scene;
 
 /// Fields by the result that depends on them.
@@ -215,7 +216,7 @@ impl Page {
         let (files, count) = self.project.with_untracked(|project| project.mended(&written.files, &found, choice));
         if count > 0 {
             self.edit("", |project| project.edited = Some(files));
-            self.notices.notify("info", sentence(&crate::msg!("page.mended-all", count = count as u32)));
+            self.notices.notify(Tone::Info, sentence(&crate::msg!("page.mended-all", count = count as u32)));
         }
     }
 
@@ -398,10 +399,12 @@ impl Page {
     /// Notes an action of the operator in the project, as a step of the history. The player has it already.
     pub(crate) fn note(self, event: Event) {
         let before = self.project.get_untracked();
-        self.history.update_value(|history| history.note(&before, "", dom::now()));
+        // Turning a knob is one step.
+        let knob = if event.action.is_knob() { kind_name(&event.action, before.control) } else { String::new() };
+        self.history.update_value(|history| history.note(&before, &knob, dom::now()));
         self.can.set(self.history.with_value(History::can));
         self.project.update(|project| {
-            project.panel.add(event);
+            project.panel.act(event);
         });
     }
 
