@@ -36,8 +36,14 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
     if let [first, second, ..] = projects[..] {
         return error(msg!("project.several-projects", file = first.name.as_str(), other = second.name.as_str()));
     }
-    if let Some(file) = others.iter().find(|file| files.len() > 1 && !is_text(&file.text)) {
+    if let Some(file) = others.iter().find(|file| !is_text(&file.text)) {
         return error(msg!("project.not-a-text", file = file.name.as_str()));
+    }
+    if let Some(file) = others.iter().find(|file| bare(&file.text).is_empty()) {
+        return error(msg!("project.empty-file", file = file.name.as_str()));
+    }
+    if let Some(file) = others.iter().find(|file| file.name.to_ascii_lowercase().ends_with(".json")) {
+        return error(msg!("project.no-project-file", file = file.name.as_str()));
     }
     let given: Vec<File> =
         others.iter().map(|file| File { name: file.name.clone(), text: bare(&file.text).to_owned() }).collect();

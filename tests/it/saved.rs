@@ -591,6 +591,11 @@ fn files_that_do_not_go_together_are_all_refused() {
         (vec![program.clone(), file("b.json", "{")], "project.not-json"),
         (vec![program.clone(), file("a.png", "\0PNG")], "project.not-a-text"),
         (vec![json, file("O1.nc", &"G".repeat(MAX_PROGRAM + 1))], "project.program-too-large"),
+        // One that is none of them replaces nothing.
+        (vec![file("prog.exe", "MZ\0\0")], "project.not-a-text"),
+        (vec![file("O1.nc", "\u{feff} \n")], "project.empty-file"),
+        (vec![file("a.json", "null")], "project.no-project-file"),
+        (vec![file("A.JSON", "[[[[")], "project.no-project-file"),
     ] {
         let opened = import::open(&ribbon(), &files);
         assert!(opened.project.is_none());
