@@ -217,6 +217,10 @@ pub trait Prepared: Send + Sync {
     fn parts(&self) -> Vec<DrawnPart>;
     /// The drawing at a moment.
     fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
+    /// Speed (r/min) of the spindle on the position page of the control, signed.
+    fn spindle_speed(&self, now: &Snapshot) -> f64 {
+        now.spindle.actual
+    }
     /// Catalog id of the first contact with the work, after that contact: `first dot`.
     fn contact(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<&'static str> {
         None

@@ -67,6 +67,7 @@ mod sequence;
 mod explore;
 
 pub(crate) use resolved::PolygonLathe;
+use resolved::WORK;
 
 use crate::machines::chart_rows;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, read};
@@ -163,6 +164,11 @@ impl Prepared for PolygonLathe {
 
     fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
         pose::pose(self, run, now, frame)
+    }
+
+    fn spindle_speed(&self, now: &Snapshot) -> f64 {
+        // While the PMC turns the work, the spindle is its axis.
+        if now.pmc[WORK].feed == 0.0 { now.spindle.actual } else { now.pmc[WORK].feed / 360.0 }
     }
 
     fn contact(&self, run: &dyn Samples, now: &Snapshot) -> Option<&'static str> {

@@ -7,6 +7,7 @@ use crate::text::catalog::number_text;
 use crate::ui::parts::input::{Choice, number};
 use crate::ui::parts::{Glyph, Icon, IconButton, Later};
 use crate::ui::state::Page;
+use crate::ui::state::planning::HORIZON;
 use crate::ui::state::player::SPEEDS;
 use crate::ui::words::{clock, speed_text, t};
 
@@ -56,10 +57,14 @@ fn Clock() -> impl IntoView {
             last = text;
         }
     });
+    let total = move || match player.planned.get() {
+        (planned, false) if planned >= HORIZON => format!("> {}", clock(planned)),
+        (planned, _) => clock(planned),
+    };
     view! {
         <span class="time">
             <b id="clock" node_ref=place>"00:00.0000"</b>
-            <span class="total">{move || clock(player.planned.get().0)}</span>
+            <span class="total">{total}</span>
         </span>
     }
 }

@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use crate::motion::Snapshot;
 use crate::ui::state::Page;
 use crate::ui::words::{figure, t};
 
@@ -40,7 +41,9 @@ pub(super) fn Now() -> impl IntoView {
             let position = move || now.with(|now| now.axes.get(at).map(|axis| figure(words * axis.position, 3)));
             cell(letter, mark, position)
         });
-        let speed = move || Some(now.with(|now| figure(now.spindle.actual, 0)));
+        let of_machine =
+            move |now: &Snapshot| page.project.with_untracked(|project| project.prepared().spindle_speed(now));
+        let speed = move || Some(now.with(|now| figure(of_machine(now), 0)));
         axes.chain([cell("S".to_owned(), "", speed)]).collect_view()
     };
     view! { <dl class="now" aria-label=t("page.now")>{cells}</dl> }
@@ -66,6 +69,16 @@ mod tests {
         let bench = mount_project(lathe, || view! { <Now /> }).await;
         bench.run().await;
         assert_eq!(names(&bench), ["X Ø", "Z", "S"]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn work_that_the_plc_turns_has_its_speed() {
+        let lathe = crate::project::Project::of("polygon-lathe", Some("knd-k2000t")).unwrap();
+        let bench = mount_project(lathe, || view! { <Now /> }).await;
+        bench.run().await;
+        bench.seek(8.0).await;
+        settled().await;
+        assert_eq!(bench.text("div:last-child dd"), "200");
     }
 
     #[wasm_bindgen_test]

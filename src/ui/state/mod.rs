@@ -32,6 +32,8 @@ pub(crate) mod view;
 
 pub(crate) mod walk;
 
+mod work_spans;
+
 pub(crate) use begun::Begun;
 pub(crate) use entries::of_field;
 pub(crate) use page::Page;

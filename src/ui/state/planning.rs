@@ -21,8 +21,8 @@ const SLICE: f64 = 6.0;
 /// Milliseconds of planning within a frame, when the play head has caught up with the plan.
 const IN_FRAME: f64 = 2.0;
 
-/// Machine seconds that are always planned in the background.
-const HORIZON: f64 = 60.0;
+/// Machine seconds that are always planned in the background: an hour, so that film and charts end where the run does.
+pub(crate) const HORIZON: f64 = 3600.0;
 
 /// Longest run that is planned: ten hours, which fit the memory.
 const LIMITS: Budget = Budget { blocks: 1_000_000_000, seconds: 36_000.0 };

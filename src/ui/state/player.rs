@@ -8,6 +8,7 @@ use leptos::prelude::*;
 use super::edit_pace::{EditPace, SLOW};
 use super::put::put;
 use super::walk::Walk;
+use super::work_spans::WorkSpans;
 use crate::controls::Control;
 use crate::interp::inspect::What;
 use crate::machines::{Frame, PreparedMachine};
@@ -23,8 +24,11 @@ use crate::view::svg::{Theme, picture};
 /// Machine seconds per second that can be chosen.
 pub(crate) const SPEEDS: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
 
-/// Machine seconds per second while the machine only waits, at automatic speed.
+/// Machine seconds per second while the machine does not work, at automatic speed.
 const WAITING: f64 = 2.0;
+
+/// Seconds of the viewer's time before the work, in which automatic speed is slow already.
+const LEAD: f64 = 1.0;
 
 /// Machine seconds that are planned ahead of the play head, at least.
 pub(super) const AHEAD: f64 = 1.0;
@@ -116,6 +120,7 @@ pub(super) struct PlayerState {
     /// Findings of the last plan.
     pub(super) findings: Vec<Diagnostic>,
     pub(super) pace: EditPace,
+    work: WorkSpans,
 }
 
 impl Player {
@@ -134,6 +139,7 @@ impl Player {
             expected: 0.0,
             findings: Vec::new(),
             pace: EditPace::default(),
+            work: WorkSpans::default(),
         };
         let player = Player {
             state: StoredValue::new_local(state),
@@ -352,14 +358,18 @@ impl Player {
         }
     }
 
-    /// Machine seconds per second at the play head. Automatic: as slow as the motion is visible, and fast while the machine only waits.
+    /// Machine seconds per second at the play head. Automatic: as slow as the motion is visible while the machine works, and fast while it
+    /// approaches, returns or waits.
     fn speed_now(self) -> f64 {
         let chosen = self.speed.get_untracked();
         if chosen > 0.0 {
             return chosen;
         }
         let waits = self.now.with_untracked(|now| now.mode != Mode::Running);
-        self.state.with_value(|state| if waits { WAITING.max(state.visible) } else { state.visible })
+        self.state.with_value(|state| {
+            let works = !waits && state.work.holds(state.head, LEAD * state.visible);
+            if works { state.visible } else { WAITING.max(state.visible) }
+        })
     }
 
     /// Moves the play head by the time since the last frame; says how many seconds are planned ahead of it.
@@ -397,6 +407,9 @@ impl Player {
                 state.slow_at = time;
             }
             let (run, machine) = (state.planner.as_ref()?, state.machine.as_deref()?);
+            if slow {
+                state.work.follow(plans, run, machine);
+            }
             // The debugger may be at a time that is not planned yet.
             let now = self.walk.with_untracked(|walk| {
                 let stop = walk.stopped().filter(|debugger| debugger.t() > planned);
