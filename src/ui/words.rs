@@ -1,10 +1,13 @@
 //! Sentences of the page in the language of the user.
 
+use core::fmt;
+
+use serde::{Deserialize, Serialize};
+
 use crate::controls::Control;
 use crate::motion::{Mode, RunEnd};
 use crate::text::catalog;
 use crate::text::number;
-use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, Message, Phrase, Severity, sentences};
 use crate::view::{Limit, Readout, Verdict};
 
@@ -23,23 +26,80 @@ pub(crate) fn sentence_with_hints(diagnostic: &Diagnostic) -> String {
     sentences([&diagnostic.message].into_iter().chain(&diagnostic.hints).map(sentence))
 }
 
-/// The class of a severity.
-pub(crate) fn tone(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Error => "fail",
-        Severity::Warning => "warn",
-        Severity::Info => "info",
+/// Weight of a sentence, a verdict or a state: its colour and its sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub(crate) enum Tone {
+    /// Nothing is judged.
+    Plain,
+    /// Good.
+    Ok,
+    /// Worth knowing.
+    Info,
+    /// To be looked at.
+    Warn,
+    /// Wrong.
+    Fail,
+}
+
+impl Tone {
+    /// Class of the style sheet.
+    pub(crate) fn class(self) -> &'static str {
+        match self {
+            Tone::Plain => "none",
+            Tone::Ok => "ok",
+            Tone::Info => "info",
+            Tone::Warn => "warn",
+            Tone::Fail => "fail",
+        }
+    }
+
+    /// Sign, so that colour is not the only mark.
+    pub(crate) fn sign(self) -> &'static str {
+        match self {
+            Tone::Plain => "",
+            Tone::Ok => "✓",
+            Tone::Info => "ⓘ",
+            Tone::Warn => "▲",
+            Tone::Fail => "✕",
+        }
     }
 }
 
-/// Sign of a class, so that colour is not the only mark.
-pub(crate) fn sign(tone: &str) -> &'static str {
-    match tone {
-        "ok" => "✓",
-        "warn" => "▲",
-        "fail" => "✕",
-        "info" => "ⓘ",
-        _ => "",
+impl fmt::Display for Tone {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.class())
+    }
+}
+
+impl From<Severity> for Tone {
+    fn from(severity: Severity) -> Tone {
+        match severity {
+            Severity::Error => Tone::Fail,
+            Severity::Warning => Tone::Warn,
+            Severity::Info => Tone::Info,
+        }
+    }
+}
+
+impl From<Verdict> for Tone {
+    fn from(verdict: Verdict) -> Tone {
+        match verdict {
+            Verdict::None => Tone::Plain,
+            Verdict::Ok => Tone::Ok,
+            Verdict::Warn => Tone::Warn,
+            Verdict::Fail => Tone::Fail,
+        }
+    }
+}
+
+impl From<Mode> for Tone {
+    fn from(mode: Mode) -> Tone {
+        match mode {
+            Mode::Running => Tone::Ok,
+            Mode::Alarm | Mode::EmergencyStop => Tone::Fail,
+            Mode::Hold | Mode::Stopped => Tone::Warn,
+            Mode::WaitFin | Mode::Dwell | Mode::Ended => Tone::Info,
+        }
     }
 }
 
@@ -110,16 +170,6 @@ pub(crate) fn counts(diagnostics: &[Diagnostic]) -> [(Severity, usize); 3] {
         .map(|severity| (severity, diagnostics.iter().filter(|d| d.severity == severity).count()))
 }
 
-/// The class of a verdict.
-pub(crate) fn verdict_tone(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::None => "none",
-        Verdict::Ok => "ok",
-        Verdict::Warn => "warn",
-        Verdict::Fail => "fail",
-    }
-}
-
 /// Words of a verdict, for screen readers.
 pub(crate) fn verdict_words(verdict: Verdict) -> &'static str {
     match verdict {
@@ -144,16 +194,6 @@ pub(crate) fn mode_words(mode: Mode) -> &'static str {
     }
 }
 
-/// The class of a mode.
-pub(crate) fn mode_tone(mode: Mode) -> &'static str {
-    match mode {
-        Mode::Running => "ok",
-        Mode::Alarm | Mode::EmergencyStop => "fail",
-        Mode::Hold | Mode::Stopped => "warn",
-        _ => "info",
-    }
-}
-
 /// A number with four significant digits where its row has as many; small ones with the decimals of the row.
 pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
     number::four_digits(number, decimals)
@@ -168,12 +208,8 @@ pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
             Limit::Within(_) => "±",
             Limit::Equal(_) => "=",
         };
-        // Beside a value of four digits. A limit in another unit than it was set in is seldom a round number.
-        let decimals = match units::shown() {
-            _ if limit.value().abs() >= 1000.0 => 0,
-            Lengths::Millimetres => readout.decimals,
-            Lengths::Inches => number::decimals_of_four(limit.value(), readout.decimals),
-        };
+        // Beside a value of four digits.
+        let decimals = number::decimals_of_four(limit.value(), readout.decimals);
         format!("{sign} {}", short(limit.value(), decimals))
     })
 }
@@ -229,7 +265,8 @@ mod tests {
 
     #[wasm_bindgen_test]
     fn every_tone_has_a_sign_of_its_own() {
-        let signs: std::collections::BTreeSet<_> = ["ok", "warn", "fail", "info"].map(sign).into();
+        let signs: std::collections::BTreeSet<_> =
+            [Tone::Ok, Tone::Warn, Tone::Fail, Tone::Info].map(Tone::sign).into();
         assert_eq!(signs.len(), 4);
         assert!(!signs.contains(""));
     }

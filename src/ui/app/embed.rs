@@ -12,7 +12,7 @@ use crate::ui::machine::EmbeddedMachine;
 use crate::ui::parts::scene::StillDrawing;
 use crate::ui::state::notices::Notice;
 use crate::ui::state::{Begun, Page};
-use crate::ui::words::{sentence_with_hints, t, tone};
+use crate::ui::words::{Tone, sentence_with_hints, t};
 
 /// Fields that are shown.
 const FIELDS: usize = 3;
@@ -33,7 +33,8 @@ impl Embedded {
     /// machine has a control. An address that names no project has the first machine's.
     pub fn in_turns(then: impl FnOnce(Option<Embedded>) + 'static) {
         let asked = embedded(&dom::address().1);
-        let notice = |found: &crate::text::Diagnostic| Notice::new(tone(found.severity), sentence_with_hints(found));
+        let notice =
+            |found: &crate::text::Diagnostic| Notice::new(Tone::from(found.severity), sentence_with_hints(found));
         let found = asked.iter().flat_map(|asked| &asked.diagnostics).map(notice).collect();
         let first = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
         let Some(project) = asked.and_then(|asked| asked.project).or_else(first) else { return then(None) };

@@ -15,7 +15,7 @@ use crate::ui::dom::script::{call, load, table};
 use crate::ui::dom::{self, go_to_field};
 use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
-use crate::ui::words::{figure, sentence, sentence_with_hints, t};
+use crate::ui::words::{Tone, figure, sentence, sentence_with_hints, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Range, Remark, Request, Response};
 use crate::view::report::TitleBlock;
@@ -87,7 +87,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
         let written = page.program.written.get_untracked();
         let take = move |response: Option<Response>| {
             let Some(Response::Export(documents)) = response else {
-                return page.notices.notify("fail", t("page.no-answer").to_owned());
+                return page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
             };
             let mut coded = documents.programs.into_iter();
             let bytes = |text: &str| text.as_bytes().to_vec();
@@ -203,7 +203,7 @@ fn Offered(
         }
     };
     let remarks =
-        export.remarks.iter().map(|remark| view! { <li class=remark.tone.clone()>{remark.text.clone()}</li> });
+        export.remarks.iter().map(|remark| view! { <li class=remark.tone.class()>{remark.text.clone()}</li> });
     view! {
         <p>{t("page.export-about")}</p>
         <table class="exported"><tbody>{rows}</tbody></table>
@@ -226,7 +226,7 @@ fn save_all(page: Page, files: Arc<[NamedBytes]>) {
         match archive.and_then(|archive| archive.dyn_into::<js_sys::Uint8Array>()) {
             Ok(bytes) => dom::download(&name, "application/zip", &bytes.to_vec()),
             Err(error) => {
-                page.notices.notify("fail", sentence(&crate::msg!("page.no-archive", reason = dom::told(&error))))
+                page.notices.notify(Tone::Fail, sentence(&crate::msg!("page.no-archive", reason = dom::told(&error))))
             }
         }
     });
@@ -235,11 +235,11 @@ fn save_all(page: Page, files: Arc<[NamedBytes]>) {
 /// Shows a document in a tab of its own and prints it; tells where the browser allows neither.
 fn show(page: Page, html: &str) {
     let Some(tab) = window().open_with_url_and_target("", "_blank").ok().flatten() else {
-        return page.notices.notify("warn", t("page.no-tab").to_owned());
+        return page.notices.notify(Tone::Warn, t("page.no-tab").to_owned());
     };
     if let Err(error) = print(&tab, html) {
         let _ = tab.close();
-        page.notices.notify("fail", sentence(&crate::msg!("page.no-print", reason = dom::told(&error))));
+        page.notices.notify(Tone::Fail, sentence(&crate::msg!("page.no-print", reason = dom::told(&error))));
     }
 }
 
@@ -317,7 +317,7 @@ mod tests {
         bench.worker.answer_here(|_, _| {
             let remark = |refuses, text: &str| Remark {
                 refuses,
-                tone: "fail".to_owned(),
+                tone: Tone::Fail,
                 alarm: "P1".to_owned(),
                 text: text.to_owned(),
                 field: String::new(),

@@ -9,7 +9,7 @@ use crate::text::listed;
 use crate::ui::dom;
 use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 use crate::view::Readout;
@@ -117,10 +117,10 @@ fn ExampleCard(
         let Ok(project) = made() else { return };
         page.replace(project);
         page.view.gallery.set(false);
-        page.notices.notify("info", t("page.fresh").to_owned());
+        page.notices.notify(Tone::Info, t("page.fresh").to_owned());
         if !failed.is_empty() {
             page.notices.notify(
-                "warn",
+                Tone::Warn,
                 sentence(&crate::msg!("page.example-fails", example = t(example.name), results = failed.as_str())),
             );
         }
@@ -267,7 +267,7 @@ mod tests {
         press(&bench, "ribbon-line-paper").await;
         let faults = bench.page.project.with_untracked(Project::faults);
         let told = bench.page.notices.list.get_untracked().pop().unwrap();
-        assert_eq!((told.tone, faults.len() >= everywhere().count()), ("warn", true));
+        assert_eq!((told.tone, faults.len() >= everywhere().count()), (Tone::Warn, true));
         assert!(faults.iter().all(|(readout, _)| told.text.contains(t(readout.label))), "{}", told.text);
     }
 }

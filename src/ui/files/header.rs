@@ -119,12 +119,7 @@ fn ProjectName() -> impl IntoView {
         let name: String = event_target_value(&event).chars().filter(|c| !c.is_control()).take(120).collect();
         page.edit("name", |project| project.name = name);
     };
-    let kept = move || match page.view.kept.get() {
-        Kept::Yes => t("page.kept"),
-        Kept::Soon => t("page.kept-soon"),
-        Kept::No => t("page.kept-not"),
-        Kept::Elsewhere => t("page.kept-elsewhere"),
-    };
+    let kept = move || t(page.view.kept.get().words());
     view! {
         <div class="project">
             <input
@@ -135,7 +130,7 @@ fn ProjectName() -> impl IntoView {
             // A tooltip shows the text that the header has no room for.
             <span
                 class="kept" title=move || if page.view.kept.get() == Kept::Yes { t("page.kept-about") } else { kept() }
-                class:warn=move || matches!(page.view.kept.get(), Kept::No | Kept::Elsewhere)
+                class:warn=move || matches!(page.view.kept.get(), Kept::No | Kept::Denied | Kept::Elsewhere)
             >
                 {kept}
             </span>
@@ -208,7 +203,8 @@ mod tests {
     #[wasm_bindgen_test]
     async fn state_of_the_store_is_said() {
         let bench = header().await;
-        for (kept, words) in [(Kept::Yes, "page.kept"), (Kept::Soon, "page.kept-soon"), (Kept::No, "page.kept-not")] {
+        for kept in [Kept::Yes, Kept::Soon, Kept::No, Kept::Denied] {
+            let words = kept.words();
             bench.page.view.kept.set(kept);
             settled().await;
             assert_eq!(bench.text(".kept"), t(words));

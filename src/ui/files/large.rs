@@ -9,7 +9,7 @@ use crate::project::Project;
 use crate::text::catalog::number_text;
 use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
-use crate::ui::words::{figure, t};
+use crate::ui::words::{Tone, figure, t};
 use crate::ui::worker::client::Running;
 use crate::ui::worker::messages::{Question, Reply, Request, Response, SHOWN, TextReport};
 
@@ -88,7 +88,7 @@ pub(super) fn check(page: Page, large: LargeFile, source: Source) {
         Reply::Answer(..) => {}
     };
     let Some(worker) = Running::start(heard, || {}) else {
-        page.notices.notify("fail", t("page.no-worker").to_owned());
+        page.notices.notify(Tone::Fail, t("page.no-worker").to_owned());
         return;
     };
     large.0.set(Some(Check { name, progress: (0.0, all), report: None, worker: Rc::new(worker) }));
@@ -136,7 +136,7 @@ fn Findings(
     if report.lines > SHOWN {
         told.push_str(&format!("  {} {SHOWN}", t("page.first-lines")));
     }
-    let rows = report.rows.into_iter().map(|(tone, text)| view! { <li class=tone>{text}</li> });
+    let rows = report.rows.into_iter().map(|(tone, text)| view! { <li class=tone.class()>{text}</li> });
     view! {
         <p>{told}</p>
         <ul class="remarks tall">{rows.collect_view()}</ul>
@@ -157,7 +157,7 @@ mod tests {
             lines: SHOWN + 1,
             counts: "✕ 1".to_owned(),
             head: "G01\n".to_owned(),
-            rows: vec![("fail".to_owned(), "Line 1".to_owned())],
+            rows: vec![(Tone::Fail, "Line 1".to_owned())],
         };
         let bench = mount(move || view! { <Findings report=report /> }).await;
         assert!(bench.text("p").contains(t("page.first-lines")));

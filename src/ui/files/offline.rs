@@ -8,7 +8,7 @@ use crate::ui::dom;
 use crate::ui::dom::script;
 use crate::ui::state::Page;
 use crate::ui::state::notices::Notice;
-use crate::ui::words::t;
+use crate::ui::words::{Tone, t};
 
 /// The module beside the page that talks to the service worker.
 const MODULE: &str = "offline.js";
@@ -44,10 +44,10 @@ fn take() {
 fn announce(page: Page, take: fn()) {
     let act = move |()| match store::store_before_reload(page) {
         true => take(),
-        false => page.notices.notify("warn", t("page.version-unkept").to_owned()),
+        false => page.notices.notify(Tone::Warn, t("page.version-unkept").to_owned()),
     };
     let offer = Some(("page.version-take", Callback::new(act)));
-    page.notices.show(Notice { offer, ..Notice::new("info", t("page.version-ready").to_owned()) });
+    page.notices.show(Notice { offer, ..Notice::new(Tone::Info, t("page.version-ready").to_owned()) });
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ use crate::project::saved::{is_panel, with_line};
 use crate::ui::dom;
 use crate::ui::state::view::Tab;
 use crate::ui::state::{Page, operator};
-use crate::ui::words::{sentence, t, tone};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::BEFORE_PROGRAM;
 
@@ -38,7 +38,7 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
             check(page, large, Source::File(big.clone()));
         } else {
             page.notices.notify(
-                "fail",
+                Tone::Fail,
                 sentence(&crate::msg!("page.none-taken-large", file = big.name(), most = (BIG / 1e6, 0))),
             );
         }
@@ -50,12 +50,12 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
             let Ok(buffer) = JsFuture::from(file.array_buffer()).await else {
                 return page
                     .notices
-                    .notify("fail", sentence(&crate::msg!("page.none-taken-unread", file = file.name())));
+                    .notify(Tone::Fail, sentence(&crate::msg!("page.none-taken-unread", file = file.name())));
             };
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
             let decoded = Decoded::new(bytes);
             if let Some(other) = decoded.other {
-                return page.notices.notify("fail", format!("{}: {}", file.name(), sentence(&other)));
+                return page.notices.notify(Tone::Fail, format!("{}: {}", file.name(), sentence(&other)));
             }
             let gbk = decoded.encoding == Encoding::Unknown && page.project.with_untracked(reads_gbk);
             let text = gbk.then(|| dom::gbk(&buffer)).flatten().unwrap_or(decoded.text);
@@ -86,11 +86,11 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
     let opened = page.project.with_untracked(|project| open(project, files));
     let text = files.iter().find(|file| file.text.trim_start().starts_with('{')).map_or("", |file| &file.text);
     for told in &opened.diagnostics {
-        page.notices.notify(tone(told.severity), with_line(told, text));
+        page.notices.notify(Tone::from(told.severity), with_line(told, text));
     }
     let Some(project) = opened.project else { return false };
     if project.edited.is_some() && text.is_empty() {
-        page.notices.notify("info", t("page.opened-program").to_owned());
+        page.notices.notify(Tone::Info, t("page.opened-program").to_owned());
         shelf::version_before(page, BEFORE_PROGRAM);
     }
     show(page, project);

@@ -7,7 +7,7 @@ use crate::nc;
 use crate::project::Project;
 use crate::ui::state::Page;
 use crate::ui::state::view::Tab;
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{ReadParts, Request, Response};
 
@@ -19,13 +19,14 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
     let name = table.name.clone();
     let show = move |response: Option<Response>| {
         let Some(Response::Parts(ReadParts { project, added, remarks })) = response else {
-            return page.notices.notify("fail", t("page.no-answer").to_owned());
+            return page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
         };
         for (refuses, text) in remarks.iter().take(TOLD) {
-            page.notices.notify(if *refuses { "fail" } else { "info" }, format!("{name}: {text}"));
+            page.notices.notify(if *refuses { Tone::Fail } else { Tone::Info }, format!("{name}: {text}"));
         }
         if remarks.len() > TOLD {
-            page.notices.notify("info", sentence(&msg!("page.more-of-parts", count = (remarks.len() - TOLD) as u32)));
+            page.notices
+                .notify(Tone::Info, sentence(&msg!("page.more-of-parts", count = (remarks.len() - TOLD) as u32)));
         }
         let Some(read) = Project::from_json(&project).project.filter(|_| added > 0) else { return };
         page.edit("", |project| project.parts = read.parts);

@@ -10,7 +10,7 @@ use crate::ui::dom;
 use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
 use crate::ui::state::notices::Notice;
-use crate::ui::words::{figure, sentence, sentence_with_hints, t, tone};
+use crate::ui::words::{Tone, figure, sentence, sentence_with_hints, t};
 
 /// Characters above which the user is warned that some mail programs cut a link. Our choice.
 const LONG: usize = 2000;
@@ -30,9 +30,9 @@ pub(super) fn forget_link() {
 
 /// Notices about the project of a link.
 pub(super) fn notices(linked: &Loaded) -> Vec<Notice> {
-    let copy = Notice::new("info", t("page.link-opened").to_owned());
+    let copy = Notice::new(Tone::Info, t("page.link-opened").to_owned());
     let found = linked.diagnostics.iter();
-    let found = found.map(|found| Notice::new(tone(found.severity), sentence_with_hints(found)));
+    let found = found.map(|found| Notice::new(Tone::from(found.severity), sentence_with_hints(found)));
     linked.project.is_some().then_some(copy).into_iter().chain(found).collect()
 }
 

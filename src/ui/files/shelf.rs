@@ -13,7 +13,7 @@ use crate::ui::dom;
 use crate::ui::dom::script::call;
 use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::messages::{OTHER_TAB, ShelfState};
 
 /// Delay after the last change before the project is put on the shelf; until then the browser's other store has it.
@@ -99,7 +99,7 @@ pub(super) async fn states() -> Result<Vec<ShelfState>, String> {
 /// Reports that the shelf refuses a project. It is in the browser's other store, so it is not lost.
 pub(super) fn warn_refused(page: Page, reason: &str) {
     if !page.view.kept.is_disposed() {
-        page.notices.notify("warn", sentence(&msg!("projects.refused", reason)));
+        page.notices.notify(Tone::Warn, sentence(&msg!("projects.refused", reason)));
     }
 }
 
@@ -142,7 +142,7 @@ pub(super) async fn take_in(page: Page) -> Result<(), String> {
 /// Sets a replaced project aside, unless it is an untouched example, until the shelf has it; reports a lack of room.
 pub(super) fn leave(page: Page, before: &Project) {
     if !set_aside::keep_project(before, SetAsideReason::Replaced) {
-        page.notices.notify("warn", t("page.aside-full").to_owned());
+        page.notices.notify(Tone::Warn, t("page.aside-full").to_owned());
     }
     take_in_soon(page);
 }

@@ -1,5 +1,6 @@
 //! The project in this browser's store, with its steps of undo: kept during work, set aside if unreadable, held by one tab.
 
+use std::cell::Cell;
 use std::time::Duration;
 
 use leptos::prelude::*;
@@ -17,7 +18,7 @@ use crate::ui::state::history::History;
 use crate::ui::state::notices::Notice;
 use crate::ui::state::view::Kept;
 use crate::ui::state::{Page, put, stepping};
-use crate::ui::words::t;
+use crate::ui::words::{Tone, t};
 use crate::ui::worker::messages::ShelfState;
 
 /// Key of the project.
@@ -90,7 +91,7 @@ fn by_link(last: LastVisit, linked: Loaded) -> LastVisit {
 
 /// Notice that the store has no room to set a state aside, with the state as a file.
 fn no_room(state: Option<String>) -> Notice {
-    let notice = Notice::new("warn", t("page.aside-full").to_owned());
+    let notice = Notice::new(Tone::Warn, t("page.aside-full").to_owned());
     state.into_iter().fold(notice, |notice, state| notice.with_file(set_aside::FILE, state))
 }
 
@@ -103,7 +104,7 @@ fn last_visit() -> LastVisit {
     let loaded = Project::from_json(&text);
     if let Some(mut project) = loaded.project {
         project.id = dom::stored(ID);
-        let notice = |found| Notice::new("warn", with_line(found, &text));
+        let notice = |found| Notice::new(Tone::Warn, with_line(found, &text));
         let notices = loaded.diagnostics.iter().map(notice).collect();
         return LastVisit { project: Some(project), notices, stored: Stored::default() };
     }
@@ -114,7 +115,7 @@ fn last_visit() -> LastVisit {
     }
     let reason = loaded.diagnostics.first().map(|found| with_line(found, &text)).unwrap_or_default();
     let said = format!("{} {reason}", t(if aside { "page.set-aside" } else { "page.set-aside-full" }));
-    let notice = Notice::new("warn", said).with_file(set_aside::FILE, text);
+    let notice = Notice::new(Tone::Warn, said).with_file(set_aside::FILE, text);
     LastVisit { project: fresh(), notices: vec![notice], stored: Stored { occupied: !aside, replaced: None } }
 }
 
@@ -139,7 +140,17 @@ fn store_now(page: Page) {
     }
     // A state that has no room in this store may have room in the database.
     shelf::soon(page);
-    page.view.kept.set(if kept { Kept::Yes } else { Kept::No });
+    let refused = if dom::storage().is_some() { Kept::No } else { Kept::Denied };
+    page.view.kept.set(if kept { Kept::Yes } else { refused });
+    // Once: a small screen shows no state of the store.
+    if !kept && !REFUSED.replace(true) {
+        page.notices.notify(Tone::Warn, t(refused.words()).to_owned());
+    }
+}
+
+thread_local! {
+    /// Whether the user has been told that the store refuses the project.
+    static REFUSED: Cell<bool> = const { Cell::new(false) };
 }
 
 /// Stores the project in the room of its steps; they stay if that does not help.
@@ -191,7 +202,7 @@ pub(super) fn store_before_reload(page: Page) -> bool {
 /// Makes this tab watch: nothing is stored from it.
 fn watch(page: Page, words: &'static str) {
     put(page.view.kept, Kept::Elsewhere);
-    page.notices.notify("warn", t(words).to_owned());
+    page.notices.notify(Tone::Warn, t(words).to_owned());
 }
 
 /// Takes over from a closed tab, unless another tab has sent a message since.
@@ -251,8 +262,16 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     }
     shelf::identify(page);
     shelf::take_in_soon(page);
-    // The project of the other tab that is shown here.
+    // The project of the other tab that is shown here, and that of this tab when it began to watch.
     let shown = StoredValue::new_local(None::<Project>);
+    let watched = StoredValue::new_local(None::<Project>);
+    Effect::new(move |before: Option<bool>| {
+        let watches = page.view.kept.try_get() == Some(Kept::Elsewhere);
+        if watches && before != Some(true) {
+            watched.set_value(page.project.try_get_untracked());
+        }
+        watches
+    });
     Effect::new(move |last: Option<Option<Project>>| {
         // The page may be gone.
         let present = page.project.try_get()?;
@@ -307,8 +326,23 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     };
     dom::hear("pagehide", move |_| {
         hide();
-        if !page.view.kept.is_disposed() && page.view.kept.get_untracked() != Kept::Elsewhere {
-            notify_tabs(LEAVES);
+        match page.view.kept.try_get_untracked() {
+            // What was changed in a tab that watches is stored nowhere else.
+            Some(Kept::Elsewhere) => {
+                let own = page.project.get_untracked();
+                let is_known = |known: &Option<Project>| known.as_ref() == Some(&own);
+                if !shown.with_value(is_known) && !watched.with_value(is_known) {
+                    set_aside::keep(&own.to_json(), SetAsideReason::OtherTab, None);
+                }
+            }
+            Some(_) => notify_tabs(LEAVES),
+            None => {}
+        }
+    });
+    dom::hear("beforeunload", move |event| {
+        let refused = matches!(page.view.kept.try_get_untracked(), Some(Kept::No | Kept::Denied));
+        if refused && !page.project.with_untracked(set_aside::is_untouched) {
+            event.prevent_default();
         }
     });
     // A page restored from the browser's history asks like a new one.

@@ -157,12 +157,22 @@ fn TypedInput(
         }
         reread
     });
+    // The value before this entry: what begins as a number and turns out to be none (`12e2`) has changed nothing.
+    let before: StoredValue<Option<Value>> = StoredValue::new(None);
+    let valued = Arc::clone(&info);
+    let enter = move || before.set_value(Some(untrack(|| value_of(page, &valued))));
+    let entered = enter.clone();
     let reader = Arc::clone(&info);
     let take = move |typed: &str| {
         dom::mark("input");
         match reader.typed(typed) {
             Ok(value) => page.set(id, value),
-            Err(problem) => page.entries.refuse(id, *problem),
+            Err(problem) => {
+                if let Some(before) = before.get_value() {
+                    page.edit(id, |project| drop(project.values.insert(id.to_owned(), before)));
+                }
+                page.entries.refuse(id, *problem);
+            }
         }
     };
     let taken = take.clone();
@@ -191,6 +201,8 @@ fn TypedInput(
             inputmode=if numeric { "decimal" } else { "text" }
             aria-describedby=format!("{id}-note")
             aria-invalid=move || wrong.get().to_string()
+            on:focus=move |_| enter()
+            on:change=move |_| entered()
             on:input=move |event| taken(&event_target_value(&event))
             on:keydown=step
         />
@@ -202,10 +214,23 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{InInches, ViewBench, field, mount, settled};
+    use crate::ui::testing::{InInches, ViewBench, event, field, mount, settled};
 
     async fn mounted(id: &'static str) -> ViewBench {
         mount(move || view! { <FormField info=field(id) /> }).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn refused_text_leaves_the_value_before_it() {
+        let bench = mounted("pitch").await;
+        bench.find("#pitch").dispatch_event(&event("FocusEvent", "focus", &[])).unwrap();
+        for typed in ["1", "12", "12e", "12e2"] {
+            bench.type_into("#pitch", typed).await;
+        }
+        assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), ("12e2", Some(Value::Number(8.0))));
+        assert!(bench.page.entries.refused("pitch").is_some());
+        bench.type_into("#pitch", "12").await;
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(12.0)));
     }
 
     #[wasm_bindgen_test]

@@ -107,8 +107,8 @@ fn MachineData(
             <summary>
                 <b>{t("page.machine-data")}</b>
                 <span class="count">{move || sentence(&crate::msg!("page.assumed-of", count = count.get().0 as f64, all = count.get().1 as f64))}</span>
+                <span class="known" style:--part=known></span>
             </summary>
-            <div class="known" style:--part=known></div>
             <Show when=move || open.get()><MeasureFirst /></Show>
             {groups.into_iter().map(|(title, fields)| view! { <Group title=title fields=fields /> }).collect_view()}
         </details>

@@ -12,7 +12,7 @@ use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{ContrastButton, LanguageButtons, LengthsButton, ThemeButton};
 use crate::ui::state::Page;
 use crate::ui::state::stepping::COMMANDS;
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{HelpPageHtml, Hit, Request, Response};
 
@@ -115,7 +115,8 @@ impl Reading {
                 self.page.notices.announce(sentence(&msg!("help.hits", count = hits.len() as u32)));
                 self.hits.set(hits);
             }
-            _ => {}
+            Some(Response::Found(_)) => {}
+            _ => self.page.notices.notify(Tone::Warn, t("page.no-answer").to_owned()),
         };
         let request = Request::FindHelp(self.query.get_untracked());
         self.page.project.with_untracked(|project| self.worker.ask(project, request, then));

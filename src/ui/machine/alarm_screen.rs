@@ -9,14 +9,14 @@ use crate::text::catalog::of_program;
 use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue, Phrase, Place};
 use crate::ui::state::Page;
 use crate::ui::state::outlook::CycleStart;
-use crate::ui::words::{sentence, sentence_with_hints, t, value_of};
+use crate::ui::words::{Tone, sentence, sentence_with_hints, t, value_of};
 use crate::view::Advice;
 
 /// Content of the screen.
 #[derive(Clone, PartialEq)]
 struct Told {
-    /// Class: `info`, `warn`, `fail`.
-    tone: &'static str,
+    /// Weight.
+    tone: Tone,
     /// Number of the alarm and the text, in the control's own words.
     headline: String,
     /// The program's text in the language of the page, if macroline wrote the program.
@@ -41,7 +41,7 @@ fn told(page: Page) -> Option<Told> {
         Some(RunEnd::Alarm(alarm)) => Some(of_alarm(page, &alarm, at_once)),
         Some(RunEnd::Stop) => of_stop(page, planned, at_once),
         _ => player.message.get().map(|headline| Told {
-            tone: "info",
+            tone: Tone::Info,
             translation: of_program(&headline),
             headline,
             meaning: t("page.own-message").to_owned(),
@@ -66,7 +66,8 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
         CycleStart::ComesBack => "page.way-comes-back",
         _ => "page.way-start",
     };
-    let (tone, meaning) = if at_once { ("fail", "page.own-message-at-once") } else { ("warn", "page.own-message") };
+    let (tone, meaning) =
+        if at_once { (Tone::Fail, "page.own-message-at-once") } else { (Tone::Warn, "page.own-message") };
     let translation = of_program(&headline);
     Some(Told { tone, headline, translation, meaning: t(meaning).to_owned(), alarm: String::new(), place, way_out })
 }
@@ -75,7 +76,7 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
 fn of_hold(page: Page, held: &Message) -> Told {
     let place = page.player.ask_planner(|run| run.timeline().block_at(run.timeline().end())).flatten();
     Told {
-        tone: "fail",
+        tone: Tone::Fail,
         headline: t("size.hold").to_owned(),
         translation: None,
         meaning: sentence(held),
@@ -107,7 +108,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
     };
     let number = alarm.alarm.as_deref().unwrap_or_default().to_owned();
     let headline = parts.collect::<Vec<_>>().join(" ");
-    Told { tone: "fail", headline, translation, meaning, alarm: number, place: alarm.place, way_out }
+    Told { tone: Tone::Fail, headline, translation, meaning, alarm: number, place: alarm.place, way_out }
 }
 
 /// Variables that a text names, with meaning and value at the end of the run.
@@ -195,7 +196,7 @@ mod tests {
     use crate::project::Project;
     use crate::text::catalog::{self, Language};
     use crate::ui::state::operator::act;
-    use crate::ui::testing::{ViewBench, mount, mount_project};
+    use crate::ui::testing::{ViewBench, mount, mount_project, until};
 
     async fn screen(control: &str) -> ViewBench {
         let project = Project::named("ribbon-line", Some(control), Some("paper")).unwrap();
@@ -274,7 +275,9 @@ mod tests {
         project.values.insert("loop-capacity".to_owned(), Value::Number(100.0));
         let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
         bench.run().await;
-        bench.page.player.seek(bench.page.player.planned.get_untracked().0);
+        let player = bench.page.player;
+        until(move || player.planned.get_untracked().1).await;
+        player.seek(player.planned.get_untracked().0);
         bench.drawn().await;
         assert_eq!(bench.text("h2"), t("size.hold"));
         assert!(bench.text(".alarm-screen p").starts_with("The loop is at its longest limit of 100 mm"));

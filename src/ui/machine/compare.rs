@@ -25,7 +25,7 @@ use crate::ui::parts::{Dialog, Glyph, IconButton};
 use crate::ui::state::planning::begin;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{clock, sentence, t};
+use crate::ui::words::{Tone, clock, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 
@@ -141,7 +141,7 @@ fn Sides(
     Effect::new(move |_| {
         let show = move |response: Option<Response>| match response {
             Some(Response::Html(html)) => drop(rows.try_set(html)),
-            _ => page.notices.notify("fail", t("page.no-answer").to_owned()),
+            _ => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
         };
         if let Some([left, right]) = pair.each(|_, project| project.clone()) {
             worker.ask(&left, Request::Compare(pair.names(), right.to_json()), show);

@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::ui::dom;
 use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
-use crate::ui::words::{sign, t};
+use crate::ui::words::{Tone, t};
 
 /// The messages, the newest at the bottom.
 #[component]
@@ -15,7 +15,7 @@ pub(crate) fn NoticeBand() -> impl IntoView {
         <div class="notices" aria-live="polite">
             <For each=move || page.notices.list.get() key=|notice| notice.text.clone() let:notice>
                 <div class=format!("notice {}", notice.tone)>
-                    <p><i aria-hidden="true">{sign(notice.tone)}</i> " " {notice.text.clone()}</p>
+                    <p><i aria-hidden="true">{notice.tone.sign()}</i> " " {notice.text.clone()}</p>
                     {notice.file.clone().map(|(name, content)| view! {
                         <button type="button" on:click=move |_| dom::download(name, "text/plain", content.as_bytes())>
                             {t("page.save-file")}
@@ -42,8 +42,8 @@ mod tests {
     #[wasm_bindgen_test]
     async fn notice_stays_until_it_is_dismissed() {
         let bench = mount(|| view! { <NoticeBand /> }).await;
-        bench.page.notices.notify("warn", "Set aside.".to_owned());
-        bench.page.notices.notify("info", "Opened.".to_owned());
+        bench.page.notices.notify(Tone::Warn, "Set aside.".to_owned());
+        bench.page.notices.notify(Tone::Info, "Opened.".to_owned());
         settled().await;
         assert_eq!(bench.all(".notice").len(), 2);
         assert_eq!(bench.text(".notice.warn p"), "▲ Set aside.");
@@ -54,8 +54,8 @@ mod tests {
     #[wasm_bindgen_test]
     async fn notice_with_a_file_offers_to_save_it() {
         let bench = mount(|| view! { <NoticeBand /> }).await;
-        bench.page.notices.notify("info", "Plain.".to_owned());
-        bench.page.notices.show(Notice::new("warn", "Kept.".to_owned()).with_file("state.txt", "{".to_owned()));
+        bench.page.notices.notify(Tone::Info, "Plain.".to_owned());
+        bench.page.notices.show(Notice::new(Tone::Warn, "Kept.".to_owned()).with_file("state.txt", "{".to_owned()));
         settled().await;
         let offers: Vec<bool> = bench
             .all(".notice")

@@ -11,7 +11,7 @@ use crate::ui::parts::{Glyph, Icon, IconButton};
 use crate::ui::state::Page;
 use crate::ui::state::operator::{act, clear, standing};
 use crate::ui::state::outlook::CycleStart;
-use crate::ui::words::{mode_tone, t};
+use crate::ui::words::{Tone, t};
 
 /// Percent that the knobs reach.
 const FULL: f64 = 200.0;
@@ -50,7 +50,7 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
     let shown = Memo::new(move |_| open.get() && page.view.actions.get());
     let listed = move || shown.get();
     let count = Memo::new(move |_| page.project.with(|project| project.panel.events().len()));
-    let lamp = move || format!("lamp {}", player.now.with(|now| mode_tone(now.mode)));
+    let lamp = move || format!("lamp {}", player.now.with(|now| Tone::from(now.mode)));
     let percent = |letter: char, value: Memo<f64>| {
         view! { <span>{move || format!("{letter} {} %", number_text(value.get(), 1))}</span> }
     };

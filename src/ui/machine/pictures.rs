@@ -12,7 +12,7 @@ use crate::text::catalog::number_text;
 use crate::ui::dom;
 use crate::ui::parts::{Glyph, Icon};
 use crate::ui::state::Page;
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 
 /// Pixels of a PNG per pixel of the drawing.
 const FINE: f64 = 2.0;
@@ -32,7 +32,7 @@ pub(super) fn SavePicture() -> impl IntoView {
             let _ = clip.try_set(None);
             match bytes {
                 Some(bytes) if wanted => dom::download(&name(page, "webm"), "video/webm", &bytes),
-                _ if wanted => page.notices.notify("warn", t("page.no-picture").to_owned()),
+                _ if wanted => page.notices.notify(Tone::Warn, t("page.no-picture").to_owned()),
                 _ => {}
             }
         });
@@ -81,7 +81,7 @@ fn save_png(page: Page) {
     wasm_bindgen_futures::spawn_local(async move {
         match png(&svg).await {
             Some(bytes) => dom::download(&name(page, "png"), "image/png", &bytes),
-            None => page.notices.notify("warn", t("page.no-picture").to_owned()),
+            None => page.notices.notify(Tone::Warn, t("page.no-picture").to_owned()),
         }
     });
 }

@@ -16,7 +16,7 @@ use crate::ui::dom;
 use crate::ui::parts::scene::{Shown, StillDrawing};
 use crate::ui::parts::{Glyph, IconButton, Later};
 use crate::ui::state::Page;
-use crate::ui::words::{end_words, mode_tone, mode_words, sentence, t};
+use crate::ui::words::{Tone, end_words, mode_words, sentence, t};
 
 /// The drawing, moved by the run.
 #[component]
@@ -99,17 +99,17 @@ fn open_field(event: MouseEvent) {
     }
 }
 
-/// Words and class of the state: the machine's, as long as the film shows it in motion.
-fn shown_state(page: Page) -> (&'static str, &'static str) {
+/// Words and weight of the state: the machine's, as long as the film shows it in motion.
+fn shown_state(page: Page) -> (&'static str, Tone) {
     let player = page.player;
     let (mode, begun) = player.now.with(|now| (now.mode, now.t > 0.0));
     let moves = matches!(mode, Mode::Running | Mode::Dwell | Mode::WaitFin);
     match player.playing.get() {
-        _ if page.program.has_errors() => ("page.mode-errors", "fail"),
-        _ if page.outlook.stopped.with(Option::is_some) => ("page.mode-at-once", "fail"),
-        false if moves && begun => ("page.mode-paused", "info"),
-        false if !begun => ("page.mode-ready", "info"),
-        _ => (mode_words(mode), mode_tone(mode)),
+        _ if page.program.has_errors() => ("page.mode-errors", Tone::Fail),
+        _ if page.outlook.stopped.with(Option::is_some) => ("page.mode-at-once", Tone::Fail),
+        false if moves && begun => ("page.mode-paused", Tone::Info),
+        false if !begun => ("page.mode-ready", Tone::Info),
+        _ => (mode_words(mode), Tone::from(mode)),
     }
 }
 

@@ -8,7 +8,7 @@ use crate::machines::Design;
 use crate::ui::parts::Later;
 use crate::ui::parts::verdict::VerdictLines;
 use crate::ui::state::Page;
-use crate::ui::words::{four_digits, limit_sign, sign, t, verdict_tone, verdict_words};
+use crate::ui::words::{Tone, four_digits, limit_sign, t, verdict_words};
 
 /// The verdicts.
 #[component]
@@ -38,10 +38,10 @@ pub(super) fn VerdictList() -> impl IntoView {
     let page = Page::here();
     let row = |readout: &crate::view::Readout| {
         let readout = readout.clone().shown();
-        let tone = verdict_tone(readout.verdict);
+        let tone = Tone::from(readout.verdict);
         view! {
-            <li class=tone>
-                <i aria-hidden="true">{sign(tone)}</i> " " {t(readout.label)} " "
+            <li class=tone.class()>
+                <i aria-hidden="true">{tone.sign()}</i> " " {t(readout.label)} " "
                 <b>{four_digits(readout.value, readout.decimals)} " " {readout.unit}</b>
                 <span class="hidden">{verdict_words(readout.verdict)}</span>
                 <span class="n">{limit_sign(&readout)}</span>

@@ -12,7 +12,7 @@ use crate::ui::dom;
 use crate::ui::words::t;
 
 /// Least and greatest width of a column, in pixels.
-const WIDTHS: (f64, f64) = (220.0, 640.0);
+const WIDTHS: (f64, f64) = (256.0, 640.0);
 
 /// Pixels of an arrow key.
 const STEP: f64 = 16.0;

@@ -6,7 +6,7 @@ use crate::text::catalog::{Language, spoken};
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
-use crate::ui::words::t;
+use crate::ui::words::{Tone, t};
 
 /// Key in the browser's store of the language; `boot.js` reads it.
 const LANGUAGE: &str = "macroline.language";
@@ -24,8 +24,8 @@ pub(crate) fn LanguageButtons() -> impl IntoView {
 
 /// Keeps a choice that the page reads at its start, and reloads the page; the kept project returns.
 pub(super) fn open_anew(page: Page, key: &str, choice: &str) {
-    if page.view.kept.get_untracked() == Kept::No || !dom::store(key, choice) {
-        return page.notices.notify("warn", t("page.language-unkept").to_owned());
+    if matches!(page.view.kept.get_untracked(), Kept::No | Kept::Denied) || !dom::store(key, choice) {
+        return page.notices.notify(Tone::Warn, t("page.language-unkept").to_owned());
     }
     let _ = window().location().reload();
 }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use crate::controls::Control;
 use crate::nc::{File, TokenKind, tokens};
 use crate::text::{Diagnostic, FileId, LineIndex, Severity};
-use crate::ui::words::{sentence, sign, t, tone};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::messages::SHOWN;
 use crate::view::svg::escape;
 
@@ -85,7 +85,7 @@ fn words(out: &mut String, text: &str, start: usize, control: &Control, found: &
         });
         let class = class(kind);
         let _ = match bad {
-            Some((_, d)) => write!(out, "<span class=\"{class} bad-{}\">", tone(d.severity)),
+            Some((_, d)) => write!(out, "<span class=\"{class} bad-{}\">", Tone::from(d.severity)),
             None if class.is_empty() => Ok(()),
             None => write!(out, "<span class=\"{class}\">"),
         };
@@ -117,8 +117,8 @@ pub(crate) fn class(kind: TokenKind) -> &'static str {
 
 /// HTML of a finding: message, hints, and a button for each fix.
 fn finding(at: usize, diagnostic: &Diagnostic) -> String {
-    let class = tone(diagnostic.severity);
-    let mut out = format!("<li class=\"says {class}\"><p><i aria-hidden=\"true\">{}</i> ", sign(class));
+    let tone = Tone::from(diagnostic.severity);
+    let mut out = format!("<li class=\"says {tone}\"><p><i aria-hidden=\"true\">{}</i> ", tone.sign());
     if let Some(alarm) = &diagnostic.alarm {
         let _ = write!(out, "<b data-means=\"alarms\">{alarm}</b> ");
         if let Some(wording) = diagnostic.wording {

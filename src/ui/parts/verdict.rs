@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use crate::text::number::filled;
 use crate::ui::state::Page;
-use crate::ui::words::{figure, four_digits, limit_sign, limit_text, sentence, sign, t, verdict_tone, verdict_words};
+use crate::ui::words::{Tone, figure, four_digits, limit_sign, limit_text, sentence, t, verdict_words};
 use crate::view::{Advice, Readout};
 
 /// The advice of a result, or the whole figure.
@@ -26,7 +26,7 @@ fn VerdictLine(
     let of = move |what: fn(&Readout) -> String| move || shown.with(what);
     let class = |readout: &Readout| {
         let bar = if readout.bar().is_none() { " plain" } else { "" };
-        format!("card {}{bar}", verdict_tone(readout.verdict))
+        format!("card {}{bar}", Tone::from(readout.verdict))
     };
     let part = |readout: &Readout| filled("#%", &[readout.bar().unwrap_or_default().0]);
     let limit = |readout: &Readout| filled("#%", &[readout.bar().unwrap_or_default().1]);
@@ -49,7 +49,7 @@ fn VerdictLine(
             on:pointerenter=move |_| page.show_causes(Some(id)) on:pointerleave=move |_| page.show_causes(None)
             on:focusin=move |_| page.show_causes(Some(id)) on:focusout=move |_| page.show_causes(None)>
             <button type="button" class="to-result" title=of(title) on:click=move |_| page.show_result(id)>
-                <i class="s" aria-hidden="true">{of(|readout| sign(verdict_tone(readout.verdict)).to_owned())}</i>
+                <i class="s" aria-hidden="true">{of(|readout| Tone::from(readout.verdict).sign().to_owned())}</i>
                 <span class="k">{t(label)}</span>
                 <span class="v">
                     {of(|readout| four_digits(readout.value, readout.decimals))} " " <small>{of(|readout| readout.unit.to_owned())}</small>

@@ -18,7 +18,7 @@ use crate::ui::parts::listing::class;
 use crate::ui::parts::phrases::phrases;
 use crate::ui::parts::{Glyph, Icon};
 use crate::ui::state::Page;
-use crate::ui::words::{sentence, t, tell_alarm, tone};
+use crate::ui::words::{Tone, sentence, t, tell_alarm};
 
 use super::{navigation, points};
 
@@ -63,7 +63,7 @@ fn findings(page: Page, at: usize) -> JsValue {
             list.push(&object([
                 ("from", units(&file.text, start).into()),
                 ("to", units(&file.text, end).into()),
-                ("tone", tone(diagnostic.severity).into()),
+                ("tone", Tone::from(diagnostic.severity).class().into()),
                 ("text", text.into()),
                 ("number", (number as u32).into()),
                 ("fixes", fixes.into()),

@@ -27,7 +27,7 @@ use crate::ui::state::stepping;
 use crate::ui::state::view::ProgramView;
 use crate::ui::state::walk::Walk;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{counts, sentence, sign, t, tone};
+use crate::ui::words::{Tone, counts, sentence, t};
 use begins::Begins;
 use debugger::{DebuggerBar, Seen};
 use editor::{Difference, Editor};
@@ -129,8 +129,8 @@ fn Found() -> impl IntoView {
             };
             let title = sentence(&title);
             view! {
-                <button type="button" class=format!("quiet {}", tone(severity)) title=title.clone() aria-label=title on:click=move |_| show(severity)>
-                    {format!("{} {count}", sign(tone(severity)))}
+                <button type="button" class=format!("quiet {}", Tone::from(severity)) title=title.clone() aria-label=title on:click=move |_| show(severity)>
+                    {format!("{} {count}", Tone::from(severity).sign())}
                 </button>
             }
         };
@@ -175,7 +175,7 @@ fn Tools(
             if copied {
                 page.notices.announce(t("page.copied"));
             } else {
-                page.notices.notify("warn", t("page.not-copied").to_owned());
+                page.notices.notify(Tone::Warn, t("page.not-copied").to_owned());
             }
         });
     };

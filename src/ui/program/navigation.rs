@@ -11,7 +11,7 @@ use crate::msg;
 use crate::text::{FileId, LineIndex, Place, utf16};
 use crate::ui::dom::script::{object, set, table};
 use crate::ui::state::Page;
-use crate::ui::words::{sentence, sign, t, tell_alarm, tone};
+use crate::ui::words::{Tone, sentence, t, tell_alarm};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Caret, NamedPlace, Places, Proposals, Request, Response};
 
@@ -57,7 +57,7 @@ impl Navigation {
                 Some(Response::Places(places)) if same == Some(true) && typed == Some(false) => then(Some(places)),
                 Some(_) => then(None),
                 None => {
-                    self.page.notices.notify("warn", t("page.no-answer").to_owned());
+                    self.page.notices.notify(Tone::Warn, t("page.no-answer").to_owned());
                     then(None);
                 }
             }
@@ -85,7 +85,7 @@ impl Navigation {
         let request = Request::Definition(self.caret(units));
         self.places(request, move |found| match found.map(|found| found.rows.into_iter().next()) {
             Some(Some(row)) => self.page.show_place(row.place.into()),
-            Some(None) => self.page.notices.notify("info", t("page.no-definition").to_owned()),
+            Some(None) => self.page.notices.notify(Tone::Info, t("page.no-definition").to_owned()),
             None => {}
         });
     }
@@ -136,7 +136,7 @@ impl Navigation {
             }
             let line =
                 sentence(&msg!("page.at-line", file = file.name.as_str(), line = lines.line_of(place.span.start)));
-            let name = format!("{} {line}", sign(tone(finding.severity)));
+            let name = format!("{} {line}", Tone::from(finding.severity).sign());
             rows.push(((name, tell_alarm(finding), false), Choice::Show(place)));
             let fixes = finding.fixes.iter().enumerate();
             rows.extend(fixes.map(|(at, fix)| ((sentence(&fix.title), String::new(), true), Choice::Fix(number, at))));
@@ -154,7 +154,7 @@ impl Navigation {
         at: usize,
     ) -> JsValue {
         if rows.is_empty() {
-            self.page.notices.notify("info", t(empty).to_owned());
+            self.page.notices.notify(Tone::Info, t(empty).to_owned());
             return JsValue::NULL;
         }
         let title = match count > rows.len() {

@@ -9,7 +9,7 @@ use crate::text::catalog::Language;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::Page;
-use crate::ui::words::t;
+use crate::ui::words::{Tone, t};
 
 /// The parameters tab.
 #[component]
@@ -83,7 +83,7 @@ fn SwitchRow(
         if switch.takes(&chosen) {
             page.edit(switch.id(), |project| project.switches.set(switch, &chosen));
         } else {
-            page.notices.notify("warn", t("page.not-a-setting").to_owned());
+            page.notices.notify(Tone::Warn, t("page.not-a-setting").to_owned());
         }
     };
     let label = text.clone();

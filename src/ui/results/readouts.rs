@@ -6,7 +6,7 @@ use crate::project::origins::assumed_facts;
 use crate::text::{Diagnostic, DiagnosticKind, Message, headed};
 use crate::ui::dom::go_to_field;
 use crate::ui::state::Page;
-use crate::ui::words::{figure, limit_text, sentence, sentence_with_hints, sign, t, tone, verdict_tone, verdict_words};
+use crate::ui::words::{Tone, figure, limit_text, sentence, sentence_with_hints, t, verdict_words};
 use crate::view::Readout;
 
 /// The results tab.
@@ -34,8 +34,8 @@ fn Remark(
     /// The remark.
     told: Diagnostic,
 ) -> impl IntoView {
-    let tone = tone(told.severity);
-    let mark = view! { <i aria-hidden="true">{sign(tone)}</i> };
+    let tone = Tone::from(told.severity);
+    let mark = view! { <i aria-hidden="true">{tone.sign()}</i> };
     let body = match told.kind {
         DiagnosticKind::AssumedFacts => {
             let message = Message { id: "page.assumed-facts", ..told.message.clone() };
@@ -49,7 +49,7 @@ fn Remark(
         }
         _ => view! { <p class="hangs">{mark}<span>{sentence_with_hints(&told)}</span></p> }.into_any(),
     };
-    view! { <li class=tone>{body}</li> }
+    view! { <li class=tone.class()>{body}</li> }
 }
 
 /// Facts that are only assumed; each leads to its field.
@@ -72,7 +72,7 @@ fn Row(
 ) -> impl IntoView {
     let (page, id) = (Page::here(), readout.id);
     let readout = readout.shown();
-    let tone = verdict_tone(readout.verdict);
+    let tone = Tone::from(readout.verdict);
     let limit = limit_text(&readout).map(|limit| view! { <p class="limit">{limit}</p> });
     let more = headed(t(readout.label), t("help.more"));
     let formula = (!readout.formula.is_empty())
@@ -88,7 +88,7 @@ fn Row(
             on:focusin=move |_| page.show_causes(Some(id)) on:focusout=move |_| page.show_causes(None)
         >
             <h3>
-                <i aria-hidden="true">{sign(tone)}</i> " " {t(readout.label)}
+                <i aria-hidden="true">{tone.sign()}</i> " " {t(readout.label)}
                 <span class="hidden">" " {verdict_words(readout.verdict)}</span>
             </h3>
             <p class="v">{figure(readout.value, readout.decimals)} " " <small>{readout.unit}</small></p>
@@ -124,7 +124,7 @@ mod tests {
         assert_eq!(bench.all("article").len(), design.readouts.len());
         for readout in &design.readouts {
             let row = format!("#result-{}", readout.id);
-            assert!(bench.has(&format!("{row}.{}", verdict_tone(readout.verdict))), "{row}");
+            assert!(bench.has(&format!("{row}.{}", Tone::from(readout.verdict))), "{row}");
             assert!(bench.text(&format!("{row} .v")).starts_with(&figure(readout.value, readout.decimals)), "{row}");
             assert!(bench.text(&format!("{row} .source")).starts_with(readout.cite.source.words().trim()));
         }

@@ -7,7 +7,7 @@ use crate::motion::Action;
 use crate::ui::parts::input::number as read_number;
 use crate::ui::state::Page;
 use crate::ui::state::operator::act;
-use crate::ui::words::{t, value_of};
+use crate::ui::words::{Tone, t, value_of};
 
 /// The variables tab.
 #[component]
@@ -65,7 +65,7 @@ fn Row(
     let set = move |event: web_sys::Event| {
         let typed = event_target_value(&event);
         match read_number(&event) {
-            None if !typed.trim().is_empty() => page.notices.notify("warn", t("page.not-a-value").to_owned()),
+            None if !typed.trim().is_empty() => page.notices.notify(Tone::Warn, t("page.not-a-value").to_owned()),
             None if !control.has_vacant() => act(page, Action::Variable(number, Some(0.0))),
             set => act(page, Action::Variable(number, set)),
         }

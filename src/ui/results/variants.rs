@@ -13,7 +13,7 @@ use crate::project::variant::{MAX_VARIANT_NAME, MAX_VARIANTS, Variant, variant_n
 use crate::ui::dom;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 use crate::view::svg::escape;
@@ -101,7 +101,7 @@ fn asking(page: Page, head: RwSignal<String>, rows: RwSignal<String>, outdated: 
                 let _ = outdated.try_set(false);
             }
             Some(_) => {}
-            None => page.notices.notify("fail", t("page.no-answer").to_owned()),
+            None => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
         };
         page.project.with_untracked(|project| worker.ask(project, Request::Variants, show));
     }

@@ -2,14 +2,16 @@
 
 use leptos::prelude::*;
 
+use crate::ui::words::Tone;
+
 /// A button of a notice: catalog id of its words, and what it does.
 pub(crate) type NoticeAction = (&'static str, Callback<()>);
 
 /// A message that stays until it is dismissed.
 #[derive(Debug, Clone)]
 pub(crate) struct Notice {
-    /// Class: `info`, `warn`, `fail`.
-    pub tone: &'static str,
+    /// Weight.
+    pub tone: Tone,
     /// The sentence.
     pub text: String,
     /// Attached file: name and content.
@@ -20,7 +22,7 @@ pub(crate) struct Notice {
 
 impl Notice {
     /// A sentence alone.
-    pub(crate) fn new(tone: &'static str, text: String) -> Notice {
+    pub(crate) fn new(tone: Tone, text: String) -> Notice {
         Notice { tone, text, file: None, offer: None }
     }
 
@@ -46,7 +48,7 @@ impl Notices {
     }
 
     /// Shows a notice.
-    pub(crate) fn notify(self, tone: &'static str, text: String) {
+    pub(crate) fn notify(self, tone: Tone, text: String) {
         self.show(Notice::new(tone, text));
     }
 
@@ -79,18 +81,18 @@ mod tests {
     #[wasm_bindgen_test]
     fn same_notice_is_shown_once_and_said_again() {
         let notices = Notices::new(Vec::new());
-        notices.notify("warn", "a".to_owned());
-        notices.notify("warn", "b".to_owned());
-        notices.notify("fail", "a".to_owned());
+        notices.notify(Tone::Warn, "a".to_owned());
+        notices.notify(Tone::Warn, "b".to_owned());
+        notices.notify(Tone::Fail, "a".to_owned());
         let list = notices.list.get_untracked();
         assert_eq!(list.iter().map(|notice| notice.text.as_str()).collect::<Vec<_>>(), ["b", "a"]);
-        assert_eq!((list[1].tone, notices.announcement.get_untracked().as_str()), ("fail", "a"));
+        assert_eq!((list[1].tone, notices.announcement.get_untracked().as_str()), (Tone::Fail, "a"));
     }
 
     #[wasm_bindgen_test]
     fn dismissed_notice_leaves_the_others() {
         let notices = Notices::new(Vec::new());
-        ["a", "b"].into_iter().for_each(|text| notices.notify("info", text.to_owned()));
+        ["a", "b"].into_iter().for_each(|text| notices.notify(Tone::Info, text.to_owned()));
         notices.dismiss("a");
         assert_eq!(notices.list.with_untracked(|list| list.iter().map(|n| n.text.clone()).collect::<Vec<_>>()), ["b"]);
     }

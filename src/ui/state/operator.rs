@@ -11,7 +11,7 @@ use crate::project::run;
 use crate::project::saved::{panel_from_json, with_line};
 use crate::text::{Message, listed};
 use crate::ui::dom;
-use crate::ui::words::{clock, sentence, short, t, tone, value_of};
+use crate::ui::words::{Tone, clock, sentence, short, t, value_of};
 
 /// Machine seconds after an action at which its effect is reported.
 const EFFECT: f64 = 1.0;
@@ -113,14 +113,14 @@ pub(crate) fn take_files(page: Page, files: &[nc::File]) {
     let mut told = Vec::new();
     for file in files {
         let (panel, found) = panel_from_json(&file.text);
-        told.extend(found.iter().map(|finding| (tone(finding.severity), with_line(finding, &file.text))));
+        told.extend(found.iter().map(|finding| (Tone::from(finding.severity), with_line(finding, &file.text))));
         events.extend_from_slice(panel.events());
     }
-    let broken = told.iter().any(|(tone, _)| *tone == "fail");
+    let broken = told.iter().any(|(tone, _)| *tone == Tone::Fail);
     told.into_iter().for_each(|(tone, text)| page.notices.notify(tone, text));
     if !broken {
         let names = listed(files.iter().map(|file| file.name.clone()));
-        page.notices.notify("info", sentence(&msg!("operator.taken", files = names, count = events.len() as u32)));
+        page.notices.notify(Tone::Info, sentence(&msg!("operator.taken", files = names, count = events.len() as u32)));
         page.edit("", |project| project.panel = Panel::new(events));
     }
 }

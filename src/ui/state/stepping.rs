@@ -14,7 +14,7 @@ use crate::project::breakpoints::Location;
 use crate::project::debug::{Debugger, Goal, Stop};
 use crate::text::{Place, headed};
 use crate::ui::dom;
-use crate::ui::words::{end_words, sentence_with_hints, t};
+use crate::ui::words::{Tone, end_words, sentence_with_hints, t};
 
 /// Milliseconds of walking in one slice.
 const SLICE: f64 = 8.0;
@@ -181,7 +181,7 @@ pub(crate) fn at_cursor(page: Page) -> Option<(Location, Place)> {
 fn cursor(page: Page) -> Option<(Location, Place)> {
     let found = untrack(|| at_cursor(page));
     if found.is_none() {
-        page.notices.notify("info", t("page.walk-cursor").to_owned());
+        page.notices.notify(Tone::Info, t("page.walk-cursor").to_owned());
     }
     found
 }
@@ -200,7 +200,7 @@ pub(crate) fn set_point(page: Page, condition: Option<&str>) -> bool {
     let mut done = Ok(());
     page.player.walk.update(|walk| done = walk.points.turn(spot, place, condition, &parsed));
     if let Err(why) = &done {
-        page.notices.notify("warn", sentence_with_hints(why));
+        page.notices.notify(Tone::Warn, sentence_with_hints(why));
     }
     done.is_ok()
 }

@@ -41,10 +41,25 @@ pub(crate) enum Kept {
     Yes,
     /// A store is due shortly.
     Soon,
-    /// The browser has no room or no store.
+    /// The browser has no room.
     No,
+    /// The browser lets the page store nothing.
+    Denied,
     /// The store has another state, of another tab or an unreadable one: nothing is stored until the user asks for it.
     Elsewhere,
+}
+
+impl Kept {
+    /// Catalog id of its words.
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Kept::Yes => "page.kept",
+            Kept::Soon => "page.kept-soon",
+            Kept::No => "page.kept-not",
+            Kept::Denied => "page.kept-denied",
+            Kept::Elsewhere => "page.kept-elsewhere",
+        }
+    }
 }
 
 /// The project or variant that the present project is compared with.

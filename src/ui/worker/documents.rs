@@ -11,7 +11,7 @@ use crate::project::size::{size, size_telling};
 use crate::project::variants::compare;
 use crate::project::{Project, encode};
 use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity, columns};
-use crate::ui::words::{sentence, sentence_with_hints, sign, t, tone, verdict_tone, verdict_words};
+use crate::ui::words::{Tone, sentence, sentence_with_hints, t, verdict_words};
 use crate::view::svg::escape;
 use crate::view::{Column, Comparison, Row, Sheet, SheetKind, VariantCell, Verdict};
 
@@ -111,8 +111,8 @@ fn compared(out: &mut String, cell: Option<&VariantCell>, differs: bool) {
         None => out.push('–'),
         Some((text, verdict)) => {
             if *verdict >= Verdict::Warn {
-                let tone = verdict_tone(*verdict);
-                out.push_str(&format!("<i class=\"{tone}\" aria-hidden=\"true\">{}</i> ", sign(tone)));
+                let tone = Tone::from(*verdict);
+                out.push_str(&format!("<i class=\"{tone}\" aria-hidden=\"true\">{}</i> ", tone.sign()));
             }
             escape(out, text);
             if *verdict >= Verdict::Warn {
@@ -290,7 +290,7 @@ pub(super) fn documents(project: &Project) -> ExportDocuments {
     let export = project.export_with(&written, &options);
     let remark = |found: &Diagnostic| Remark {
         refuses: found.severity == Severity::Error,
-        tone: tone(found.severity).to_owned(),
+        tone: found.severity.into(),
         alarm: found.alarm.as_deref().unwrap_or_default().to_owned(),
         text: told(found),
         field: found.field.unwrap_or_default().to_owned(),

@@ -5,6 +5,7 @@ use web_sys::Blob;
 
 use crate::controls::Control;
 use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, Message, MessageValue, Place, Severity, Span, catalog};
+use crate::ui::words::Tone;
 
 /// Greatest number of shown lines of a program.
 pub(crate) const SHOWN: u32 = 5000;
@@ -93,6 +94,8 @@ pub(crate) enum Response {
     Help(HelpPageHtml),
     /// Of [`Request::FindHelp`].
     Found(Vec<Hit>),
+    /// The texts of the help cannot be loaded.
+    NoHelp,
     /// Of [`Request::Parts`].
     Parts(ReadParts),
     /// Of [`Request::Complete`].
@@ -314,8 +317,8 @@ pub(crate) struct ExportDocuments {
 pub(crate) struct Remark {
     /// Whether the finding refuses the export.
     pub refuses: bool,
-    /// Class: `info`, `warn`, `fail`.
-    pub tone: String,
+    /// Weight.
+    pub tone: Tone,
     /// Number of the alarm, or empty.
     pub alarm: String,
     /// The sentence.
@@ -335,18 +338,16 @@ pub(crate) struct TextReport {
     pub counts: String,
     /// The first lines.
     pub head: String,
-    /// Class and sentence of the first findings.
-    pub rows: Vec<(String, String)>,
+    /// The first findings: weight and sentence.
+    pub rows: Vec<(Tone, String)>,
 }
 
 /// A [`Diagnostic`] with its static texts as owned ones.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Finding {
     message: Sentence,
-    /// Place in [`Severity::ALL`].
-    severity: u8,
-    /// Place in [`DiagnosticKind::ALL`].
-    kind: u8,
+    severity: Severity,
+    kind: DiagnosticKind,
     alarm: Option<String>,
     wording: Option<u16>,
     place: Option<Range>,
@@ -399,8 +400,8 @@ impl Finding {
         let edits = |fix: &Fix| fix.edits.iter().map(|(place, text)| ((*place).into(), text.clone())).collect();
         Finding {
             message: (&found.message).into(),
-            severity: found.severity as u8,
-            kind: found.kind as u8,
+            severity: found.severity,
+            kind: found.kind,
             alarm: found.alarm.as_deref().map(str::to_owned),
             wording: row.and_then(|row| u16::try_from(row).ok()),
             place: found.place.map(Range::from),
@@ -412,9 +413,8 @@ impl Finding {
     /// The diagnostic; its wording is that of the control's own row. `None` where the catalog lacks its sentence.
     pub(super) fn diagnostic(self, control: &Control) -> Option<Diagnostic> {
         let message = self.message.message()?;
-        let (severity, kind) = (usize::from(self.severity), usize::from(self.kind));
-        let mut found = Diagnostic::error(message).kind(*DiagnosticKind::ALL.get(kind)?);
-        found.severity = *Severity::ALL.get(severity)?;
+        let mut found = Diagnostic::error(message).kind(self.kind);
+        found.severity = self.severity;
         found.place = self.place.map(Place::from);
         found.alarm = self.alarm.map(Into::into);
         found.wording = self.wording.and_then(|row| control.alarms.get(usize::from(row))).map(|row| row.text);

@@ -18,7 +18,7 @@ use crate::project::sensitivity::Sensitivity;
 use crate::project::silence::silence;
 use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, LineIndex, catalog};
-use crate::ui::words::{counts, sentence_with_hints, sign, t, tone};
+use crate::ui::words::{Tone, counts, sentence_with_hints, t};
 
 /// Greatest number of findings in the report of a large text.
 const ROWS: usize = 200;
@@ -83,8 +83,7 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
                         (Some(texts), Request::FindHelp(query)) => {
                             Response::Found(help::found(&project, &texts, &query))
                         }
-                        // Nothing is found if the texts cannot be loaded.
-                        _ => Response::Found(Vec::new()),
+                        _ => Response::NoHelp,
                     };
                     send(&page, &Reply::Answer(number, response));
                 });
@@ -143,11 +142,11 @@ fn check(text: String, project: &Project) -> TextReport {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
         let alarm = diagnostic.alarm.as_deref().unwrap_or_default();
         let text = format!("{} {line}: {alarm} {}", t("page.line"), sentence_with_hints(diagnostic));
-        (tone(diagnostic.severity).to_owned(), text)
+        (diagnostic.severity.into(), text)
     };
     TextReport {
         lines: lines.count(),
-        counts: counts(&found).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  "),
+        counts: counts(&found).map(|(severity, count)| format!("{} {count}", Tone::from(severity).sign())).join("  "),
         head,
         rows: found.iter().take(ROWS).map(row).collect(),
     }
@@ -177,7 +176,7 @@ mod tests {
         let report = check(text, &project());
         assert_eq!(report.head.lines().count(), SHOWN as usize);
         assert!(report.lines > SHOWN);
-        let error = report.rows.iter().find(|row| row.0 == "fail").unwrap();
+        let error = report.rows.iter().find(|row| row.0 == Tone::Fail).unwrap();
         assert!(error.1.contains(&(SHOWN + 1).to_string()), "{}", error.1);
     }
 }

@@ -93,6 +93,7 @@ fn full_loop_holds_the_run_when_the_ramp_has_filled_it() {
     let project = line(&[("loop-capacity", "300")]);
     let (planner, end) = run(&project, &[]);
     assert_eq!((end, said(&planner)), (RunEnd::Stop, vec!["ribbon.held-loop-full"]));
+    assert_eq!(planner.plc_hold().map(|told| told.id), Some("ribbon.held-loop-full"));
     // v · (t - t_r / 2) = 300 mm.
     let begins = first(&planner, 0.0, |now| now.spindle.command > 0.0);
     let wanted = begins + 300.0 / SPEED + RAMP / 2.0;

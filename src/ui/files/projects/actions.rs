@@ -12,7 +12,7 @@ use crate::project::Project;
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::state::view::Compared;
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{BEFORE_VERSION, ListedProject, Request, Response, Shelf, ShelfState};
 
@@ -131,7 +131,7 @@ impl ProjectActions {
         };
         let show = move |response: Option<Response>| match response {
             Some(Response::Projects(listed)) => drop(self.listed.try_set(listed)),
-            _ => self.page.notices.notify("fail", t("page.no-answer").to_owned()),
+            _ => self.page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
         };
         self.page.project.with_untracked(|project| self.worker.ask(project, Request::Shelf(request), show));
     }
@@ -309,7 +309,7 @@ impl ProjectActions {
                     // The list itself is unchanged, and stays.
                     if !self.page.view.kept.is_disposed() {
                         let told = sentence(&msg!("projects.not-unpacked", file = name, reason));
-                        self.page.notices.notify("fail", told);
+                        self.page.notices.notify(Tone::Fail, told);
                     }
                     Ok(String::new())
                 }
