@@ -2,14 +2,14 @@
 
 use std::borrow::Cow;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::with_all::with_all;
 use super::{Message, Phrase, Place};
 
 with_all! {
 /// Severity. Only an error prevents the export of a program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
     /// The control would refuse or misread this text, or a field is invalid.
@@ -32,7 +32,7 @@ pub struct Fix {
 
 with_all! {
 /// Kinds of diagnostics tested by code; sentences are only for people.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DiagnosticKind {
     /// No code tests for it.

@@ -37,6 +37,8 @@ struct Leader {
     node: usize,
     /// Lowest and highest start along the edge of the text, and the height of that edge.
     from: (f64, f64, f64),
+    /// Start behind the name, where every start along the edge is covered.
+    beside: Option<(f64, f64)>,
     /// The part.
     to: (f64, f64),
 }
@@ -185,7 +187,9 @@ impl Drawing {
                 _ => (at.0 + 0.5 * letter, at.0 + wide),
             };
             let from = (math::clamp(x, left, right), at.1 + below * letter);
-            self.leaders.push(Leader { node: self.nodes.len(), from: (left, right, from.1), to: (x, y) });
+            let behind = at.0 + (LETTER_BOX[0] * columns(name) as f64 + 0.4) * letter;
+            let beside = (anchor == "start").then_some((behind, at.1 - 0.35 * letter));
+            self.leaders.push(Leader { node: self.nodes.len(), from: (left, right, from.1), beside, to: (x, y) });
             self.path(filled("M# #L# #", &[from.0, from.1, x, y]), Look::LEAD);
         }
         self.line_of_text(at, anchor, name, Font::Label, Paint::Dim, 0);
@@ -213,17 +217,19 @@ impl Drawing {
         (node.label > 0 && node.group == 0).then_some((node.label, area))
     }
 
-    /// Leads hairlines around the texts of other labels. A hairline without a clear start along its own text is omitted.
+    /// Leads hairlines around the texts of other labels. A hairline without a clear start along its own text, or behind its name, is omitted.
     fn lead_around(&mut self) {
         let boxes: Vec<(u16, [f64; 4])> = self.nodes.iter().filter_map(|node| self.text_box(node)).collect();
-        for Leader { node, from: (left, right, y), to } in core::mem::take(&mut self.leaders) {
+        for Leader { node, from: (left, right, y), beside, to } in core::mem::take(&mut self.leaders) {
             let Some(own) = self.nodes.get(node).map(|node| node.label) else { continue };
-            let free = |x: f64| !boxes.iter().any(|(label, area)| *label != own && crosses((x, y), to, *area));
+            let free =
+                |from: &(f64, f64)| !boxes.iter().any(|(label, area)| *label != own && crosses(*from, to, *area));
             let best = math::clamp(to.0, left, right);
             let other = |at: u8| left + (right - left) * f64::from(at) / f64::from(STARTS);
-            let start = core::iter::once(best).chain((0..=STARTS).map(other)).find(|x| free(*x));
+            let along = core::iter::once(best).chain((0..=STARTS).map(other)).map(|x| (x, y));
+            let start = along.chain(beside).find(free);
             if let Some(Node { shape: Shape::Path { d }, .. }) = self.nodes.get_mut(node) {
-                *d = start.map_or(String::new(), |x| filled("M# #L# #", &[x, y, to.0, to.1]));
+                *d = start.map_or(String::new(), |from| filled("M# #L# #", &[from.0, from.1, to.0, to.1]));
             }
         }
     }

@@ -119,5 +119,5 @@ pub(super) fn leader(lathe: &PolygonLathe, layout: &Layout, away: f64) -> String
     if x > layout::RIGHT {
         return String::new();
     }
-    filled("M# #L# #", &[CUTTER + 24.0, ROW + 58.0, x, y])
+    filled("M# #L# #", &[CUTTER + 24.0, ROW + 66.0, x, y])
 }

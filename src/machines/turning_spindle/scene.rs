@@ -116,7 +116,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let slides = [(Some(node::X), ""), (Some(node::Z), "")];
     callout(d, "", (RIGHT, 252.0), "end", "turning.scene.slides", &slides, None);
     if layout.has_tailstock() {
-        d.text((RIGHT, 478.0), "end", &say("turning.scene.tailstock"), Font::Label, Paint::Dim);
+        d.text((980.0, 478.0), "middle", &say("turning.scene.tailstock"), Font::Engraved(13.0), Paint::Dim);
     }
     d.text((4.0, 250.0), "start", "", Font::Label, Paint::Rim).id = Some(node::STAGE);
     d.text((4.0, 274.0), "start", "", Font::Value, Paint::Rim).id = Some(node::STAGE_SPEED);
@@ -129,13 +129,15 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
 /// Right end of labels, left end of the label at the tool.
 const RIGHT: f64 = 1008.0;
 const TOOL: f64 = 490.0;
+/// Upper end of the leader of the label at the tool, below its three lines where the letters are largest.
+const LEADER: f64 = ROW + 66.0;
 
 /// Leader of the label at the tool to its tip; none where the tip has left the drawing.
 pub(super) fn tool_leader((x, y): (f64, f64)) -> String {
-    if x > VIEW[0] + VIEW[2] || y < ROW + 58.0 {
+    if x > VIEW[0] + VIEW[2] || y < LEADER {
         return String::new();
     }
-    filled("M# #L# #", &[math::clamp(x, TOOL, TOOL + 110.0), ROW + 58.0, x, y - 11.0])
+    filled("M# #L# #", &[math::clamp(x, TOOL, TOOL + 110.0), LEADER, x, y - 11.0])
 }
 
 /// The length of the cut along the part, or the allowance of a face.

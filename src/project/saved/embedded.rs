@@ -7,6 +7,7 @@ use crate::machines;
 use crate::msg;
 use crate::project::examples::NameKind;
 use crate::text::catalog::Language;
+use crate::text::escape::clip;
 use crate::text::units::Lengths;
 use crate::text::{Diagnostic, listed};
 
@@ -29,12 +30,19 @@ pub fn embedded(fragment: &str) -> Option<Loaded> {
             Some(("lengths", id)) => found.extend(unknown_lengths(id)),
             Some(("machine", id)) => machine = Some(id),
             Some(("control", id)) => control = Some(id),
-            _ => {}
+            _ if part.is_empty() => {}
+            _ => found.push(unknown_wish(part)),
         }
     }
     let mut loaded = link.map_or_else(|| of_ids(machine, control), Project::from_link);
     loaded.diagnostics.extend(found);
     Some(loaded)
+}
+
+/// A part of the address that asks for nothing.
+fn unknown_wish(part: &str) -> Diagnostic {
+    let known = listed(["machine=", "control=", "lang=", "lengths="].map(str::to_owned));
+    Diagnostic::warning(msg!("project.embed-wish", wish = clip(part), known))
 }
 
 /// A language that the page does not have: its code without a region, as the page reads it.
@@ -59,13 +67,13 @@ fn of_ids(machine: Option<&str>, control: Option<&str>) -> Loaded {
         Ok(project) => Loaded { project: Some(project), diagnostics: Vec::new() },
         Err(unknown) => {
             let known = listed(unknown.known);
-            let control = unknown.kind == NameKind::Control;
-            let message = if control {
-                msg!("project.embed-control", controls = known)
+            // On another control the machine is still the one that was asked for.
+            let (project, message) = if unknown.kind == NameKind::Control {
+                (Project::named(machine, None, None).ok(), msg!("project.embed-control", controls = known))
             } else {
-                msg!("project.embed-machine", machines = known)
+                (None, msg!("project.embed-machine", machines = known))
             };
-            Loaded { project: None, diagnostics: vec![Diagnostic::error(message)] }
+            Loaded { project, diagnostics: vec![Diagnostic::error(message)] }
         }
     }
 }

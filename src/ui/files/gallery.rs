@@ -117,9 +117,9 @@ fn ExampleCard(
         let Ok(project) = made() else { return };
         page.replace(project);
         page.view.gallery.set(false);
-        page.notices.notify(Tone::Info, t("page.fresh").to_owned());
+        page.notices.notify_of_project(Tone::Info, t("page.fresh").to_owned());
         if !failed.is_empty() {
-            page.notices.notify(
+            page.notices.notify_of_project(
                 Tone::Warn,
                 sentence(&crate::msg!("page.example-fails", example = t(example.name), results = failed.as_str())),
             );

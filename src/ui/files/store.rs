@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::{PageTransitionEvent, StorageEvent};
+use web_sys::{Event, PageTransitionEvent, StorageEvent};
 
 use super::set_aside::{self, SetAsideReason};
 use super::share;
@@ -326,25 +326,9 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     };
     dom::hear("pagehide", move |_| {
         hide();
-        match page.view.kept.try_get_untracked() {
-            // What was changed in a tab that watches is stored nowhere else.
-            Some(Kept::Elsewhere) => {
-                let own = page.project.get_untracked();
-                let is_known = |known: &Option<Project>| known.as_ref() == Some(&own);
-                if !shown.with_value(is_known) && !watched.with_value(is_known) {
-                    set_aside::keep(&own.to_json(), SetAsideReason::OtherTab, None);
-                }
-            }
-            Some(_) => notify_tabs(LEAVES),
-            None => {}
-        }
+        close(page, [shown, watched]);
     });
-    dom::hear("beforeunload", move |event| {
-        let refused = matches!(page.view.kept.try_get_untracked(), Some(Kept::No | Kept::Denied));
-        if refused && !page.project.with_untracked(set_aside::is_untouched) {
-            event.prevent_default();
-        }
-    });
+    dom::hear("beforeunload", move |event| warn_of_loss(page, &event));
     // A page restored from the browser's history asks like a new one.
     dom::hear("pageshow", move |event| {
         if event.unchecked_ref::<PageTransitionEvent>().persisted() {
@@ -352,6 +336,28 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         }
     });
     dom::hear("visibilitychange", move |_| hide());
+}
+
+/// The page closes: the next tab may take over, and what was changed in a tab that only watches is set aside, for it is stored nowhere else.
+fn close(page: Page, known: [StoredValue<Option<Project>, LocalStorage>; 2]) {
+    match page.view.kept.try_get_untracked() {
+        Some(Kept::Elsewhere) => {
+            let own = page.project.get_untracked();
+            if known.iter().all(|known| known.with_value(|known| known.as_ref() != Some(&own))) {
+                set_aside::keep(&own.to_json(), SetAsideReason::OtherTab, None);
+            }
+        }
+        Some(_) => notify_tabs(LEAVES),
+        None => {}
+    }
+}
+
+/// Asks before a project is lost that the browser does not store.
+fn warn_of_loss(page: Page, event: &Event) {
+    let refused = matches!(page.view.kept.try_get_untracked(), Some(Kept::No | Kept::Denied));
+    if refused && !page.project.with_untracked(set_aside::is_untouched) {
+        event.prevent_default();
+    }
 }
 
 #[cfg(test)]

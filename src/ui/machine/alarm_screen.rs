@@ -277,7 +277,7 @@ mod tests {
         bench.run().await;
         let player = bench.page.player;
         until(move || player.planned.get_untracked().1).await;
-        player.seek(player.planned.get_untracked().0);
+        bench.seek(player.planned.get_untracked().0).await;
         bench.drawn().await;
         assert_eq!(bench.text("h2"), t("size.hold"));
         assert!(bench.text(".alarm-screen p").starts_with("The loop is at its longest limit of 100 mm"));

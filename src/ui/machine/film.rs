@@ -23,6 +23,9 @@ const POINTS_IN_FILE: usize = 20_000;
 /// Seconds that film and charts may show; 0 is all that is planned.
 const WINDOWS: [f64; 6] = [0.0, 60.0, 10.0, 2.0, 0.5, 0.2];
 
+/// Value of the list while a part that was zoomed in is shown.
+const ZOOMED: &str = "zoomed";
+
 /// Transport, time axis, and the choice of chart.
 #[component]
 pub(crate) fn Film() -> impl IntoView {
@@ -94,7 +97,16 @@ pub(crate) fn Film() -> impl IntoView {
 fn WindowChoice() -> impl IntoView {
     let player = Page::here().player;
     let label = |seconds: f64| if seconds > 0.0 { filled("# s", &[seconds]) } else { t("page.all").to_owned() };
-    let options = WINDOWS.map(|seconds| (number_text(seconds, 6), label(seconds))).to_vec();
+    // While a part is zoomed in, the list says so, and “all” is a choice again.
+    let options = move || {
+        let zoomed = player.zoom.get().is_some().then(|| (ZOOMED.to_owned(), t("page.zoomed").to_owned()));
+        let windows = WINDOWS.map(|seconds| (number_text(seconds, 6), label(seconds)));
+        zoomed.into_iter().chain(windows).collect::<Vec<_>>()
+    };
+    let chosen = move || match player.zoom.get() {
+        Some(_) => ZOOMED.to_owned(),
+        None => number_text(player.window.get(), 6),
+    };
     let choose = move |seconds: String| {
         if let Ok(seconds) = seconds.parse() {
             player.show_window(seconds);
@@ -103,7 +115,7 @@ fn WindowChoice() -> impl IntoView {
     view! {
         <Choice
             attr:class="window" attr:aria-label=t("page.window") attr:title=t("page.window")
-            options=Signal::stored(options) chosen=Signal::derive(move || number_text(player.window.get(), 6)) choose=choose
+            options=Signal::derive(options) chosen=Signal::derive(chosen) choose=choose
         />
     }
 }

@@ -52,7 +52,8 @@ pub(crate) fn Stage() -> impl IntoView {
     let state = Memo::new(move |_| shown_state(page));
     let full = move || {
         if let Some(section) = section.get_untracked() {
-            dom::full_screen(&section);
+            // With the film, which is beside the drawing.
+            dom::full_screen(&section.parent_element().unwrap_or_else(|| section.clone().into()));
         }
     };
     view! {

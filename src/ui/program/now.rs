@@ -38,7 +38,7 @@ pub(super) fn Now() -> impl IntoView {
     let cells = move || {
         let axes = axes.get().into_iter().map(move |(at, letter, words)| {
             let mark = if words > 1.0 { " Ø" } else { "" };
-            let position = move || now.with(|now| now.axes.get(at).map(|axis| figure(words * axis.position, 3)));
+            let position = move || now.with(|now| now.axes.get(at).map(|axis| figure(words * axis.actual, 3)));
             cell(letter, mark, position)
         });
         let of_machine =
@@ -78,7 +78,7 @@ mod tests {
         bench.run().await;
         bench.seek(8.0).await;
         settled().await;
-        assert_eq!(bench.text("div:last-child dd"), "200");
+        assert_eq!(bench.text("dl > div:last-child dd"), "200");
     }
 
     #[wasm_bindgen_test]
@@ -88,7 +88,7 @@ mod tests {
         bench.run().await;
         bench.seek(0.0).await;
         settled().await;
-        let x = bench.page.player.now.with_untracked(|now| now.axes[0].position);
+        let x = bench.page.player.now.with_untracked(|now| now.axes[0].actual);
         assert!(x > 0.0);
         assert_eq!(bench.text("dd"), figure(2.0 * x, 3));
     }
@@ -99,8 +99,8 @@ mod tests {
         bench.run().await;
         bench.seek(3.5).await;
         settled().await;
-        let x = bench.page.player.now.with_untracked(|now| now.axes[0].position);
+        let x = bench.page.player.now.with_untracked(|now| now.axes[0].actual);
         assert_eq!(bench.text("dd"), figure(x, 3));
-        assert_ne!(bench.text("div:last-child dd"), "0");
+        assert_ne!(bench.text("dl > div:last-child dd"), "0");
     }
 }

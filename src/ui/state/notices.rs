@@ -18,12 +18,14 @@ pub(crate) struct Notice {
     pub file: Option<(&'static str, String)>,
     /// Action that the notice offers.
     pub offer: Option<NoticeAction>,
+    /// Whether it is about the present project, and gone with it.
+    pub of_project: bool,
 }
 
 impl Notice {
     /// A sentence alone.
     pub(crate) fn new(tone: Tone, text: String) -> Notice {
-        Notice { tone, text, file: None, offer: None }
+        Notice { tone, text, file: None, offer: None, of_project: false }
     }
 
     /// Attaches a file: name and content.
@@ -61,6 +63,16 @@ impl Notices {
         });
     }
 
+    /// Shows a notice about the present project, until another one takes its place.
+    pub(crate) fn notify_of_project(self, tone: Tone, text: String) {
+        self.show(Notice { of_project: true, ..Notice::new(tone, text) });
+    }
+
+    /// Takes the notices about the present project away.
+    pub(crate) fn leave_project(self) {
+        self.list.update(|list| list.retain(|notice| !notice.of_project));
+    }
+
     /// Takes a notice away.
     pub(crate) fn dismiss(self, text: &str) {
         self.list.update(|list| list.retain(|notice| notice.text != text));
@@ -94,6 +106,15 @@ mod tests {
         let notices = Notices::new(Vec::new());
         ["a", "b"].into_iter().for_each(|text| notices.notify(Tone::Info, text.to_owned()));
         notices.dismiss("a");
+        assert_eq!(notices.list.with_untracked(|list| list.iter().map(|n| n.text.clone()).collect::<Vec<_>>()), ["b"]);
+    }
+
+    #[wasm_bindgen_test]
+    fn notice_about_a_project_is_gone_with_it() {
+        let notices = Notices::new(Vec::new());
+        notices.notify_of_project(Tone::Warn, "a".to_owned());
+        notices.notify(Tone::Warn, "b".to_owned());
+        notices.leave_project();
         assert_eq!(notices.list.with_untracked(|list| list.iter().map(|n| n.text.clone()).collect::<Vec<_>>()), ["b"]);
     }
 }

@@ -363,6 +363,9 @@ impl Page {
 
     /// Updates the values that follow from a project, as far as the entries they depend on have changed.
     fn follow(self, before: &Project, after: Project) {
+        if before.id != after.id {
+            self.notices.leave_project();
+        }
         let machine = before.machine.id() != after.machine.id() || before.control.id != after.control.id;
         let values = machine || before.values != after.values || before.provenance != after.provenance;
         let written = before.switches != after.switches || before.comments != after.comments;

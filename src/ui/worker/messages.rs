@@ -346,8 +346,10 @@ pub(crate) struct TextReport {
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Finding {
     message: Sentence,
-    severity: Severity,
-    kind: DiagnosticKind,
+    /// Place in [`Severity::ALL`].
+    severity: u8,
+    /// Place in [`DiagnosticKind::ALL`].
+    kind: u8,
     alarm: Option<String>,
     wording: Option<u16>,
     place: Option<Range>,
@@ -400,8 +402,8 @@ impl Finding {
         let edits = |fix: &Fix| fix.edits.iter().map(|(place, text)| ((*place).into(), text.clone())).collect();
         Finding {
             message: (&found.message).into(),
-            severity: found.severity,
-            kind: found.kind,
+            severity: found.severity as u8,
+            kind: found.kind as u8,
             alarm: found.alarm.as_deref().map(str::to_owned),
             wording: row.and_then(|row| u16::try_from(row).ok()),
             place: found.place.map(Range::from),
@@ -413,8 +415,9 @@ impl Finding {
     /// The diagnostic; its wording is that of the control's own row. `None` where the catalog lacks its sentence.
     pub(super) fn diagnostic(self, control: &Control) -> Option<Diagnostic> {
         let message = self.message.message()?;
-        let mut found = Diagnostic::error(message).kind(self.kind);
-        found.severity = self.severity;
+        let (severity, kind) = (usize::from(self.severity), usize::from(self.kind));
+        let mut found = Diagnostic::error(message).kind(*DiagnosticKind::ALL.get(kind)?);
+        found.severity = *Severity::ALL.get(severity)?;
         found.place = self.place.map(Place::from);
         found.alarm = self.alarm.map(Into::into);
         found.wording = self.wording.and_then(|row| control.alarms.get(usize::from(row))).map(|row| row.text);

@@ -229,7 +229,17 @@ fn embedded_page_says_which_languages_and_units_there_are() {
 #[test]
 fn embedded_page_says_what_its_address_does_not_name() {
     assert!(embedded_by("embed&machine=loom").unwrap().starts_with("The address names no machine that is known."));
-    let control = embedded_by("embed&machine=polygon-lathe&control=mitsubishi-e60").unwrap();
-    assert!(control.ends_with("Possible: knd-k2000t."), "{control}");
+    // A wrong control leaves the machine that was asked for, an unknown wish leaves all.
+    for (wishes, shown, said) in [
+        ("machine=polygon-lathe&control=mitsubishi-e60", "polygon-lathe knd-k2000t", "Possible: knd-k2000t."),
+        ("machine=turning-spindle&control=", "turning-spindle gsk-980tdc", "mitsubishi-e60."),
+        ("foo=bar&machine=polygon-lathe", "polygon-lathe knd-k2000t", "machine=, control=, lang=, lengths=."),
+    ] {
+        let fragment = format!("embed&{wishes}");
+        assert_eq!(embedded_by(&fragment).unwrap(), shown);
+        let found = embedded(&fragment).unwrap().diagnostics;
+        let words: Vec<_> = found.iter().map(|found| sentence(&found.message)).collect();
+        assert!(words.len() == 1 && words[0].ends_with(said), "{words:?}");
+    }
     assert!(embedded_by("embed&p1.cut").unwrap().starts_with("The link is not whole"));
 }

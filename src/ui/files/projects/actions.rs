@@ -89,7 +89,11 @@ impl ProjectActions {
             match work.await {
                 Ok(said) if !said.is_empty() => self.announce(said),
                 Ok(_) => {}
-                Err(reason) => shelf::warn_refused(self.page, &reason),
+                Err(reason) => {
+                    // The notice is behind the dialog.
+                    self.announce(sentence(&msg!("projects.refused", reason = reason.as_str())));
+                    shelf::warn_refused(self.page, &reason);
+                }
             }
             self.load().await;
         });
@@ -154,14 +158,15 @@ impl ProjectActions {
         })
     }
 
-    /// Keeps a version of the present project.
-    pub(super) fn keep(self, note: &str) {
+    /// Keeps a version of the present project; `kept` acts once it is.
+    pub(super) fn keep(self, note: &str, kept: impl FnOnce() + 'static) {
         let present = shelf::present(self.page);
         let note = note.trim().to_owned();
         self.then(async move {
             // A version without its project would not be listed.
             shelf::ask("put", &[&shelf::row(&present)]).await?;
             shelf::keep_version(&present.id, &note, present.text).await?;
+            kept();
             Ok(t("projects.kept").to_owned())
         });
     }

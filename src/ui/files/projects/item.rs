@@ -106,8 +106,8 @@ fn Versions(
 ) -> impl IntoView {
     let note = RwSignal::new(String::new());
     let keep = move |_| {
-        actions.keep(&note.get_untracked());
-        note.set(String::new());
+        // A note that could not be kept stays.
+        actions.keep(&note.get_untracked(), move || drop(note.try_set(String::new())));
     };
     let count = move || item.with(|item| item.versions.len() as u32);
     view! {
