@@ -95,11 +95,9 @@ impl Check<'_> {
 
     /// The part of a block from a keyword on, for loops and jumps.
     pub(super) fn keyword_span(&self, block: &Block, keyword: &str) -> Span {
-        let upper = block.span.of(self.text).to_ascii_uppercase();
-        let at = upper.rfind(keyword).unwrap_or(0) as u32;
-        let tail = upper.get(at as usize..).unwrap_or("");
-        let comment = tail.find('(').unwrap_or(tail.len());
-        let len = tail.get(..comment).unwrap_or(tail).trim_end().len() as u32;
+        let words = without_comments(block.span.of(self.text)).to_ascii_uppercase();
+        let at = words.rfind(keyword).unwrap_or(0) as u32;
+        let len = words.get(at as usize..).unwrap_or("").trim_end().len() as u32;
         Span::new(block.span.start + at, block.span.start + at + len)
     }
 
@@ -246,4 +244,16 @@ impl Check<'_> {
             _ => true,
         }
     }
+}
+
+/// A block with blanks in the place of its comments, byte for byte.
+fn without_comments(block: &str) -> String {
+    let mut inside = false;
+    let blank = |c: char| {
+        inside |= c == '(';
+        let is_comment = inside;
+        inside &= c != ')';
+        if is_comment { " ".repeat(c.len_utf8()) } else { c.to_string() }
+    };
+    block.chars().map(blank).collect()
 }

@@ -674,3 +674,10 @@ fn fix_of_a_warning_is_left_to_the_user() {
     let text = "%\nO1\nG91G01X8F100\nM30\n%\n";
     assert_eq!(mended(text, FixChoice::First), (0, text.to_owned(), 0));
 }
+
+#[test]
+fn comment_that_names_a_keyword_is_left_alone() {
+    let text = "%\nO1\n#1=0\nWHILE[#1LT3]DO1 (LOAD DONE)\n#1=#1+1\nEND2 (END OF COUNT, Ø5)\nG91G01X1.F100.\nM30\n%\n";
+    let (_, fixed, _) = mended(text, FixChoice::First);
+    assert_eq!(fixed, text.replace("END2", "END1"));
+}
