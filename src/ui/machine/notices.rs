@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::ui::dom;
 use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
-use crate::ui::words::{Tone, t};
+use crate::ui::words::t;
 
 /// The messages, the newest at the bottom.
 #[component]
@@ -38,6 +38,7 @@ mod tests {
     use super::*;
     use crate::ui::state::notices::Notice;
     use crate::ui::testing::{mount, settled};
+    use crate::ui::words::Tone;
 
     #[wasm_bindgen_test]
     async fn notice_stays_until_it_is_dismissed() {
