@@ -9,6 +9,7 @@ use crate::nc::ast::{Block, Deck, Expr, ExprId, Program, Stmt, WordValue};
 use crate::nc::codes::{code_of, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::files::Files;
+use crate::nc::lex::tokens::{TokenKind, tokens};
 use crate::nc::parse::reader::FINDINGS;
 use crate::nc::parsed::ExprSpan;
 use crate::nc::program_names::ProgramNames;
@@ -93,12 +94,17 @@ impl Check<'_> {
         self.found.push(finding);
     }
 
-    /// The part of a block from a keyword on, for loops and jumps.
+    /// The part of a block from its last such keyword on, up to a comment.
     pub(super) fn keyword_span(&self, block: &Block, keyword: &str) -> Span {
-        let words = without_comments(block.span.of(self.text)).to_ascii_uppercase();
-        let at = words.rfind(keyword).unwrap_or(0) as u32;
-        let len = words.get(at as usize..).unwrap_or("").trim_end().len() as u32;
-        Span::new(block.span.start + at, block.span.start + at + len)
+        let text = block.span.of(self.text);
+        let words = tokens(text, self.control);
+        let is_meant = |(span, kind): &(Span, TokenKind)| {
+            *kind == TokenKind::Keyword && span.of(text).eq_ignore_ascii_case(keyword)
+        };
+        let from = words.iter().rposition(is_meant).unwrap_or(0);
+        let rest = words.into_iter().skip(from).take_while(|(_, kind)| *kind != TokenKind::Comment);
+        let span = rest.map(|(span, _)| span).reduce(|first, last| Span::new(first.start, last.end));
+        span.map_or(block.span, |span| Span::new(block.span.start + span.start, block.span.start + span.end))
     }
 
     /// Checks jumps to constant numbers that are missing in the program.
@@ -244,16 +250,4 @@ impl Check<'_> {
             _ => true,
         }
     }
-}
-
-/// A block with blanks in the place of its comments, byte for byte.
-fn without_comments(block: &str) -> String {
-    let mut inside = false;
-    let blank = |c: char| {
-        inside |= c == '(';
-        let is_comment = inside;
-        inside &= c != ')';
-        if is_comment { " ".repeat(c.len_utf8()) } else { c.to_string() }
-    };
-    block.chars().map(blank).collect()
 }

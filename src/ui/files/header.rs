@@ -130,7 +130,7 @@ fn ProjectName() -> impl IntoView {
             // A tooltip shows the text that the header has no room for.
             <span
                 class="kept" title=move || if page.view.kept.get() == Kept::Yes { t("page.kept-about") } else { kept() }
-                class:warn=move || matches!(page.view.kept.get(), Kept::No | Kept::Denied | Kept::Elsewhere)
+                class:warn=move || page.view.kept.get().is_refused() || page.view.kept.get() == Kept::Elsewhere
             >
                 {kept}
             </span>
@@ -203,8 +203,12 @@ mod tests {
     #[wasm_bindgen_test]
     async fn state_of_the_store_is_said() {
         let bench = header().await;
-        for kept in [Kept::Yes, Kept::Soon, Kept::No, Kept::Denied] {
-            let words = kept.words();
+        for (kept, words) in [
+            (Kept::Yes, "page.kept"),
+            (Kept::Soon, "page.kept-soon"),
+            (Kept::No, "page.kept-not"),
+            (Kept::Denied, "page.kept-denied"),
+        ] {
             bench.page.view.kept.set(kept);
             settled().await;
             assert_eq!(bench.text(".kept"), t(words));

@@ -354,7 +354,7 @@ fn close(page: Page, known: [StoredValue<Option<Project>, LocalStorage>; 2]) {
 
 /// Asks before a project is lost that the browser does not store.
 fn warn_of_loss(page: Page, event: &Event) {
-    let refused = matches!(page.view.kept.try_get_untracked(), Some(Kept::No | Kept::Denied));
+    let refused = page.view.kept.try_get_untracked().is_some_and(Kept::is_refused);
     if refused && !page.project.with_untracked(set_aside::is_untouched) {
         event.prevent_default();
     }

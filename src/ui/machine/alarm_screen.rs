@@ -6,7 +6,7 @@ use crate::motion::RunEnd;
 use crate::project::check::reported;
 use crate::project::run;
 use crate::text::catalog::of_program;
-use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue, Phrase, Place};
+use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Phrase, Place};
 use crate::ui::state::Page;
 use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{Tone, sentence, sentence_with_hints, t, value_of};
@@ -54,13 +54,14 @@ fn told(page: Page) -> Option<Told> {
 
 /// A stop at the end of the run, with the message of the PLC that holds the program, or the program's own.
 fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
-    if let Some(held) = page.player.ask_planner(|run| run.plc_hold().cloned()).flatten() {
-        return Some(of_hold(page, &held));
-    }
-    let (headline, place) = page.player.ask_planner(|run| {
+    let (held, headline, place) = page.player.ask_planner(|run| {
         let timeline = run.timeline();
-        Some((timeline.message_at(end)?.to_owned(), timeline.block_at(end)))
-    })??;
+        (run.plc_hold().map(sentence), timeline.message_at(end).map(str::to_owned), timeline.block_at(end))
+    })?;
+    if let Some(meaning) = held {
+        return Some(of_hold(meaning, place));
+    }
+    let headline = headline?;
     let way_out = match page.outlook.cycle_start() {
         CycleStart::StopsAtOnce => "page.way-value",
         CycleStart::ComesBack => "page.way-comes-back",
@@ -72,18 +73,10 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
     Some(Told { tone, headline, translation, meaning: t(meaning).to_owned(), alarm: String::new(), place, way_out })
 }
 
-/// A hold of the PLC at the end of the run: the message has the way out.
-fn of_hold(page: Page, held: &Message) -> Told {
-    let place = page.player.ask_planner(|run| run.timeline().block_at(run.timeline().end())).flatten();
-    Told {
-        tone: Tone::Fail,
-        headline: t("size.hold").to_owned(),
-        translation: None,
-        meaning: sentence(held),
-        alarm: String::new(),
-        place,
-        way_out: "",
-    }
+/// A hold of the PLC: its sentence has the way out.
+fn of_hold(meaning: String, place: Option<Place>) -> Told {
+    let (headline, alarm) = (t("size.hold").to_owned(), String::new());
+    Told { tone: Tone::Fail, headline, translation: None, meaning, alarm, place, way_out: "" }
 }
 
 fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {

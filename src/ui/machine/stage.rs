@@ -170,7 +170,7 @@ fn why(page: Page) -> String {
     match page.player.ended.get().filter(|_| at >= planned) {
         Some(RunEnd::Alarm(_)) | None => String::new(),
         Some(RunEnd::Stop) if page.player.message.with(Option::is_some) => String::new(),
-        Some(RunEnd::Stop) if page.player.ask_planner(|run| run.is_held_by_plc()) == Some(true) => String::new(),
+        Some(RunEnd::Stop) if page.player.ask_planner(|run| run.plc_hold().is_some()) == Some(true) => String::new(),
         Some(end) => end_words(&end),
     }
 }

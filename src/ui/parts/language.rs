@@ -5,7 +5,6 @@ use leptos::prelude::*;
 use crate::text::catalog::{Language, spoken};
 use crate::ui::dom;
 use crate::ui::state::Page;
-use crate::ui::state::view::Kept;
 use crate::ui::words::{Tone, t};
 
 /// Key in the browser's store of the language; `boot.js` reads it.
@@ -24,7 +23,7 @@ pub(crate) fn LanguageButtons() -> impl IntoView {
 
 /// Keeps a choice that the page reads at its start, and reloads the page; the kept project returns.
 pub(super) fn open_anew(page: Page, key: &str, choice: &str) {
-    if matches!(page.view.kept.get_untracked(), Kept::No | Kept::Denied) || !dom::store(key, choice) {
+    if page.view.kept.get_untracked().is_refused() || !dom::store(key, choice) {
         return page.notices.notify(Tone::Warn, t("page.language-unkept").to_owned());
     }
     let _ = window().location().reload();
@@ -35,6 +34,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::ui::state::view::Kept;
     use crate::ui::testing::mount;
 
     #[wasm_bindgen_test]

@@ -50,6 +50,11 @@ pub(crate) enum Kept {
 }
 
 impl Kept {
+    /// Whether the browser refuses to store it.
+    pub(crate) fn is_refused(self) -> bool {
+        matches!(self, Kept::No | Kept::Denied)
+    }
+
     /// Catalog id of its words.
     pub(crate) fn words(self) -> &'static str {
         match self {

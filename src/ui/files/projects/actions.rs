@@ -89,14 +89,16 @@ impl ProjectActions {
             match work.await {
                 Ok(said) if !said.is_empty() => self.announce(said),
                 Ok(_) => {}
-                Err(reason) => {
-                    // The notice is behind the dialog.
-                    self.announce(sentence(&msg!("projects.refused", reason = reason.as_str())));
-                    shelf::warn_refused(self.page, &reason);
-                }
+                Err(reason) => self.refused(&reason),
             }
             self.load().await;
         });
+    }
+
+    /// Tells that the browser refuses work on the list: here too, for the notice is behind the dialog.
+    fn refused(self, reason: &str) {
+        self.announce(sentence(&msg!("projects.refused", reason)));
+        shelf::warn_refused(self.page, reason);
     }
 
     /// Shows the list, with the present project as it is now and the states that were set aside.
@@ -272,7 +274,7 @@ impl ProjectActions {
                     // The pressed button disappears with its project.
                     dom::soon(move || self.focus_restore());
                 }
-                Err(reason) => shelf::warn_refused(self.page, &reason),
+                Err(reason) => self.refused(&reason),
             }
             self.load().await;
         });
