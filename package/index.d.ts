@@ -271,6 +271,8 @@ export interface SizedAxis {
     energy_returned_j: number;
     current_per_torque_a_nm: number | null;
   } | null;
+  /** What to ask a maker for where the catalogue has no motor that passes, or no amplifier for one; null where it has. */
+  shortage: string | null;
   candidates: Candidate[];
   /** Its gear unit, with those of the catalogue that have this ratio; null where it has none. */
   gear: {
@@ -369,6 +371,8 @@ export interface Size {
     quantity: number;
     /** Why the motor that the form names does not carry its axis. */
     refused: string | null;
+    /** What is not settled about the part; null where nothing is. */
+    open: string | null;
     status: PartStatus;
     grade: string;
     source: string;
