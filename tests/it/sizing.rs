@@ -10,6 +10,7 @@ mod dots;
 mod energy;
 mod envelope;
 mod gears;
+mod growth;
 mod reel;
 mod resistors;
 mod timeline;

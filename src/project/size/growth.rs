@@ -24,11 +24,13 @@ pub struct Growth {
     pub label: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Its greatest entry without a new failure: results that also fail with less are ignored.
+    /// Its greatest entry without a new failure: results that also fail with less are ignored. If none holds, the least entry tried.
     pub value: f64,
+    /// Whether a tried entry is without a new failure. Results may fail one after the other as the entry falls.
+    pub holds: bool,
     /// `value / present entry - 1`; below 0 if a verdict fails now.
     pub margin: f64,
-    /// Id and catalog id of the result that fails beyond it; none if the form's range ends first.
+    /// Id and catalog id of the result that fails beyond it, or at it if none holds; none if the form's range ends first.
     pub binding: Option<(&'static str, &'static str)>,
     /// Ids and catalog ids of the results that fail now and with less: the field does not repair them.
     pub unmended: Vec<(&'static str, &'static str)>,
@@ -51,7 +53,7 @@ pub struct Fastest {
     pub entry: (&'static str, String),
 }
 
-/// The growth of each field that the machine names, and the fastest operation by the first of them.
+/// The growth of each field that the machine names, and the fastest operation by the first of them; none if no tried speed holds.
 pub(super) fn growth(project: &Project) -> (Vec<Growth>, Option<Fastest>) {
     let fields = project.machine.fields();
     let hidden = project.prepared();
@@ -121,6 +123,7 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
     let upward = binding.is_none();
     // The last factor without a failure, and the first with one.
     let (mut holds, mut fails) = (1.0, 1.0);
+    let mut is_found = upward;
     for _ in 0..TRIALS {
         let (from, factor) = if upward { (fails, fails * STEP) } else { (holds, holds / STEP) };
         let (before, entry) = (trial.entry(from), trial.entry(factor));
@@ -137,22 +140,27 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
         } else {
             (holds, fails) = (factor, from);
             if found.is_none() {
+                is_found = true;
                 break;
             }
             binding = found;
         }
     }
-    let growth = |value: f64, binding| Growth {
+    let growth = |value: f64, holds: bool, binding| Growth {
         field: field.id,
         label: field.label,
         unit,
         value,
+        holds,
         margin: if now > 0.0 { value / now - 1.0 } else { 0.0 },
         binding,
         unmended: trial.ignored.clone(),
     };
     if upward && binding.is_none() {
-        return Some(growth(trial.entry(fails), None));
+        return Some(growth(trial.entry(fails), true, None));
+    }
+    if !is_found {
+        return Some(growth(trial.entry(holds), false, binding));
     }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (holds + fails);
@@ -161,11 +169,11 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
             None => holds = middle,
         }
     }
-    Some(growth(trial.entry(holds), binding))
+    Some(growth(trial.entry(holds), true, binding))
 }
 
 fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
-    let binding = speed.binding?;
+    let binding = speed.binding.filter(|_| speed.holds)?;
     let field = project.machine.fields().into_iter().find(|field| field.id == speed.field)?;
     let FieldKindInfo::Number { decimals, .. } = field.kind else { return None };
     let entry = (speed.field, number_text(speed.value, decimals));

@@ -146,8 +146,11 @@ impl Sizing {
         let cells = |of: &Growth| {
             let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
             let binding = beside(binding, &of.unmended);
-            let margin = format!("{:+.0}\u{a0}%", 100.0 * of.margin);
-            row([say(of.label), units::text(of.value, 3, of.unit), margin, binding], RUNS_OF_FORM)
+            let (value, margin) = match of.holds {
+                true => (units::text(of.value, 3, of.unit), format!("{:+.0}\u{a0}%", 100.0 * of.margin)),
+                false => (say("size.none-holds"), String::new()),
+            };
+            row([say(of.label), value, margin, binding], RUNS_OF_FORM)
         };
         let least = self.axes.iter().filter_map(|axis| {
             let (label, least) = (headed(say("size.least"), say(axis.name)), axis.least()?);

@@ -133,8 +133,8 @@ fn offer(offer: &Offer) -> Json {
 
 fn limit(row: &Growth) -> Json {
     json!({
-        "quantity": row.field, "limit": row.binding.map(|binding| binding.0), "margin": row.margin,
-        "value": row.value, "unit": row.unit, "fails_with_less_too": ids(&row.unmended),
+        "quantity": row.field, "limit": row.binding.map(|binding| binding.0), "margin": row.holds.then_some(row.margin),
+        "value": row.holds.then_some(row.value), "unit": row.unit, "fails_with_less_too": ids(&row.unmended),
     })
 }
 

@@ -1,0 +1,49 @@
+//! Limits of growth where no tried entry keeps every verdict.
+
+use macroline::project::Project;
+use macroline::project::size::{Sizing, SizingRuns, answers};
+use macroline::view::Verdict;
+
+/// Results that fail with S in r/min, beside those that fail at any S.
+fn failing(project: &Project, speed: f64, unmended: &[(&str, &str)]) -> Vec<&'static str> {
+    let set = [("spindle-speed", speed.to_string())];
+    let readouts = project.with_entries(&set).unwrap().design().readouts.into_iter();
+    let fails = readouts.filter(|row| row.verdict == Verdict::Fail && !unmended.contains(&(row.id, row.label)));
+    fails.map(|row| row.id).collect()
+}
+
+/// The sizing without the envelope.
+fn sized(project: &Project) -> Sizing {
+    let short = project.with_entries(&[("pitch-count", "10".to_owned())]).unwrap();
+    answers(project, &SizingRuns::new(&short, &short.written()))
+}
+
+#[test]
+fn no_fastest_speed_is_told_where_none_holds() {
+    // At a high S the vector feed is beyond the range of the control, at a low one the motor's slip draws the ribbon taut.
+    let project = Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
+    let sizing = sized(&project);
+    let speed = &sizing.limits[0];
+    assert_eq!((speed.field, speed.holds), ("spindle-speed", false));
+    assert_eq!(sizing.fastest, None);
+    for rpm in (82..1200).step_by(13) {
+        assert!(!failing(&project, f64::from(rpm), &speed.unmended).is_empty(), "{rpm}");
+    }
+    assert!(failing(&project, speed.value, &speed.unmended).contains(&speed.binding.unwrap().0));
+    let limits = sizing.sheets().into_iter().find(|sheet| sheet.id == "limits").unwrap();
+    let row = limits.rows.iter().find(|row| row.cells[1] == "None of those tried").unwrap();
+    assert!(row.cells[2].is_empty(), "{:?}", row.cells);
+}
+
+#[test]
+fn fastest_entry_fails_only_in_what_is_named() {
+    for control in ["gsk-980tdc", "sinumerik-802d"] {
+        for example in ["matched", "encoder", "paper"] {
+            let project = Project::named("ribbon-line", Some(control), Some(example)).unwrap();
+            let sizing = sized(&project);
+            let Some(fastest) = sizing.fastest else { continue };
+            let speed: f64 = fastest.entry.1.parse().unwrap();
+            assert_eq!(failing(&project, speed, &fastest.unmended), [""; 0], "{example} on {control} at {speed}");
+        }
+    }
+}
