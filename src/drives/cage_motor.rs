@@ -1,4 +1,6 @@
-//! Standard cage induction motors at an inverter: the highest speed that rotor and bearings bear.
+//! Standard cage induction motors at an inverter: poles, the highest speed that rotor and bearings bear, cooling by their own fan.
+
+use crate::math;
 
 /// Highest safe speeds (r/min) of motors with 2, 4 and 6 or more poles, by rated power in W: frames up to 112, up to 180, and larger ones.
 const HIGHEST: [(f64, [f64; 3]); 3] = [
@@ -16,4 +18,19 @@ pub fn highest_speed(power: f64, rated_speed: f64) -> f64 {
     let poles = POLES.iter().take_while(|above| rated_speed <= **above).count();
     let of_frame = HIGHEST.iter().find(|(most, _)| power <= *most);
     of_frame.map_or(0.0, |(_, speeds)| speeds[poles.min(2)])
+}
+
+/// Frequency of the name plate, Hz.
+const RATED: f64 = 50.0;
+
+/// Speed in r/min without load at a frequency in Hz, of a motor with this rated speed at 50 Hz: `60 f / p`, with the most pairs of poles
+/// p that turn no slower than rated. Source: sizing facts 2.6.
+pub fn no_load_speed(rated_speed: f64, frequency: f64) -> f64 {
+    60.0 * frequency / (60.0 * RATED / rated_speed).floor().max(1.0)
+}
+
+/// Share (0.5 to 1) of its continuous torque that a motor with its own fan gives at a frequency in Hz: `0.5 + 0.5 f / 50 Hz`, because the
+/// fan turns with the rotor. Source: sizing facts 2.10, from memory.
+pub fn own_fan(frequency: f64) -> f64 {
+    math::clamp(0.5 + 0.5 * frequency / RATED, 0.5, 1.0)
 }

@@ -47,8 +47,9 @@ pub fn contact_length(radius: f64, depth: f64) -> f64 {
     2.0 * (2.0 * radius * depth).sqrt()
 }
 
-/// Used share of the holding force of a nip: `|T₁ - T₂ + m a| / (μ N)`, at most one half for a web that does not slip.
+/// Used share of the holding force of a nip over start, steady run and stop: `(|T₁ - T₂| + m a) / (μ N)`, at most one half for a web that
+/// does not slip. A start asks it where the pull `T₁ - T₂` brakes the web, a stop where it drives the web.
 /// Newtons, kg, m/s². Source: sizing facts 2.2, checked as the reciprocal of B19.
 pub fn nip_use((friction, force): (f64, f64), pull: f64, (mass, acceleration): (f64, f64)) -> f64 {
-    (pull + mass * acceleration).abs() / (friction * force)
+    (pull.abs() + mass * acceleration) / (friction * force)
 }

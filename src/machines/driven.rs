@@ -25,6 +25,8 @@ pub struct DrivenAxis {
     pub hold: f64,
     /// Its interrupted cut.
     pub strikes: Strikes,
+    /// Greatest torque (Nm) at steady speed that the load of a run does not have: a web pulled taut after a start. 0 without one.
+    pub taut: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// The motor that the form has.
@@ -56,6 +58,8 @@ impl Fitted {
 pub struct MotorFields {
     /// Maker and model, as text.
     pub name: &'static str,
+    /// Torque at rated speed.
+    pub rated: &'static str,
     /// Torque at standstill.
     pub stall: &'static str,
     /// Torque for a short time.
@@ -70,6 +74,32 @@ pub struct MotorFields {
     pub inertia_limit: &'static str,
     /// Greatest effective torque, % of the torque at standstill.
     pub effective_limit: &'static str,
+    /// Pulses of its encoder per revolution.
+    pub encoder: &'static str,
+}
+
+/// Ids of the fields of a motor behind an inverter in a form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct InductionFields {
+    /// Maker and model, as text.
+    pub name: &'static str,
+    /// Rated torque, Nm.
+    pub rated: &'static str,
+    /// Load, % of the rated torque.
+    pub load: &'static str,
+    /// Frequency at the full analog signal, Hz.
+    pub frequency: &'static str,
+    /// Speed under rated torque at the full signal, r/min.
+    pub rated_speed: &'static str,
+}
+
+/// Frequency and speed of a motor behind an inverter at the full analog signal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FullSignal {
+    /// Frequency, Hz.
+    pub frequency: f64,
+    /// Speed without load, r/min.
+    pub no_load: f64,
 }
 
 /// A gear unit as a form has it.
@@ -172,8 +202,12 @@ pub struct InverterDrive {
     pub rotor: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
-    /// Fields of the form for maker with model and for the rated torque.
-    pub fields: Option<(&'static str, &'static str)>,
+    /// Its frequency and speed at the full analog signal; none where the machine does not command it in the open.
+    pub full: Option<FullSignal>,
+    /// Lowest speed (r/min) at which its own fan has to cool it; none where another fan does, or nothing is known.
+    pub cooled_at: Option<f64>,
+    /// Fields of the form that take another motor.
+    pub fields: Option<&'static InductionFields>,
 }
 
 impl InverterDrive {

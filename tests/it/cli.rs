@@ -621,7 +621,7 @@ fn design_json_lists_facts_to_measure_first() {
 
 #[test]
 fn size_json_has_motors_envelope_limits_and_bill() {
-    let path = project(&folder("size"), json!({ "pitch-count": 60 }));
+    let path = project(&folder("size"), json!({ "pitch-count": 60, "dancer": true }));
     let out = macroline(&["size", &path, "--json"]);
     assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
     let sizing: Json = serde_json::from_slice(&out.stdout).unwrap();

@@ -11,10 +11,13 @@ mod energy;
 mod envelope;
 mod gears;
 mod growth;
+mod rated_torque;
 mod reel;
 mod resistors;
+mod taut;
 mod timeline;
 mod tornado;
+mod unwinder;
 
 use std::collections::BTreeMap;
 

@@ -40,6 +40,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             load: Load { inertia: drive.inertia / (gear * gear), torque: mean, efficiency },
             hold: 0.0,
             strikes: Strikes::new(peak, mean),
+            taut: 0.0,
             // Wheels of the lathe itself.
             gear: None,
             fitted: Fitted { motor, limits: WHOLE },

@@ -12,6 +12,9 @@ use crate::machines::verdict::ReadoutRow;
 use crate::math::{self, PI, RPM};
 use crate::text::{Citation, Grade};
 
+/// Halvings of a speed: to the last digit of a double.
+const HALVINGS: u32 = 60;
+
 /// The cam at one position of the knob. Metres, seconds, Nm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cam {
@@ -111,37 +114,73 @@ impl Cam {
         math::hypot(self.inertia() * self.correction.effective_acceleration(self.law), self.axis.load.torque)
     }
 
-    /// Greatest torque that the limits allow, Nm.
+    /// Greatest torque that the limits allow at the highest speed of the motor, Nm.
     pub(super) fn most(&self) -> f64 {
-        self.axis.limits.peak * self.axis.motor.peak
+        self.axis.limits.peak * self.axis.motor.most(self.motor_speed())
     }
 
-    /// Greatest effective torque that the limits allow on this site, Nm.
+    /// Greatest effective torque that the limits allow on this site at the mean speed of the motor, Nm.
     pub(super) fn most_effective(&self) -> f64 {
-        self.axis.limits.effective * self.axis.motor.stall
+        let mean = self.correction.speed * self.correction.arc / self.correction.pitch * self.turn / RPM;
+        self.axis.most_effective(mean)
+    }
+
+    /// The cam at another speed of the ribbon, m/s.
+    fn at(&self, speed: f64) -> Cam {
+        Cam { correction: Correction { speed, ..self.correction }, ..*self }
+    }
+
+    /// Highest ribbon speed, mm/min, of at most `most` m/s: the greatest at which a torque keeps its limit, which falls with the speed while the
+    /// torque grows.
+    fn speed_within(&self, most: f64, keeps: impl Fn(&Cam) -> bool) -> f64 {
+        if !most.is_finite() || keeps(&self.at(most)) {
+            return 60e3 * most;
+        }
+        let (mut holds, mut fails) = (0.0, most);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (holds + fails);
+            if keeps(&self.at(middle)) { holds = middle } else { fails = middle }
+        }
+        60e3 * holds
+    }
+
+    /// Torque that the greatest one leaves a motor up to its rated speed for accelerations, over inertia: m/s² of the roller's surface.
+    fn left(&self) -> f64 {
+        let most = self.axis.limits.peak * self.axis.motor.peak;
+        (most - self.axis.load.torque).max(0.0) / self.inertia()
     }
 
     /// Highest ribbon speed by the peak torque in steady running, mm/min. Source: checked as E7.
     pub(super) fn speed_by_peak(&self) -> f64 {
-        let left = (self.most() - self.axis.load.torque).max(0.0);
-        60e3 * self.correction.speed_at(self.law, left / self.inertia())
+        let most = self.correction.speed_at(self.law, self.left());
+        self.speed_within(most, |cam| {
+            cam.motor_speed() <= cam.axis.motor.rated_speed || cam.peak_torque() <= cam.most()
+        })
     }
 
     /// Highest ribbon speed by the torque of a start, mm/min: of `a v² + b v = T` per inertia, where the correction takes the square of the
     /// speed and the ramp the speed.
     pub(super) fn speed_by_start(&self) -> f64 {
-        let left = (self.most() - self.axis.load.torque).max(0.0) / self.inertia();
-        let per_speed = Correction { speed: 1.0, ..self.correction };
+        let left = self.left();
+        let per_speed = self.at(1.0).correction;
         let square = per_speed.peak_acceleration(self.law);
         let linear = per_speed.peak_speed(self.law).abs().max(1.0) / self.axis.ramp;
-        60e3 * 2.0 * left / (linear + (linear * linear + 4.0 * square * left).sqrt())
+        let most = 2.0 * left / (linear + (linear * linear + 4.0 * square * left).sqrt());
+        self.speed_within(most, |cam| {
+            cam.motor_speed() <= cam.axis.motor.rated_speed || cam.start_torque() <= cam.most()
+        })
     }
 
     /// Highest ribbon speed by the effective torque, mm/min. Source: checked as E8.
     pub(super) fn speed_by_heat(&self) -> f64 {
-        let (most, steady) = (self.most_effective(), self.axis.load.torque);
+        let (most, steady) = (self.axis.limits.effective * self.axis.motor.stall, self.axis.load.torque);
         let left = (most * most - steady * steady).max(0.0).sqrt();
-        60e3 * self.correction.speed_at_effective(self.law, left / self.inertia())
+        let most = self.correction.speed_at_effective(self.law, left / self.inertia());
+        let flat = self.axis.motor.rated >= self.axis.motor.stall;
+        self.speed_within(most, |cam| {
+            let below = flat && cam.motor_speed() <= cam.axis.motor.rated_speed;
+            below || cam.effective_torque() <= cam.most_effective()
+        })
     }
 
     /// Lead of the roller's surface over the ribbon per pitch, mm; negative for a lag.

@@ -361,8 +361,8 @@ impl Derived {
             register_error,
             start_stop_speed: 100.0 * timing.exact_stop_share,
             cycles_per_minute: 60.0 / timing.exact_stop,
-            x_resolution: PI * p.x_roller_diameter / p.gear_x / p.encoder_resolution * 1000.0,
-            y_resolution: PI * p.print_roller_diameter / p.gear_y / p.encoder_resolution * 1000.0,
+            x_resolution: PI * p.x_roller_diameter / p.gear_x / p.encoder_x * 1000.0,
+            y_resolution: PI * p.print_roller_diameter / p.gear_y / p.encoder_y * 1000.0,
             y_drift: y_drift(y_stroke, pitch_time),
             manual_line_speed: k * p.manual_speed.min(top_speed),
         }
@@ -373,6 +373,11 @@ impl Derived {
     /// Tension (N) of a tight ribbon, by draw or after a start.
     pub(super) fn tension(&self) -> f64 {
         self.draw_tension.max(self.start_tension)
+    }
+
+    /// Greatest tension (N) of the ribbon before X: `T1`, with a draw `T1 + E · A · draw`, or that after a start.
+    pub(super) fn taut(&self, p: &Params) -> f64 {
+        (p.web.tension_before + self.draw_tension).max(self.start_tension)
     }
 
     /// Position (%) of the knob of these results: as far as it makes the unwinder faster.

@@ -9,8 +9,8 @@ use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, Move};
 use crate::drives::web;
 use crate::machines::driven::{
-    DrivenAxis, Fitted, FormGear, GaugeRow, GearFields, InverterCycle, InverterDrive, MotorFields, ProductSize,
-    SpindleEncoder,
+    DrivenAxis, Fitted, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive,
+    MotorFields, ProductSize, ResistorDemand, SpindleEncoder,
 };
 use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
@@ -19,6 +19,7 @@ use crate::view::Limit;
 /// Fields of the motor of the pull roller.
 const PULL: MotorFields = MotorFields {
     name: "motor-x",
+    rated: "motor-rated-torque-x",
     stall: "motor-stall-x",
     peak: "motor-peak-x",
     rotor: "motor-rotor-x",
@@ -26,11 +27,13 @@ const PULL: MotorFields = MotorFields {
     top_speed: "motor-max-x",
     inertia_limit: "inertia-limit-x",
     effective_limit: "effective-limit-x",
+    encoder: "encoder-resolution-x",
 };
 
 /// Fields of the motor of the print roller.
 const PRINT: MotorFields = MotorFields {
     name: "motor-y",
+    rated: "motor-rated-torque-y",
     stall: "motor-stall-y",
     peak: "motor-peak-y",
     rotor: "motor-rotor-y",
@@ -38,6 +41,16 @@ const PRINT: MotorFields = MotorFields {
     top_speed: "motor-max-y",
     inertia_limit: "inertia-limit-y",
     effective_limit: "effective-limit-y",
+    encoder: "encoder-resolution-y",
+};
+
+/// Fields of the motor of the unwinder.
+const UNWINDER: InductionFields = InductionFields {
+    name: "unwinder-motor",
+    rated: "unwinder-torque-rated",
+    load: "unwinder-load",
+    frequency: "frequency-at-10v",
+    rated_speed: "rated-load-speed",
 };
 
 /// Fields of the gear unit of the pull roller.
@@ -71,6 +84,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         load: of.load,
         hold: of.hold,
         strikes: Strikes::default(),
+        taut: of.taut.abs(),
         gear: is_geared(ratio).then(|| gear(ratio, of, gear_fields)),
         fitted: Fitted { motor: of.motor, limits: of.limits },
         site_share: p.site().share(),
@@ -112,7 +126,7 @@ fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
         // The inertia of the form includes the rotor.
         rotor: None,
         of: Move { speed: speed * RPM, ramp, run: line.fast.product_time, pause: p.pause, hold: 0.0 },
-        peak: [SHORT_TIME, SHORT_TIME],
+        peak: [SHORT_TIME, p.unwinding.motor_braking / 100.0],
     }
 }
 
@@ -131,8 +145,28 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         turned: unwinder_load(&line.p, line.mechanics.unwinder),
         rotor: 0.0,
         gear: is_geared(line.p.reduction_ratio).then(|| unwinder_gear(line)),
-        fields: Some(("unwinder-motor", "unwinder-torque-rated")),
+        full: Some(FullSignal { frequency: line.p.frequency_at_10v, no_load: line.p.no_load_speed }),
+        cooled_at: (!line.p.unwinding.forced_cooling).then_some(line.slow.actual_speed.min(line.d.actual_speed)),
+        fields: Some(&UNWINDER),
     }
+}
+
+/// Braking torque (% of the rated one) that an inverter takes back without a brake resistor. Source: turning spindle facts, 5.
+const WITHOUT_RESISTOR: f64 = 20.0;
+
+/// The brake resistor of the unwinder's inverter: the energy of a stop, `T ω t / 2`, over a product and its pause, with the knob at its end.
+pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
+    let (p, speed, torque) = (&line.p, line.fast.actual_speed, line.mechanics.unwinder_braking);
+    let ramp = p.inverter_ramp * speed / p.speed_at_10v;
+    let energy = 0.5 * torque * speed * RPM * ramp;
+    let cycle = line.fast.product_time + p.pause;
+    let is_asked = torque > WITHOUT_RESISTOR / 100.0 * p.unwinding.torque && energy > 0.0 && cycle.is_finite();
+    is_asked.then(|| ResistorDemand {
+        name: "ribbon.drive.unwinder",
+        percent: p.unwinding.motor_braking,
+        energies: vec![energy],
+        cycle,
+    })
 }
 
 /// The encoder of the unwinder's motor, where the form has one.

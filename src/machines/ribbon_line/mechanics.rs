@@ -3,7 +3,7 @@
 use super::derive::Derived;
 use super::params::{Params, PathMode};
 use super::reel;
-use crate::drives::duty::with_pause;
+use crate::drives::duty::{counted_pause, with_pause};
 use crate::drives::inertia::{self, CM2, Cylinder, STEEL};
 use crate::drives::load::{self, Load, Move, effective};
 use crate::drives::servo::{Acceptance, Duty, Servo, Shares};
@@ -25,6 +25,10 @@ pub(super) struct ServoAxis {
     pub hold: f64,
     /// Torque of the ramp besides the steady one, Nm.
     pub rise: f64,
+    /// Torque at steady speed with the ribbon at its tautest, Nm.
+    pub taut: f64,
+    /// Mean speed of the motor over a cycle with its pause, r/min.
+    pub mean_speed: f64,
     pub duty: Duty,
 }
 
@@ -33,7 +37,9 @@ pub(super) struct ServoAxis {
 pub(super) struct Mechanics {
     pub pull: ServoAxis,
     pub print: ServoAxis,
-    /// Share of the nip's holding force that a start uses.
+    /// Greatest tension of the ribbon before X over the range of the knob, N.
+    pub tautest: f64,
+    /// Greatest share of the nip's holding force in use.
     pub nip_use: f64,
     /// Steady torque at the press roller, Nm.
     pub unwound: f64,
@@ -41,6 +47,8 @@ pub(super) struct Mechanics {
     pub unwinder: f64,
     /// Its torque over the inverter's ramp, Nm.
     pub unwinder_ramp: f64,
+    /// Its braking torque over the same ramp in a stop, Nm; 0 where web and friction stop it sooner.
+    pub unwinder_braking: f64,
 }
 
 /// An axis before its motion is known.
@@ -49,6 +57,8 @@ struct Side {
     gear: (f64, f64),
     gear_inertia: f64,
     torque: f64,
+    /// Torque with the ribbon at its tautest.
+    taut: f64,
     hold: f64,
     rpm: f64,
     time_constant: f64,
@@ -69,15 +79,18 @@ impl ServoAxis {
         let rise = load.accelerating(motor.rotor, speed, ramp);
         let hold = side.hold / ratio;
         let output = Load { inertia: side.turning, torque: side.torque, efficiency: 1.0 };
-        let phases = motion(p, d, (speed, ramp), hold).map(|of| load.phases(motor.rotor, of));
+        let repeated = motion(p, d, (speed, ramp), hold);
+        let mean_speed = repeated.map_or(0.0, |of| mean_speed(&of, d.product_time, p.pause));
+        let phases = repeated.map(|of| load.phases(motor.rotor, of));
         let effective = phases.as_ref().map_or(load.torque, |phases| effective(phases));
         let effective = with_pause(effective, d.product_time, p.pause, hold);
         // An overhauling load asks more torque in the stop or at standstill than in the start.
         let others = phases.iter().flatten().map(|phase| phase.torque.abs());
-        let peak = others.fold((load.torque + rise).abs(), f64::max);
+        let taut = load::through_gear(side.taut, ratio, efficiency);
+        let peak = others.fold((load.torque + rise).abs().max(taut.abs()), f64::max);
         let duty = Duty { peak, effective, speed: side.rpm };
         let limits = limits.at_starts(starts(p, d)).derated(p.site().share());
-        ServoAxis { load, output, motor, limits, ramp, hold, rise, duty }
+        ServoAxis { load, output, motor, limits, ramp, hold, rise, taut, mean_speed, duty }
     }
 
     /// Demand of the run as shares of the motor's ratings.
@@ -107,6 +120,11 @@ impl ServoAxis {
             PathMode::Continuous => load.torque == 0.0,
             PathMode::ExactStop => driven * braked <= 0.0,
         }
+    }
+
+    /// Greatest effective torque (Nm) that the limits allow at a mean speed in r/min.
+    pub(super) fn most_effective(&self, mean_speed: f64) -> f64 {
+        self.limits.effective * self.motor.stall.min(self.motor.continuous(mean_speed))
     }
 
     /// Energy in J that a stop gives back, from its speed or from the highest one of its motor.
@@ -148,6 +166,12 @@ fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Opti
     found.cycle().is_finite().then_some(found)
 }
 
+/// Mean speed in r/min of a repeated move, with the pause behind the run that it is part of.
+fn mean_speed(of: &Move, run: f64, pause: f64) -> f64 {
+    let running = of.speed * (of.ramp + of.run) / of.cycle() / RPM;
+    running * run / (run + counted_pause(run, pause))
+}
+
 /// Steady torque (Nm) at the press roller with a brake of the reel in N. Source: sizing facts D1.
 fn unwound(p: &Params, brake: f64) -> f64 {
     brake * p.press_roller_diameter / 2e3 + p.unwinding.friction
@@ -179,8 +203,8 @@ fn roller(diameter: f64, wall: f64, length: f64) -> Cylinder {
 }
 
 impl Mechanics {
-    /// The drives with the line at the speed of its results.
-    pub(super) fn new(p: &Params, d: &Derived) -> Mechanics {
+    /// The drives with the line at the speed of its results, and with the greatest tension (N) of the ribbon before X.
+    pub(super) fn new(p: &Params, d: &Derived, tautest: f64) -> Mechanics {
         let (web, pull, print, unwinding) = (&p.web, &p.pull, &p.print, &p.unwinding);
         let radius = p.x_roller_diameter / 2e3;
         let web_mass = p.ribbon_width * p.ribbon_thickness * web.span * 1e-9 * web.density;
@@ -192,6 +216,7 @@ impl Mechanics {
             gear: (p.gear_x, pull.efficiency / 100.0),
             gear_inertia: pull.gear_inertia,
             torque: (web.tension_before - web.tension_behind) * radius + pull.friction,
+            taut: (tautest - web.tension_behind) * radius + pull.friction,
             hold: (web.tension_before - web.tension_behind) * radius,
             rpm: d.x_motor_speed,
             time_constant: p.time_constant_x / 1e3,
@@ -204,35 +229,43 @@ impl Mechanics {
             gear: (p.gear_y, print.efficiency / 100.0),
             gear_inertia: print.gear_inertia,
             torque: print.force * print_radius + print.friction,
+            taut: print.force * print_radius + print.friction,
             hold: 0.0,
             rpm: d.y_motor_speed,
             time_constant: p.time_constant_y / 1e3,
             position_gain: p.position_gain_y,
         };
-        let servo = |stall: f64, peak: f64, rotor: f64, rated_speed: f64, top_speed: f64| Servo {
-            rated: stall,
+        let servo = |(rated, stall, peak): (f64, f64, f64), rotor: f64, rated_speed: f64, top_speed: f64| Servo {
+            rated,
             stall,
             peak,
             rated_speed,
             top_speed,
             rotor: rotor * CM2,
         };
-        let pull_motor = servo(pull.stall, pull.peak, pull.rotor, p.motor_rated_x, p.motor_max_x);
-        let print_motor = servo(print.stall, print.peak, print.rotor, p.motor_rated_y, p.motor_max_y);
+        let torques = ((pull.rated, pull.stall, pull.peak), (print.rated, print.stall, print.peak));
+        let pull_motor = servo(torques.0, pull.rotor, p.motor_rated_x, p.motor_max_x);
+        let print_motor = servo(torques.1, print.rotor, p.motor_rated_y, p.motor_max_y);
         let pull_axis = ServoAxis::new(&pull_side, pull_motor, limits(pull.inertia_limit, pull.effective_limit), p, d);
         let acceleration = d.line_speed / 60e3 / pull_axis.ramp;
         let tension = web.tension_before - web.tension_behind;
         let unwinder = unwinder_torque(p, unwinding.brake);
+        // The load has its gear's losses in its inertia, so that run-up and stop take the same torque.
+        let unwinder_rise = match p.inverter_ramp > 0.0 {
+            true => unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp),
+            false => 0.0,
+        };
+        let grip = (pull.pinch_friction, pull.pinch_force);
+        let running = web::nip_use(grip, tension, (web_mass, acceleration));
         Mechanics {
             pull: pull_axis,
+            tautest,
             print: ServoAxis::new(&print_side, print_motor, limits(print.inertia_limit, print.effective_limit), p, d),
-            nip_use: web::nip_use((pull.pinch_friction, pull.pinch_force), tension, (web_mass, acceleration)),
+            nip_use: running.max(web::nip_use(grip, tautest - web.tension_behind, (web_mass, 0.0))),
             unwound: unwound(p, unwinding.brake),
             unwinder,
-            unwinder_ramp: match p.inverter_ramp > 0.0 {
-                true => unwinder + unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp),
-                false => unwinder,
-            },
+            unwinder_ramp: unwinder + unwinder_rise,
+            unwinder_braking: (unwinder_rise - unwinder).max(0.0),
         }
     }
 }

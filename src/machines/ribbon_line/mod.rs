@@ -72,7 +72,7 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
-use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, SpindleEncoder, read};
+use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, read};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
@@ -81,7 +81,7 @@ use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
 };
 use crate::machines::verdict::results;
-use crate::motion::{Plant, Plc, Snapshot};
+use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
@@ -200,6 +200,10 @@ impl Prepared for RibbonLine {
 
     fn inverter_drive(&self) -> Option<InverterDrive> {
         Some(driven::inverter(self))
+    }
+
+    fn resistor_demand(&self, _: &dyn Samples, _: &[Stretch]) -> Option<ResistorDemand> {
+        driven::resistor(self)
     }
 
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {

@@ -3,6 +3,7 @@
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control, ParamRole, VarKind};
+use crate::drives::cage_motor::own_fan;
 use crate::drives::derating::Site;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
@@ -257,7 +258,8 @@ pub(crate) struct Params {
     pub motor_max_x: f64,
     pub motor_rated_y: f64,
     pub motor_max_y: f64,
-    pub encoder_resolution: f64,
+    pub encoder_x: f64,
+    pub encoder_y: f64,
     pub site_height: f64,
     pub site_temperature: f64,
     pub feed_limit: f64,
@@ -301,6 +303,7 @@ pub(crate) struct PullParams {
     pub efficiency: f64,
     pub gear_inertia: f64,
     pub motor: String,
+    pub rated: f64,
     pub stall: f64,
     pub peak: f64,
     pub rotor: f64,
@@ -320,6 +323,7 @@ pub(crate) struct PrintParams {
     pub efficiency: f64,
     pub gear_inertia: f64,
     pub motor: String,
+    pub rated: f64,
     pub stall: f64,
     pub peak: f64,
     pub rotor: f64,
@@ -340,7 +344,9 @@ pub(crate) struct UnwindingParams {
     pub motor: String,
     pub torque: f64,
     pub site_share: f64,
+    pub forced_cooling: bool,
     pub motor_brake: f64,
+    pub motor_braking: f64,
 }
 
 /// Axes that can carry the print roller: on a lathe, whose X counts diameters, Y, C or Z; else Y.
@@ -351,9 +357,10 @@ fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
 }
 
 impl UnwindingParams {
-    /// Continuous torque (Nm) of its motor, derated for the site.
-    pub(super) fn continuous(&self) -> f64 {
-        self.torque * self.site_share / 100.0
+    /// Continuous torque (Nm) of its motor at a frequency in Hz, derated for the site and for its own fan.
+    pub(super) fn continuous(&self, frequency: f64) -> f64 {
+        let cooled = if self.forced_cooling { 1.0 } else { own_fan(frequency) };
+        self.torque * self.site_share / 100.0 * cooled
     }
 }
 
@@ -476,6 +483,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("unwinder-torque-rated", member!(Params.unwinding.torque)).group("ribbon.group.unwinder").label("ribbon.unwinder-torque-rated").help("ribbon.unwinder-torque-rated.help")
         .unit("Nm").range(0.001..=100000.0).default(5.0).decimals(3).step(0.1).fact(),
     site::share("unwinder-site-share", "ribbon.group.unwinder", member!(Params.unwinding.site_share)),
+    flag("unwinder-forced-cooling", member!(Params.unwinding.forced_cooling)).group("ribbon.group.unwinder").label("ribbon.unwinder-forced-cooling").help("ribbon.unwinder-forced-cooling.help")
+        .fact(),
+    number("unwinder-motor-braking", member!(Params.unwinding.motor_braking)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor-braking").help("ribbon.unwinder-motor-braking.help")
+        .unit("%").range(1.0..=150.0).default(20.0).decimals(0).step(10.0).fact(),
     number("unwinder-motor-brake", member!(Params.unwinding.motor_brake)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor-brake").help("ribbon.unwinder-motor-brake.help")
         .unit("Nm").range(0.0..=100000.0).default(0.0).decimals(2).step(0.1).fact(),
     flag("spindle-encoder", member!(Params.spindle_encoder)).group("ribbon.group.unwinder").label("ribbon.spindle-encoder").help("ribbon.spindle-encoder.help")
@@ -558,7 +569,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
     number("motor-max-y", member!(Params.motor_max_y)).group("ribbon.group.axes").label("ribbon.motor-max-y").help("ribbon.motor-max-y.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
-    number("encoder-resolution", member!(Params.encoder_resolution)).group("ribbon.group.axes").label("ribbon.encoder-resolution").help("ribbon.encoder-resolution.help")
+    number("encoder-resolution-x", member!(Params.encoder_x)).group("ribbon.group.axes").label("ribbon.encoder-resolution-x").help("ribbon.encoder-resolution-x.help")
+        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
+    number("encoder-resolution-y", member!(Params.encoder_y)).group("ribbon.group.axes").label("ribbon.encoder-resolution-y").help("ribbon.encoder-resolution-y.help")
         .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
     number("site-height", member!(Params.site_height)).group("ribbon.group.axes").label("ribbon.site-height").help("ribbon.site-height.help")
         .unit("m").range(0.0..=5000.0).default(500.0).decimals(0).step(100.0).fact(),
@@ -584,6 +597,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("gear-inertia-x", member!(Params.pull.gear_inertia)).group("ribbon.group.pull-drive").label("ribbon.gear-inertia-x").help("ribbon.gear-inertia-x.help")
         .unit("kg cm²").range(0.0..=100000.0).default(0.6).decimals(4).step(0.1).fact(),
     text("motor-x", member!(&Params.pull.motor)).group("ribbon.group.pull-drive").label("ribbon.motor-x").help("ribbon.motor-x.help").characters(40),
+    number("motor-rated-torque-x", member!(Params.pull.rated)).group("ribbon.group.pull-drive").label("ribbon.motor-rated-torque-x").help("ribbon.motor-rated-torque-x.help")
+        .unit("Nm").range(0.001..=10000.0).default(1.3).decimals(3).step(0.1).fact(),
     number("motor-stall-x", member!(Params.pull.stall)).group("ribbon.group.pull-drive").label("ribbon.motor-stall-x").help("ribbon.motor-stall-x.help")
         .unit("Nm").range(0.001..=10000.0).default(1.3).decimals(3).step(0.1).fact(),
     number("motor-peak-x", member!(Params.pull.peak)).group("ribbon.group.pull-drive").label("ribbon.motor-peak-x").help("ribbon.motor-peak-x.help")
@@ -611,6 +626,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("gear-inertia-y", member!(Params.print.gear_inertia)).group("ribbon.group.print-drive").label("ribbon.gear-inertia-y").help("ribbon.gear-inertia-y.help")
         .unit("kg cm²").range(0.0..=100000.0).default(0.6).decimals(4).step(0.1).fact(),
     text("motor-y", member!(&Params.print.motor)).group("ribbon.group.print-drive").label("ribbon.motor-y").help("ribbon.motor-y.help").characters(40),
+    number("motor-rated-torque-y", member!(Params.print.rated)).group("ribbon.group.print-drive").label("ribbon.motor-rated-torque-y").help("ribbon.motor-rated-torque-y.help")
+        .unit("Nm").range(0.001..=10000.0).default(1.59).decimals(3).step(0.1).fact(),
     number("motor-stall-y", member!(Params.print.stall)).group("ribbon.group.print-drive").label("ribbon.motor-stall-y").help("ribbon.motor-stall-y.help")
         .unit("Nm").range(0.001..=10000.0).default(2.94).decimals(3).step(0.1).fact(),
     number("motor-peak-y", member!(Params.print.peak)).group("ribbon.group.print-drive").label("ribbon.motor-peak-y").help("ribbon.motor-peak-y.help")

@@ -31,7 +31,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "x-peak-torque", label: "ribbon.readout.x-peak-torque", unit: "Nm", decimals: 3,
-        formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest",
+        formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest, torque of the tautest ribbon",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.peak, ..ReadoutRow::BASE
     },
     ReadoutRow {
@@ -46,7 +46,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "nip-use", label: "ribbon.readout.nip-use", unit: "%", decimals: 1,
-        formula: "(T1 - T2 + mass of ribbon · v / τ) / (μ · N)",
+        formula: "greater of |T1 - T2| + mass of ribbon · v / τ and |T - T2|, over μ · N; T of the tautest ribbon",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| 100.0 * line.mechanics.nip_use, ..ReadoutRow::BASE
     },
     ReadoutRow {
@@ -119,5 +119,10 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         id: "unwinder-ramp-torque", label: "ribbon.readout.unwinder-ramp-torque", unit: "Nm", decimals: 3,
         formula: "torque + J · 2π n10 / (60 · ramp)",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.unwinder_ramp, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "unwinder-braking-torque", label: "ribbon.readout.unwinder-braking-torque", unit: "Nm", decimals: 3,
+        formula: "J · 2π n10 / (60 · ramp) - torque",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.unwinder_braking, ..ReadoutRow::BASE
     },
 ];

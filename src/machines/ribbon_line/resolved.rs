@@ -68,7 +68,8 @@ impl RibbonLine {
             (p.override_percent, p.knob_step) = (knob.nearest(p.override_percent), KnobStep::Ten);
         }
         let [d, fast, slow] = over_knob(&p, knob, &control.analog_output);
-        let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d), Mechanics::new(&p, &fast));
+        let tautest = [&d, &fast, &slow].map(|at| at.taut(&p)).into_iter().fold(0.0, f64::max);
+        let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d, tautest), Mechanics::new(&p, &fast, tautest));
         RibbonLine { form, p, d, fast, slow, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
     }
 
@@ -142,18 +143,24 @@ impl RibbonLine {
     pub(super) fn drives<'a>(&self, print: &'a str) -> [AxisDrive<'a>; 2] {
         let p = &self.p;
         let [pull_rolls, print_rolls] = self.rolls_over();
-        let encoder = p.encoder_resolution;
         let turn = if self.degrees() { 360.0 } else { PI * p.print_roller_diameter };
         [
             AxisDrive {
                 axis: "X",
                 lead: PI * p.x_roller_diameter,
                 gear: (p.gear_x, 1.0),
-                encoder,
+                encoder: p.encoder_x,
                 rotary: pull_rolls,
                 words: f64::from(self.pull_words()),
             },
-            AxisDrive { axis: print, lead: turn, gear: (p.gear_y, 1.0), encoder, rotary: print_rolls, words: 1.0 },
+            AxisDrive {
+                axis: print,
+                lead: turn,
+                gear: (p.gear_y, 1.0),
+                encoder: p.encoder_y,
+                rotary: print_rolls,
+                words: 1.0,
+            },
         ]
     }
 

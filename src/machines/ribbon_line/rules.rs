@@ -120,6 +120,10 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     if line.in_step() && !p.spindle_encoder {
         found.push(Diagnostic::error(msg!("ribbon.no-encoder")).about("spindle-encoder"));
     }
+    if p.no_load_speed < p.rated_load_speed {
+        let (no_load, rated) = ((p.no_load_speed, 1), (p.rated_load_speed, 1));
+        found.push(Diagnostic::error(msg!("ribbon.no-load-below-rated", no_load, rated)).about("no-load-speed"));
+    }
     if p.spindle_speed > limits.speed_max {
         found.push(
             Diagnostic::error(msg!("ribbon.speed-above-range", speed = (p.spindle_speed, 0), most = limits.speed_max))

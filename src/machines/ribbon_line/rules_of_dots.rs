@@ -37,10 +37,11 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
         ErrorSource::RunOut => {
             one(|run_out| msg!("advice.set-run-out", run_out), down(FIELDS, "roller-run-out", p.roller_run_out * share))
         }
-        ErrorSource::Encoders => one(
-            |pulses| msg!("advice.set-encoder", pulses),
-            up(FIELDS, "encoder-resolution", p.encoder_resolution / share),
-        ),
+        ErrorSource::Encoders => {
+            let both = [("encoder-resolution-x", p.encoder_x), ("encoder-resolution-y", p.encoder_y)];
+            let entries = both.map(|(id, pulses)| up(FIELDS, id, pulses / share)).to_vec();
+            (msg!("advice.set-encoders"), entries)
+        }
         ErrorSource::Backlash => one(
             |backlash| msg!("advice.set-backlash", backlash),
             down(FIELDS, "gear-backlash", p.gear_backlash * share),

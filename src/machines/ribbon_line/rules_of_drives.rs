@@ -5,6 +5,8 @@
 use super::mechanics::ServoAxis;
 use super::params::FIELDS;
 use super::resolved::RibbonLine;
+use super::rules_of_slack as slack;
+use crate::drives::web;
 use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
@@ -23,6 +25,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("unwinder-torque", unwinder, Citation::new("data sheet of the motor", Grade::Inferred)),
     Rule::new("unwinder-ramp-torque", unwinder_ramp, Citation::new("FR-E800: 150 % for 60 s", Grade::Inferred)),
     Rule::new("unwinder-torque", unwinder_load, Citation::new("sizing facts D1", Grade::Inferred)),
+    Rule::new("unwinder-braking-torque", unwinder_braking, Citation::new("turning spindle facts, 5", Grade::Open)),
 ];
 
 /// Share (%) of the nip's holding force that may be used: a safety of 2 against slip. Source: sizing facts 2.2, from memory.
@@ -68,7 +71,15 @@ fn peak(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
 }
 
 fn peak_x(line: &RibbonLine) -> Option<Judgement> {
-    peak(&line.mechanics.pull, &line.fast_mechanics.pull)
+    let (now, end) = (&line.mechanics.pull, &line.fast_mechanics.pull);
+    let most = end.limits.peak * end.motor.most(end.duty.speed);
+    if end.taut.abs() <= most {
+        return peak(now, end);
+    }
+    // No ramp takes the tension from a taut ribbon.
+    let tension = (line.mechanics.tautest, 0);
+    let said = msg!("ribbon.taut-torque", tension, torque = (end.taut.abs(), 2), limit = (most, 2));
+    fail(AtMost(here(most, now.duty.peak, end.duty.peak)), [slack::slackened(line, said)])
 }
 
 fn peak_y(line: &RibbonLine) -> Option<Judgement> {
@@ -76,10 +87,14 @@ fn peak_y(line: &RibbonLine) -> Option<Judgement> {
 }
 
 fn effective(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
-    let most = end.limits.effective * end.motor.stall;
+    let most = end.most_effective(end.mean_speed);
     let limit = AtMost(here(most, now.duty.effective, end.duty.effective));
     if limit.holds(now.duty.effective) {
         return ok(limit);
+    }
+    if most < end.most_effective(0.0) {
+        let (torque, speed, limit_there) = ((end.duty.effective, 2), (end.mean_speed, 0), (most, 2));
+        return fail(limit, [Advice::from(msg!("ribbon.warm-at-speed", torque, speed, limit = limit_there))]);
     }
     let stall = end.duty.effective / end.limits.effective;
     let share = (100.0 * end.limits.effective, 1);
@@ -128,33 +143,84 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(now) {
         return ok(limit);
     }
-    let set = up(FIELDS, "pinch-force", line.p.pull.pinch_force * end / GRIP);
+    let (pull, ribbon) = (&line.p.pull, &line.p.web);
+    let set = up(FIELDS, "pinch-force", pull.pinch_force * end / GRIP);
     let force: f64 = set.1.parse().unwrap_or_default();
-    let advice = Advice::from(msg!("ribbon.nip-slips", percent = (end, 1), force = (force, 1)))
-        .setting(msg!("advice.set-pinch", force = (force, 1)), [set]);
-    if end > 100.0 { fail(limit, [advice]) } else { warn(limit, [advice]) }
+    let tautest = line.mechanics.tautest;
+    let taut =
+        100.0 * web::nip_use((pull.pinch_friction, pull.pinch_force), tautest - ribbon.tension_behind, (0.0, 0.0));
+    let is_taut = taut >= end && tautest > ribbon.tension_before;
+    let said = match is_taut {
+        true => msg!("ribbon.nip-slips-taut", tension = (tautest, 0), percent = (end, 1), force = (force, 1)),
+        false => msg!("ribbon.nip-slips", percent = (end, 1), force = (force, 1)),
+    };
+    let mut advice = vec![Advice::from(said).setting(msg!("advice.set-pinch", force = (force, 1)), [set])];
+    if is_taut {
+        advice.push(slack::slackened(line, msg!("ribbon.nip-slack", tension = (tautest, 0))));
+    }
+    if end > 100.0 { fail(limit, advice) } else { warn(limit, advice) }
 }
 
+/// The steady torque is the same at every speed, and the motor's own fan cools least with the knob at its slow end.
 fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let (torque, p) = (line.mechanics.unwinder, &line.p);
-    let most = p.unwinding.continuous();
+    let frequency = line.slow.frequency.min(line.d.frequency);
+    let most = p.unwinding.continuous(frequency);
     let limit = AtMost(most);
     if limit.holds(torque) {
         return ok(limit);
     }
+    let mut advice = Vec::new();
+    if most < p.unwinding.continuous(f64::INFINITY) {
+        let said = msg!("ribbon.own-fan", frequency = (frequency, 1), torque = (torque, 2), limit = (most, 2));
+        let set = [("unwinder-forced-cooling", "true".to_owned())];
+        advice.push(Advice::from(said).setting(msg!("advice.forced-cooling"), set));
+    }
     // The brake that the motor's torque leaves behind gear and friction.
     let at_roller = most * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
     let brake = at_roller / (p.press_roller_diameter / 2e3);
-    let advice = Advice::from(msg!("ribbon.unwinder-torque", torque = (torque, 2), limit = (most, 2)));
-    let advice = match brake > 0.0 {
+    let weaker = Advice::from(msg!("ribbon.unwinder-torque", torque = (torque, 2), limit = (most, 2)));
+    advice.push(match brake > 0.0 {
         true => {
             let set = down(FIELDS, "reel-brake", brake);
             let shown: f64 = set.1.parse().unwrap_or(brake);
-            advice.setting(msg!("advice.set-brake", force = (shown, 2)), [set])
+            weaker.setting(msg!("advice.set-brake", force = (shown, 2)), [set])
         }
-        false => advice,
-    };
-    fail(limit, [advice])
+        false => weaker,
+    });
+    fail(limit, advice)
+}
+
+/// Judges the stop over the inverter's ramp: an inverter that takes back less trips, and the unwinder coasts into the loop.
+fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
+    let (p, torque, steady) = (&line.p, line.mechanics.unwinder_braking, line.mechanics.unwinder);
+    if p.inverter_ramp <= 0.0 {
+        return None;
+    }
+    let percent = p.unwinding.motor_braking;
+    let most = p.unwinding.torque * percent / 100.0;
+    let limit = AtMost(most);
+    if limit.holds(torque) {
+        return ok(limit);
+    }
+    let mut advice = Vec::new();
+    let said = msg!("ribbon.unwinder-brakes", torque = (torque, 2), limit = (most, 2), percent = (percent, 0));
+    let ramp = p.inverter_ramp * (torque + steady) / (most + steady);
+    if ramp <= LONGEST_RAMP {
+        let set = up(FIELDS, "inverter-ramp", ramp);
+        let seconds: f64 = set.1.parse().unwrap_or(ramp);
+        advice.push(Advice::from(said.clone()).setting(msg!("advice.set-ramp", time = (seconds, 2)), [set]));
+    }
+    let asked = 100.0 * torque / p.unwinding.torque;
+    if asked <= 100.0 * SHORT_TIME {
+        let set = up(FIELDS, "unwinder-motor-braking", asked);
+        let button = msg!("advice.set-braking", percent = set.1.as_str());
+        advice.push(Advice::from(msg!("ribbon.brake-resistor", percent = (asked, 0))).setting(button, [set]));
+    }
+    if advice.is_empty() {
+        advice.push(said.into());
+    }
+    fail(limit, advice)
 }
 
 /// Judges the inverter's ramp. Its torque is the same at every speed, because the ramp is set for the speed at 10 V.

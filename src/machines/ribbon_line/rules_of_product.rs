@@ -22,9 +22,13 @@ fn slip(line: &RibbonLine) -> Verdict {
     }
 }
 
+/// Difference of surface ratio and 1 beyond which roller and ribbon do not match, however short the contact is. Source: sizing facts 3.4.
+const MATCHED: f64 = 0.025;
+
 pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
-    let verdict = slip(line);
+    let slips = slip(line);
+    let verdict = if (d.surface_ratio - 1.0).abs() > MATCHED { slips.max(Verdict::Warn) } else { slips };
     let advice = if verdict == Verdict::Ok {
         Vec::new()
     } else {
@@ -37,9 +41,14 @@ pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
         };
         let count = near(FIELDS, "heads", heads);
         let pitch = near(FIELDS, "pitch", d.matching_pitch);
+        let (ratio, smear_now, limit) = ((d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3));
+        let told = match slips {
+            Verdict::Ok => msg!("ribbon.not-matched", ratio, smear = smear_now, limit),
+            _ => msg!("ribbon.slips", ratio, smear = smear_now, limit),
+        };
         vec![
             diameter(msg!("ribbon.slips-short", diameter = (d.matching_diameter, 2), heads = (heads, 0))),
-            msg!("ribbon.slips", ratio = (d.surface_ratio, 3), smear = (d.smear, 3), limit = (p.smear_limit, 3)).into(),
+            told.into(),
             diameter(msg!("ribbon.match-diameter", diameter = (d.matching_diameter, 2), heads = (p.heads, 0))),
             Advice::from(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)))
                 .setting(msg!("advice.set-heads", count = heads), [count]),
@@ -84,23 +93,23 @@ pub(super) fn thickness(line: &RibbonLine) -> Option<Judgement> {
     warn(limit, [advice.setting(button, [set, ("effective-diameter", "true".to_owned())])])
 }
 
-fn resolution(micrometres: f64, line: &RibbonLine) -> Option<Judgement> {
+fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static str, f64)) -> Option<Judgement> {
     let p = &line.p;
     let limit = p.dot_tolerance * 1000.0 / 10.0;
     if micrometres <= limit {
         return ok(AtMost(limit));
     }
-    let set = up(FIELDS, "encoder-resolution", p.encoder_resolution * micrometres / limit);
+    let set = up(FIELDS, field, pulses * micrometres / limit);
     let advice = Advice::from(msg!("ribbon.coarse-encoder", error = (limit, 3)));
     warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", pulses = set.1.as_str()), [set])])
 }
 
 pub(super) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
-    resolution(line.d.x_resolution, line)
+    resolution(line, line.d.x_resolution, ("encoder-resolution-x", line.p.encoder_x))
 }
 
 pub(super) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
-    resolution(line.d.y_resolution, line)
+    resolution(line, line.d.y_resolution, ("encoder-resolution-y", line.p.encoder_y))
 }
 
 /// Judges a wanted length against the length that the program makes by the rule for its rest.

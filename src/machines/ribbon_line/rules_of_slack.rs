@@ -244,6 +244,18 @@ pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     if advice.is_empty() { ok(limit) } else { fail(limit, advice) }
 }
 
+/// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.
+pub(super) fn slackened(line: &RibbonLine, said: Message) -> Advice {
+    let started = line.worst(|d| d.start_tension).start_tension;
+    let drawn = line.p.web.tension_before + line.worst(|d| d.draw_tension).draw_tension;
+    if drawn > started {
+        return with_dancer(said);
+    }
+    let dwell = matching_dwell(line);
+    let button = msg!("advice.set-dwell", time = dwell.1.as_str());
+    Advice::from(said).setting(button, [dwell])
+}
+
 /// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.
 pub(super) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;

@@ -31,6 +31,8 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         rotor: p.rotor_inertia,
         // Stages of the headstock.
         gear: None,
+        full: None,
+        cooled_at: None,
         fields: None,
     })
 }

@@ -1,4 +1,4 @@
-//! Ids of warnings as project files had them until November 2026, and the ids that they have now.
+//! Ids of warnings and fields as project files had them until November 2026, and the ids that they have now.
 
 /// Area, and the old and the present subject in it.
 const OLD: &[(&str, &str, &str)] = &[
@@ -14,4 +14,12 @@ pub(super) fn warning_id(saved: &str) -> String {
     let (area, subject) = saved.split_once('.').unwrap_or_default();
     let row = OLD.iter().find(|row| (row.0, row.1) == (area, subject));
     row.map_or_else(|| saved.to_owned(), |row| format!("{area}.{}", row.2))
+}
+
+/// A field that has become several.
+const FIELDS: &[(&str, &[&str])] = &[("encoder-resolution", &["encoder-resolution-x", "encoder-resolution-y"])];
+
+/// The present ids of a field; other ids stay.
+pub(super) fn field_ids(saved: &str) -> Vec<&str> {
+    FIELDS.iter().find(|row| row.0 == saved).map_or_else(|| vec![saved], |row| row.1.to_vec())
 }

@@ -3,7 +3,7 @@
 use serde_json::Value as Json;
 
 use super::loaded::{Loaded, MAX_PROGRAMS};
-use super::old_ids::warning_id;
+use super::old_ids::{field_ids, warning_id};
 use super::old_options::option_id;
 use super::panel;
 use super::v1::{ProgramV1, ProjectV1, VariantV1};
@@ -118,9 +118,9 @@ fn values<'t>(
 ) {
     found.repeated(saved);
     let fields = machine.fields();
-    for entry in &saved.0 {
-        let Some(field) = fields.iter().find(|field| field.id == entry.key) else {
-            found.error(msg!("project.unknown-field", field = clip(&entry.key)), entry.source);
+    for (entry, id) in saved.0.iter().flat_map(|entry| field_ids(&entry.key).into_iter().map(move |id| (entry, id))) {
+        let Some(field) = fields.iter().find(|field| field.id == id) else {
+            found.error(msg!("project.unknown-field", field = clip(id)), entry.source);
             continue;
         };
         let value = match (&field.kind, &entry.value.value) {
@@ -131,11 +131,10 @@ fn values<'t>(
         };
         match value {
             Some(value) => {
-                values.insert(entry.key.clone(), value);
+                values.insert(id.to_owned(), value);
             }
             None => {
-                let message =
-                    msg!("project.wrong-kind", field = clip(&entry.key), found = kind_word(&entry.value.value));
+                let message = msg!("project.wrong-kind", field = clip(id), found = kind_word(&entry.value.value));
                 found.add(Diagnostic::error(message).about(field.id), entry.value.source);
             }
         }
@@ -150,14 +149,14 @@ fn origins<'t>(
     found: &mut Findings<'t>,
 ) {
     found.repeated(saved);
-    for entry in &saved.0 {
-        let known = machine.fields().iter().any(|field| field.id == entry.key);
+    for (entry, id) in saved.0.iter().flat_map(|entry| field_ids(&entry.key).into_iter().map(move |id| (entry, id))) {
+        let known = machine.fields().iter().any(|field| field.id == id);
         match entry.value.as_str().and_then(provenance_of) {
-            _ if !known => found.error(msg!("project.unknown-field", field = clip(&entry.key)), entry.source),
+            _ if !known => found.error(msg!("project.unknown-field", field = clip(id)), entry.source),
             Some(from) => {
-                project.provenance.insert(entry.key.clone(), from);
+                project.provenance.insert(id.to_owned(), from);
             }
-            None => found.error(msg!("project.unknown-origin", field = clip(&entry.key)), entry.value.source),
+            None => found.error(msg!("project.unknown-origin", field = clip(id)), entry.value.source),
         }
     }
 }

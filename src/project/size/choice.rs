@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
-use crate::drives::cage_motor::highest_speed;
-use crate::drives::duty::{Hardest, Motion, ToResistor, Work, with_pause};
+use crate::drives::cage_motor::{highest_speed, no_load_speed, own_fan};
+use crate::drives::duty::{Hardest, Motion, Strikes, ToResistor, Work, with_pause};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits, Status};
@@ -183,7 +183,10 @@ struct Asked {
 
 impl Asked {
     fn of(axis: &DrivenAxis, runs: &[&WholeRun], pause: f64) -> Asked {
-        let motions: Vec<Motion> = runs.iter().map(|whole| whole.motion(axis).with_pause(pause)).collect();
+        // A taut web pulls at steady speed, and not for long enough to count in the effective torque.
+        let strikes = Strikes { peak: axis.strikes.peak.max(axis.taut), ..axis.strikes };
+        let motion = |whole: &&WholeRun| whole.motion(axis).with_pause(pause).with_strikes(strikes);
+        let motions: Vec<Motion> = runs.iter().map(motion).collect();
         let greatest = |of: fn(&Motion) -> f64| motions.iter().map(of).fold(0.0, f64::max);
         let (mean_speed, starts_per_minute) = (greatest(Motion::mean_speed), greatest(Motion::starts_per_minute));
         Asked { motions, mean_speed, starts_per_minute, knob: runs.iter().find_map(|whole| whole.knob) }
@@ -284,7 +287,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             work: Some(work),
             knob: asked.knob,
             peak_is_at_knob: asked.peak_is_at_knob(axis.fitted.motor.rotor),
-            chart: Some(asked.chart(&fitted(project, &axis), axis.site_share)),
+            chart: Some(asked.chart(&axis.fitted.motor, axis.site_share)),
             candidates: in_order(candidates),
         }
     });
@@ -293,8 +296,8 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
         let spindle = of.present.spindle(prepared);
         let spindle = spindle.map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle });
-        let candidates = motors.map(|part| induction(part, &drive, spindle.as_ref(), &catalogue, control)).collect();
-        let field = drive.fields.map(|(model, _)| model);
+        let candidates = motors.map(|part| induction(part, &drive, spindle.as_ref(), &catalogue, project)).collect();
+        let field = drive.fields.map(|fields| fields.name);
         let turning = share_turning(of, Mover::Spindle, pause);
         let in_run =
             spindle.as_ref().map(|spindle| spindle.motion.loaded() / (of.present.run.timeline().end() + pause));
@@ -356,16 +359,6 @@ pub(super) fn ampere_per_torque(project: &Project, axis: &DrivenAxis) -> Option<
         Ratings::Servo(ratings) => ratings.ampere_per_torque(),
         _ => None,
     }
-}
-
-/// The motor of the form. The form has no field for the rated torque: it is that of the part with the motor's name.
-fn fitted(project: &Project, axis: &DrivenAxis) -> Servo {
-    let motor = axis.fitted.motor;
-    // The form may have other figures for it.
-    let same = of_form(project, axis)
-        .and_then(Part::servo)
-        .filter(|known| known.stall >= motor.stall && known.rated <= motor.stall);
-    Servo { rated: same.map_or(motor.rated, |known| known.rated), ..motor }
 }
 
 /// Name of the motor in a field of the form.
@@ -579,8 +572,13 @@ fn braking(amplifier: &Part) -> Option<(Regeneration, Option<f64>)> {
 fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<(&'static str, String)> {
     // The limits of its series without the derating for starts and site, which the form applies itself.
     let limits = part.acceptance();
-    vec![
+    let encoder = match &part.ratings {
+        Ratings::Servo(of) => of.encoder_pulses.map(|pulses| (fields.encoder, number_text(pulses, 0))),
+        _ => None,
+    };
+    let entries = vec![
         (fields.name, name(part)),
+        (fields.rated, number_text(motor.rated, 3)),
         (fields.stall, number_text(motor.stall, 3)),
         (fields.peak, number_text(motor.peak, 3)),
         (fields.rotor, number_text(motor.rotor / CM2, 4)),
@@ -588,13 +586,46 @@ fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<(&'static st
         (fields.top_speed, number_text(motor.top_speed, 1)),
         (fields.inertia_limit, number_text(limits.inertia_ratio, 1)),
         (fields.effective_limit, number_text(100.0 * limits.effective, 1)),
-    ]
+    ];
+    entries.into_iter().chain(encoder).collect()
 }
 
 /// Maker and model as text for the form.
 pub(super) fn name(part: &Part) -> String {
     part.name().chars().take(NAME).collect()
 }
+
+/// Entries of the form with a motor behind the inverter, of a rated torque (Nm) and a rated speed (r/min); none if the form has no fields for
+/// it. The speed at the full signal stays: a motor with other poles needs another frequency for it.
+fn induction_entries(
+    part: &Part,
+    drive: &InverterDrive,
+    (torque, rated_speed): (f64, f64),
+) -> Option<Vec<(&'static str, String)>> {
+    let (fields, full) = drive.fields.zip(drive.full)?;
+    let slip = no_load_speed(rated_speed, RATED_FREQUENCY) - rated_speed;
+    Some(vec![
+        (fields.name, name(part)),
+        (fields.rated, number_text(torque, 3)),
+        (fields.load, number_text((100.0 * drive.torque.abs() / torque).min(200.0), 3)),
+        (fields.frequency, number_text(full.no_load / no_load_speed(rated_speed, 1.0), 2)),
+        (fields.rated_speed, number_text((full.no_load - slip).max(1.0), 3)),
+    ])
+}
+
+/// Refusal of the form's motor behind the inverter, if the form has the frequency of a motor with other poles.
+fn other_poles(part: &Part, drive: &InverterDrive, rated_speed: f64, project: &Project) -> Option<(Rank, Message)> {
+    let (fields, full) = drive.fields.zip(drive.full)?;
+    let (turns, asked) = (no_load_speed(rated_speed, full.frequency), full.no_load);
+    let is_off = named(project, fields.name) == Some(name(part)) && (turns / asked - 1.0).abs() > OTHER_POLES;
+    is_off.then(|| (Rank::Speed, msg!("size.refused-poles", speed = (turns, 0), asked = (asked, 0))))
+}
+
+/// Frequency of the rated speeds of induction motors, Hz.
+const RATED_FREQUENCY: f64 = 50.0;
+
+/// Greatest relative difference of two speeds of motors with equal poles.
+const OTHER_POLES: f64 = 0.2;
 
 /// A motor behind the inverter: torque up to its rated speed, power above, both as far as its site leaves them; in run-up and stop their
 /// short-time share, and over both with the work between them the continuous torque.
@@ -603,16 +634,17 @@ fn induction(
     drive: &InverterDrive,
     spindle: Option<&SpindleRun>,
     catalogue: &[&Part],
-    control: &Control,
+    project: &Project,
 ) -> Candidate {
     let Ratings::Induction(of) = part.ratings else { return unknown(part) };
     let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
     let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
-    let (most, most_power) = (torque * drive.site_share, rated_power * drive.site_share);
+    let cooled = drive.cooled_at.map_or(1.0, |speed| own_fan(speed / no_load_speed(rated_speed, 1.0)));
+    let (most, most_power) = (torque * drive.site_share * cooled, rated_power * drive.site_share);
     let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
     let top_speed = of.top_speed.unwrap_or_else(|| highest_speed(rated_power, rated_speed));
     let needed = power(asked, speed * RPM);
-    let inverter = smallest(catalogue, control, |other| match &other.ratings {
+    let inverter = smallest(catalogue, project.control, |other| match &other.ratings {
         Ratings::Inverter(inverter) if inverter.feeds(&of) => inverter.rated_power,
         _ => None,
     });
@@ -635,7 +667,9 @@ fn induction(
         let ramps = cycle.ramps(of.inertia);
         // Power, not torque, limits the end of a ramp above rated speed.
         let gives = torque.min(rated_power / cycle.of.speed);
-        let of_peak = ramps.iter().zip(cycle.peak).map(|(ramp, share)| (ramp.torque.abs(), share * gives));
+        // A load that brakes harder than the ramp leaves the motor to drive in the stop too.
+        let share = |torque: f64| cycle.peak[usize::from(torque < 0.0)];
+        let of_peak = ramps.map(|ramp| (ramp.torque.abs(), share(ramp.torque) * gives));
         for (asked, most) in of_peak {
             shares.peak = shares.peak.max(asked / most);
             if asked > most {
@@ -660,7 +694,8 @@ fn induction(
         (shares.peak, shares.effective) = (found.0, found.1);
         refusal = refusal.or(found.2);
     }
-    let entries = drive.fields.map(|(model, rated)| vec![(model, name(part)), (rated, number_text(torque, 3))]);
+    let refusal = other_poles(part, drive, rated_speed, project).or(refusal);
+    let entries = induction_entries(part, drive, (torque, rated_speed));
     Candidate {
         amplifier: inverter.cloned(),
         shares: Some(shares),

@@ -199,8 +199,8 @@ fn design_reproduces_the_sizing_table() {
         &[("speed-error-rated", -1.0), ("tension", 2.0)],
     );
     check(&[("pi", "3.14")], 1e-3, &[("pi-drift", 7.64474)]);
-    check(&[("encoder-resolution", "131072")], 1e-4, &[("x-resolution", 0.239684)]);
-    check(&[("encoder-resolution", "8192")], 1e-4, &[("x-resolution", 3.83495)]);
+    check(&[("encoder-resolution-x", "131072")], 1e-4, &[("x-resolution", 0.239684)]);
+    check(&[("encoder-resolution-x", "8192")], 1e-4, &[("x-resolution", 3.83495)]);
     // F6 is that of X; with six heads the print roller, which runs faster, settles later.
     check(&[("heads", "60")], 1e-4, &[("start-stop-speed", 12.1707)]);
     let short = [("time-constant-x", "30"), ("time-constant-y", "30"), ("heads", "60")];
@@ -233,7 +233,7 @@ fn paper_example_fails_the_slip_rule_and_names_the_match() {
             "Match the diameter: 15.28 mm roll without slip with 6 heads.",
             "Or match the heads: 47 on this roller give a ratio of 1.00264 and a smear of 0.005 mm.",
             "Or a pitch of 62.832 mm.",
-            "Or an electronic cam in the drive that matches the speed only in the contact: by a modified sine the print motor takes 99.42 Nm at most (7.06 are allowed) and 57.06 Nm effective (2.35 are allowed); up to 3772 mm/min of ribbon it would do. A G01 block cannot, its ratio is constant.",
+            "Or an electronic cam in the drive that matches the speed only in the contact: by a modified sine the print motor takes 99.42 Nm at most (5.02 are allowed) and 57.06 Nm effective (1.65 are allowed); up to 3660 mm/min of ribbon it would do. A G01 block cannot, its ratio is constant.",
         ]
     );
     assert!(design.diagnostics.iter().all(|finding| finding.severity == Severity::Info), "verdicts never bar export");
@@ -282,7 +282,9 @@ fn rules_give_their_verdicts() {
         (&[], "thickness-error", Verdict::Warn),
         (&[("effective-diameter", "true")], "thickness-error", Verdict::Ok),
         (&[("path-mode", "exact-stop")], "start-stop-speed", Verdict::Warn),
-        (&[("encoder-resolution", "1000")], "x-resolution", Verdict::Warn),
+        (&[("encoder-resolution-x", "1000")], "x-resolution", Verdict::Warn),
+        (&[("encoder-resolution-x", "1000")], "y-resolution", Verdict::Ok),
+        (&[("encoder-resolution-y", "1000")], "y-resolution", Verdict::Warn),
     ];
     for (changes, id, verdict) in cases {
         assert_eq!(readout(&design(changes), id).verdict, *verdict, "{id} with {changes:?}");

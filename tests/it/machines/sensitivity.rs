@@ -69,7 +69,11 @@ fn hidden_facts_do_not_flip() {
 
 #[test]
 fn failures_come_first_then_the_form() {
-    let line = project("ribbon-line", "mitsubishi-e60", &[("clamp-x", 16_000.0), ("encoder-resolution", 3500.0)]);
+    let line = project(
+        "ribbon-line",
+        "mitsubishi-e60",
+        &[("clamp-x", 16_000.0), ("encoder-resolution-x", 3500.0), ("encoder-resolution-y", 3500.0)],
+    );
     let found = Sensitivity::new(&line).flips();
     let order: Vec<_> = line.machine.fields().iter().map(|field| field.id).collect();
     let place = |flip: &Flip| order.iter().position(|id| *id == flip.field);

@@ -70,6 +70,10 @@ const RARE: &[Entered] = &[
         "gsk-980tdc",
         &[("reduction-ratio", "0.01"), ("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")],
     ),
+    // A motor whose continuous torque falls with its speed.
+    ("ribbon-line", "mitsubishi-e60", &[("friction-y", "9.2")]),
+    // A dot roller far from its match, with a contact too short to smear.
+    ("ribbon-line", "mitsubishi-e60", &[("contact-length", "0.04")]),
     // A contact that leaves a cam no time.
     ("ribbon-line", "mitsubishi-e60", &[("contact-length", "8"), ("cam-law", "modified-sine")]),
     // Cams whose roller turns back, and whose motor is too weak.
@@ -226,6 +230,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.match-cam-no-time", "a fact, no remedy"),
     ("ribbon.motor-above-rated", "a deed: the torque is checked on the data sheet"),
     ("ribbon.no-speed", "no speed is a remedy"),
+    ("ribbon.not-matched", "a fact; roller, heads and pitch behind it have the buttons"),
     ("ribbon.range-endless", "a fact: parameters are set on the control"),
     ("ribbon.range-open", "a fact; the parameters behind it have the button"),
     ("ribbon.range-shifted", "a fact, no fault"),
@@ -233,6 +238,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.slips", "a fact; roller, heads and pitch behind it have the buttons"),
     ("ribbon.stalls", "a deed: less load on the motor"),
     ("ribbon.stands", "a deed: the knob is turned up"),
+    ("ribbon.warm-at-speed", "a deed: another motor or gear"),
     ("ribbon.y-carried", "a fact, no fault"),
     ("scaling.drifts", "a fact of gear and lead: another gear"),
     ("scaling.no-ratio", "a fact of gear and lead: another gear"),

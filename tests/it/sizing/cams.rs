@@ -13,7 +13,8 @@ use super::{SAME, oracle, same};
 
 const LAWS: [&str; 2] = ["polynomial-345", "modified-sine"];
 
-/// The paper's example with the exact π, 40 heads, and a law. All heads weigh 0.9 kg together, whatever their number: 0.9 · 6² / 5² = 1.296 kg cm²
+/// The paper's example with the exact π, 40 heads, a law, and a motor whose continuous torque is that of standstill at every speed, as the
+/// oracle has it. All heads weigh 0.9 kg together, whatever their number: 0.9 · 6² / 5² = 1.296 kg cm²
 /// at the motor, beside the 0.6 of the gear.
 fn line(law: &str, entries: &[(&str, f64)]) -> Project {
     let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), Some("paper")).unwrap();
@@ -23,7 +24,8 @@ fn line(law: &str, entries: &[(&str, f64)]) -> Project {
     };
     set("pi", Value::Text("exact".to_owned()));
     set("cam-law", Value::Text(law.to_owned()));
-    for (id, number) in [("heads", 40.0), ("head-mass", 0.0), ("gear-inertia-y", 1.896)].iter().chain(entries) {
+    let motor = [("motor-rated-torque-y", 2.94), ("gear-inertia-y", 1.896)];
+    for (id, number) in [("heads", 40.0), ("head-mass", 0.0)].iter().chain(&motor).chain(entries) {
         set(id, Value::Number(*number));
     }
     project

@@ -14,7 +14,7 @@ fn parts_of_the_dot_error_follow_the_formulas() {
     same("shortening", result(&stretched, "strain-per-metre").value, 30.0, 1e-9);
     // Half of 0.04 mm at each of two rollers.
     same("run-out", result(&line(&[("roller-run-out", 0.04)]), "dot-run-out").value, 0.02 * 2f64.sqrt(), 1e-9);
-    let fine = line(&[("encoder-resolution", 10_000.0)]);
+    let fine = line(&[("encoder-resolution-x", 10_000.0), ("encoder-resolution-y", 10_000.0)]);
     let [x, y] = ["x-resolution", "y-resolution"].map(|id| result(&fine, id).value / 2e3);
     same("encoders", result(&fine, "dot-encoders").value, (x * x + y * y).sqrt(), 1e-9);
 }
@@ -54,7 +54,7 @@ proptest! {
     ) {
         let line = line(&[
             ("roller-run-out", run_out), ("tension-behind", tension), ("gear-backlash", backlash),
-            ("encoder-resolution", pulses.round()), ("position-gain-y", gain),
+            ("encoder-resolution-x", pulses.round()), ("encoder-resolution-y", pulses.round()), ("position-gain-y", gain),
         ]);
         let part = |id: &str| result(&line, id).value;
         let varying = ["dot-encoders", "dot-run-out", "dot-backlash"].map(|id| part(id) * part(id)).iter().sum::<f64>().sqrt();

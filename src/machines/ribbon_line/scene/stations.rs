@@ -66,7 +66,7 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, station: &Station, 
 pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, station: &Station, first: u16, drive: DriveKind) {
     let fields = match drive {
         DriveKind::Inverter => ["reduction-ratio", "speed-at-10v", "press-roller-diameter"],
-        DriveKind::Servo => ["gear-x", "encoder-resolution", "x-roller-diameter"],
+        DriveKind::Servo => ["gear-x", "encoder-resolution-x", "x-roller-diameter"],
     };
     belt(drawing, station, drive);
     drawing.showing(fields[0], |drawing| motor(drawing, station, first, drive));
