@@ -341,8 +341,9 @@ export interface Size {
   limits: {
     quantity: string;
     limit: string | null;
-    margin: number;
-    value: number;
+    /** Null, as the value, where none of the tried entries holds. */
+    margin: number | null;
+    value: number | null;
     unit: string;
     /** Results that fail now and with less as well. */
     fails_with_less_too: string[];
