@@ -1,6 +1,6 @@
 //! Syntax tree of programs as written, stored in arenas of small rows.
 //!
-//! A parsed deck keeps the bytes of every block; a block changed by an edit or a rewrite loses its bytes and is written again.
+//! Blocks and their parts keep their places in the text; built and rewritten ones have none.
 
 use crate::controls::{Address, Alarm};
 use core::num::NonZeroU32;

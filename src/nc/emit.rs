@@ -7,9 +7,7 @@ use crate::msg;
 use crate::nc::ast::{Block, Deck, Program, Stmt};
 use crate::nc::files::{File, Files};
 use crate::nc::lower::lowered;
-use crate::nc::parsed::Parsed;
 use crate::nc::write::{DEPTH, Writer};
-use crate::text::lines::line_end;
 use crate::text::{Diagnostic, FileId, Place, Span};
 
 /// Line end.
@@ -140,47 +138,4 @@ fn file_name(deck: &Deck, program: &Program, control: &Control, files: &Files) -
         twin += 1;
     }
     name
-}
-
-/// Writes parsed files with some blocks changed. In `deck`, a copy of the parsed deck, every changed block has the span `Span::default()`.
-/// All other bytes are unchanged. Total.
-pub fn emit_parsed(parsed: &Parsed, deck: &Deck) -> Emitted {
-    let mut files = parsed.files().clone();
-    let (low, origins) = lowered(deck, parsed.control(), parsed.dialect().comment_characters());
-    let mut places: Vec<Place> = Vec::with_capacity(deck.blocks.len());
-    let mut texts: Vec<(String, usize)> = vec![(String::new(), 0); files.0.len()];
-    for program in &parsed.deck().programs {
-        let Some((file, (text, copied))) = parsed.files().get(program.file).zip(texts.get_mut(program.file.0 as usize))
-        else {
-            continue;
-        };
-        for index in program.first as usize..program.end as usize {
-            let from = origins.partition_point(|&origin| (origin as usize) < index);
-            let Some((old, new)) = parsed.deck().blocks.get(index).zip(low.blocks.get(from)) else { continue };
-            let lines = low.blocks.iter().zip(&origins).skip(from).take_while(|(_, origin)| **origin as usize == index);
-            let (from, to) = (old.span.start as usize, old.span.end as usize);
-            text.push_str(file.text.get(*copied..from).unwrap_or(""));
-            let start = text.len() as u32;
-            if new.span == Span::default() {
-                let mut w =
-                    Writer { deck: &low, control: parsed.control(), text: String::new(), start: 0, too_deep: false };
-                for (at, (block, _)) in lines.enumerate() {
-                    if at > 0 {
-                        w.text.push_str(line_end(&file.text));
-                    }
-                    w.block(block);
-                }
-                text.push_str(&w.text);
-            } else {
-                text.push_str(file.text.get(from..to).unwrap_or(""));
-            }
-            *copied = to;
-            places.push(Place { file: program.file, span: Span::new(start, text.len() as u32) });
-        }
-    }
-    for (file, (mut text, copied)) in files.0.iter_mut().zip(texts) {
-        text.push_str(file.text.get(copied..).unwrap_or(""));
-        file.text = text;
-    }
-    Emitted { files, places, diagnostics: Vec::new() }
 }

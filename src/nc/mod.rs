@@ -31,7 +31,7 @@ pub use ast::{
 };
 pub use codes::Codes;
 pub use dec::Dec;
-pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
+pub use emit::{Emitted, Newline, emit, emit_with};
 pub use files::{File, Files};
 pub use fix::{fix, fix_all};
 pub use lex::tokens::{TokenKind, keywords, tokens};

@@ -6,9 +6,7 @@ use macroline::controls::options::CommentCharacters;
 use macroline::controls::syntax::Function;
 use macroline::controls::{self, Alarm, Control, Switches, find};
 use macroline::nc::build::*;
-use macroline::nc::{
-    Dec, Deck, Files, Newline, Op, TokenKind, emit, emit_parsed, emit_with, fix, lower, parse, parse_with, tokens,
-};
+use macroline::nc::{Dec, Deck, Files, Newline, Op, TokenKind, emit, emit_with, fix, lower, parse, parse_with, tokens};
 use macroline::text::catalog::sentence;
 use macroline::text::{Place, Severity, Span};
 use proptest::prelude::*;
@@ -236,18 +234,6 @@ fn places_of_emitted_blocks_hold_their_text() {
     let out = emit(&b.finish(), e60());
     let texts: Vec<&str> = out.places.iter().map(|p| p.span.of(&out.files.get(p.file).unwrap().text)).collect();
     assert_eq!(texts, ["G91", "N5 M30", "M99"]);
-}
-
-#[test]
-fn changed_block_leaves_every_other_byte_alone() {
-    let text = "%\r\n o1 (Shop)\r\n\r\n n10 g1  x 5. (FAST) f100 ; \r\n#1 = 2\r\nM30\r\n%";
-    let parsed = parse(&Files::one("A.MIN", text), e60());
-    assert_eq!(emit_parsed(&parsed, parsed.deck()).files, *parsed.files());
-    let mut deck = parsed.deck().clone();
-    deck.blocks[1].span = Span::default();
-    let out = emit_parsed(&parsed, &deck);
-    assert_eq!(out.files.0[0].text, text.replace("#1 = 2", "#1=2"));
-    assert_eq!(out.places[2].span.of(&out.files.0[0].text), "M30");
 }
 
 #[test]

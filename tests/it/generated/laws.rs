@@ -20,7 +20,6 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
     let files = Files::one("O1.nc", text);
     let parsed = Rc::new(nc::parse(&files, control));
     let deck = parsed.deck();
-    assert_eq!(nc::emit_parsed(&parsed, deck).files, files, "what nobody edited stays, byte for byte");
     let mut at = 0;
     for program in &deck.programs {
         assert_eq!(program.first, at, "programs hold their blocks side by side");
@@ -41,7 +40,6 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
     }
     let bad = parsed.deck().blocks.iter().any(|block| matches!(block.stmt, Stmt::Bad(_)));
     assert!(!bad || parsed.has_errors(), "{:?}", parsed.files());
-    edited(&parsed, text);
     written(&parsed);
 }
 
@@ -58,29 +56,6 @@ fn told(parsed: &Parsed, findings: &[Diagnostic], text: &str) {
             nc::parse(&mended, parsed.control());
         }
     }
-}
-
-/// Edits every third block: the other blocks stay byte for byte.
-fn edited(parsed: &Parsed, text: &str) {
-    let mut deck = parsed.deck().clone();
-    let edited = |at: usize| at % 3 == text.len() % 3;
-    let old: Vec<Span> = deck.blocks.iter().map(|block| block.span).collect();
-    for (_, block) in deck.blocks.iter_mut().enumerate().filter(|(at, _)| edited(*at)) {
-        block.span = Span::default();
-    }
-    let out = nc::emit_parsed(parsed, &deck);
-    assert_eq!(out.files.0.len(), 1);
-    // The old text in place of the rewritten blocks gives the old file.
-    let mut again = String::new();
-    let mut end = 0;
-    for (at, (place, old)) in out.places.iter().zip(&old).enumerate() {
-        let Span { start, end: stop, .. } = place.span;
-        again.push_str(&out.files.0[0].text[end..start as usize]);
-        again.push_str(if edited(at) { old.of(text) } else { place.span.of(&out.files.0[0].text) });
-        end = stop as usize;
-    }
-    again.push_str(&out.files.0[0].text[end..]);
-    assert_eq!(again, text, "around edited blocks nothing changes");
 }
 
 /// Emitting and parsing gives the lowered deck again; lowering twice is lowering once.
