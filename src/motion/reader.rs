@@ -128,7 +128,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         for remark in eyes.remarks {
             // One remark per block, also in a loop with changing values.
-            let told = |d: &Diagnostic| (d.place, d.id()) == (remark.place, remark.id());
+            let told = |d: &Diagnostic| d.place == remark.place && d.message.is_same_sentence(&remark.message);
             let said = &mut self.out.diagnostics;
             if said.len() < REMARKS && !said.iter().any(told) {
                 said.push(remark);

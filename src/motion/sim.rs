@@ -59,7 +59,8 @@ impl<P> Sim<'_, P> {
     /// Adds a finding, once per block of the program, up to [`REMARKS`] findings.
     pub(super) fn report_in_block(&mut self, finding: Diagnostic) {
         let finding = Diagnostic { place: self.s.place, ..finding };
-        let told = |other: &Diagnostic| (other.place, other.id()) == (finding.place, finding.id());
+        let told =
+            |other: &Diagnostic| other.place == finding.place && other.message.is_same_sentence(&finding.message);
         let said = &mut self.out.diagnostics;
         if said.len() < REMARKS && !said.iter().any(told) {
             said.push(finding);

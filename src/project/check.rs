@@ -75,7 +75,7 @@ pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diag
         (DiagnosticKind::ShortBlocks, DiagnosticKind::Starved) => file(known) == file(run),
         _ if run.place.is_none() || known.place != run.place || !known.shows_alarm_of(run) => false,
         // The values of a message may differ: they are those of one pass.
-        _ => run.severity == Severity::Error && run.alarm.is_some() || known.id() == run.id(),
+        _ => run.severity == Severity::Error && run.alarm.is_some() || known.message.is_same_sentence(&run.message),
     })
 }
 

@@ -159,7 +159,7 @@ impl<'f> Renderer<'f> {
             "severity": diagnostic.severity,
             "alarm": diagnostic.alarm,
             "wording": diagnostic.wording,
-            "id": diagnostic.id(),
+            "id": diagnostic.message_id(),
             "message": sentence(&diagnostic.message),
             "file": place.map(|(file, _, _)| file),
             "line": place.map(|(_, line, _)| line),
@@ -189,7 +189,7 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
     let tag = match (diagnostic.severity, diagnostic.alarm.as_deref()) {
         (_, Some(alarm)) => format!("[{alarm}]"),
         (Severity::Error, None) => String::new(),
-        (_, None) => format!("[{}]", diagnostic.id()),
+        (_, None) => format!("[{}]", diagnostic.message_id()),
     };
     let severity = match diagnostic.severity {
         Severity::Error => words("project.severity.error"),

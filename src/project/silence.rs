@@ -9,7 +9,7 @@ pub fn silence(found: &mut Vec<Diagnostic>, silenced: &[String]) -> usize {
     let before = found.len();
     if !silenced.is_empty() {
         let silenced: BTreeSet<&str> = silenced.iter().map(String::as_str).collect();
-        found.retain(|d| d.severity == Severity::Error || !silenced.contains(d.id()));
+        found.retain(|d| d.severity == Severity::Error || !silenced.contains(d.message_id()));
     }
     before - found.len()
 }

@@ -40,6 +40,10 @@ pub enum DiagnosticKind {
     Plain,
     /// A file begins with a byte order mark; independent of errors in its lines.
     ByteOrderMark,
+    /// Several signs in a row in a formula.
+    TwoSigns,
+    /// A warning about a program that parses.
+    Lint,
     /// A comment without its end hides the rest of the line.
     OpenComment,
     /// An incomplete block.
@@ -61,6 +65,14 @@ pub enum DiagnosticKind {
     /// Form facts that are only assumed; the message values `count` and `fields` are their number and their names.
     AssumedFacts,
 }
+}
+
+impl DiagnosticKind {
+    /// Whether it is a warning about a program that parses; the help explains each of them.
+    pub fn is_lint(self) -> bool {
+        use DiagnosticKind::{AuxiliaryInLoop, Lint, ShortBlocks, SpindleInLoop};
+        matches!(self, Lint | AuxiliaryInLoop | SpindleInLoop | ShortBlocks)
+    }
 }
 
 /// One finding.
@@ -121,8 +133,8 @@ impl Diagnostic {
         found.sort_by_key(|d| d.place.map(|place| (place.file, place.span.start)));
     }
 
-    /// Stable id: silences warnings, appears in JSON, and identifies remarks that differ only in their values.
-    pub fn id(&self) -> &'static str {
+    /// Stable id of the message: silences warnings, names their help, and appears in JSON. Code tests the [kind](DiagnosticKind).
+    pub fn message_id(&self) -> &'static str {
         self.message.id
     }
 

@@ -51,6 +51,11 @@ pub struct Message {
 }
 
 impl Message {
+    /// Whether both are the same sentence; its values may differ.
+    pub fn is_same_sentence(&self, other: &Message) -> bool {
+        self.id == other.id
+    }
+
     /// Value of a placeholder.
     pub fn value(&self, name: &str) -> Option<&MessageValue> {
         self.values.iter().find(|(place, _)| *place == name).map(|(_, value)| value)

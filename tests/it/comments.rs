@@ -259,7 +259,7 @@ fn finding_about_a_character_follows_the_switch() {
     let found = |setting: &str, text: &str| {
         let switches = Switches(vec![("comment-characters".to_owned(), setting.to_owned())]);
         let parsed = nc::parse_with(&Files::one("O1.nc", format!("O1({text})\n(SECOND)\nM30\n")), control, &switches);
-        parsed.diagnostics().iter().any(|found| found.id() == "nc.foreign-comment")
+        parsed.diagnostics().iter().any(|found| found.message_id() == "nc.foreign-comment")
     };
     assert_eq!(["ascii", GBK, UTF8].map(|setting| found(setting, "车削")), [true, false, false]);
     assert_eq!(["ascii", GBK, UTF8].map(|setting| found(setting, "😀")), [true, true, false]);

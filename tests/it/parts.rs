@@ -202,7 +202,10 @@ fn large_hostile_tables_come_to_an_end() {
     let list = format!("[{{{}\"kind\":\"servo\"}}]", "\"model\":\"a\",".repeat(100_000));
     assert!(read(&list, "x.json").0.is_empty());
     let whole = " ".repeat(MAX_BYTES + 1);
-    assert_eq!(read(&whole, "x.csv").1.iter().map(|finding| finding.id()).collect::<Vec<_>>(), ["parts.too-large"]);
+    assert_eq!(
+        read(&whole, "x.csv").1.iter().map(|finding| finding.message_id()).collect::<Vec<_>>(),
+        ["parts.too-large"]
+    );
 }
 
 /// A text that a table can hold: one line, no formula, not blank at its ends.
@@ -280,7 +283,7 @@ fn mistake_in_a_part_of_a_project_has_its_place() {
     let text = plain_with_parts(&many);
     let loaded = Project::from_json(&text);
     assert!(loaded.project.unwrap().parts.is_empty());
-    assert_eq!(loaded.diagnostics.iter().map(|finding| finding.id()).collect::<Vec<_>>(), ["parts.too-many"]);
+    assert_eq!(loaded.diagnostics.iter().map(|finding| finding.message_id()).collect::<Vec<_>>(), ["parts.too-many"]);
     for wrong in ["7", "{}", "[7]", "[[]]", "null"] {
         assert!(Project::from_json(&plain_with_parts(wrong)).project.is_none(), "{wrong}");
     }

@@ -577,7 +577,7 @@ fn export_opens_as_a_whole_without_its_documents() {
             let opened = import::open(&ribbon(), &files);
             let project = opened.project.unwrap();
             assert!(project.machine.id() == machine.id() && project.edited.is_none(), "{}", machine.id());
-            assert!(opened.diagnostics.iter().any(|told| told.id() == "project.documents-left"));
+            assert!(opened.diagnostics.iter().any(|told| told.message_id() == "project.documents-left"));
         }
     }
 }
@@ -606,7 +606,7 @@ fn files_that_do_not_go_together_are_all_refused() {
     ] {
         let opened = import::open(&ribbon(), &files);
         assert!(opened.project.is_none());
-        assert_eq!(opened.diagnostics.iter().map(|found| found.id()).collect::<Vec<_>>(), [reason]);
+        assert_eq!(opened.diagnostics.iter().map(|found| found.message_id()).collect::<Vec<_>>(), [reason]);
     }
 }
 

@@ -6,7 +6,7 @@ use super::super::parsed::Parsed;
 use super::super::program_names::ProgramNames;
 use crate::controls::syntax::RoundBrackets;
 use crate::controls::{Address, AddressSet, Control};
-use crate::text::{Diagnostic, FileId, Fix, LineIndex, Message, Place, Span};
+use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, LineIndex, Message, Place, Span};
 
 /// Missing index or number.
 pub(super) const NONE: u32 = u32::MAX;
@@ -84,7 +84,7 @@ impl<'a> Lint<'a> {
         if self.is_full() {
             return None;
         }
-        self.found.push(Diagnostic::warning(message).at(place));
+        self.found.push(Diagnostic::warning(message).kind(DiagnosticKind::Lint).at(place));
         self.found.last_mut()
     }
 

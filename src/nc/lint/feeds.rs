@@ -113,7 +113,7 @@ impl Feeds {
                 false => msg!("lint.feed-per-minute", word, feed, code = code.as_str(), count),
             };
             lint.warn(place, message);
-            lint.fix(msg!("lint.fix.unit", code = code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));
+            lint.fix(msg!("nc.fix.unit", code = code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));
         }
     }
 }

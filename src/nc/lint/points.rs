@@ -114,10 +114,10 @@ impl Pointless {
         lint.warn(place, message);
         let meant = |dec: Dec| format!("{letter}{}", Dec { point: true, ..dec });
         if self.count == self.words.len() {
-            lint.fix(msg!("lint.fix.point", word = meant(dec)), &self.words, &meant);
+            lint.fix(msg!("nc.fix.point", word = meant(dec)), &self.words, &meant);
             // Fix to the present meaning: the control's increments are thousandths.
             let present = |dec: Dec| format!("{letter}{}", number_text(dec.to_f64() * step, 9));
-            lint.fix(msg!("lint.fix.present", word = present(dec)), &self.words, &present);
+            lint.fix(msg!("nc.fix.present", word = present(dec)), &self.words, &present);
         }
     }
 }

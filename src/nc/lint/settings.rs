@@ -3,7 +3,7 @@
 use super::context::Lint;
 use crate::controls::options::CallParameters;
 use crate::msg;
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, DiagnosticKind};
 
 /// Reports parts of text settings that could not be read, or bind nothing.
 pub(super) fn idle_texts(lint: &mut Lint) {
@@ -12,6 +12,6 @@ pub(super) fn idle_texts(lint: &mut Lint) {
             CallParameters::ID => msg!("lint.call-parameter", text = part),
             _ => msg!("lint.setting-unread", text = part, switch = id),
         };
-        lint.found.push(Diagnostic::warning(message));
+        lint.found.push(Diagnostic::warning(message).kind(DiagnosticKind::Lint));
     }
 }

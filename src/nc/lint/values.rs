@@ -165,10 +165,10 @@ impl Vars<'_> {
             let Some(id) = self.can_be_zero(*site) else { continue };
             let (place, divisor) = lint.written(site.block, lint.part(site.block, id));
             let (number, hint) = match (self.deck.expr(id), self.control.syntax.names()) {
-                (Expr::Var(number), None) => (number, msg!("lint.hint-divisor", divisor)),
-                (Expr::Var(number), Some(_)) => (number, msg!("lint.hint-divisor-named", divisor)),
-                (_, None) => (NONE, msg!("lint.hint-difference", divisor)),
-                (_, Some(_)) => (NONE, msg!("lint.hint-difference-named", divisor)),
+                (Expr::Var(number), None) => (number, msg!("nc.hint.divisor", divisor)),
+                (Expr::Var(number), Some(_)) => (number, msg!("nc.hint.divisor-named", divisor)),
+                (_, None) => (NONE, msg!("nc.hint.difference", divisor)),
+                (_, Some(_)) => (NONE, msg!("nc.hint.difference-named", divisor)),
             };
             let key = (self.deck.programs.partition_point(|program| program.end <= site.block), number);
             if (told.insert(key) || number == NONE)
@@ -199,7 +199,7 @@ impl Vars<'_> {
         for site in self.equals.iter().filter(|site| exact && self.differs(site)) {
             let (place, condition) = lint.written(site.block, lint.part(site.block, site.id));
             if let Some(finding) = lint.warn(place, msg!("lint.equal-decimals", condition)) {
-                finding.hints.push(msg!("lint.hint-equal"));
+                finding.hints.push(msg!("nc.hint.equal"));
             }
         }
     }
@@ -275,9 +275,9 @@ impl Vars<'_> {
             };
             let (place, variable) = lint.written(block, lint.part(block, id));
             let hint = match argument {
-                Some(_) if calls > 0 => msg!("lint.hint-argument", address = letter.to_string()),
-                Some(_) if lost() => msg!("lint.hint-sub-argument", variable, address = letter.to_string()),
-                _ => msg!("lint.hint-unset-local", variable),
+                Some(_) if calls > 0 => msg!("nc.hint.argument", address = letter.to_string()),
+                Some(_) if lost() => msg!("nc.hint.sub-argument", variable, address = letter.to_string()),
+                _ => msg!("nc.hint.unset-local", variable),
             };
             if block != NONE
                 && let Some(finding) = lint.warn(place, msg!("lint.unset-local", variable))
@@ -295,7 +295,7 @@ impl Vars<'_> {
             let (place, word) = lint.written(block, span);
             let variable = name(self.control, var);
             if let Some(finding) = lint.warn(place, msg!("lint.vacant-word", word, variable = variable.as_str())) {
-                finding.hints.push(msg!("lint.hint-vacant", variable));
+                finding.hints.push(msg!("nc.hint.vacant", variable));
             }
         }
     }

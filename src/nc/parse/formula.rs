@@ -11,7 +11,7 @@ use crate::nc::lex::spelling::meant;
 use crate::nc::parse::failure::{IgnoredFeature, Mend, Misused, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::nc::parsed::ExprSpan;
-use crate::text::{Diagnostic, Message, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
 
 /// Maximum parts of the formulas of one block; limits the depth of every tree.
 const PARTS: u32 = 250;
@@ -236,14 +236,15 @@ impl Reader<'_> {
         let run = behind.iter().take_while(|b| matches!(b, b'+' | b'-' | b' ' | b'\t')).count();
         let signs = behind.get(..run).unwrap_or_default().trim_ascii_end();
         let place = self.place(self.span(start, start + signs.len()));
-        let last = self.findings.list.last().filter(|last| last.id() == "nc.two-signs");
+        let last = self.findings.list.last().filter(|last| last.kind == DiagnosticKind::TwoSigns);
         if last.and_then(|last| last.place).is_some_and(|last| last.covers(place)) {
             return;
         }
         let written = String::from_utf8_lossy(signs).into_owned();
         let positive = signs.iter().filter(|b| **b == b'-').count() % 2 == 0;
         let (read, other) = if positive { ("+", "-") } else { ("-", "+") };
-        let mut finding = Diagnostic::warning(msg!("nc.two-signs", written, read)).at(place);
+        let mut finding =
+            Diagnostic::warning(msg!("nc.two-signs", written, read)).kind(DiagnosticKind::TwoSigns).at(place);
         for sign in [read, other] {
             let text = if sign == "+" { "" } else { sign };
             finding = finding.fix(msg!("nc.fix.sign", sign), vec![(place, text.to_owned())]);

@@ -49,8 +49,7 @@ pub(super) fn programs(control: &'static Control, texts: &Texts) -> HelpPage {
     about.text = texts.list("use");
     let mut rules = HelpSection::new("rules", texts.words("title.rules"));
     rules.text = texts.list("rules");
-    let part = |id: &str| id.strip_prefix("lint.").is_some_and(|id| id.starts_with("fix.") || id.starts_with("hint-"));
-    for id in catalog::ids("lint.").filter(|id| !part(id)) {
+    for id in catalog::ids("lint.") {
         let mut entry = HelpEntry::new(HelpKind::Rule, format!("rule.{id}"), id, "");
         entry.text.push(plain(open(words(id))));
         rules.entries.push(entry);

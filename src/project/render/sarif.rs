@@ -81,7 +81,7 @@ impl Renderer<'_> {
         let field = diagnostic.field.iter().map(|field| sentence(&msg!("project.sarif-field", field = *field)));
         let text = sentences(alarm.chain([said]).chain(hints).chain(field));
         let mut result = json!({
-            "ruleId": diagnostic.id(),
+            "ruleId": diagnostic.message_id(),
             "level": match diagnostic.severity {
                 Severity::Error => "error",
                 Severity::Warning => "warning",

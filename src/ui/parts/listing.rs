@@ -140,10 +140,10 @@ fn finding(at: usize, diagnostic: &Diagnostic) -> String {
         out.push_str("</button>");
     }
     if diagnostic.severity != Severity::Error {
-        let (id, words) = (diagnostic.id(), t("page.silence"));
+        let (id, words) = (diagnostic.message_id(), t("page.silence"));
         let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-silence=\"{id}\">{words}</button>");
         // The help has an entry for each warning about programs.
-        if id.starts_with("lint.") {
+        if diagnostic.kind.is_lint() {
             let more = t("help.more");
             let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-explain=\"rule.{id}\">{more}</button>");
         }
@@ -157,7 +157,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::text::{Place, Span};
+    use crate::text::{DiagnosticKind, Place, Span};
     use crate::ui::testing::project;
 
     fn shown(text: &str, found: &[Diagnostic]) -> String {
@@ -195,8 +195,8 @@ mod tests {
     #[wasm_bindgen_test]
     fn warning_about_a_program_leads_to_its_place_in_the_help() {
         let place = Place { file: FileId(0), span: Span { start: 4, end: 6 } };
-        for (message, leads) in [(crate::msg!("lint.feed-zero"), true), (crate::msg!("page.not-a-value"), false)] {
-            let html = shown("G01 X1.\n", &[Diagnostic::warning(message).at(place)]);
+        for (kind, leads) in [(DiagnosticKind::Lint, true), (DiagnosticKind::Plain, false)] {
+            let html = shown("G01 X1.\n", &[Diagnostic::warning(crate::msg!("lint.feed-zero")).kind(kind).at(place)]);
             assert_eq!(html.contains("data-explain=\"rule.lint.feed-zero\""), leads, "{html}");
         }
     }

@@ -454,7 +454,7 @@ mod tests {
         let bench = tab().await;
         let place = Place { file: FileId(0), span: Span { start: 0, end: 1 } };
         let found = Diagnostic::warning(crate::msg!("page.not-a-value")).at(place);
-        let id = found.id();
+        let id = found.message_id();
         bench.page.program.findings.set(vec![found]);
         settled().await;
         bench.press_button(t("page.silence")).await;

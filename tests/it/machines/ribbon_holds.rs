@@ -61,7 +61,7 @@ fn run(project: &Project, actions: &[(f64, Action)]) -> (Planner<Interp>, RunEnd
 
 /// Ids of the findings of a run.
 fn said(planner: &Planner<Interp>) -> Vec<&str> {
-    planner.diagnostics().iter().map(|finding| finding.id()).collect()
+    planner.diagnostics().iter().map(|finding| finding.message_id()).collect()
 }
 
 /// The first moment (s) from `t` on at which the machine is as asked.

@@ -157,7 +157,7 @@ fn ribbon_missing_after_the_start_counts_in_the_tension() {
         assert!((least + missing).abs() < 1.0, "{least} {missing}");
         let mut held = over_time(&fast, vec![]);
         assert_eq!((ended(&mut held), held.is_held_by_plc()), (RunEnd::Stop, true));
-        assert!(held.diagnostics().iter().any(|found| found.id() == "ribbon.held-web-tight"));
+        assert!(held.diagnostics().iter().any(|found| found.message_id() == "ribbon.held-web-tight"));
         // A longer dwell misses nothing.
         let mended = project.with_entries(&tension.advice[0].sets).unwrap();
         assert_eq!(tension.advice[0].sets[0].0, "dwell");

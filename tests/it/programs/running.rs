@@ -38,7 +38,10 @@ fn run_into_unread_block_shows_the_finding_of_the_reader() {
         let Some(End::Alarm(alarm)) = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) else {
             panic!("{block}: no alarm");
         };
-        assert!(parsed.diagnostics().contains(&alarm) && alarm.id() != "nc.no-program-end", "{block}: {alarm:?}");
+        assert!(
+            parsed.diagnostics().contains(&alarm) && alarm.message_id() != "nc.no-program-end",
+            "{block}: {alarm:?}"
+        );
     }
 }
 

@@ -123,7 +123,7 @@ fn diagnostic(finding: &Diagnostic, address: &Url, range: Range, related: bool) 
             Severity::Warning => DiagnosticSeverity::WARNING,
             Severity::Info => DiagnosticSeverity::INFORMATION,
         }),
-        code: Some(NumberOrString::String(finding.alarm.as_deref().unwrap_or(finding.id()).to_owned())),
+        code: Some(NumberOrString::String(finding.alarm.as_deref().unwrap_or(finding.message_id()).to_owned())),
         source: Some(SOURCE.to_owned()),
         related_information: related.then(|| more.iter().map(apart).collect()),
         message: if related { message } else { [vec![message], more].concat().join("\n") },
