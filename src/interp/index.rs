@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::controls::Address;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, Control, Dialect, VarKind, VarRange};
-use crate::nc::{Deck, Expr, ExprId, Program, Stmt};
+use crate::nc::{Deck, Expr, ExprId, Jump, Program, Stmt};
 
 /// Storage of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -227,7 +227,7 @@ fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
     }
     let mut found = Vec::new();
     for (at, block) in blocks.iter().enumerate() {
-        for (_, target, way) in deck.jumps_of(block.stmt) {
+        for Jump { target, way, .. } in deck.jumps_of(block.stmt) {
             let named = match deck.expr(target) {
                 Expr::Label(name) => labels.get(deck.text(Some(name))),
                 Expr::Number(number) => numbers.get(&number.mantissa),
@@ -257,7 +257,7 @@ fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps 
                     open.push((label, at));
                 }
             }
-            Stmt::End { label } => match open.last() {
+            Stmt::End { label, .. } => match open.last() {
                 Some(&(last, start)) if last == label => {
                     open.pop();
                     jumps.pairs.push((start, Partner::Block(at)));

@@ -17,6 +17,13 @@ pub struct ExprId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct TextId(NonZeroU32);
 
+impl TextId {
+    /// Index in [`Deck::texts`].
+    pub(super) fn index(self) -> usize {
+        self.0.get() as usize - 1
+    }
+}
+
 /// All programs of all files.
 #[derive(Debug, Clone, Default)]
 pub struct Deck {
@@ -62,6 +69,8 @@ pub struct Block {
     pub span: Span,
     /// Sequence number.
     pub number: Option<u32>,
+    /// Bytes of the sequence number with its `N` or `:`.
+    pub number_at: Extent,
     /// Statement.
     pub stmt: Stmt,
     /// First comment in the block.
@@ -108,6 +117,8 @@ pub enum Stmt {
         target: ExprId,
         /// Direction of the search for the target.
         way: JumpDirection,
+        /// Bytes of `GOTOF` or `GOTOB`; none of `GOTO`.
+        keyword: Extent,
     },
     /// Several conditions with jumps `pairs[first..first + count]`; the first true condition jumps.
     Ifs {
@@ -131,6 +142,8 @@ pub enum Stmt {
         target: ExprId,
         /// Direction of the search for the target.
         way: JumpDirection,
+        /// Bytes of `GOTOF` or `GOTOB`; none of `GOTO`.
+        keyword: Extent,
     },
     /// A call of a program by its name.
     Call {
@@ -147,14 +160,35 @@ pub enum Stmt {
         cond: Option<ExprId>,
         /// Number of the loop.
         label: u16,
+        /// Bytes of `DO label`.
+        keyword: Extent,
     },
     /// `END label`.
     End {
         /// Number of the loop.
         label: u16,
+        /// Bytes of `END label`.
+        keyword: Extent,
     },
     /// A block with an error; executing it raises its alarm.
     Bad(BadBlock),
+}
+
+/// Bytes of a part of a block, from the start of the block; empty in a built block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Extent {
+    /// First byte.
+    pub offset: u16,
+    /// Number of bytes.
+    pub len: u16,
+}
+
+impl Extent {
+    /// The bytes in the file of the block.
+    pub fn span(self, block: &Block) -> Span {
+        let start = block.span.start.saturating_add(u32::from(self.offset));
+        Span::new(start, start.saturating_add(u32::from(self.len)))
+    }
 }
 
 /// The first error of a block that does not parse.
@@ -198,8 +232,8 @@ impl JumpDirection {
     pub(crate) fn nearest(self, from: usize, places: &[usize]) -> Option<usize> {
         let behind = places.partition_point(|to| *to <= from);
         let at = match self {
-            JumpDirection::Around => 0,
-            JumpDirection::Forward => behind,
+            JumpDirection::Around if behind == places.len() => 0,
+            JumpDirection::Around | JumpDirection::Forward => behind,
             JumpDirection::Backward => behind.checked_sub(1)?,
         };
         places.get(at).copied()
@@ -215,6 +249,21 @@ pub struct Pair {
     pub right: ExprId,
     /// Direction of the search for the target.
     pub way: JumpDirection,
+    /// Bytes of `GOTOF` or `GOTOB`; none in an assignment.
+    pub keyword: Extent,
+}
+
+/// A jump of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jump {
+    /// The condition; `None` without one.
+    pub cond: Option<ExprId>,
+    /// Sequence number or [`Expr::Label`] to go to.
+    pub target: ExprId,
+    /// Direction of the search for the target.
+    pub way: JumpDirection,
+    /// Bytes of `GOTOF` or `GOTOB`; none of `GOTO`.
+    pub keyword: Extent,
 }
 
 /// Dimensioning of a word's value by its own notation: `X=IC(5)`.
@@ -418,12 +467,12 @@ impl Deck {
 
     /// A text; empty for `None`.
     pub fn text(&self, id: Option<TextId>) -> &str {
-        id.and_then(|id| self.texts.get(id.0.get() as usize - 1)).map_or("", |text| text)
+        id.and_then(|id| self.texts.get(id.index())).map_or("", |text| text)
     }
 
     /// Mutable access to a text.
     pub fn text_mut(&mut self, id: TextId) -> Option<&mut Box<str>> {
-        self.texts.get_mut(id.0.get() as usize - 1)
+        self.texts.get_mut(id.index())
     }
 
     /// Adds a text.
@@ -437,18 +486,22 @@ impl Deck {
         self.pairs.get(first as usize..first as usize + count as usize).unwrap_or_default()
     }
 
-    /// Jumps of a block: condition, target and direction.
-    pub fn jumps_of(&self, stmt: Stmt) -> impl Iterator<Item = (Option<ExprId>, ExprId, JumpDirection)> {
+    /// Jumps of a block.
+    pub fn jumps_of(&self, stmt: Stmt) -> impl Iterator<Item = Jump> {
         let one = match stmt {
-            Stmt::If { cond, target, way } => Some((Some(cond), target, way)),
-            Stmt::Goto { target, way } => Some((None, target, way)),
+            Stmt::If { cond, target, way, keyword } => Some(Jump { cond: Some(cond), target, way, keyword }),
+            Stmt::Goto { target, way, keyword } => Some(Jump { cond: None, target, way, keyword }),
             _ => None,
         };
         let several = match stmt {
             Stmt::Ifs { first, count } => self.pairs_of(first, count),
             _ => &[],
         };
-        one.into_iter().chain(several.iter().map(|pair| (Some(pair.left), pair.right, pair.way)))
+        let jump = |pair: &Pair| {
+            let Pair { left, right: target, way, keyword } = *pair;
+            Jump { cond: Some(left), target, way, keyword }
+        };
+        one.into_iter().chain(several.iter().map(jump))
     }
 
     /// Unconditional assignments of a block, each variable with its value.

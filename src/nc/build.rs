@@ -13,7 +13,7 @@
 //! assert_eq!(deck.blocks.len(), 5);
 //! ```
 
-use super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
+use super::ast::{Block, Deck, Expr, ExprId, Extent, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
 use super::dec::Dec;
 use crate::controls::Address;
 use crate::controls::syntax::Function;
@@ -270,7 +270,7 @@ impl Builder {
     pub fn if_goto(&mut self, condition: Condition, target: impl Into<Formula>) -> &mut Builder {
         let cond = self.intern(condition.0);
         let target = self.intern(target.into());
-        self.push(Stmt::If { cond, target, way: JumpDirection::Around })
+        self.push(Stmt::If { cond, target, way: JumpDirection::Around, keyword: Extent::default() })
     }
 
     /// `IF [condition] THEN #to = value`.
@@ -284,23 +284,23 @@ impl Builder {
     /// `GOTO target`.
     pub fn goto(&mut self, target: impl Into<Formula>) -> &mut Builder {
         let target = self.intern(target.into());
-        self.push(Stmt::Goto { target, way: JumpDirection::Around })
+        self.push(Stmt::Goto { target, way: JumpDirection::Around, keyword: Extent::default() })
     }
 
     /// `WHILE [condition] DO label`.
     pub fn while_do(&mut self, condition: Condition, label: u16) -> &mut Builder {
         let cond = Some(self.intern(condition.0));
-        self.push(Stmt::While { cond, label })
+        self.push(Stmt::While { cond, label, keyword: Extent::default() })
     }
 
     /// `DO label`: a loop without condition.
     pub fn do_forever(&mut self, label: u16) -> &mut Builder {
-        self.push(Stmt::While { cond: None, label })
+        self.push(Stmt::While { cond: None, label, keyword: Extent::default() })
     }
 
     /// `END label`.
     pub fn end_do(&mut self, label: u16) -> &mut Builder {
-        self.push(Stmt::End { label })
+        self.push(Stmt::End { label, keyword: Extent::default() })
     }
 
     /// Calls a program by its number, with an optional number of repeats: `M98 P`, or a call by name.
@@ -377,6 +377,7 @@ impl Builder {
         self.deck.blocks.push(Block {
             span: Span::default(),
             number,
+            number_at: Extent::default(),
             stmt,
             comment: None,
             label: None,

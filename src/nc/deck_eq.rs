@@ -50,13 +50,13 @@ impl Deck {
                 let pair = |a: &Pair, b: &Pair| a.way == b.way && same(a.left, b.left) && same(a.right, b.right);
                 a.len() == b.len() && a.iter().zip(b).all(|(a, b)| pair(a, b))
             }
-            (Stmt::If { cond, target, way }, Stmt::If { cond: cond2, target: target2, way: way2 }) => {
+            (Stmt::If { cond, target, way, .. }, Stmt::If { cond: cond2, target: target2, way: way2, .. }) => {
                 way == way2 && same(cond, cond2) && same(target, target2)
             }
             (Stmt::IfThen { cond, to, value }, Stmt::IfThen { cond: cond2, to: to2, value: value2 }) => {
                 same(cond, cond2) && same(to, to2) && same(value, value2)
             }
-            (Stmt::Goto { target, way }, Stmt::Goto { target: target2, way: way2 }) => {
+            (Stmt::Goto { target, way, .. }, Stmt::Goto { target: target2, way: way2, .. }) => {
                 way == way2 && same(target, target2)
             }
             (Stmt::Call { name, repeats }, Stmt::Call { name: name2, repeats: repeats2 }) => {
@@ -68,7 +68,7 @@ impl Deck {
                     }
             }
             (Stmt::Message(a), Stmt::Message(b)) => a.is_some() == b.is_some() && self.text(a) == other.text(b),
-            (Stmt::While { cond, label }, Stmt::While { cond: cond2, label: label2 }) => {
+            (Stmt::While { cond, label, .. }, Stmt::While { cond: cond2, label: label2, .. }) => {
                 label == label2
                     && match (cond, cond2) {
                         (None, None) => true,
@@ -76,7 +76,7 @@ impl Deck {
                         _ => false,
                     }
             }
-            (Stmt::End { label }, Stmt::End { label: label2 }) => label == label2,
+            (Stmt::End { label, .. }, Stmt::End { label: label2, .. }) => label == label2,
             (Stmt::Bad(a), Stmt::Bad(b)) => a.alarm == b.alarm,
             _ => false,
         };

@@ -22,12 +22,14 @@ mod parse;
 mod parsed;
 mod program_names;
 mod read;
+mod unread;
 mod write;
 
 pub mod symbols;
 
 pub use ast::{
-    BadBlock, Block, Deck, Dimensioning, Expr, ExprId, JumpDirection, Op, Pair, Program, Stmt, TextId, Word, WordValue,
+    BadBlock, Block, Deck, Dimensioning, Expr, ExprId, Extent, Jump, JumpDirection, Op, Pair, Program, Stmt, TextId,
+    Word, WordValue,
 };
 pub use codes::Codes;
 pub use dec::Dec;

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::ast::{Block, Deck, ExprId};
+use super::ast::{Block, Deck, ExprId, TextId};
 use super::codes::Codes;
 use super::files::Files;
 use crate::controls::{Control, Dialect, Switches};
@@ -26,6 +26,22 @@ impl ExprSpan {
     }
 }
 
+/// Places of the parts of a deck in their files.
+#[derive(Debug, Clone, Default)]
+pub(in crate::nc) struct PartPlaces {
+    /// Places of [`Deck::exprs`].
+    pub(in crate::nc) exprs: Vec<ExprSpan>,
+    /// Places of [`Deck::texts`], without brackets and quotes; empty for the name of a file.
+    pub(in crate::nc) texts: Vec<Span>,
+}
+
+impl PartPlaces {
+    /// Span of a text.
+    pub(in crate::nc) fn text(&self, id: TextId) -> Span {
+        self.texts.get(id.index()).copied().unwrap_or_default()
+    }
+}
+
 /// Programs parsed for a control; the only input of the interpreter.
 #[derive(Debug, Clone)]
 pub struct Parsed {
@@ -36,7 +52,7 @@ pub struct Parsed {
     pub(in crate::nc) switches: Switches,
     pub(in crate::nc) dialect: Rc<Dialect>,
     pub(in crate::nc) codes: Codes,
-    pub(in crate::nc) expr_spans: Vec<ExprSpan>,
+    pub(in crate::nc) places: PartPlaces,
 }
 
 impl Parsed {
@@ -87,9 +103,14 @@ impl Parsed {
 
     /// Span of an expression in the block at a place; `None` if the expression is not part of that block.
     pub fn expr_span(&self, block: Place, expr: ExprId) -> Option<Span> {
-        let raw = self.expr_spans.get(expr.0 as usize)?;
+        let raw = self.places.exprs.get(expr.0 as usize)?;
         let span = raw.trimmed(&self.files.get(block.file)?.text)?;
         (block.span.start <= span.start && span.end <= block.span.end).then_some(span)
+    }
+
+    /// Span of a comment, message, label or name in its file, without brackets and quotes.
+    pub fn text_span(&self, text: TextId) -> Span {
+        self.places.text(text)
     }
 
     /// Place of a block, in the program with this index.

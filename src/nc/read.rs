@@ -8,7 +8,7 @@ use super::codes::Codes;
 use super::files::Files;
 use super::parse::reader::{FINDINGS, Reader};
 use super::parse::tables::Tables;
-use super::parsed::Parsed;
+use super::parsed::{Parsed, PartPlaces};
 use crate::controls::{Control, Dialect, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId};
@@ -24,7 +24,7 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
     let codes = Codes::new(control, &dialect);
     let tables = Tables::new(control, &dialect, &codes);
     let mut deck = Deck::default();
-    let mut expr_spans = Vec::new();
+    let mut places = PartPlaces::default();
     let mut found = Vec::new();
     let mut later = Vec::new();
     for (index, file) in files.0.iter().enumerate() {
@@ -38,21 +38,22 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
         }
         let mut reader = Reader::new(control, &tables, FileId(id), &file.text, deck);
         reader.file.name = &file.name;
-        reader.expr_spans = expr_spans;
+        reader.places = places;
         reader.reserve();
         reader.file();
-        (deck, expr_spans) = (reader.deck, reader.expr_spans);
+        (deck, places) = (reader.deck, reader.places);
         found.append(&mut reader.findings.list);
         later.append(&mut reader.findings.later);
     }
-    programs((&deck, &expr_spans), control, files, &later, &mut found);
+    programs((&deck, &places), (control, &codes), files, &later, &mut found);
     Diagnostic::in_order(&mut found);
     if found.len() > FINDINGS {
         found.truncate(FINDINGS);
         found.push(Diagnostic::info(msg!("nc.more-findings", most = FINDINGS as u32)));
     }
     deck.shrink();
-    expr_spans.shrink_to_fit();
+    places.exprs.shrink_to_fit();
+    places.texts.shrink_to_fit();
     Parsed {
         files: files.clone(),
         deck,
@@ -61,6 +62,6 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
         switches: switches.clone(),
         dialect,
         codes,
-        expr_spans,
+        places,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::ast::{Block, Deck, Expr, ExprId, Program, Stmt, TextId, Word, WordValue};
+use super::ast::{Block, Deck, Expr, ExprId, Jump, JumpDirection, Program, Stmt, TextId, Word, WordValue};
 use super::lex::tokens::{TokenKind, tokens};
 use super::parsed::Parsed;
 use super::program_names::ProgramNames;
@@ -36,6 +36,8 @@ pub enum Role {
     Definition,
     /// Assignment of the variable.
     Write,
+    /// Argument of a call, which sets the variable of the called program.
+    Argument,
     /// Reading of the variable.
     Read,
     /// Jump to the block, or another use of its number.
@@ -90,8 +92,8 @@ impl Symbols {
         }
         let all = reader.finish();
         let mut defined = BTreeMap::new();
-        for wanted in [Role::Definition, Role::Write] {
-            for row in all.iter().filter(|row| row.role == wanted) {
+        for wanted in [&[Role::Definition][..], &[Role::Write, Role::Argument]] {
+            for row in all.iter().filter(|row| wanted.contains(&row.role)) {
                 defined.entry(row.symbol).or_insert(row.place);
             }
         }
@@ -149,11 +151,7 @@ impl Symbols {
                 let calls = inside.clone().any(|row| row.role == Role::Call);
                 let own = inside.clone().find(|row| row.symbol == Symbol::Block(at));
                 let named = own.filter(|_| calls || block.label.is_some() || targets.contains(&Symbol::Block(at)));
-                // An argument of a call sets a variable of another program.
-                let sign = |row: &Occurrence| {
-                    parsed.text(row.place).to_ascii_uppercase().starts_with(parsed.control.syntax.variable)
-                };
-                let sets = inside.filter(|row| row.role == Role::Write && sign(row) && assigned.insert(row.symbol));
+                let sets = inside.filter(|row| row.role == Role::Write && assigned.insert(row.symbol));
                 children.extend(named.into_iter().chain(sets).map(|row| OutlineItem {
                     symbol: row.symbol,
                     name: parsed.text(row.place).to_owned(),
@@ -262,17 +260,14 @@ impl<'a> Reader<'a> {
                         self.read(here, value);
                         self.write(here, to);
                     }
-                    for (cond, target, way) in deck.jumps_of(stmt) {
+                    for Jump { cond, target, way, .. } in deck.jumps_of(stmt) {
                         cond.into_iter().for_each(|cond| self.read(here, cond));
                         let places = match deck.expr(target) {
                             Expr::Number(number) => self.numbered(index, number.to_f64()),
                             Expr::Label(name) => self.labels.get(&(index, deck.text(Some(name)))).map(Vec::as_slice),
                             _ => None,
                         };
-                        let to = places.and_then(|places| match self.control.syntax.names() {
-                            Some(_) => way.nearest(at, places),
-                            None => nearest(at, places),
-                        });
+                        let to = places.and_then(|places| way.nearest(at, places));
                         match (to, self.span(here, target)) {
                             (Some(to), Some(place)) => {
                                 self.add(place, Symbol::Block(program.first + to as u32), Role::Jump);
@@ -287,14 +282,9 @@ impl<'a> Reader<'a> {
 
     /// Records number and label of a block.
     fn own_name(&mut self, here: Here, at: u32) {
-        if here.block.number.is_none() && here.block.label.is_none() {
-            return;
-        }
-        let pieces = self.pieces(here);
-        let names = pieces.into_iter().filter(|(_, kind)| *kind == TokenKind::Sequence);
-        let count =
-            usize::from(here.block.number.is_some() && !here.block.main) + usize::from(here.block.label.is_some());
-        for (span, _) in names.take(count) {
+        let number = here.block.number.map(|_| here.block.number_at.span(here.block));
+        let label = here.block.label.map(|label| self.parsed.text_span(label));
+        for span in number.into_iter().chain(label) {
             self.add(Place { file: here.file, span }, Symbol::Block(at), Role::Definition);
         }
     }
@@ -357,14 +347,9 @@ impl<'a> Reader<'a> {
 
     fn call_by_name(&mut self, here: Here, name: TextId, repeats: Option<ExprId>) {
         repeats.into_iter().for_each(|repeats| self.read(here, repeats));
-        let deck = self.deck;
+        let (deck, span) = (self.deck, self.parsed.text_span(name));
         let name = deck.text(Some(name));
         let Some(to) = self.names.name(name).or_else(|| deck.program_named(name)) else { return };
-        let text = self.parsed.text(Place { file: here.file, span: here.block.span });
-        // Number and label of the block precede the name.
-        let Some(at) = text.to_ascii_uppercase().rfind(&name.to_ascii_uppercase()) else { return };
-        let start = here.block.span.start + at as u32;
-        let span = Span::new(start, start + name.len() as u32);
         self.add(Place { file: here.file, span }, Symbol::Program(to), Role::Call);
         self.calls.push((to, here.program));
     }
@@ -378,7 +363,7 @@ impl<'a> Reader<'a> {
     /// Records a word that refers to a block of a program by its number.
     fn names_block(&mut self, here: Here, word: &Word, program: u32, from: usize) {
         let WordValue::Number(number) = word.value else { return };
-        let to = self.numbered(program, number.to_f64()).and_then(|places| nearest(from, places));
+        let to = self.numbered(program, number.to_f64()).and_then(|places| JumpDirection::Around.nearest(from, places));
         let first = self.deck.programs.get(program as usize).map(|program| program.first);
         if let (Some(to), Some(first)) = (to, first) {
             let place = Place { file: here.file, span: word.span(here.block) };
@@ -463,7 +448,7 @@ impl<'a> Reader<'a> {
                 matches!(word.letter, Address::G | Address::L | Address::M | Address::N | Address::O | Address::P);
             if number != 0 && !other && once(word.letter) && word.span(here.block) != by.span(here.block) {
                 let place = Place { file: here.file, span: word.span(here.block) };
-                self.add(place, self.variable(to, number), Role::Write);
+                self.add(place, self.variable(to, number), Role::Argument);
             }
         }
     }
@@ -505,9 +490,4 @@ impl<'a> Reader<'a> {
         self.found.sort_by_key(|row| (row.place.file, row.place.span.start));
         self.found
     }
-}
-
-/// Target of a jump by number from a block: searched toward the end of the program, then from its start.
-fn nearest(from: usize, places: &[usize]) -> Option<usize> {
-    places.iter().find(|to| **to > from).or(places.first()).copied()
 }

@@ -52,6 +52,8 @@ pub enum DiagnosticKind {
     Contour,
     /// A DO or END without its partner, or too deep.
     UnpairedLoop,
+    /// A WHILE without its DO, which belongs at the end of its place.
+    WhileWithoutDo,
     /// An auxiliary function is put out in each pass of a loop.
     AuxiliaryInLoop,
     /// A spindle code is put out in each pass of a loop.

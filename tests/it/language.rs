@@ -1,5 +1,6 @@
 //! Reading programs: findings of a text with their places and fixes.
 
+mod beside_comments;
 mod dialects;
 mod dialects_calls;
 mod loops;

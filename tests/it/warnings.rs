@@ -569,6 +569,9 @@ fn unreadable_block_hides_warnings_that_depend_on_it() {
     let (_, found) =
         GSK.review("O1\nG99 G01 X#1.\nIF[#100 LT 1 GOTO9\n#101=5/#100\nG01 Z#101 F0.2\nM98 P[2\nN9 M30\nO2\nX#1\nM99");
     assert!(found.iter().all(|d| d.alarm.is_some()), "{found:#?}");
+    let slow = |block: &str| GSK.review(&format!("O1\nM03 S800\n{block}\nG00 X40. Z2.\nG01 Z-20. F0.15\nM30")).1;
+    let warned = |block: &str| slow(block).iter().any(|d| d.message_id() == "lint.feed-per-minute");
+    assert_eq!(["X[[", "X[[ (G99)", "G99 X[[", "G#99 X[["].map(warned), [true, true, false, false]);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::check::Precheck;
 use crate::controls::{Alarm, VarKind};
-use crate::nc::{Block, Expr, ExprId, Stmt, WordValue};
+use crate::nc::{Block, Expr, ExprId, Jump, Stmt, WordValue};
 
 /// Alarms of writing to a variable, without the alarms that programs raise on purpose.
 const WRITES: [Alarm; 4] = [Alarm::VariableRange, Alarm::ReadOnly, Alarm::VacantWritten, Alarm::VariableSide];
@@ -35,7 +35,7 @@ impl Precheck<'_> {
                     self.formula(block, value);
                     self.assigned(block, to, value);
                 }
-                for (cond, target, _) in deck.jumps_of(stmt) {
+                for Jump { cond, target, .. } in deck.jumps_of(stmt) {
                     cond.into_iter().chain([target]).for_each(|id| self.formula(block, id));
                     if self.is_constant(target) {
                         let jumped = self.state.go_to(&mut self.cx, at, target);

@@ -2,12 +2,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::controls::Control;
 use crate::nc::ast::{Block, Deck, JumpDirection, Stmt};
 use crate::nc::dec::Dec;
+use crate::nc::unread;
 
 /// Jump targets of one program. Each part is built on first use; a look-up takes logarithmic time.
 pub(super) struct JumpTargets<'a> {
     deck: &'a Deck,
+    control: &'a Control,
     blocks: &'a [Block],
     /// Text of the program's file.
     text: &'a str,
@@ -19,8 +22,8 @@ pub(super) struct JumpTargets<'a> {
 }
 
 impl<'a> JumpTargets<'a> {
-    pub(super) fn new(deck: &'a Deck, blocks: &'a [Block], text: &'a str) -> JumpTargets<'a> {
-        JumpTargets { deck, blocks, text, numbers: None, labels: None, unread: None }
+    pub(super) fn new(deck: &'a Deck, control: &'a Control, blocks: &'a [Block], text: &'a str) -> JumpTargets<'a> {
+        JumpTargets { deck, control, blocks, text, numbers: None, labels: None, unread: None }
     }
 
     /// The blocks with a number.
@@ -67,19 +70,11 @@ impl<'a> JumpTargets<'a> {
         (!places.is_empty(), reached)
     }
 
-    /// Whether a block that does not parse contains this name, in capitals.
+    /// Whether a block that does not parse contains this name, in capitals, outside comments.
     pub(super) fn is_in_unread_block(&mut self, name: &str) -> bool {
         let unread = self.unread.get_or_insert_with(|| {
-            let mut names = BTreeSet::new();
-            for block in self.blocks.iter().filter(|block| matches!(block.stmt, Stmt::Bad(_))) {
-                let text = block.span.of(self.text).to_ascii_uppercase();
-                for word in text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
-                    // A block number may touch the name: `N10AGAIN:`.
-                    let behind = word.trim_start_matches('N').trim_start_matches(|c: char| c.is_ascii_digit());
-                    names.extend([word, behind].into_iter().filter(|name| !name.is_empty()).map(str::to_owned));
-                }
-            }
-            names
+            let bad = self.blocks.iter().filter(|block| matches!(block.stmt, Stmt::Bad(_)));
+            bad.flat_map(|block| unread::names(block.span.of(self.text), self.control)).collect()
         });
         unread.contains(name)
     }

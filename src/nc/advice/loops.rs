@@ -5,46 +5,57 @@ use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ast::{Block, Stmt};
 use crate::nc::parse::reader::FINDINGS;
+use crate::nc::unread::{ANY_LOOP, loop_statement};
 use crate::text::{DiagnosticKind, Fix, Message, Place, Span};
 
 /// Maximum blocks searched for the end of a loop.
 const SEARCHED: usize = 10_000;
 
-/// Loop number in a block that does not parse.
-const ANY: u16 = 0;
-
 /// A loop without its END so far.
-struct OpenLoop<'a> {
+struct OpenLoop {
     label: u16,
-    /// Block of its DO.
-    head: &'a Block,
+    /// Its DO.
+    head: Span,
+    /// The error of the block of its DO, if it does not parse.
+    unread: Option<Span>,
+}
+
+/// An END, which may be in a block that does not parse.
+struct EndOfLoop {
+    label: u16,
+    span: Span,
+    unread: bool,
 }
 
 /// Whether an open loop ends in these blocks, before another loop of the same number begins.
 fn ends_in(blocks: &[Block], label: u16) -> bool {
     let found = blocks.iter().take(SEARCHED).find_map(|block| match block.stmt {
-        Stmt::End { label: other } if other == label => Some(true),
+        Stmt::End { label: other, .. } if other == label => Some(true),
         Stmt::While { label: other, .. } if other == label => Some(false),
         _ => None,
     });
     found == Some(true)
 }
 
-/// Whether the block does not parse, so that its error is already reported.
-fn is_unread(block: &Block) -> bool {
-    matches!(block.stmt, Stmt::Bad(_))
-}
-
-impl<'a> Check<'a> {
+impl Check<'_> {
     /// Checks all loops of the program.
     pub(super) fn loops(&mut self) {
         let mut open: Vec<OpenLoop> = Vec::new();
         for (at, block) in self.blocks.iter().enumerate() {
-            let stmt = if is_unread(block) { self.unread_loop(block) } else { block.stmt };
+            let (stmt, unread) = match block.stmt {
+                Stmt::Bad(bad) => {
+                    let stmt = loop_statement(block.span.of(self.text), self.control).unwrap_or(block.stmt);
+                    (stmt, Some(bad.finding))
+                }
+                stmt => (stmt, None),
+            };
             let goes_on = match stmt {
-                Stmt::While { label, .. } => self.begin_loop(&mut open, OpenLoop { label, head: block }),
-                Stmt::End { label } => {
-                    self.end_loop(&mut open, label, block, self.blocks.get(at + 1..).unwrap_or_default())
+                Stmt::While { label, keyword, .. } => {
+                    self.begin_loop(&mut open, OpenLoop { label, head: keyword.span(block), unread })
+                }
+                Stmt::End { label, keyword } => {
+                    let end = EndOfLoop { label, span: keyword.span(block), unread: unread.is_some() };
+                    self.end_loop(&mut open, &end, self.blocks.get(at + 1..).unwrap_or_default())
                 }
                 _ => true,
             };
@@ -66,36 +77,40 @@ impl<'a> Check<'a> {
     }
 
     /// Opens a loop; returns false to end the check because loops are nested too deep.
-    fn begin_loop(&mut self, open: &mut Vec<OpenLoop<'a>>, inner: OpenLoop<'a>) -> bool {
+    fn begin_loop(&mut self, open: &mut Vec<OpenLoop>, inner: OpenLoop) -> bool {
         let (label, head, deepest) = (inner.label, inner.head, self.control.syntax.do_depth as usize);
-        let span = self.keyword_span(head, "DO");
         if open.len() == deepest {
-            if !is_unread(head) {
-                self.report_loop(Alarm::DoNesting, span, msg!("nc.do-nesting", most = deepest as u32));
+            if inner.unread.is_none() {
+                self.report_loop(Alarm::DoNesting, head, msg!("nc.do-nesting", most = deepest as u32));
             }
             return false;
         }
-        if label != ANY && open.iter().any(|outer| outer.label == label) {
-            self.report_loop(Alarm::DoPair, span, msg!("nc.do-within-itself", number = u32::from(label)));
+        if label != ANY_LOOP && open.iter().any(|outer| outer.label == label) {
+            self.report_loop(Alarm::DoPair, head, msg!("nc.do-within-itself", number = u32::from(label)));
         }
         open.push(inner);
         true
     }
 
-    /// Ends a loop at `block`, before the blocks `rest`; returns false to end the check because of too many findings.
-    fn end_loop(&mut self, open: &mut Vec<OpenLoop<'a>>, label: u16, block: &'a Block, rest: &[Block]) -> bool {
-        match open.iter().rposition(|outer| outer.label == label || label == ANY || outer.label == ANY) {
-            Some(at) if at + 1 == open.len() => drop(open.pop()),
-            Some(at) => self.crossing_end(open, at, (label, block), rest),
+    /// Ends a loop at `end`, before the blocks `rest`; returns false to end the check because of too many findings.
+    fn end_loop(&mut self, open: &mut Vec<OpenLoop>, end: &EndOfLoop, rest: &[Block]) -> bool {
+        let any = |outer: &OpenLoop| end.label == ANY_LOOP || outer.label == ANY_LOOP;
+        match open.iter().rposition(|outer| outer.label == end.label || any(outer)) {
+            Some(at) if at + 1 == open.len() => {
+                if let Some(inner) = open.pop() {
+                    self.insert_do(&inner, end.label);
+                }
+            }
+            Some(at) => self.crossing_end(open, at, end, rest),
             None if self.found.len() > 2 * FINDINGS => return false,
-            None if is_unread(block) => {}
-            None => self.end_without_do(open, (label, block), rest),
+            None if end.unread => {}
+            None => self.end_without_do(open, end, rest),
         }
         true
     }
 
     /// Handles an END that closes `open[at]` from within inner loops: inner loops that end later cross it, others have no END.
-    fn crossing_end(&mut self, open: &mut Vec<OpenLoop<'a>>, at: usize, (label, block): (u16, &Block), rest: &[Block]) {
+    fn crossing_end(&mut self, open: &mut Vec<OpenLoop>, at: usize, end: &EndOfLoop, rest: &[Block]) {
         for inner in open.split_off(at + 1) {
             if ends_in(rest, inner.label) {
                 open.push(inner);
@@ -104,50 +119,37 @@ impl<'a> Check<'a> {
             }
         }
         let inner = open.get(at + 1..).and_then(<[_]>::last).map(|inner| u32::from(inner.label));
-        if let Some(inner) = inner.filter(|_| !is_unread(block)) {
-            let span = self.keyword_span(block, "END");
-            self.report_loop(Alarm::DoPair, span, msg!("nc.do-crossing", number = u32::from(label), inner));
+        if let Some(inner) = inner.filter(|_| !end.unread) {
+            self.report_loop(Alarm::DoPair, end.span, msg!("nc.do-crossing", number = u32::from(end.label), inner));
         }
-        open.remove(at);
+        let outer = open.remove(at);
+        self.insert_do(&outer, end.label);
+    }
+
+    /// Adds the fix for a WHILE without its DO: the number of its END.
+    fn insert_do(&mut self, outer: &OpenLoop, label: u16) {
+        let place = outer.unread.filter(|_| label != ANY_LOOP).map(|span| Place { file: self.program.file, span });
+        let finding = place.and_then(|place| self.without_do.get(&place)).and_then(|at| self.found.get_mut(*at));
+        if let Some((finding, place)) = finding.zip(place) {
+            let (at, text) = (Place { span: Span::at(place.span.end), ..place }, format!("DO{label}"));
+            finding.fixes.push(Fix { title: msg!("nc.fix.insert", text = text.as_str()), edits: vec![(at, text)] });
+        }
     }
 
     /// Handles an END without its DO. If the innermost loop has no END, the fix gives this one its number.
-    fn end_without_do(&mut self, open: &mut Vec<OpenLoop<'a>>, (label, block): (u16, &Block), rest: &[Block]) {
-        let span = self.keyword_span(block, "END");
-        self.report_loop(Alarm::MissingDo, span, msg!("nc.end-without-do", number = u32::from(label)));
-        let meant = open.pop_if(|inner| inner.label != ANY && !ends_in(rest, inner.label));
+    fn end_without_do(&mut self, open: &mut Vec<OpenLoop>, end: &EndOfLoop, rest: &[Block]) {
+        self.report_loop(Alarm::MissingDo, end.span, msg!("nc.end-without-do", number = u32::from(end.label)));
+        let meant = open.pop_if(|inner| inner.label != ANY_LOOP && !ends_in(rest, inner.label));
         if let (Some(inner), Some(finding)) = (meant, self.found.last_mut()) {
-            let (place, end) = (Place { file: self.program.file, span }, format!("END{}", inner.label));
+            let (place, end) = (Place { file: self.program.file, span: end.span }, format!("END{}", inner.label));
             finding.fixes.push(Fix { title: msg!("nc.fix.write", text = end.as_str()), edits: vec![(place, end)] });
         }
     }
 
     /// Reports a loop without an END, unless its DO is in a block that does not parse.
     fn no_end_of_loop(&mut self, inner: &OpenLoop) {
-        if !is_unread(inner.head) {
-            let span = self.keyword_span(inner.head, "DO");
-            self.report_loop(Alarm::MissingEnd, span, msg!("nc.do-without-end", number = u32::from(inner.label)));
-        }
-    }
-
-    /// The loop statement in the text of a block that does not parse; otherwise the block's own statement.
-    fn unread_loop(&self, block: &Block) -> Stmt {
-        let text = block.span.of(self.text).to_ascii_uppercase();
-        let text = text.split('(').next().unwrap_or("");
-        // Number behind the keyword; `ANY` if missing or out of range.
-        let label = |keyword: &str| {
-            let behind = text.get(text.rfind(keyword)? + keyword.len()..).unwrap_or("").trim_start();
-            let digits = behind.bytes().take_while(u8::is_ascii_digit).count();
-            let label: Option<u16> = behind.get(..digits).and_then(|digits| digits.parse().ok());
-            Some(label.filter(|&label| (1..=self.control.syntax.do_max).contains(&label.into())).unwrap_or(ANY))
-        };
-        let head = label("DO").or_else(|| text.contains("WHILE").then_some(ANY));
-        // `ENDWHILE` and `ENDDO` are ends of loops.
-        let end = text.contains("ENDW") || text.contains("ENDD");
-        match (head.filter(|_| !end), label("END")) {
-            (Some(label), _) => Stmt::While { cond: None, label },
-            (None, Some(label)) => Stmt::End { label },
-            (None, None) => block.stmt,
+        if inner.unread.is_none() {
+            self.report_loop(Alarm::MissingEnd, inner.head, msg!("nc.do-without-end", number = u32::from(inner.label)));
         }
     }
 }

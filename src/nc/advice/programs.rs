@@ -1,38 +1,54 @@
 //! Checks of whole programs: jump targets, calls, the last block, several programs of one number.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::jump_targets::JumpTargets;
 use crate::controls::{Address, Alarm, Code, CodeId, Control, VarKind};
 use crate::msg;
 use crate::nc::ast::{Block, Deck, Expr, ExprId, Program, Stmt, WordValue};
-use crate::nc::codes::{code_of, m_number};
+use crate::nc::codes::{Codes, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::files::Files;
-use crate::nc::lex::tokens::{TokenKind, tokens};
 use crate::nc::parse::reader::FINDINGS;
-use crate::nc::parsed::ExprSpan;
+use crate::nc::parsed::PartPlaces;
 use crate::nc::program_names::ProgramNames;
+use crate::nc::unread;
 use crate::text::lines::line_end;
-use crate::text::{Diagnostic, Message, Place, Span};
+use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
 
-/// Checks every program. `spans` are the places of the deck's expressions, `later` the blocks with calls and jumps in words.
+/// Checks every program. `later` are the blocks with calls and jumps in words.
 pub(in crate::nc) fn programs(
-    (deck, spans): (&Deck, &[ExprSpan]),
-    control: &Control,
+    (deck, places): (&Deck, &PartPlaces),
+    (control, codes): (&Control, &Codes),
     files: &Files,
     later: &[u32],
     found: &mut Vec<Diagnostic>,
 ) {
     let known = ProgramNames::new(deck);
+    let without_do = |(finding, at): (&Diagnostic, usize)| {
+        finding.place.filter(|_| finding.kind == DiagnosticKind::WhileWithoutDo).map(|place| (place, at))
+    };
+    let without_do = found.iter().zip(0..).filter_map(without_do).collect();
     for (program, repeated) in deck.programs.iter().zip(repeated(deck)) {
         if found.len() > 2 * FINDINGS {
             return;
         }
         let text = files.get(program.file).map_or("", |file| file.text.as_str());
         let blocks = deck.blocks_of(program);
-        let targets = JumpTargets::new(deck, blocks, text);
-        let mut check = Check { deck, spans, known: &known, control, program, blocks, text, targets, found };
+        let targets = JumpTargets::new(deck, control, blocks, text);
+        let mut check = Check {
+            deck,
+            places,
+            known: &known,
+            control,
+            codes,
+            program,
+            blocks,
+            text,
+            targets,
+            without_do: &without_do,
+            found,
+        };
         check.loops();
         match control.syntax.names() {
             Some(_) => check.named(),
@@ -69,21 +85,24 @@ fn repeated(deck: &Deck) -> Vec<bool> {
 /// Checks of one program.
 pub(super) struct Check<'a> {
     pub(super) deck: &'a Deck,
-    spans: &'a [ExprSpan],
+    pub(super) places: &'a PartPlaces,
     pub(super) known: &'a ProgramNames<'a>,
     pub(super) control: &'a Control,
+    codes: &'a Codes,
     pub(super) program: &'a Program,
     pub(super) blocks: &'a [Block],
     /// The program's file.
     pub(super) text: &'a str,
     pub(super) targets: JumpTargets<'a>,
+    /// Findings of WHILE without DO, by their places.
+    pub(super) without_do: &'a BTreeMap<Place, usize>,
     pub(super) found: &'a mut Vec<Diagnostic>,
 }
 
 impl Check<'_> {
     /// Span of an expression of the block; the block's span if unknown.
     pub(super) fn expr_span(&self, block: &Block, expr: ExprId) -> Span {
-        let span = self.spans.get(expr.0 as usize).and_then(|span| span.trimmed(self.text));
+        let span = self.places.exprs.get(expr.0 as usize).and_then(|span| span.trimmed(self.text));
         span.unwrap_or(block.span)
     }
 
@@ -92,19 +111,6 @@ impl Check<'_> {
         let place = Place { file: self.program.file, span };
         let finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(alarm));
         self.found.push(finding);
-    }
-
-    /// The part of a block from its last such keyword on, up to a comment.
-    pub(super) fn keyword_span(&self, block: &Block, keyword: &str) -> Span {
-        let text = block.span.of(self.text);
-        let words = tokens(text, self.control);
-        let is_meant = |(span, kind): &(Span, TokenKind)| {
-            *kind == TokenKind::Keyword && span.of(text).eq_ignore_ascii_case(keyword)
-        };
-        let from = words.iter().rposition(is_meant).unwrap_or(0);
-        let rest = words.into_iter().skip(from).take_while(|(_, kind)| *kind != TokenKind::Comment);
-        let span = rest.map(|(span, _)| span).reduce(|first, last| Span::new(first.start, last.end));
-        span.map_or(block.span, |span| Span::new(block.span.start + span.start, block.span.start + span.end))
     }
 
     /// Checks jumps to constant numbers that are missing in the program.
@@ -178,7 +184,7 @@ impl Check<'_> {
     /// Whether the M code with this number has this meaning.
     fn is_code(&self, number: Dec, code: Code) -> bool {
         let id = m_number(number).filter(|_| number.scale == 0).map(CodeId::M);
-        id.and_then(|id| self.control.code(id)).is_some_and(|row| row.code == code)
+        id.and_then(|id| self.codes.row(id)).is_some_and(|row| row.code == code)
     }
 
     /// Reports a program that runs out of blocks.
@@ -220,8 +226,7 @@ impl Check<'_> {
         match block.stmt {
             Stmt::Words { .. } => !self.deck.words_of(block).iter().any(|word| match word.value {
                 WordValue::Number(_) if word.letter == Address::Name => {
-                    let row = code_of(word).and_then(|id| self.control.code(id));
-                    row.is_some_and(|row| row.code == Code::Return)
+                    self.codes.row_of(word).is_some_and(|row| row.code == Code::Return)
                 }
                 WordValue::Number(number) if word.letter == Address::M => {
                     [Code::End, Code::EndRewind, Code::SubEnd].iter().any(|end| self.is_code(number, *end))
@@ -230,9 +235,9 @@ impl Check<'_> {
             }),
             Stmt::Goto { .. } => false,
             // A loop without a condition never continues after its END.
-            Stmt::End { label } => {
+            Stmt::End { label, .. } => {
                 let heads = blocks.iter().rev().find_map(|block| match block.stmt {
-                    Stmt::While { cond, label: other } if other == label => Some(cond),
+                    Stmt::While { cond, label: other, .. } if other == label => Some(cond),
                     _ => None,
                 });
                 heads.is_none_or(|cond| cond.is_some_and(|cond| self.deck.holds(cond) != Some(true)))
@@ -243,9 +248,12 @@ impl Check<'_> {
                 row.is_none_or(|row| row.kind != VarKind::AlarmMessage)
             }
             Stmt::Bad(_) => {
-                // The error may be letters O in place of zeros.
-                let text = block.span.of(self.text).to_ascii_uppercase().replace('O', "0");
-                !["M99", "M30", "M2", "M02", "M17", "RET"].iter().any(|end| text.contains(end))
+                let codes = unread::codes(block.span.of(self.text), self.control);
+                let ends = |id: &CodeId| {
+                    let code = self.codes.row(*id).map(|row| row.code);
+                    matches!(code, Some(Code::End | Code::EndRewind | Code::SubEnd | Code::Return))
+                };
+                !codes.iter().any(ends)
             }
             _ => true,
         }

@@ -10,13 +10,10 @@ use crate::nc::lex::spelling::prose;
 use crate::nc::parse::failure::{Mend, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::lines::line_end;
-use crate::text::{Diagnostic, Message};
+use crate::text::{Diagnostic, DiagnosticKind, Message};
 
 /// Size limit (bytes) of files for fixes that need unused sequence numbers.
 const NUMBERED: usize = 1 << 20;
-
-/// Maximum lines searched for the other end of a loop.
-const SEARCHED: usize = 1000;
 
 impl Reader<'_> {
     /// Reports a finding, with a fix that replaces some bytes of the line.
@@ -54,13 +51,6 @@ impl Reader<'_> {
                 let edit = |at, bracket: &str| (place(at, at), bracket.to_owned());
                 finding.fix(msg!("nc.fix.square"), vec![edit(from, "["), edit(to, "]")])
             }
-            Mend::Do(at) => match self.next_end() {
-                Some(label) => {
-                    let label = format!("DO{label}");
-                    finding.fix(msg!("nc.fix.insert", text = label.as_str()), vec![(place(at, at), label)])
-                }
-                None => finding,
-            },
             Mend::Plain(character) => {
                 let start = self.cursor.base as usize;
                 let text =
@@ -142,34 +132,12 @@ impl Reader<'_> {
         finding.fix(msg!("nc.fix.jump"), edits)
     }
 
-    /// Failure of a `WHILE` without `DO`. The fix uses the loop number of the next unpaired `END`.
+    /// Failure of a `WHILE` without `DO`. The check of the loops adds the fix, with the number of the next unpaired `END`.
     pub(in crate::nc) fn while_without_do(&self, start: usize) -> Box<ParseFailure> {
         let at = self.ended_at().max(start + 5);
         let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
-        failure.finding = self.mend(failure.finding, Mend::Do(at));
+        failure.finding.kind = DiagnosticKind::WhileWithoutDo;
         failure
-    }
-
-    /// Number of the next `END` in the file without a `DO` after this line.
-    fn next_end(&self) -> Option<&str> {
-        let behind = self.file.text.get(self.cursor.base as usize + self.cursor.line.len()..)?;
-        let mut open = 0_u32;
-        for line in behind.lines().take(SEARCHED) {
-            let line = line.trim().trim_start_matches(|c: char| matches!(c, '/' | 'N' | 'n' | '0'..='9' | ' '));
-            let end = line.get(..3).filter(|word| word.eq_ignore_ascii_case("END")).and_then(|_| line.get(3..));
-            match end {
-                Some(label) if open == 0 => {
-                    let label = label.trim_start();
-                    let digits = label.bytes().take_while(u8::is_ascii_digit).count();
-                    return label.get(..digits).filter(|label| !label.is_empty());
-                }
-                Some(_) => open -= 1,
-                None if line.get(..2).is_some_and(|word| word.eq_ignore_ascii_case("DO")) => open += 1,
-                None if line.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("WHILE")) => open += 1,
-                None => {}
-            }
-        }
-        None
     }
 
     /// Reports and skips `=` behind an address, which these controls do not have.

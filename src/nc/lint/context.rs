@@ -105,12 +105,7 @@ impl<'a> Lint<'a> {
 
     /// Span of a block's sequence number, with its letter.
     pub(super) fn number(&self, block: u32) -> Span {
-        let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
-        let text = self.parsed.text(self.place(block, span)).as_bytes();
-        let start = text.iter().position(|b| b | 0x20 == b'n').unwrap_or(0);
-        let behind = text.get(start + 1..).unwrap_or_default();
-        let len = behind.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count();
-        Span::new(span.start + start as u32, span.start + (start + 1 + len).min(text.len()) as u32)
+        self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.number_at.span(block))
     }
 
     /// Line of a block, from 1.

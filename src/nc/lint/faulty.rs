@@ -1,8 +1,10 @@
 //! Programs with errors: a block that does not parse may set, call or jump to everything it names.
 
 use super::super::ast::Block;
+use super::super::unread;
 use super::context::Lint;
 use super::facts::Facts;
+use crate::controls::Code;
 use crate::text::{Place, Severity};
 
 impl Facts {
@@ -28,16 +30,18 @@ impl Facts {
 
     /// Records a block that does not parse; returns whether it may set the unit of F.
     pub(super) fn bad_block(&mut self, lint: &Lint, (program, at): (u32, u32), block: &Block) -> bool {
-        let text = lint.parsed.text(lint.place(at, block.span)).to_ascii_uppercase();
-        let any = |words: &[&str]| words.iter().any(|word| text.contains(word));
+        let text = lint.parsed.text(lint.place(at, block.span));
+        let ids = unread::codes(text, lint.control);
+        let codes = lint.parsed.codes();
+        let any = |wanted: &[Code]| ids.iter().filter_map(|id| codes.row(*id)).any(|row| wanted.contains(&row.code));
         self.bad.push((program, at));
-        self.any_called |= lint.control.syntax.names().is_some() || any(&["G65", "G66", "M98"]);
-        self.any_called |= !lint.parsed.codes().calls().is_empty();
-        self.any_entry |= any(&["M98", "M99"]);
+        self.any_called |= lint.control.syntax.names().is_some() || !codes.calls().is_empty();
+        self.any_called |= any(&[Code::MacroCall, Code::MacroModal, Code::MacroModalBlock, Code::SubCall]);
+        self.any_entry |= any(&[Code::SubCall, Code::SubEnd]);
         if let Some(part) = self.programs.get_mut(program as usize) {
-            part.ends |= any(&["M30", "M02", "M2"]);
+            part.ends |= any(&[Code::End, Code::EndRewind]);
         }
-        any(&["G"])
+        unread::has_g_word(text, lint.control)
     }
 }
 

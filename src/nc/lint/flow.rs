@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Stmt, WordValue};
+use super::super::ast::{Block, Deck, Expr, ExprId, Jump, JumpDirection, Stmt, WordValue};
 use super::context::{Lint, NONE, whole};
 use super::facts::Facts;
 use super::roles::{END, RETURN, Roles};
@@ -101,12 +101,12 @@ impl<'a> Flow<'a> {
                         || words.iter().any(|word| word.letter == Address::Skip),
                 )
             }
-            Stmt::If { cond, target, way } => match self.deck.holds(cond) {
+            Stmt::If { cond, target, way, .. } => match self.deck.holds(cond) {
                 Some(true) => (self.jump(target, at, way), false),
                 Some(false) => (NONE, true),
                 None => (self.jump(target, at, way), true),
             },
-            Stmt::Goto { target, way } => (self.jump(target, at, way), false),
+            Stmt::Goto { target, way, .. } => (self.jump(target, at, way), false),
             // To one of several targets.
             Stmt::Ifs { .. } => (ANY, true),
             // If the END is the last block, its successor is beyond all blocks: a jump to nowhere.
@@ -158,7 +158,7 @@ impl<'a> Flow<'a> {
     /// Sequence numbers that the program jumps to, and whether it jumps to calculated ones.
     fn jumped(&self) -> (BTreeSet<u64>, bool) {
         let (mut numbers, mut any) = (BTreeSet::new(), false);
-        for (_, target, _) in self.blocks.iter().flat_map(|block| self.deck.jumps_of(block.stmt)) {
+        for Jump { target, .. } in self.blocks.iter().flat_map(|block| self.deck.jumps_of(block.stmt)) {
             match self.deck.expr(target) {
                 Expr::Number(target) => numbers.extend(whole(WordValue::Number(target)).map(u64::from)),
                 _ => any = true,

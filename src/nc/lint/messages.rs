@@ -17,13 +17,11 @@ pub(super) fn length(lint: &mut Lint, at: u32, block: &Block) {
         Stmt::Message(text) => text,
         _ => return,
     };
+    let Some(id) = text else { return };
     let text = lint.deck.text(text);
     let most = lint.control.syntax.message_chars;
     let Some((cut, _)) = text.char_indices().nth(most) else { return };
-    let whole = lint.parsed.text(lint.place(at, block.span));
-    let Some(start) = whole.rfind(text) else { return };
-    let from = block.span.start + (start + cut) as u32;
-    let span = Span::new(from, block.span.start + (start + text.len()) as u32);
-    let (place, _) = lint.written(at, span);
+    let Span { start, end } = lint.parsed.text_span(id);
+    let place = lint.place(at, Span::new((start + cut as u32).min(end), end));
     lint.warn(place, msg!("lint.long-message", count = text.chars().count() as u32, most = most as u32));
 }

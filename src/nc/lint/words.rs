@@ -1,6 +1,6 @@
 //! One pass over all words: warnings about single blocks, and facts for the other checks.
 
-use super::super::ast::{Block, Program, Stmt, Word, WordValue};
+use super::super::ast::{Block, Program, Stmt, TextId, Word, WordValue};
 use super::context::Lint;
 use super::facts::{Call, Facts, ProgramFacts};
 use super::feeds::Feeds;
@@ -10,7 +10,6 @@ use super::roles::{CALL, END, RETURN, Roles, SUB, SURFACE};
 use super::short::Short;
 use crate::controls::{Address, AddressSet, Alarm};
 use crate::msg;
-use crate::text::Span;
 
 /// Maximum words reported for overwriting others.
 const AGAIN: usize = 20;
@@ -81,8 +80,7 @@ impl Survey<'_> {
         }
         messages::length(lint, at, block);
         if let Stmt::Call { name, .. } = block.stmt {
-            let name = lint.deck.text(Some(name));
-            match lint.programs.name(name) {
+            match lint.programs.name(lint.deck.text(Some(name))) {
                 Some(to) => self.facts.call(Call { block: at, from: here.index, to, with_locals: false }),
                 None => lint.missing_name(at, block, name),
             }
@@ -149,18 +147,16 @@ impl Lint<'_> {
     }
 
     /// Reports a call of a name missing in these files, unless the reader has reported the block.
-    fn missing_name(&mut self, at: u32, block: &Block, name: &str) {
+    fn missing_name(&mut self, at: u32, block: &Block, name: TextId) {
         let place = self.place(at, block.span);
         if self.is_full()
             || self.parsed.diagnostics().iter().filter_map(|finding| finding.place).any(|other| place.covers(other))
         {
             return;
         }
-        let text = self.parsed.text(place).to_ascii_uppercase();
-        let start = place.span.start + text.rfind(name).unwrap_or(0) as u32;
-        let span = Span::new(start, (start + name.len() as u32).min(place.span.end));
+        let place = self.place(at, self.parsed.text_span(name));
         let alarm = self.control.alarm_number(Alarm::NoProgram).unwrap_or("");
-        let (place, _) = self.written(at, span);
-        self.warn(place, msg!("lint.no-such-program", program = name, alarm));
+        let program = self.deck.text(Some(name));
+        self.warn(place, msg!("lint.no-such-program", program, alarm));
     }
 }

@@ -15,9 +15,11 @@
 mod other_forms;
 mod symbolic;
 
+use std::collections::BTreeMap;
+
 use crate::controls::options::CommentCharacters;
 use crate::controls::{Address, Control};
-use crate::nc::ast::{self, Block, Deck, Expr, ExprId, JumpDirection, Stmt, TextId, WordValue};
+use crate::nc::ast::{self, Block, Deck, Expr, ExprId, Extent, JumpDirection, Stmt, TextId, WordValue};
 use crate::nc::dec::Dec;
 use crate::nc::write::{is_message, text_length};
 use crate::text::Span;
@@ -125,8 +127,13 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
             };
             deck.exprs.extend([opposite, Expr::Number(Dec::int(number.into()))]);
             let end = deck.exprs.len() as u32;
-            let jump = Stmt::If { cond: ExprId(end - 2), target: ExprId(end - 1), way: JumpDirection::Around };
-            let block = Block { span: Span::default(), ..*block };
+            let jump = Stmt::If {
+                cond: ExprId(end - 2),
+                target: ExprId(end - 1),
+                way: JumpDirection::Around,
+                keyword: Extent::default(),
+            };
+            let block = Block { span: Span::default(), number_at: Extent::default(), ..*block };
             deck.blocks.push(Block { stmt: jump, comment: None, ..block });
             deck.blocks.push(Block { stmt: Stmt::Assign { to, value }, number: None, label: None, ..block });
             origins.extend([origin; 2]);

@@ -12,7 +12,9 @@ use crate::controls::Address;
 use crate::controls::options::CommentCharacters;
 use crate::controls::syntax::Names;
 use crate::controls::{Alarm, Code, CodeId, Control};
-use crate::nc::ast::{BadBlock, Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
+use crate::nc::ast::{
+    BadBlock, Block, Deck, Expr, ExprId, Extent, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue,
+};
 use crate::nc::codes::code_of;
 use crate::nc::dec::Dec;
 use crate::nc::lex::names::number_in;
@@ -158,7 +160,7 @@ impl Labels {
         for (at, block) in blocks.iter().enumerate() {
             match block.stmt {
                 Stmt::While { label, .. } => open.push((label, at)),
-                Stmt::End { label } => {
+                Stmt::End { label, .. } => {
                     if let Some((_, start)) = open.pop_if(|row| row.0 == label) {
                         to[at] = Some(start);
                         to[start] = Some(at + 1);
@@ -206,6 +208,7 @@ impl Labels {
             deck.blocks.push(Block {
                 span,
                 number: None,
+                number_at: Extent::default(),
                 stmt: Stmt::Empty,
                 comment: None,
                 label: Some(label),
@@ -242,17 +245,20 @@ impl Labels {
                         ExprId(deck.exprs.len() as u32 - 1)
                     }
                 };
-                Stmt::If { cond, target, way }
+                Stmt::If { cond, target, way, keyword: Extent::default() }
             }
-            (Stmt::End { .. }, Some(label)) => Stmt::Goto { target: add(Expr::Label(label)), way },
+            (Stmt::End { .. }, Some(label)) => {
+                Stmt::Goto { target: add(Expr::Label(label)), way, keyword: Extent::default() }
+            }
             (Stmt::If { cond, way: JumpDirection::Around, .. }, Some(label)) => {
-                Stmt::If { cond, target: add(Expr::Label(label)), way }
+                Stmt::If { cond, target: add(Expr::Label(label)), way, keyword: Extent::default() }
             }
             (Stmt::Goto { way: JumpDirection::Around, .. }, Some(label)) => {
-                Stmt::Goto { target: add(Expr::Label(label)), way }
+                Stmt::Goto { target: add(Expr::Label(label)), way, keyword: Extent::default() }
             }
             (
-                Stmt::If { target, way: JumpDirection::Around, .. } | Stmt::Goto { target, way: JumpDirection::Around },
+                Stmt::If { target, way: JumpDirection::Around, .. }
+                | Stmt::Goto { target, way: JumpDirection::Around, .. },
                 None,
             ) => {
                 // A missing number becomes a label, for the control to report. A calculated number has no label.
@@ -264,8 +270,8 @@ impl Labels {
                 deck.exprs.push(Expr::Label(label));
                 let (target, way) = (ExprId(deck.exprs.len() as u32 - 1), JumpDirection::Forward);
                 match stmt {
-                    Stmt::If { cond, .. } => Stmt::If { cond, target, way },
-                    _ => Stmt::Goto { target, way },
+                    Stmt::If { cond, .. } => Stmt::If { cond, target, way, keyword: Extent::default() },
+                    _ => Stmt::Goto { target, way, keyword: Extent::default() },
                 }
             }
             // A loop without its other end.
@@ -300,6 +306,7 @@ fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
             deck.blocks.push(Block {
                 span,
                 number: None,
+                number_at: Extent::default(),
                 stmt: Stmt::Empty,
                 comment: Some(comment),
                 label,

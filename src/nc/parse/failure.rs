@@ -44,8 +44,6 @@ pub(in crate::nc) enum Mend<'t> {
     Write(usize, usize, &'t str),
     /// Puts some bytes in square brackets.
     Enclose(usize, usize),
-    /// Inserts `DO` at a byte, with the number of the unpaired `END`.
-    Do(usize),
     /// Replaces look-alikes by characters of the control, if this one is a look-alike.
     Plain(char),
 }

@@ -1,6 +1,6 @@
 //! Files: lines, `%`, program numbers, and the blocks between them.
 
-use super::reader::{BLOCK_BYTES, BLOCKS, BYTE_ORDER_MARK, Reader};
+use super::reader::{BLOCK_BYTES, BLOCKS, BYTE_ORDER_MARK, BlockParts, Reader};
 use crate::controls::Alarm;
 use crate::controls::syntax::Percent;
 use crate::msg;
@@ -197,13 +197,15 @@ impl<'a> Reader<'a> {
             Ok(stmt) => stmt,
             Err(failure) => {
                 // The control stops at the first error, whatever the block was meant to be.
-                let (number, skip_switch, first) = (self.block.number, self.block.skip_switch, self.block.bad);
+                let (number, number_at) = (self.block.number, self.block.number_at);
+                let (skip_switch, first) = (self.block.skip_switch, self.block.bad);
                 let place = failure.finding.place.map_or_else(Span::default, |place| place.span);
                 let first = first.unwrap_or(BadBlock { alarm: failure.alarm, finding: place });
                 let (found, variables) = (mark.found, mark.variables);
                 self.recover(mark, failure);
                 let finding = self.reported_since(found, variables, first.finding);
-                (self.block.number, self.block.skip_switch, self.block.comment) = (number, skip_switch, None);
+                (self.block.number, self.block.number_at, self.block.skip_switch) = (number, number_at, skip_switch);
+                self.block.comment = None;
                 self.block.bad = Some(BadBlock { finding, ..first });
                 Stmt::Empty
             }
@@ -267,7 +269,7 @@ impl<'a> Reader<'a> {
             self.slip(Alarm::Format, 0, 1, msg!("nc.program-letter", letter = usual.as_str()), &usual);
         }
         let number = number.unwrap_or(0);
-        let title = title.map(|title| self.deck.add_text(title));
+        let title = title.map(|(title, span)| self.add_text(title, span));
         if self.only_comments() && self.program.is_some() {
             // Comments above the number belong to its program.
             let program = self.program.and_then(|index| self.deck.programs.get_mut(index));
@@ -290,7 +292,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The comment behind a program number.
-    pub(in crate::nc) fn title(&mut self) -> Option<&'a str> {
+    pub(in crate::nc) fn title(&mut self) -> Option<(&'a str, Span)> {
         self.cursor.blank();
         let rest = self.cursor.rest();
         let inner = rest.strip_prefix(b"(")?;
@@ -298,16 +300,16 @@ impl<'a> Reader<'a> {
         let from = self.cursor.base as usize + self.cursor.at + 1;
         self.cursor.at += len + 2;
         self.cursor.blank();
-        let title = self.file.text.get(from..from + len);
+        let title = self.file.text.get(from..from + len)?;
         self.note_foreign(from, from + len);
-        title
+        Some((title, Span::new(from as u32, (from + len) as u32)))
     }
 
     pub(in crate::nc) fn push(&mut self, stmt: Stmt) {
         let stmt = self.block.bad.map_or(stmt, Stmt::Bad);
         let span = Span::new(self.cursor.base, self.cursor.base + self.cursor.line.len() as u32);
-        let (number, comment, label) = (self.block.number, self.block.comment, self.block.label);
-        let block = Block { span, number, stmt, comment, label, skip: self.block.skip_switch, main: self.block.main };
+        let BlockParts { number, number_at, skip_switch: skip, main, comment, label, .. } = self.block;
+        let block = Block { span, number, number_at, stmt, comment, label, skip, main };
         self.deck.blocks.push(block);
         let end = self.deck.blocks.len() as u32;
         match self.program.and_then(|index| self.deck.programs.get_mut(index)) {

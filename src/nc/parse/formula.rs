@@ -62,7 +62,7 @@ impl Reader<'_> {
             ));
         }
         self.deck.exprs.push(expr);
-        self.expr_spans.push(ExprSpan {
+        self.places.exprs.push(ExprSpan {
             start: self.cursor.base + start as u32,
             len: self.cursor.at.saturating_sub(start) as u16,
         });

@@ -6,9 +6,9 @@ use super::failure::{IgnoredFeature, Misused};
 use super::tables::Tables;
 use crate::controls::syntax::{Names, RoundBrackets};
 use crate::controls::{Alarm, Control};
-use crate::nc::ast::{BadBlock, Deck, Op, TextId};
+use crate::nc::ast::{BadBlock, Deck, Extent, Op, TextId};
 use crate::nc::lex::cursor::Cursor;
-use crate::nc::parsed::ExprSpan;
+use crate::nc::parsed::PartPlaces;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
 
 /// Maximum findings in the list; a file of garbage has millions.
@@ -80,6 +80,7 @@ pub(in crate::nc) struct FileNotes {
 #[derive(Debug, Default)]
 pub(in crate::nc) struct BlockParts {
     pub(in crate::nc) number: Option<u32>,
+    pub(in crate::nc) number_at: Extent,
     pub(in crate::nc) skip_switch: u8,
     /// The number is written behind `:`.
     pub(in crate::nc) main: bool,
@@ -123,8 +124,8 @@ pub(in crate::nc) struct Reader<'a> {
     pub(in crate::nc) tables: &'a Tables<'a>,
     pub(in crate::nc) file: SourceFile<'a>,
     pub(in crate::nc) deck: Deck,
-    /// Places of the expressions of the deck.
-    pub(in crate::nc) expr_spans: Vec<ExprSpan>,
+    /// Places of the parts of the deck.
+    pub(in crate::nc) places: PartPlaces,
     /// Cache: blocks of the present program before this index are comments.
     pub(in crate::nc) comments: Cell<u32>,
     /// Index of the present program.
@@ -156,7 +157,7 @@ impl<'a> Reader<'a> {
             tables,
             file: SourceFile { id, name: "", text },
             deck,
-            expr_spans: Vec::new(),
+            places: PartPlaces::default(),
             comments: Cell::new(0),
             program: None,
             findings: ReaderFindings::default(),
@@ -217,9 +218,10 @@ impl<'a> Reader<'a> {
     pub(in crate::nc) fn rollback(&mut self, mark: &Mark) {
         self.deck.words.truncate(mark.words);
         self.deck.exprs.truncate(mark.exprs);
-        self.expr_spans.truncate(mark.exprs);
+        self.places.exprs.truncate(mark.exprs);
         self.deck.pairs.truncate(mark.pairs);
         self.deck.texts.truncate(mark.texts);
+        self.places.texts.truncate(mark.texts);
         self.findings.list.truncate(mark.found);
         self.findings.misused.truncate(mark.variables);
         self.notes.small = mark.small;
@@ -249,6 +251,18 @@ impl<'a> Reader<'a> {
     /// Bytes of the line as a span of the file.
     pub(in crate::nc) fn span(&self, from: usize, to: usize) -> Span {
         Span::new(self.cursor.base + from.min(to) as u32, self.cursor.base + to as u32)
+    }
+
+    /// Bytes of the line as a part of the block.
+    pub(in crate::nc) fn extent(&self, from: usize, to: usize) -> Extent {
+        let bytes = |count: usize| u16::try_from(count).unwrap_or(u16::MAX);
+        Extent { offset: bytes(from), len: bytes(to.saturating_sub(from)) }
+    }
+
+    /// Adds a text to the deck, with its place in the file.
+    pub(in crate::nc) fn add_text(&mut self, text: impl Into<Box<str>>, span: Span) -> TextId {
+        self.places.texts.push(span);
+        self.deck.add_text(text)
     }
 
     pub(in crate::nc) fn place(&self, span: Span) -> Place {

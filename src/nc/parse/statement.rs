@@ -2,7 +2,7 @@
 
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
-use crate::nc::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
+use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Op, Pair, Stmt};
 use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
 use crate::nc::lex::spelling::meant;
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
@@ -49,18 +49,26 @@ impl Reader<'_> {
             Some("GOTO") => {
                 let target = self.target()?;
                 self.end_of_macro()?;
-                Stmt::Goto { target, way: JumpDirection::Around }
+                Stmt::Goto { target, way: JumpDirection::Around, keyword: Extent::default() }
             }
             Some("WHILE") => {
                 let cond = self.condition(Alarm::WhileSentence, "WHILE")?;
                 self.no_other_condition(Alarm::WhileSentence)?;
+                let head = self.cursor.at;
                 if !self.take("DO") {
                     return Err(self.while_without_do(start));
                 }
-                Stmt::While { cond: Some(cond), label: self.label("DO")? }
+                let (label, keyword) = self.label("DO", head)?;
+                Stmt::While { cond: Some(cond), label, keyword }
             }
-            Some("DO") => Stmt::While { cond: None, label: self.label("DO")? },
-            Some(_) => Stmt::End { label: self.label("END")? },
+            Some("DO") => {
+                let (label, keyword) = self.label("DO", start)?;
+                Stmt::While { cond: None, label, keyword }
+            }
+            Some(_) => {
+                let (label, keyword) = self.label("END", start)?;
+                Stmt::End { label, keyword }
+            }
         }))
     }
 
@@ -94,7 +102,7 @@ impl Reader<'_> {
             }
             let target = self.target()?;
             self.end_of_macro()?;
-            return Ok(Stmt::If { cond, target, way: JumpDirection::Around });
+            return Ok(Stmt::If { cond, target, way: JumpDirection::Around, keyword: Extent::default() });
         }
         if self.cursor.peek() != b'#' && !named {
             let end = self.cursor.at.max(start + 2);
@@ -277,8 +285,8 @@ impl Reader<'_> {
         failure
     }
 
-    /// Reads the number behind `DO` or `END`.
-    fn label(&mut self, keyword: &str) -> Read<u16> {
+    /// Reads the number behind `DO` or `END`; the keyword starts at `head`. Returns the number and the bytes of both.
+    fn label(&mut self, keyword: &str, head: usize) -> Read<(u16, Extent)> {
         let start = self.cursor.at;
         self.skip();
         let from = self.cursor.at;
@@ -297,8 +305,9 @@ impl Reader<'_> {
                 return Err(self.failure(Alarm::DoNumber, from, to, msg!("nc.do-number", keyword, most), word));
             }
         };
+        let extent = self.extent(head, self.cursor.at);
         self.end_of_macro()?;
-        Ok(label)
+        Ok((label, extent))
     }
 
     /// Reads `#… = expr`.
@@ -309,10 +318,10 @@ impl Reader<'_> {
             return Ok(Stmt::Assign { to, value });
         }
         let first = self.deck.pairs.len();
-        self.deck.pairs.push(Pair { left: to, right: value, way: JumpDirection::Around });
+        self.deck.pairs.push(Pair { left: to, right: value, way: JumpDirection::Around, keyword: Extent::default() });
         while self.skip() == b'#' {
             let (left, right) = self.assigned()?;
-            self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around });
+            self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around, keyword: Extent::default() });
         }
         self.end_of_macro()?;
         Ok(Stmt::Assigns { first: first as u32, count: (self.deck.pairs.len() - first) as u16 })

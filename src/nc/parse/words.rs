@@ -48,7 +48,8 @@ impl<'a> Reader<'a> {
         let (from, to) = (self.cursor.base as usize + open + 1, self.cursor.base as usize + end);
         self.note_foreign(from, to);
         if self.block.comment.is_none() {
-            self.block.comment = Some(self.deck.add_text(self.file.text.get(from..to).unwrap_or("")));
+            let text = self.file.text.get(from..to).unwrap_or("");
+            self.block.comment = Some(self.add_text(text, self.span(open + 1, end)));
         }
         self.cursor.at = (end + 1).min(self.cursor.line.len());
     }
@@ -126,7 +127,7 @@ impl<'a> Reader<'a> {
                 msg!("nc.sequence-digits", most = u32::from(most)),
             ),
         }
-        self.block.number = number;
+        (self.block.number, self.block.number_at) = (number, self.extent(start, self.cursor.at));
         Ok(())
     }
 

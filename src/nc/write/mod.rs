@@ -89,7 +89,7 @@ impl Writer<'_> {
                 self.text.push_str("GOTO");
                 self.expr(target, 0, true, 0);
             }
-            Stmt::While { cond, label } => {
+            Stmt::While { cond, label, .. } => {
                 if let Some(cond) = cond {
                     self.text.push_str("WHILE[");
                     self.expr(cond, 0, true, 0);
@@ -97,7 +97,7 @@ impl Writer<'_> {
                 }
                 self.text.push_str(&format!("DO{label}"));
             }
-            Stmt::End { label } => self.text.push_str(&format!("END{label}")),
+            Stmt::End { label, .. } => self.text.push_str(&format!("END{label}")),
         }
         let spaced = self.text.len() > self.start && !is_message(self.deck, self.control, block);
         self.comment(block.comment, spaced);

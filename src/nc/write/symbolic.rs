@@ -4,7 +4,7 @@ use super::Writer;
 use crate::controls::Address;
 use crate::controls::CodeId;
 use crate::controls::syntax::{Function, Names};
-use crate::nc::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Program, Stmt, Word, WordValue};
+use crate::nc::ast::{Block, Dimensioning, Expr, ExprId, Jump, JumpDirection, Program, Stmt, Word, WordValue};
 
 impl Writer<'_> {
     /// Writes the header lines of a program.
@@ -39,7 +39,7 @@ impl Writer<'_> {
                 }
             }
             stmt @ (Stmt::If { .. } | Stmt::Ifs { .. } | Stmt::Goto { .. }) => {
-                for (at, (cond, target, way)) in self.deck.jumps_of(stmt).enumerate() {
+                for (at, Jump { cond, target, way, .. }) in self.deck.jumps_of(stmt).enumerate() {
                     self.gap(at);
                     if let Some(cond) = cond {
                         self.text.push_str("IF ");

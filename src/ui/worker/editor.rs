@@ -57,7 +57,7 @@ impl Lines<'_> {
         let (name, text) = self.words(found.place)?;
         let role = t(match found.role {
             Role::Definition => "page.role-definition",
-            Role::Write => "page.role-write",
+            Role::Write | Role::Argument => "page.role-write",
             Role::Read => "page.role-read",
             Role::Jump => "page.role-jump",
             Role::Call => "page.role-call",

@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use macroline::controls::Address;
 use macroline::controls::CodeId;
-use macroline::nc::{Deck, Dimensioning, Expr, ExprId, JumpDirection, Parsed, Stmt, WordValue};
+use macroline::nc::{Deck, Dimensioning, Expr, ExprId, Jump, JumpDirection, Parsed, Stmt, WordValue};
 
 use super::{findings, read};
 
@@ -52,14 +52,14 @@ pub(super) fn tree(parsed: &Parsed) -> String {
             let stmt = match block.stmt {
                 Stmt::Words { .. } => words.collect::<Vec<_>>().join(" "),
                 Stmt::Assign { to, value } => format!("{} = {}", say(to), say(value)),
-                Stmt::If { cond, target, way } => format!("if {} goto {}{}", say(cond), say(target), to(way)),
+                Stmt::If { cond, target, way, .. } => format!("if {} goto {}{}", say(cond), say(target), to(way)),
                 Stmt::Assigns { first, count } => {
                     let pairs = deck.pairs_of(first, count).iter();
                     pairs.map(|pair| format!("{} = {}", say(pair.left), say(pair.right))).collect::<Vec<_>>().join(", ")
                 }
                 Stmt::Ifs { .. } => {
                     let jumps = deck.jumps_of(block.stmt);
-                    let jump = |(cond, target, way): (Option<ExprId>, ExprId, JumpDirection)| {
+                    let jump = |Jump { cond, target, way, .. }: Jump| {
                         format!("if {} goto {}{}", cond.map_or(String::new(), say), say(target), to(way))
                     };
                     jumps.map(jump).collect::<Vec<_>>().join(", ")
@@ -70,9 +70,9 @@ pub(super) fn tree(parsed: &Parsed) -> String {
                 }
                 Stmt::Message(text) => format!("message {:?}", text.map(|_| deck.text(text))),
                 Stmt::IfThen { cond, to, value } => format!("if {} then {} = {}", say(cond), say(to), say(value)),
-                Stmt::Goto { target, way } => format!("goto {}{}", say(target), to(way)),
-                Stmt::While { cond, label } => format!("while {} do {label}", cond.map_or("true".to_owned(), say)),
-                Stmt::End { label } => format!("end {label}"),
+                Stmt::Goto { target, way, .. } => format!("goto {}{}", say(target), to(way)),
+                Stmt::While { cond, label, .. } => format!("while {} do {label}", cond.map_or("true".to_owned(), say)),
+                Stmt::End { label, .. } => format!("end {label}"),
                 other => format!("{other:?}"),
             };
             let number = block.number.map_or(String::new(), |number| format!("N{number} "));

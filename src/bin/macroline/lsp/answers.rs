@@ -92,7 +92,7 @@ impl Programs {
         let one = |row: &macroline::nc::symbols::Occurrence| DocumentHighlight {
             range: lines.range(row.place.span),
             kind: Some(match row.role {
-                Role::Definition | Role::Write => DocumentHighlightKind::WRITE,
+                Role::Definition | Role::Write | Role::Argument => DocumentHighlightKind::WRITE,
                 _ => DocumentHighlightKind::READ,
             }),
         };

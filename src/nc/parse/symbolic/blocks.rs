@@ -13,7 +13,7 @@
 
 use crate::controls::Alarm;
 use crate::msg;
-use crate::nc::ast::{Expr, ExprId, JumpDirection, Pair, Stmt};
+use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Pair, Stmt};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, NAMED_STATEMENTS};
 use crate::nc::lex::names::begins_as_name;
@@ -70,7 +70,8 @@ impl<'a> Reader<'a> {
         self.take_line(code, from);
         if let Some(at) = semicolon {
             self.note_foreign(from + at + 1, to);
-            self.block.comment = Some(self.deck.add_text(source.get(from + at + 1..to).unwrap_or("")));
+            let span = Span::new((from + at + 1) as u32, to as u32);
+            self.block.comment = Some(self.add_text(source.get(from + at + 1..to).unwrap_or(""), span));
         }
         code.len()
     }
@@ -145,7 +146,7 @@ impl<'a> Reader<'a> {
         let message = msg!("nc.label-is-call", label = name.as_str(), least = least as u32, most = most as u32);
         let finding = self.finding(Alarm::Format, start, end, message);
         self.report_as(Alarm::Format, finding);
-        self.block.label = Some(self.deck.add_text(name));
+        self.block.label = Some(self.add_text(name, self.span(start, end)));
         self.skip();
         if self.cursor.ended() { Ok(Stmt::Empty) } else { self.named_words() }
     }
@@ -181,7 +182,7 @@ impl<'a> Reader<'a> {
                 msg!("nc.sequence-digits", most = u32::from(most)),
             );
         }
-        self.block.number = Some(number);
+        (self.block.number, self.block.number_at) = (Some(number), self.extent(start, self.cursor.at));
         Ok(())
     }
 
@@ -194,15 +195,16 @@ impl<'a> Reader<'a> {
         if behind.first() == Some(&b':') && self.block.label.is_none() {
             self.cursor.at = self.cursor.line.len() - behind.len() + 1;
             self.check_label(&name, start);
-            self.block.label = Some(self.deck.add_text(name));
+            let span = self.span(start, start + name.len());
+            self.block.label = Some(self.add_text(name, span));
             return Ok(None);
         }
         match name.as_str() {
             "IF" => return self.conditions().map(Some),
             "GOTOF" | "GOTOB" => {
-                let (target, way) = self.jump()?;
+                let (target, way, keyword) = self.jump()?;
                 self.end_of_named()?;
-                return Ok(Some(Stmt::Goto { target, way }));
+                return Ok(Some(Stmt::Goto { target, way, keyword }));
             }
             "MSG" => return self.message().map(Some),
             _ => {}
@@ -270,7 +272,7 @@ impl<'a> Reader<'a> {
         if !self.cursor.ended() {
             return Err(self.not_a_call(start, end, written));
         }
-        let name = self.deck.add_text(written.to_ascii_uppercase());
+        let name = self.add_text(written.to_ascii_uppercase(), self.span(start, end));
         Ok(Stmt::Call { name, repeats })
     }
 
@@ -392,16 +394,16 @@ impl<'a> Reader<'a> {
                     false,
                 ));
             }
-            let (right, way) = self.jump()?;
-            self.deck.pairs.push(Pair { left, right, way });
+            let (right, way, keyword) = self.jump()?;
+            self.deck.pairs.push(Pair { left, right, way, keyword });
             self.skip();
         }
         self.end_of_named()?;
         let count = self.deck.pairs.len() - first;
         match self.deck.pairs.last().copied() {
-            Some(Pair { left: cond, right: target, way }) if count == 1 => {
+            Some(Pair { left: cond, right: target, way, keyword }) if count == 1 => {
                 self.deck.pairs.pop();
-                Ok(Stmt::If { cond, target, way })
+                Ok(Stmt::If { cond, target, way, keyword })
             }
             _ => Ok(Stmt::Ifs { first: first as u32, count: count as u16 }),
         }
@@ -420,8 +422,9 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads `GOTOF label`, from the start of the keyword.
-    fn jump(&mut self) -> Read<(ExprId, JumpDirection)> {
+    fn jump(&mut self) -> Read<(ExprId, JumpDirection, Extent)> {
         let word = self.cursor.at;
+        let keyword = self.extent(word, word + 5);
         let way = if self.cursor.byte(4) | 0x20 == b'f' { JumpDirection::Forward } else { JumpDirection::Backward };
         self.cursor.at += 5;
         self.skip();
@@ -440,7 +443,7 @@ impl<'a> Reader<'a> {
                 self.report_as(Alarm::NoSequence, finding.hint(msg!("nc.hint.number-jump")));
             }
             let number = Dec::int(number.parse().unwrap_or(i64::from(u32::MAX)));
-            return Ok((self.part(Expr::Number(number), start)?, way));
+            return Ok((self.part(Expr::Number(number), start)?, way, keyword));
         }
         if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
             let text =
@@ -449,8 +452,8 @@ impl<'a> Reader<'a> {
         }
         // Errors of the name are reported at the label itself.
         self.cursor.at += name.len();
-        let label = self.deck.add_text(name.to_ascii_uppercase());
-        Ok((self.part(Expr::Label(label), start)?, way))
+        let label = self.add_text(name.to_ascii_uppercase(), self.span(start, self.cursor.at));
+        Ok((self.part(Expr::Label(label), start)?, way, keyword))
     }
 
     /// Reads `MSG("text")`.
@@ -472,7 +475,7 @@ impl<'a> Reader<'a> {
             };
             let base = self.cursor.base as usize + from;
             self.note_foreign(base, base + len);
-            text = Some(self.deck.add_text(self.file.text.get(base..base + len).unwrap_or("")));
+            text = Some(self.add_text(self.file.text.get(base..base + len).unwrap_or(""), self.span(from, from + len)));
             self.cursor.at = from + len + 1;
         }
         if self.skip() != b')' {
@@ -496,7 +499,7 @@ impl<'a> Reader<'a> {
             let end = self.cursor.at;
             self.equals_sign(start, end)?;
             let right = self.named_formula(false)?;
-            self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around });
+            self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around, keyword: Extent::default() });
             self.skip();
             if !(self.parameter_ahead() || self.cursor.peek() == b'#') {
                 break;

@@ -5,6 +5,7 @@ use crate::msg;
 use crate::nc::ast::{Program, TextId};
 use crate::nc::lex::names::{begins_as_name, is_numbered, number_in};
 use crate::nc::parse::reader::Reader;
+use crate::text::Span;
 
 /// Text between the `%` of a header and the name, and the start of the following line.
 const LEAD: &str = "_N_";
@@ -25,6 +26,7 @@ impl Reader<'_> {
             return self.replace(Alarm::Format, finding, 0, line.len(), "");
         }
         let lead = name.get(..LEAD.len()).filter(|lead| lead.eq_ignore_ascii_case(LEAD)).map_or(0, str::len);
+        let from = line.len() - name.len() + lead;
         let upper = name.get(lead..).unwrap_or("").to_ascii_uppercase();
         let ending =
             names.endings.iter().position(|ending| upper.strip_suffix(ending).is_some_and(|n| n.ends_with('_')));
@@ -43,7 +45,7 @@ impl Reader<'_> {
             self.add_finding(crate::text::Diagnostic::warning(message).at(place));
         }
         let (number, at) = (number_in(names, bare), self.deck.blocks.len() as u32);
-        let name = Some(self.deck.add_text(bare));
+        let name = Some(self.add_text(bare, self.span(from, from + bare.len())));
         self.notes.headed = true;
         if self.only_comments()
             && let Some(program) = self.program.and_then(|index| self.deck.programs.get_mut(index))
@@ -71,7 +73,7 @@ impl Reader<'_> {
         let (stem, ending) = upper.rsplit_once('.').unwrap_or((&upper, ""));
         let stem: String = stem.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
         let number = number_in(names, &stem);
-        (Some(self.deck.add_text(stem)), ending == names.endings[1], number)
+        (Some(self.add_text(stem, Span::default())), ending == names.endings[1], number)
     }
 
     /// Reports `O1234` of other controls at the start of a line.

@@ -293,7 +293,7 @@ impl Reader<'_> {
         Ok(match self.deck.expr(id) {
             Expr::Number(number) => {
                 self.deck.exprs.pop();
-                self.expr_spans.pop();
+                self.places.exprs.pop();
                 WordValue::Number(number)
             }
             _ => WordValue::Expr(id),
