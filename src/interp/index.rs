@@ -133,7 +133,7 @@ impl Index {
     }
 
     fn find_slot(&self, control: &Control, number: u32) -> VariableSlot {
-        let Some(at) = control.vars.iter().position(|row| row.first <= number && number <= row.last) else {
+        let Some(at) = control.var_index(number) else {
             return VariableSlot::None;
         };
         match (control.vars[at].kind, self.stored_at(&control.vars[at], at, number)) {

@@ -84,8 +84,7 @@ impl Codes {
     /// Row index of a code outside the tables.
     #[cold]
     fn search(&self, id: CodeId) -> Option<usize> {
-        let at = self.control.codes.binary_search_by_key(&id, |row| row.id).ok()?;
-        (!self.off.contains(&id)).then_some(at)
+        self.control.code_index(id).filter(|_| !self.off.contains(&id))
     }
 
     /// Row of a code; `None` if the control lacks the code or a switch disables it.

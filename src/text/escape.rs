@@ -11,9 +11,20 @@ pub fn is_terminal_control(c: char) -> bool {
 /// Maximum characters of an external text in a sentence.
 const CLIPPED: usize = 60;
 
+/// Characters of a shortened text, without its ellipsis.
+const SHORTENED: usize = 24;
+
 /// An external text as a part of a sentence: its first 60 characters, without control characters.
 pub fn clip(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).take(CLIPPED).collect()
+}
+
+/// Beginning of a text for a message: its first 24 characters, and an ellipsis for the rest.
+pub fn shortened(text: &str) -> String {
+    match text.char_indices().nth(SHORTENED) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or("")),
+        None => text.to_owned(),
+    }
 }
 
 /// A text for a terminal: characters that the terminal interprets become U+FFFD, except line feeds and tabs.

@@ -4,7 +4,9 @@ use macroline::controls::Address;
 use macroline::controls::macros::{ArgumentSets, CodeCall, VacantWord};
 use macroline::controls::syntax::Operation;
 use macroline::controls::vars::{Clock, Width};
-use macroline::controls::{ALL, Alarm, Code, CodeId, Control, Dialect, Group, ParamRole, Switches, VarKind, find};
+use macroline::controls::{
+    ALL, Alarm, Code, CodeId, CodeNumber, Control, Dialect, Group, ParamRole, Switches, VarKind, find,
+};
 use macroline::text::Citation;
 
 fn e60() -> &'static Control {
@@ -479,4 +481,16 @@ fn number_of_a_program_has_a_letter_of_its_control() {
     }
     assert_eq!((read("mitsubishi-e60", "L9101"), read("gsk-980tdc", "L9101")), (Some(9101), None));
     assert_eq!((read("sinumerik-802d", "L9101.SPF"), read("sinumerik-802d", "O9101")), (Some(9101), None));
+}
+
+#[test]
+fn code_is_read_as_programs_write_it() {
+    for control in ALL {
+        let g = |whole: u32, tenth: i64| CodeId::G(CodeNumber::from_decimal(i64::from(whole) * 10 + tenth, 1).unwrap());
+        let read = ["G01", "g61.1", "G5.10", "G2.", "M03"].map(|word| control.code_written(word));
+        assert_eq!(read, [g(1, 0), g(61, 1), g(5, 1), g(2, 0), CodeId::M(3)].map(Some), "{}", control.id);
+        for word in ["G", "G1E1", "G+1", "G-1", "GNAN", "G1.25", "G1.1.1", "M+3"] {
+            assert_eq!(control.code_written(word), None, "{} {word}", control.id);
+        }
+    }
 }

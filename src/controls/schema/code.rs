@@ -231,6 +231,16 @@ impl CodeNumber {
         }
     }
 
+    /// The number of a code as written: `61.1`.
+    pub fn from_text(text: &str) -> Option<CodeNumber> {
+        let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
+        let decimals = decimals.trim_end_matches('0');
+        let digits = format!("{whole}{decimals}");
+        let all = digits.bytes().all(|byte| byte.is_ascii_digit());
+        let mantissa = digits.parse().ok().filter(|_| all)?;
+        CodeNumber::from_decimal(mantissa, u8::try_from(decimals.len()).ok()?)
+    }
+
     /// The number nearest to a calculated value, if within `tolerance` tenths of it; else `None`.
     pub fn from_value(value: f64, tolerance: f64) -> Option<CodeNumber> {
         let tenths = value * 10.0;

@@ -79,8 +79,12 @@ pub(in crate::controls) const fn axis(letter: Address, rotary: bool, cite: Citat
 impl Control {
     /// The row of a code; `None` if the control lacks it.
     pub fn code(&self, id: CodeId) -> Option<&'static CodeDef> {
-        let at = self.codes.binary_search_by_key(&id, |row| row.id).ok()?;
-        self.codes.get(at)
+        self.codes.get(self.code_index(id)?)
+    }
+
+    /// Index of a code's row in `codes`.
+    pub fn code_index(&self, id: CodeId) -> Option<usize> {
+        self.codes.binary_search_by_key(&id, |row| row.id).ok()
     }
 
     /// The row of an alarm, or of its nearest wider kind with a row here; a test ensures that each kind has one.
@@ -111,8 +115,13 @@ impl Control {
 
     /// The range of a variable number; the rows are in rising order.
     pub fn var(&self, number: u32) -> Option<&'static VarRange> {
+        self.vars.get(self.var_index(number)?)
+    }
+
+    /// Index of a variable's row in `vars`.
+    pub fn var_index(&self, number: u32) -> Option<usize> {
         let at = self.vars.partition_point(|row| row.last < number);
-        self.vars.get(at).filter(|row| row.first <= number)
+        self.vars.get(at).filter(|row| row.first <= number).map(|_| at)
     }
 
     /// PLC word of a bit variable, as the number of its word variable, and the bit's index in that word.
@@ -201,11 +210,13 @@ impl Control {
     /// The code of a word in a program: `G01`, `M3`, `G61.1`, `DIAMON`.
     pub fn code_written(&self, word: &str) -> Option<CodeId> {
         let name = word.to_ascii_uppercase();
-        let number = || name.get(1..)?.parse::<f64>().ok();
         match (self.syntax.names().and_then(|names| names.code(&name)), name.as_bytes().first()?) {
             (Some(place), _) => Some(CodeId::Named(place as u16)),
-            (None, b'G') => Some(CodeId::G(CodeNumber::from_value(number()?, 1e-6)?)),
-            (None, b'M') => Some(CodeId::M(name.get(1..)?.parse().ok()?)),
+            (None, b'G') => Some(CodeId::G(CodeNumber::from_text(name.get(1..)?)?)),
+            (None, b'M') => {
+                let digits = name.get(1..).filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()))?;
+                Some(CodeId::M(digits.parse().ok()?))
+            }
             _ => None,
         }
     }

@@ -2,6 +2,7 @@
 
 use super::{FieldInfo, FieldKindInfo, Value};
 use crate::msg;
+use crate::text::escape::shortened;
 use crate::text::listed;
 use crate::text::{Diagnostic, catalog::number_text, number, units};
 
@@ -29,8 +30,11 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
     match &field.kind {
         FieldKindInfo::Number { unit, decimals, .. } => {
             let number = number::read(text).ok_or_else(|| {
-                let wrong =
-                    if text.is_empty() { msg!("form.empty") } else { msg!("form.not-a-number", text = clip(text)) };
+                let wrong = if text.is_empty() {
+                    msg!("form.empty")
+                } else {
+                    msg!("form.not-a-number", text = shortened(text))
+                };
                 Box::new(with_range(field, Diagnostic::error(wrong).about(field.id)))
             })?;
             let value = Value::Number(in_unit(number, *decimals, unit));
@@ -39,7 +43,7 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
         FieldKindInfo::Flag(_) => match text {
             "true" => Ok(Value::Flag(true)),
             "false" => Ok(Value::Flag(false)),
-            _ => Err(Box::new(Diagnostic::error(msg!("form.not-a-flag", text = clip(text))).about(field.id))),
+            _ => Err(Box::new(Diagnostic::error(msg!("form.not-a-flag", text = shortened(text))).about(field.id))),
         },
         FieldKindInfo::Choice(_) | FieldKindInfo::Text(_) => {
             let value = Value::Text(text.to_owned());
@@ -72,7 +76,7 @@ fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
             if options.iter().any(|(option, _)| option == id) {
                 return Ok(());
             }
-            msg!("form.no-such-choice", text = clip(id), choices = listed(options.iter().map(|(id, _)| *id)))
+            msg!("form.no-such-choice", text = shortened(id), choices = listed(options.iter().map(|(id, _)| *id)))
         }
         (FieldKindInfo::Text(max), Value::Text(text)) => {
             if text.chars().count() <= *max {
@@ -101,8 +105,4 @@ fn with_range(field: &FieldInfo, diagnostic: Diagnostic) -> Diagnostic {
         )),
         _ => diagnostic,
     }
-}
-
-fn clip(text: &str) -> String {
-    if text.chars().count() <= 24 { text.to_owned() } else { text.chars().take(23).chain(['…']).collect() }
 }

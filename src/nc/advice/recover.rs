@@ -5,14 +5,13 @@
 
 use crate::controls::Alarm;
 use crate::msg;
+use crate::nc::lex::keywords::{COMPARISONS, OPERATORS};
 use crate::nc::lex::spelling::prose;
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::Mark;
 use crate::nc::parse::reader::{FINDINGS, Reader};
+use crate::text::escape::shortened;
 use crate::text::{DiagnosticKind, Place};
-
-/// Operators that are words, for recognizing arithmetic.
-const OPERATORS: [&[u8]; 10] = [b"AND", b"OR", b"XOR", b"MOD", b"EQ", b"NE", b"GT", b"GE", b"LT", b"LE"];
 
 /// Length limit of lines for the search for known mistakes, because of its cost. Longer lines get their plain failure.
 const LOOKED_AT: usize = 1000;
@@ -115,7 +114,7 @@ impl Reader<'_> {
         let start = self.cursor.base as usize;
         let text = self.file.text.get(start + from..start + end).unwrap_or("");
         let bare = text.trim_start_matches(|c: char| c.is_whitespace() || c == '/' || is_dash(c));
-        let mut finding = self.finding(alarm, from, end, msg!("nc.remark", text = short(bare)));
+        let mut finding = self.finding(alarm, from, end, msg!("nc.remark", text = shortened(bare.trim())));
         if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {
             let letter = self.program_letter();
             let edit = format!("{letter}{number}{}", comment(title).unwrap_or_default());
@@ -140,7 +139,7 @@ impl Reader<'_> {
                 let gap = if cut > 0 { " " } else { "" };
                 finding.fix(msg!("nc.fix.comment"), vec![(place, format!("{gap}{comment}"))])
             }
-            None => finding.fix(msg!("nc.fix.drop", text = short(text)), vec![(place, String::new())]),
+            None => finding.fix(msg!("nc.fix.drop", text = shortened(text.trim())), vec![(place, String::new())]),
         };
         self.report_as(alarm, finding);
     }
@@ -209,7 +208,7 @@ impl Reader<'_> {
         let functions = self.control.syntax.functions;
         let known = |word: &[u8]| {
             word.is_empty()
-                || OPERATORS.iter().any(|operator| operator.eq_ignore_ascii_case(word))
+                || OPERATORS.iter().chain(&COMPARISONS).any(|row| row.0.as_bytes().eq_ignore_ascii_case(word))
                 || functions.iter().any(|(name, _)| name.as_bytes().eq_ignore_ascii_case(word))
         };
         inner.iter().any(|b| b.is_ascii_digit()) && inner.split(|b| !b.is_ascii_alphabetic()).all(known)
@@ -291,13 +290,4 @@ fn comment(text: &str) -> Option<String> {
     }
     let text = out.trim_end().to_owned();
     (text.len() > 1).then_some(text + ")")
-}
-
-/// Beginning of a text, for a message.
-fn short(text: &str) -> String {
-    let text = text.trim();
-    match text.char_indices().nth(24) {
-        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or("")),
-        None => text.to_owned(),
-    }
 }

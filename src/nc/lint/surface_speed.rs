@@ -1,7 +1,6 @@
 //! Constant surface speed: cuts to the turning centre without a speed limit, and offsets that move work zero off the centre.
 
 use super::super::ast::{Dimensioning, Stmt, Word};
-use super::super::codes::code_of;
 use super::context::{Lint, measure};
 use super::facts::Facts;
 use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
@@ -53,8 +52,8 @@ fn limits(lint: &Lint) -> bool {
 
 /// The rows of the codes of a block.
 fn rows<'a>(lint: &Lint<'a>, words: &'a [Word]) -> impl Iterator<Item = &'static CodeDef> + use<'a> {
-    let control = lint.control;
-    words.iter().filter_map(code_of).filter_map(move |id| control.code(id))
+    let codes = lint.parsed.codes();
+    words.iter().filter_map(|word| codes.row_of(word))
 }
 
 /// The check of one program.

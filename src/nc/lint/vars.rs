@@ -1,7 +1,7 @@
 //! Variables of a deck, and their uses in all programs together.
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, Word, WordValue};
-use super::super::codes::code_of;
+use super::super::codes::Codes;
 use super::context::{Lint, NONE};
 use super::facts::{Call, Facts};
 use super::faulty::variables;
@@ -80,6 +80,7 @@ pub(super) struct FormulaSite {
 /// All variables.
 pub(super) struct Vars<'a> {
     pub(super) deck: &'a Deck,
+    codes: &'a Codes,
     pub(super) control: &'static Control,
     /// Index of a number in `list`; local variables are kept apart.
     slots: Vec<u32>,
@@ -111,6 +112,7 @@ impl<'a> Vars<'a> {
         let programs = lint.deck.programs.len();
         let mut vars = Vars {
             deck: lint.deck,
+            codes: lint.parsed.codes(),
             control: lint.control,
             slots: vec![NONE; NUMBERS],
             list: Vec::new(),
@@ -328,7 +330,7 @@ impl<'a> Vars<'a> {
     /// Whether a code uses axis words otherwise: as a time, or as arguments.
     fn takes_words(&self, word: &Word) -> bool {
         use Code::{Dwell, MacroCall, MacroModal, MacroModalBlock};
-        let row = code_of(word).and_then(|id| self.control.code(id));
+        let row = self.codes.row_of(word);
         row.is_some_and(|row| matches!(row.code, Dwell | MacroCall | MacroModal | MacroModalBlock))
     }
 

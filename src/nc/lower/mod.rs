@@ -12,6 +12,7 @@
 //! | … `ATAN` of one number | | `ATAN[a]/[1]` |
 //! | `short_texts` | long blocks and messages | comments clipped |
 
+mod characters;
 mod other_forms;
 mod symbolic;
 
@@ -23,6 +24,7 @@ use crate::nc::ast::{self, Block, Deck, Expr, ExprId, Extent, JumpDirection, Stm
 use crate::nc::dec::Dec;
 use crate::nc::write::{is_message, text_length};
 use crate::text::Span;
+use characters::shown;
 use other_forms::other_forms;
 use symbolic::{no_names, with_names};
 
@@ -60,10 +62,7 @@ fn plain_texts(deck: &mut Deck, characters: CommentCharacters) {
             '(' => '[',
             ')' => ']',
             '%' | ';' => ' ',
-            c if c.is_ascii_graphic() => c.to_ascii_uppercase(),
-            c if c.is_whitespace() || c.is_control() => ' ',
-            c if characters.has(c) => c,
-            _ => '?',
+            c => shown(c, characters).to_ascii_uppercase(),
         };
         *comment = comment.chars().map(plain).collect();
     }
@@ -108,7 +107,11 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
     let mut programs = core::mem::take(&mut deck.programs);
     for program in &mut programs {
         let blocks = old.get(program.first as usize..program.end as usize).unwrap_or_default();
-        let mut numbers: Vec<u32> = blocks.iter().filter_map(|block| block.number).collect();
+        let mut numbers = BTreeMap::<u32, u32>::new();
+        for number in blocks.iter().filter_map(|block| block.number) {
+            *numbers.entry(number).or_default() += 1;
+        }
+        let mut unused = ast::fresh_numbers().filter(|number| !numbers.contains_key(number));
         let first = deck.blocks.len() as u32;
         for (at, block) in blocks.iter().enumerate() {
             let origin = program.first + at as u32;
@@ -118,9 +121,8 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
                 continue;
             };
             let next = blocks.get(at + 1).filter(|next| next.skip == 0).and_then(|next| next.number);
-            let next = next.filter(|next| numbers.iter().filter(|number| *number == next).count() == 1);
-            let fresh = || ast::fresh_numbers().find(|number| !numbers.contains(number)).unwrap_or(1);
-            let number = next.unwrap_or_else(fresh);
+            let next = next.filter(|next| numbers.get(next) == Some(&1));
+            let number = next.or_else(|| unused.next()).unwrap_or(1);
             let opposite = match deck.expr(cond) {
                 Expr::Binary(op, left, right) => Expr::Binary(op.opposite(), left, right),
                 other => other,
@@ -138,7 +140,6 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
             deck.blocks.push(Block { stmt: Stmt::Assign { to, value }, number: None, label: None, ..block });
             origins.extend([origin; 2]);
             if next.is_none() {
-                numbers.push(number);
                 deck.blocks.push(Block {
                     stmt: Stmt::Empty,
                     number: Some(number),

@@ -8,6 +8,8 @@
 //! | `jumps` | loops, jumps to block numbers | jumps to labels |
 //! | `no_names` | calls by name, messages, statements without a form there | `M98`, a comment |
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::controls::Address;
 use crate::controls::options::CommentCharacters;
 use crate::controls::syntax::Names;
@@ -18,6 +20,7 @@ use crate::nc::ast::{
 use crate::nc::codes::code_of;
 use crate::nc::dec::Dec;
 use crate::nc::lex::names::number_in;
+use crate::nc::lower::characters::shown;
 use crate::text::Span;
 
 /// All rewrites for a language with names; `origins` is updated with the blocks.
@@ -34,15 +37,6 @@ pub(super) fn with_names(
     titles(deck, origins);
 }
 
-fn plain(c: char, characters: CommentCharacters) -> char {
-    match c {
-        c if c.is_ascii_graphic() => c,
-        c if c.is_whitespace() || c.is_control() => ' ',
-        c if characters.has(c) => c,
-        _ => '?',
-    }
-}
-
 fn rewrite(deck: &mut Deck, id: Option<TextId>, change: impl Fn(char) -> char) {
     if let Some(text) = id.and_then(|id| deck.text_mut(id)) {
         *text = text.chars().map(change).collect::<String>().trim_end().into();
@@ -50,7 +44,7 @@ fn rewrite(deck: &mut Deck, id: Option<TextId>, change: impl Fn(char) -> char) {
 }
 
 fn texts(deck: &mut Deck, characters: CommentCharacters) {
-    let plain = |c| plain(c, characters);
+    let plain = |c| shown(c, characters);
     for at in 0..deck.blocks.len() {
         let block = deck.blocks[at];
         rewrite(deck, block.comment, plain);
@@ -155,6 +149,7 @@ struct Labels {
 
 impl Labels {
     fn new(deck: &mut Deck, blocks: &[Block]) -> Labels {
+        let numbers = numbered(blocks);
         let mut to = vec![None; blocks.len()];
         let mut open: Vec<(u16, usize)> = Vec::new();
         for (at, block) in blocks.iter().enumerate() {
@@ -167,21 +162,25 @@ impl Labels {
                     }
                 }
                 Stmt::If { target, way: JumpDirection::Around, .. }
-                | Stmt::Goto { target, way: JumpDirection::Around } => {
-                    to[at] = target_of(deck, blocks, target, at);
+                | Stmt::Goto { target, way: JumpDirection::Around, .. } => {
+                    if let Expr::Number(Dec { mantissa: number, scale: 0, .. }) = deck.expr(target) {
+                        let places = numbers.get(&number).map_or(&[][..], Vec::as_slice);
+                        to[at] = JumpDirection::Around.nearest(at, places);
+                    }
                 }
                 _ => {}
             }
         }
         let mut before: Vec<Option<TextId>> = blocks.iter().map(|block| block.label).chain([None]).collect();
-        let mut taken: Vec<String> = before.iter().flatten().map(|id| deck.text(Some(*id)).to_owned()).collect();
+        let mut taken: BTreeSet<String> = before.iter().flatten().map(|id| deck.text(Some(*id)).to_owned()).collect();
+        let mut others = (1..1_000_000).map(|k| format!("LC{k}"));
         for target in to.clone().into_iter().flatten() {
             if before.get(target).is_some_and(Option::is_none) {
                 let number = blocks.get(target).and_then(|block| block.number);
                 let wished = number.into_iter().map(|number| format!("LB{number}"));
-                let mut names = wished.chain((1..).map(|k| format!("LC{k}")));
+                let mut names = wished.chain(&mut others);
                 let name = names.find(|name| name.len() <= 8 && !taken.contains(name)).unwrap_or_default();
-                taken.push(name.clone());
+                taken.insert(name.clone());
                 before[target] = Some(deck.add_text(name));
             }
         }
@@ -281,13 +280,15 @@ impl Labels {
     }
 }
 
-/// Target block of a jump to a number: searched from the jump on, then from the start.
-fn target_of(deck: &Deck, blocks: &[Block], target: ExprId, at: usize) -> Option<usize> {
-    let Expr::Number(number) = deck.expr(target) else { return None };
-    let number = u32::try_from(number.mantissa).ok().filter(|_| number.scale == 0)?;
-    let found = |block: &Block| block.number == Some(number);
-    let behind = blocks.iter().skip(at + 1).position(found).map(|k| at + 1 + k);
-    behind.or_else(|| blocks.iter().position(found))
+/// Blocks of a program by number, in rising order.
+fn numbered(blocks: &[Block]) -> BTreeMap<i64, Vec<usize>> {
+    let mut numbers = BTreeMap::<i64, Vec<usize>>::new();
+    for (at, block) in blocks.iter().enumerate() {
+        if let Some(number) = block.number {
+            numbers.entry(number.into()).or_default().push(at);
+        }
+    }
+    numbers
 }
 
 /// Turns the comment behind a program's number into a block.

@@ -62,7 +62,7 @@ impl Reader<'_> {
             Some(CallKind::Sub) => None,
             Some(_) => Some(None),
             None => {
-                let code = self.control.code(id)?.code;
+                let code = self.tables.codes.row(id)?.code;
                 matches!(code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock).then_some(Some(code))
             }
         }
@@ -72,7 +72,7 @@ impl Reader<'_> {
     fn m_row(&self, word: &Word) -> Option<Code> {
         let WordValue::Number(Dec { scale: 0, .. }) = word.value else { return None };
         let id = code_of(word).filter(|id| matches!(id, CodeId::M(_)))?;
-        self.control.code(id).map(|row| row.code)
+        self.tables.codes.row(id).map(|row| row.code)
     }
 
     /// Whether a word is a program end, call or stop.

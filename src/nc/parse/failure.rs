@@ -30,8 +30,8 @@ pub(in crate::nc) enum IgnoredFeature {
     Comma(Address),
 }
 
-#[derive(Debug)]
 /// A variable that is missing or read-only on the control.
+#[derive(Debug)]
 pub(in crate::nc) struct Misused {
     pub(in crate::nc) number: u32,
     pub(in crate::nc) alarm: Alarm,

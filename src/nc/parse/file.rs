@@ -230,7 +230,7 @@ impl<'a> Reader<'a> {
     #[cold]
     pub(in crate::nc) fn check_length(&mut self) {
         let (mut count, mut comment) = (0, false);
-        let most = self.control.syntax.block_read_chars;
+        let most = self.tables.rules.block_chars;
         for (at, &byte) in self.cursor.line.iter().enumerate() {
             comment |= byte == b'(';
             count += u32::from(!comment && begins_character(byte));

@@ -6,7 +6,7 @@ use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code, CodeDef, CodeId};
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
-use crate::nc::codes::{code_of, g_number, m_number};
+use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
 use crate::nc::parse::failure::{IgnoredFeature, Mend, ParseFailure, Read};
@@ -212,7 +212,7 @@ impl<'a> Reader<'a> {
         // Cycles, threads and calls use these letters otherwise.
         let plain = |word: &Word| match (word.letter, word.value) {
             (Address::G | Address::M, WordValue::Number(_)) => {
-                let row = code_of(word).and_then(|id| self.control.code(id));
+                let row = self.tables.codes.row_of(word);
                 !row.is_some_and(|row| row.code.is_left_out() || matches!(row.code, Code::Thread | Code::SubCall))
             }
             _ => true,

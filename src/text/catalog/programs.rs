@@ -2,6 +2,8 @@
 //!
 //! The machines write them in English; a file has the Chinese texts, with the English ones as keys.
 
+use std::sync::OnceLock;
+
 use super::rows::words_of;
 
 /// Chinese by English text, sorted by key. `{axis}` is a placeholder.
@@ -10,7 +12,7 @@ const CHINESE: &str = include_str!("programs_zh.properties");
 /// Chinese translation of a comment, title, alarm or message.
 pub fn chinese(text: &str) -> Option<String> {
     let whole = words_of(CHINESE, text).map(str::to_owned);
-    whole.or_else(|| patterns().find_map(|(english, chinese)| filled(text, english, chinese)))
+    whole.or_else(|| patterns().iter().find_map(|(english, chinese)| filled(text, english, chinese)))
 }
 
 /// All English texts with their Chinese translations.
@@ -18,12 +20,14 @@ pub fn all() -> impl Iterator<Item = (String, &'static str)> {
     CHINESE.lines().filter_map(|line| line.split_once('=')).map(|(key, chinese)| (key.replace('\\', ""), chinese))
 }
 
-fn patterns() -> impl Iterator<Item = (String, &'static str)> {
-    all().filter(|(english, _)| english.contains('{'))
+/// The rows with placeholders, collected once.
+fn patterns() -> &'static [(String, &'static str)] {
+    static PATTERNS: OnceLock<Vec<(String, &'static str)>> = OnceLock::new();
+    PATTERNS.get_or_init(|| all().filter(|(english, _)| english.contains('{')).collect())
 }
 
 /// The Chinese of a pattern with the values of a text; `None` if the text does not match the pattern.
-fn filled(text: &str, english: String, chinese: &str) -> Option<String> {
+fn filled(text: &str, english: &str, chinese: &str) -> Option<String> {
     let mut rest = text;
     let mut out = chinese.to_owned();
     let mut parts = english.split(['{', '}']);
