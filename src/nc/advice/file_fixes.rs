@@ -23,7 +23,9 @@ impl Reader<'_> {
         }
         self.variables();
         let opened = opened || self.control.syntax.percent == Percent::End;
-        if !(opened && closed) && self.control.syntax.percent != Percent::Head {
+        // Behind comments alone a `%` opens the record.
+        let begun = closed || !self.only_comments();
+        if begun && !(opened && closed) && self.control.syntax.percent != Percent::Head {
             self.percent(opened, closed);
         }
         if let Some(at) = self.notes.hash {

@@ -200,7 +200,12 @@ impl Check<'_> {
         let line = behind.find('\n').unwrap_or(behind.len());
         let newline = line_end(self.text);
         let tail = behind.get(..line).unwrap_or("");
-        let at = span.end + tail.strip_suffix('\r').unwrap_or(tail).len() as u32;
+        // A `;` may end the block, and another program begin behind it.
+        let more = tail.trim_ascii_start().strip_prefix(';').is_some_and(|rest| !rest.trim_ascii().is_empty());
+        let at = match more && self.control.syntax.names().is_none() {
+            true => span.end,
+            false => span.end + tail.strip_suffix('\r').unwrap_or(tail).len() as u32,
+        };
         let place = Place { file: self.program.file, span };
         let insert = Place { file: self.program.file, span: Span::at(at) };
         let shown = self.control.alarm_shown(Alarm::NoProgramEnd);

@@ -88,11 +88,15 @@ impl<'a> Lint<'a> {
         self.found.last_mut()
     }
 
-    /// Adds a fix to the last finding: another text for each of these words of its file.
+    /// Adds a fix to the last finding: another text for each of these words of its file; none if a comment is inside one of them.
     pub(super) fn fix(&mut self, title: Message, words: &[(Span, Dec)], text: &dyn Fn(Dec) -> String) {
         if let Some(finding) = self.found.last_mut()
             && let Some(place) = finding.place
         {
+            let comment = |span: Span| self.parsed.text(Place { span, ..place }).contains('(');
+            if words.iter().any(|word| comment(word.0)) {
+                return;
+            }
             let edits = words.iter().map(|&(span, dec)| (Place { span, ..place }, text(dec))).collect();
             finding.fixes.push(Fix { title, edits });
         }

@@ -347,15 +347,20 @@ impl Reader<'_> {
         Ok((to, value))
     }
 
-    /// Reads the `=` of an assignment to the variable from `start` to `end`; `==` is read as one, with a fix.
+    /// Reads the `=` of an assignment to the variable from `start` to `end`; `==` is read as one, with a fix, and so are more of them.
     pub(in crate::nc) fn equals_sign(&mut self, start: usize, end: usize) -> Read<()> {
         if self.skip() != b'=' {
             return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
         }
         self.cursor.at += 1;
         if self.skip() == b'=' {
-            self.slip(Alarm::Format, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
-            self.cursor.at += 1;
+            let (from, mut to) = (self.cursor.at, self.cursor.at);
+            while self.cursor.peek() == b'=' {
+                to = self.cursor.at + 1;
+                self.cursor.at = to;
+                self.cursor.blank();
+            }
+            self.slip(Alarm::Format, from, to, msg!("nc.double-equals"), "");
         }
         Ok(())
     }

@@ -11,7 +11,7 @@ use macroline::nc::{self, Block, Files, Parsed, Stmt};
 use macroline::project::check::review;
 use macroline::project::render::Renderer;
 use macroline::project::run::{AtStop, RunOptions, of_programs, to_end};
-use macroline::text::{Diagnostic, Place, Severity, Span};
+use macroline::text::{Diagnostic, Fix, Place, Severity, Span};
 
 use super::dice::Dice;
 
@@ -53,8 +53,55 @@ fn told(parsed: &Parsed, findings: &[Diagnostic], text: &str) {
         for fix in &finding.fixes {
             let mended = nc::fix(parsed.files(), fix);
             assert_ne!(&mended, parsed.files(), "a fix changes something: {fix:?}");
-            nc::parse(&mended, parsed.control());
+            let again = nc::parse(&mended, parsed.control());
+            corrected((parsed, finding), fix, &again);
         }
+    }
+}
+
+/// A fix removes its finding, and leaves other lines, and the comments of blocks that parse.
+fn corrected((parsed, finding): (&Parsed, &Diagnostic), fix: &Fix, again: &Parsed) {
+    let [old, new] = [parsed, again].map(|parsed| parsed.files().0[0].text.as_str());
+    let shown = || format!("{fix:?} of {finding:?}\n{old}\n--- becomes ---\n{new}");
+    // The place of a byte of the old text in the new one; behind the edits that end there, if `after`.
+    let moved = |at: u32, after: bool| {
+        let before = fix.edits.iter().filter(|(place, _)| place.span.end < at || place.span.end == at && after);
+        let longer = |(place, text): &(Place, String)| text.len() as i64 - i64::from(place.span.end - place.span.start);
+        i64::from(at) + before.map(longer).sum::<i64>()
+    };
+    if let Some(Place { span, .. }) = finding.place {
+        let starts = moved(span.start, false)..=moved(span.start, true);
+        let same = |other: &&Diagnostic| {
+            let place = other.place.map_or(Span::default(), |place| place.span);
+            other.message == finding.message
+                && starts.contains(&i64::from(place.start))
+                && place.of(new) == span.of(old)
+        };
+        // Behind a sign that is dropped there may be another one.
+        let count =
+            |parsed: &Parsed| parsed.diagnostics().iter().filter(|other| other.message == finding.message).count();
+        let stays = again.diagnostics().iter().any(|other| same(&other)) && count(again) >= count(parsed);
+        assert!(!stays, "the finding stays: {}", shown());
+    }
+    let whole = |span: Span| span.start == 0 && span.end as usize == old.len();
+    let line = |span: Span| {
+        let start = old[..span.start as usize].rfind('\n').map_or(0, |at| at + 1);
+        let end = old[span.end as usize..].find('\n').map_or(old.len(), |at| span.end as usize + at);
+        start as u32..=end as u32
+    };
+    let lines: Vec<_> = fix.edits.iter().map(|(place, _)| line(place.span)).collect();
+    for block in parsed.deck().blocks.iter().filter(|block| !matches!(block.stmt, Stmt::Bad(_))) {
+        if let Some(comment) = block.comment.map(|comment| parsed.text_span(comment)) {
+            let meets = |span: Span| span.start < comment.end && comment.start < span.end && !whole(span);
+            assert!(!fix.edits.iter().any(|(place, _)| meets(place.span)), "a comment changes: {}", shown());
+        }
+        if lines.iter().any(|line| line.contains(&block.span.start)) {
+            continue;
+        }
+        let start = moved(block.span.start, true) as u32;
+        let blocks = &again.deck().blocks;
+        let same = blocks.binary_search_by_key(&start, |block| block.span.start).ok().map(|at| blocks[at]);
+        assert!(!same.is_some_and(|block| matches!(block.stmt, Stmt::Bad(_))), "another line breaks: {}", shown());
     }
 }
 

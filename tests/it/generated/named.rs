@@ -204,7 +204,8 @@ impl<'a> Writer<'a> {
         };
         self.out.push_str(&text);
         if self.dice.rarely(8) {
-            self.out.push_str(" ;NOTE");
+            let remark = self.dice.pick(&["NOTE", "GOTOF AGAIN", "L7 P2", "SUB CALLS SUB"]);
+            let _ = write!(self.out, " ;{remark}");
         }
         self.out.push('\n');
     }

@@ -39,6 +39,9 @@ pub(crate) fn program(control: &'static Control, bytes: &[u8]) -> String {
     w.out
 }
 
+/// Comments, some with the words of statements.
+const REMARKS: [&str; 6] = ["NOTE", "END OF COUNT", "LOAD DONE", "END1 DO2", "M98 P2 CALLS", "GOTO THE END"];
+
 /// A program with some of it cut out, doubled, or with words of the control strewn in.
 pub(crate) fn broken(control: &'static Control, bytes: &[u8]) -> String {
     let (how, what) = bytes.split_at(bytes.len() / 3);
@@ -89,6 +92,8 @@ fn word(control: &'static Control, dice: &mut Dice) -> String {
         "(",
         ")",
         "(A)",
+        "(DO1)",
+        " (END OF COUNT)",
         ".",
         "-",
         "+",
@@ -233,7 +238,8 @@ impl<'a> Writer<'a> {
         };
         self.out.push_str(&text);
         if self.dice.rarely(8) && !text.contains('(') {
-            self.out.push_str(" (NOTE)");
+            let remark = self.dice.pick(&REMARKS);
+            let _ = write!(self.out, " ({remark})");
         }
         self.out.push('\n');
     }

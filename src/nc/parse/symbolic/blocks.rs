@@ -278,6 +278,10 @@ impl<'a> Reader<'a> {
 
     /// The failure of a name followed by words, which is not a call: a label without its colon, or an unknown name.
     fn not_a_call(&self, start: usize, end: usize, name: &str) -> Box<ParseFailure> {
+        if self.cursor.peek() == b':' {
+            // A second label.
+            return self.unexpected();
+        }
         // Searching a large file for each such line would take too long.
         if begins_as_name(name) && self.file.text.len() < 1 << 16 && self.jumped_to(name) {
             let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name), false);
