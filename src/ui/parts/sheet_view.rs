@@ -60,13 +60,15 @@ pub(crate) fn SheetView(
         let number = page.project.with_untracked(|project| worker.ask_long(project, request(), progress, show));
         asked.set_value(number);
     };
+    let timer = StoredValue::new(None::<TimeoutHandle>);
+    let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
     let cancel = move |_| {
+        // A request that is still to be sent would undo the cancelling.
+        stop();
         worker.cancel(asked.get_value());
         far.set(None);
         is_cancelled.set(true);
     };
-    let timer = StoredValue::new(None::<TimeoutHandle>);
-    let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
     let before = StoredValue::new_local(None::<Project>);
     Effect::new(move |_| {
         let mut present = page.project.get();
@@ -114,7 +116,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{mount, settled};
+    use crate::ui::testing::{mount, pause, settled};
 
     #[wasm_bindgen_test]
     async fn sheet_without_a_worker_says_so() {
@@ -135,6 +137,22 @@ mod tests {
         settled().await;
         assert_eq!(bench.text("b"), "Customer");
         assert_eq!(bench.text(".sheets + .sheets"), t("page.no-sheet"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn cancelled_before_it_is_sent_nothing_is_asked() {
+        const REST: Duration = Duration::from_millis(60);
+        let bench = mount(|| {
+            Client::here().answer_here(|_, _| Some(Response::Sheets(Sheets::default())));
+            view! { <SheetView which=|sheets| sheets.plc rest=REST long=true /> }
+        })
+        .await;
+        bench.press(".working button").await;
+        pause(120).await;
+        assert_eq!(bench.text(".working span"), t("page.cancelled"));
+        assert_eq!(bench.text(".sheets"), t("page.reading"));
+        bench.press_button(t("page.again")).await;
+        assert_eq!(bench.text(".sheets"), t("page.no-sheet"));
     }
 
     #[wasm_bindgen_test]
