@@ -22,7 +22,7 @@ use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Stretch, Visi
 use crate::msg;
 use crate::nc::{Deck, File};
 use crate::text::catalog::words;
-use crate::text::{Diagnostic, DiagnosticKind, Severity, listed};
+use crate::text::{Diagnostic, DiagnosticKind, Message, Severity, listed};
 use crate::view::{Advice, Chart, DrawnPart, Explorer, Pose, Readout, Scene, Sheet, Verdict};
 
 /// The control of a machine, with the settings of its open points.
@@ -177,6 +177,10 @@ impl Default for PanelSetup {
 pub trait Prepared: Send + Sync {
     /// Results with verdicts, and the machine's own findings.
     fn results(&self) -> Design;
+    /// What the machine does at these results, in a sentence that opens its report; none where it does not work.
+    fn summary(&self) -> Option<Message> {
+        None
+    }
     /// The program.
     fn program(&self) -> MachineProgram;
     /// The plant that runs the program.

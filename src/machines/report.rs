@@ -37,6 +37,7 @@ pub fn report(
         variable: control.syntax.variable,
         parts: parts(prepared, &inputs),
         inputs,
+        summary: prepared.summary(),
         readouts: design.readouts.into_iter().map(Readout::shown).collect(),
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
         exceeded: Vec::new(),

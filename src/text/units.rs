@@ -112,6 +112,11 @@ pub fn value(number: f64, metric: &str) -> f64 {
     counterpart(metric).map_or(number, |unit| number / unit.size)
 }
 
+/// A metric number with four digits, or all those before the point, in the shown unit, with the unit.
+pub fn four_digits(number: f64, decimals: u8, metric: &str) -> String {
+    format!("{} {}", number::four_digits(value(number, metric), self::decimals(decimals, metric)), unit(metric))
+}
+
 /// A number in the metric unit, from the shown one.
 pub fn metric(number: f64, metric: &str) -> f64 {
     counterpart(metric).map_or(number, |unit| number * unit.size)

@@ -78,7 +78,9 @@ use crate::machines::machine::{
     ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples,
 };
 use crate::motion::{Plant, Plc, Snapshot};
+use crate::msg;
 use crate::nc::File;
+use crate::text::{Message, units};
 use crate::view::{Chart, DrawnPart, Explorer, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 
@@ -111,6 +113,13 @@ impl Machine for PolygonLathe {
 impl Prepared for PolygonLathe {
     fn results(&self) -> Design {
         Design { readouts: results::results(self), diagnostics: findings::findings(self) }
+    }
+
+    fn summary(&self) -> Option<Message> {
+        let d = &self.d;
+        let length = |value, decimals| units::four_digits(value, decimals, "mm");
+        let (across, error) = (length(d.across_flats, 3), length(d.flatness, 4));
+        d.cuts.then(|| msg!("polygon.summary", sides = (d.sides, 0), across, error))
     }
 
     fn program(&self) -> MachineProgram {

@@ -83,6 +83,8 @@ use crate::machines::machine::{
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
+use crate::text::number::four_digits;
+use crate::text::{Message, units};
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 use rules::RULES;
@@ -146,6 +148,11 @@ impl Prepared for RibbonLine {
         let dots = results(dot_error::ROWS, self, rules_of_dots::RULES);
         let readouts = line.chain(drives).chain(reel).chain(dots).chain(cam).collect();
         Design { readouts, diagnostics: rules::findings(self) }
+    }
+
+    fn summary(&self) -> Option<Message> {
+        let speed = units::four_digits(self.d.line_speed, 3, "mm/min");
+        Some(msg!("ribbon.summary", speed, dots = four_digits(self.d.dots_per_second, 4)))
     }
 
     fn program(&self) -> MachineProgram {

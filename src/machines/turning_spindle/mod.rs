@@ -55,6 +55,8 @@ use crate::machines::machine::{
 };
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
+use crate::msg;
+use crate::text::{Message, units};
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 use rules::RULES;
@@ -93,6 +95,12 @@ impl Prepared for TurningSpindle {
     fn results(&self) -> Design {
         let readouts = results(readouts::ROWS, self, RULES).collect();
         Design { readouts, diagnostics: rules::findings(self) }
+    }
+
+    fn summary(&self) -> Option<Message> {
+        let turns = |speed| units::four_digits(speed, 1, "r/min");
+        let (largest, smallest) = (turns(self.d.speed_largest), turns(self.d.speed_smallest));
+        Some(msg!("turning.summary", time = units::four_digits(self.d.cutting_time, 2, "s"), largest, smallest))
     }
 
     fn program(&self) -> MachineProgram {

@@ -117,6 +117,8 @@ pub struct Report {
     pub inputs: Vec<Input>,
     /// The parts list, in the order of the item numbers in the drawing.
     pub parts: Vec<ListedPart>,
+    /// What the machine does, in a sentence; none where it does not work.
+    pub summary: Option<Message>,
     /// Results with verdicts.
     pub readouts: Vec<Readout>,
     /// Findings about fields and program.

@@ -489,17 +489,26 @@ fn first_rows(report: &Report) -> Vec<&Readout> {
     rows
 }
 
-/// Conclusion: the headline figures, the time of a run, and whether the verdicts hold.
+/// What the machine does, or its headline figures where it does not work.
+fn work(report: &Report) -> Message {
+    let figure = |readout: &Readout| {
+        let value = four_digits(readout.value, readout.decimals);
+        format!("{} {value} {}", words(readout.label), readout.unit).trim_end().to_owned()
+    };
+    report.summary.clone().unwrap_or_else(|| {
+        let headline = report.readouts.iter().filter(|readout| readout.headline).take(3);
+        msg!("form.report.figures", figures = clauses(headline.map(figure)))
+    })
+}
+
+/// Conclusion: what the machine does, the time of a part, and whether the verdicts hold.
 fn conclusion(report: &Report) -> String {
-    let figures = report.readouts.iter().filter(|readout| readout.headline).take(3);
-    let figures: Vec<String> = figures
-        .map(|readout| {
-            format!("{} {} {}", words(readout.label), four_digits(readout.value, readout.decimals), readout.unit)
-                .trim_end()
-                .to_owned()
-        })
-        .chain(report.run.figures.iter().map(|row| format!("{} {}", words(row.label), row.shown())))
-        .collect();
+    let cycle = match &report.run.figures[..] {
+        [time, parts] => {
+            Some(msg!("form.report.part-takes", time = time.shown(), parts = (parts.value, parts.decimals)))
+        }
+        _ => None,
+    };
     let judged: Vec<&Readout> = report.readouts.iter().filter(|readout| readout.verdict != Verdict::None).collect();
     let failing: Vec<&str> =
         judged.iter().filter(|readout| readout.verdict == Verdict::Fail).map(|readout| words(readout.label)).collect();
@@ -518,6 +527,5 @@ fn conclusion(report: &Report) -> String {
         0 => None,
         n => Some(msg!("form.report.exceeded", count = n as u32)),
     };
-    let first = msg!("form.report.figures", figures = clauses(figures));
-    sentences([Some(first), Some(said), exceeded].iter().flatten().map(sentence))
+    sentences([Some(work(report)), cycle, Some(said), exceeded].iter().flatten().map(sentence))
 }

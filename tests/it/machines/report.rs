@@ -1,5 +1,6 @@
 //! The report that one hands over: whole for every machine on every control, well formed, with the figures of the run.
 
+use expect_test::expect;
 use macroline::machines::ALL;
 use macroline::machines::form::Value;
 use macroline::motion::{Budget, Retention};
@@ -126,6 +127,21 @@ fn every_report_is_whole_and_well_formed() {
 }
 
 #[test]
+fn report_opens_with_what_the_machine_does() {
+    let opening = |machine: &str, example: &str| {
+        let told = html(&Project::named(machine, None, Some(example)).unwrap());
+        let said = words(of_class(&read(&told), "conclusion")[0]);
+        said.split_once(". ").unwrap().0.replace(['\u{202f}', '\u{a0}'], " ")
+    };
+    let openings: Vec<String> =
+        ALL.iter().map(|machine| opening(machine.id(), machine.info().examples[0].id)).collect();
+    expect![[r#"
+        The line runs at 7 578 mm/min and prints 12.63 dots a second
+        The cut of a part takes 17.79 s; the spindle turns at 682.1 r/min on the largest diameter and at 1 800 r/min on the smallest
+        The lathe turns 4 sides, 20.00 mm across flats, with a flatness error of 0.0284 mm"#]].assert_eq(&openings.join("\n"));
+}
+
+#[test]
 fn cycle_time_is_that_of_the_run() {
     for machine in ALL {
         let project = Project::named(machine.id(), None, None).unwrap();
@@ -136,8 +152,8 @@ fn cycle_time_is_that_of_the_run() {
         let told = html(&project);
         let page = read(&told);
         let told = words(page.root_element());
-        assert!(told.contains(&format!("Cycle time {} s", (time * 10.0).round() / 10.0)), "{}: {time}", machine.id());
-        assert!(told.contains(&format!("Parts per hour {} 1/h", (36_000.0 / time).round() / 10.0)), "{}", machine.id());
+        let (part, hour) = ((time * 10.0).round() / 10.0, (36_000.0 / time).round() / 10.0);
+        assert!(told.contains(&format!("A part takes {part} s; that is {hour} an hour.")), "{}: {time}", machine.id());
     }
 }
 
