@@ -30,6 +30,7 @@ use super::words::{sentence, t};
 use super::worker::client::Client;
 use super::worker::diagnostics;
 use crate::msg;
+use crate::view::{Readout, Verdict};
 
 /// State with which the page is built: the project of the last visit, or a fresh one, with its program, its run and notices.
 pub struct Beginning {
@@ -172,6 +173,22 @@ fn Side() -> impl IntoView {
     }
 }
 
+/// Count of the results that fail, at the corner of their tab.
+#[component]
+fn Failures() -> impl IntoView {
+    let design = Page::here().results.design;
+    let count = Memo::new(move |_| {
+        let fails = |readout: &&Readout| readout.verdict == Verdict::Fail;
+        design.with(|design| design.readouts.iter().filter(fails).count())
+    });
+    view! {
+        <Show when=move || count.get() != 0>
+            <b class="failures" aria-hidden="true">{move || count.get()}</b>
+            <span class="hidden">{move || sentence(&msg!("page.example-faults", count = count.get() as f64))}</span>
+        </Show>
+    }
+}
+
 /// The list of tabs; arrow keys move between them.
 #[component]
 fn Tabs() -> impl IntoView {
@@ -202,6 +219,7 @@ fn Tabs() -> impl IntoView {
                 on:click=move |_| tab.set(one)
             >
                 {t(label)}
+                {(one == Tab::Results).then(|| view! { <Failures /> })}
             </button>
         }
     };

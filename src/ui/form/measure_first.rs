@@ -1,5 +1,7 @@
 //! Assumed facts that are worth measuring first: a tenth more or less of them flips a verdict.
 
+use std::time::Duration;
+
 use leptos::prelude::*;
 
 use super::value::value_of;
@@ -13,20 +15,42 @@ use crate::ui::worker::messages::{Request, Response};
 /// Greatest number of facts that are listed.
 const MOST: usize = 5;
 
+/// Delay after the start of the page, which has more urgent work, and after the last change of the project.
+const REST: [Duration; 2] = [Duration::from_secs(2), Duration::from_millis(400)];
+
+/// Ids of the facts of the present project, the most decisive first.
+pub(super) fn decisive_facts() -> RwSignal<Vec<String>> {
+    let (page, worker) = (Page::here(), Client::here());
+    let found = RwSignal::new(Vec::new());
+    let ask = move || {
+        page.project.with_untracked(|project| {
+            worker.ask(project, Request::Flips, move |response| {
+                if let Some(Response::Flips(ids)) = response
+                    && !found.is_disposed()
+                {
+                    put(found, ids);
+                }
+            });
+        });
+    };
+    let timer = StoredValue::new(None::<TimeoutHandle>);
+    let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
+    Effect::new(move |changed: Option<()>| {
+        page.project.track();
+        stop();
+        timer.set_value(set_timeout_with_handle(ask, REST[usize::from(changed.is_some())]).ok());
+    });
+    on_cleanup(stop);
+    found
+}
+
 /// The facts; each leads to its field.
 #[component]
-pub(super) fn MeasureFirst() -> impl IntoView {
-    let (page, worker) = (Page::here(), Client::here());
-    let found = RwSignal::new(Vec::<String>::new());
-    // Of one project at a time, and of the last one at the end.
-    let asked = StoredValue::new(false);
-    Effect::new(move |_| {
-        page.project.track();
-        if !asked.get_value() {
-            asked.set_value(true);
-            ask(page, worker, found, asked);
-        }
-    });
+pub(super) fn MeasureFirst(
+    /// Ids of the facts, see [`decisive_facts`].
+    found: RwSignal<Vec<String>>,
+) -> impl IntoView {
+    let page = Page::here();
     let rows = move || {
         let fields = page.project.with_untracked(|project| project.machine.fields());
         let ids = found.get();
@@ -41,25 +65,6 @@ pub(super) fn MeasureFirst() -> impl IntoView {
             </div>
         </Show>
     }
-}
-
-fn ask(page: Page, worker: Client, found: RwSignal<Vec<String>>, asked: StoredValue<bool>) {
-    let sent = page.project.get_untracked();
-    let about = sent.clone();
-    worker.ask(&sent, Request::Flips, move |response| {
-        if let Some(Response::Flips(ids)) = response
-            && !found.is_disposed()
-        {
-            put(found, ids);
-            let present = page.project.get_untracked();
-            let same = present.values == about.values && present.provenance == about.provenance;
-            if same && present.control.id == about.control.id {
-                asked.set_value(false);
-            } else {
-                ask(page, worker, found, asked);
-            }
-        }
-    });
 }
 
 /// A fact with its present value.
@@ -81,22 +86,22 @@ fn Fact(
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+    use std::rc::Rc;
+
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{ViewBench, field, mount};
+    use crate::ui::testing::{ViewBench, field, mount, settled, until};
 
-    async fn mounted(answer: fn(&crate::project::Project, Request) -> Option<Response>) -> ViewBench {
-        mount(move || {
-            Client::here().answer_here(answer);
-            view! { <MeasureFirst /> <input id="heads" /> }
-        })
-        .await
+    async fn listed(ids: &[&str]) -> ViewBench {
+        let found: Vec<String> = ids.iter().map(|id| (*id).to_owned()).collect();
+        mount(move || view! { <MeasureFirst found=RwSignal::new(found) /> <input id="heads" /> }).await
     }
 
     #[wasm_bindgen_test]
     async fn fact_that_flips_a_verdict_leads_to_its_field() {
-        let bench = mounted(|_, _| Some(Response::Flips(vec!["heads".to_owned()]))).await;
+        let bench = listed(&["heads"]).await;
         assert_eq!(
             (bench.text("button span"), bench.text("button code")),
             (t(field("heads").label).to_owned(), "6".to_owned())
@@ -107,16 +112,31 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn at_most_five_facts_are_listed() {
-        let many = |_: &crate::project::Project, _| {
-            let facts = crate::ui::testing::project().machine.fields().into_iter().filter(|field| field.fact);
-            Some(Response::Flips(facts.map(|field| field.id.to_owned()).collect()))
-        };
-        assert_eq!(mounted(many).await.all("button").len(), MOST);
+        let fields = crate::ui::testing::project().machine.fields();
+        let facts: Vec<&str> = fields.iter().filter(|field| field.fact).map(|field| field.id).collect();
+        assert_eq!(listed(&facts).await.all("button").len(), MOST);
     }
 
     #[wasm_bindgen_test]
     async fn nothing_is_listed_where_no_fact_flips_a_verdict() {
-        assert!(!mounted(|_, _| Some(Response::Flips(Vec::new()))).await.has(".measure-first"));
-        assert!(!mounted(|_, _| None).await.has(".measure-first"));
+        assert!(!listed(&[]).await.has(".measure-first"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn facts_are_those_of_the_project_after_its_last_change() {
+        let found = Rc::new(Cell::new(None));
+        let facts = Rc::clone(&found);
+        let bench = mount(move || {
+            Client::here().answer_here(|project, _| Some(Response::Flips(vec![project.name.clone()])));
+            facts.set(Some(decisive_facts()));
+        })
+        .await;
+        let found = found.get().unwrap();
+        for name in ["First", "Last"] {
+            bench.page.edit("", |project| project.name = name.to_owned());
+            settled().await;
+        }
+        assert!(found.get_untracked().is_empty(), "a change asks for nothing at once");
+        until(move || found.get_untracked() == ["Last"]).await;
     }
 }

@@ -21,7 +21,7 @@ use crate::ui::parts::Later;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{sentence, t};
 use field::FormField;
-use measure_first::MeasureFirst;
+use measure_first::{MeasureFirst, decisive_facts};
 
 /// Name and fields of each folded group, in the order of the form.
 fn groups(fields: &[FieldInfo]) -> Vec<(&'static str, Vec<FieldInfo>)> {
@@ -102,6 +102,7 @@ fn MachineData(
     };
     let groups = groups(&fields);
     let open = RwSignal::new(false);
+    let decisive = decisive_facts();
     view! {
         <details class="data" on:toggle=move |event| put(open, dom::is_open(&event))>
             <summary>
@@ -109,9 +110,10 @@ fn MachineData(
                 <span class="count">{move || sentence(&crate::msg!("page.assumed-of", count = count.get().0 as f64, all = count.get().1 as f64))}</span>
                 <span class="known" style:--part=known></span>
             </summary>
-            <Show when=move || open.get()><MeasureFirst /></Show>
+            <Show when=move || open.get()><MeasureFirst found=decisive /></Show>
             {groups.into_iter().map(|(title, fields)| view! { <Group title=title fields=fields /> }).collect_view()}
         </details>
+        <Show when=move || !open.get()><MeasureFirst found=decisive /></Show>
     }
 }
 

@@ -94,10 +94,7 @@ fn GoTo() -> impl IntoView {
         }
     };
     view! {
-        <label class="goto">
-            {t("page.go-to")} " "
-            <input id="go-to" type="text" inputmode="decimal" placeholder="s" on:change=go />
-        </label>
+        <input id="go-to" class="goto" type="text" inputmode="decimal" aria-label=t("page.go-to") placeholder=t("page.go-to") on:change=go />
     }
 }
 

@@ -52,7 +52,7 @@ fn VerdictLine(
                 <i class="s" aria-hidden="true">{of(|readout| Tone::from(readout.verdict).sign().to_owned())}</i>
                 <span class="k">{t(label)}</span>
                 <span class="v">
-                    {of(|readout| four_digits(readout.value, readout.decimals))} " " <small>{of(|readout| readout.unit.to_owned())}</small>
+                    <b>{of(|readout| four_digits(readout.value, readout.decimals))}</b> " " <small>{of(|readout| readout.unit.to_owned())}</small>
                 </span>
                 <span class="hidden">{of(judged)}</span>
                 <span class="n" aria-hidden="true">{of(|readout| limit_sign(readout).unwrap_or_default())}</span>
