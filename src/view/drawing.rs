@@ -28,6 +28,8 @@ pub struct Drawing {
     /// Number of labels so far.
     labels: u16,
     leaders: Vec<Leader>,
+    /// Number of nodes that leaders are drawn over.
+    leaders_over: Option<usize>,
 }
 
 /// A hairline from a label to its part.
@@ -200,6 +202,11 @@ impl Drawing {
         self.label = 0;
     }
 
+    /// Draws the leaders of all following labels here, below the parts that come next; without a call each is drawn with its label.
+    pub fn draw_leaders_here(&mut self) {
+        self.leaders_over = Some(self.nodes.len());
+    }
+
     /// Area of a label's letters: number of the label, left, top, right, bottom. `None` for labels that move.
     fn text_box(&self, node: &Node) -> Option<(u16, [f64; 4])> {
         let Shape::Text { x, y, anchor, text, line, .. } = &node.shape else { return None };
@@ -234,9 +241,19 @@ impl Drawing {
         }
     }
 
+    /// Moves the leaders to their place in the drawing order.
+    fn lower_leaders(&mut self) {
+        let Some(at) = self.leaders_over else { return };
+        let is_leader = |node: &Node| node.label > 0 && matches!(node.shape, Shape::Path { .. });
+        let (leaders, above): (Vec<Node>, Vec<Node>) =
+            self.nodes.split_off(at.min(self.nodes.len())).into_iter().partition(is_leader);
+        self.nodes.extend(leaders.into_iter().chain(above));
+    }
+
     /// The finished drawing, without an option.
     pub fn scene(mut self, view: [f64; 4], alt: &'static str) -> Scene {
         self.lead_around();
+        self.lower_leaders();
         let Drawing { nodes, mut groups, gradients, unit, stations, .. } = self;
         let most = nodes.iter().map(|node| usize::from(node.group)).max().unwrap_or(0);
         if groups.len() <= most {

@@ -43,7 +43,7 @@ pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
         part("turning.part.work", 0, work, &[("Ø ", "stock-diameter"), ("L ", "length")]),
         part("turning.part.tool", group::TURRET, (14.0, -30.0), &[("T ", "tool"), ("", "edge-angle"), ("", "rake")]),
         part("turning.part.turret", group::TURRET, (78.0, -110.0), &[]),
-        part("turning.part.cross", group::TURRET, (150.0, -80.0), &[("", "lead-x"), ("", "rapid-x")]),
+        part("turning.part.cross", group::CROSS_SLIDE, (160.0, -28.0), &[("", "lead-x"), ("", "rapid-x")]),
         part("turning.part.bed", 0, (700.0, 518.0), &[("", "lead-z"), ("", "rapid-z")]),
     ];
     if layout.has_tailstock() {

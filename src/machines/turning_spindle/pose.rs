@@ -32,8 +32,10 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     let tip = layout.tip(tool.0, tool.1);
     let mut pose = Pose::default();
     let placements = &mut pose.placements;
-    placements.push(Placement { dx: tip.0, dy: tip.1, ..Placement::of(group::TURRET) });
-    placements.push(Placement { dx: tip.0, ..Placement::of(group::COLUMN) });
+    for group in [group::TURRET, group::CROSS_SLIDE] {
+        placements.push(Placement { dx: tip.0, dy: tip.1, ..Placement::of(group) });
+    }
+    placements.push(Placement { dx: tip.0, ..Placement::of(group::CARRIAGE) });
     let (speed, volts) = scene::needles(lathe, spindle.actual, spindle.volts);
     placements.push(Placement { turn: speed, ..Placement::of(group::SPEED) });
     placements.push(Placement { turn: volts, ..Placement::of(group::NEEDLE) });

@@ -24,7 +24,6 @@ mod work;
 use super::params::{Params, Path};
 use super::resolved::TurningSpindle;
 use crate::machines::sheets::say;
-use crate::math;
 use crate::text::catalog::number_text as show;
 use crate::text::number::filled;
 use crate::text::{columns, units};
@@ -48,8 +47,9 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     let p = &lathe.p;
     let layout = Layout::new(p);
     let mut d = Drawing::new(UNIT);
-    frame::draw_bed(&mut d);
-    turret::draw_column(&mut d);
+    frame::draw_bed_back(&mut d);
+    turret::draw_carriage(&mut d);
+    turret::draw_cross_slide(&mut d);
     frame::draw_tailstock(&mut d, &layout);
     layout.chuck.draw_nose(&mut d);
     frame::draw_headstock(&mut d, p);
@@ -59,8 +59,11 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     d.path(String::new(), Look::POINTER).id = Some(node::ORIENTATION);
     turret::draw_axis(&mut d);
     turret::draw_way(&mut d, p, &layout);
+    d.path(String::new(), Look::LEAD).id = Some(node::TOOL_LEADER);
+    d.draw_leaders_here();
     turret::draw(&mut d);
     turret::draw_chips(&mut d);
+    frame::draw_bed_front(&mut d);
     for (group, at) in [group::SPEED, group::NEEDLE].into_iter().zip(instruments::PIVOTS) {
         d.place(group, SceneGroup { at, ..SceneGroup::default() });
     }
@@ -101,14 +104,13 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let low = p.finished_diameter.min(p.stock_diameter);
     let end = layout.tip(0.5 * low, if p.path == Path::Facing { 0.0 } else { -0.2 * p.length });
     callout(d, "finished-diameter", (376.0, ROW), "start", "turning.scene.finished", &finished[..count], Some(end));
-    d.path(String::new(), Look::LEAD).id = Some(node::TOOL_LEADER);
     let tool = [(Some(node::SURFACE), ""), (Some(node::DIAMETER), "")];
     callout(d, "cutting-speed", (TOOL, ROW), "start", "turning.scene.surface", &tool, None);
     let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
     callout(d, allowance, (664.0, ROW), "start", "turning.scene.left", &[(Some(node::LEFT), "")], None);
     callout(d, "depth", (RIGHT, ROW), "end", "turning.scene.pass", &[(Some(node::PASS), "")], None);
     let start = format!("X{} Z{}", show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3), show(p.start_z, 3));
-    callout(d, "start-x", (RIGHT, 176.0), "end", "turning.scene.start", &[(None, &start)], None);
+    callout(d, "start-x", (RIGHT, 166.0), "end", "turning.scene.start", &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {}", say("turning.clearance"), mm(p.clearance));
         d.text((RIGHT, 226.0), "end", &text, Font::Label, Paint::Dim);
@@ -121,7 +123,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     d.text((4.0, 250.0), "start", "", Font::Label, Paint::Rim).id = Some(node::STAGE);
     d.text((4.0, 274.0), "start", "", Font::Value, Paint::Rim).id = Some(node::STAGE_SPEED);
     if lathe.positions() {
-        callout(d, "keyway-angle", (RIGHT, 112.0), "end", "turning.scene.angle", &[(Some(node::ANGLE), "")], None);
+        callout(d, "keyway-angle", (RIGHT, 104.0), "end", "turning.scene.angle", &[(Some(node::ANGLE), "")], None);
     }
     length(d, p, layout);
 }
@@ -129,7 +131,9 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
 /// Right end of labels, left end of the label at the tool.
 const RIGHT: f64 = 1008.0;
 const TOOL: f64 = 490.0;
-/// Upper end of the leader of the label at the tool, below its three lines where the letters are largest.
+/// Leader of the label at the tool: its distance to the left of the texts, beside which it begins, and from where it leads to the part:
+/// below their three lines where the letters are largest.
+const BESIDE: f64 = 8.0;
 const LEADER: f64 = ROW + 66.0;
 
 /// Leader of the label at the tool to its tip; none where the tip has left the drawing.
@@ -137,7 +141,7 @@ pub(super) fn tool_leader((x, y): (f64, f64)) -> String {
     if x > VIEW[0] + VIEW[2] || y < LEADER {
         return String::new();
     }
-    filled("M# #L# #", &[math::clamp(x, TOOL, TOOL + 110.0), LEADER, x, y - 11.0])
+    filled("M# #V#L# #", &[TOOL - BESIDE, ROW - 12.0, LEADER, x, y - 11.0])
 }
 
 /// The length of the cut along the part, or the allowance of a face.

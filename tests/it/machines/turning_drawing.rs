@@ -8,7 +8,7 @@ use macroline::machines::Samples;
 use macroline::math;
 use macroline::motion::Snapshot;
 use macroline::view::scene::Placement;
-use macroline::view::{Pose, Scene};
+use macroline::view::{Node, Pose, Scene, Shape};
 
 /// A control whose analog output can have a sign.
 const CONTROL: &str = "knd-k2000t";
@@ -22,6 +22,7 @@ const TURRET: u16 = 1;
 const SPEED: u16 = 2;
 const NEEDLE: u16 = 3;
 const KNOB: u16 = 7;
+const CHIPS: u16 = 12;
 const PART: u16 = 0;
 const FAR: u16 = 50;
 const NEAR: u16 = 70;
@@ -160,13 +161,25 @@ fn chips_fly_only_while_the_tool_cuts() {
     let chips = |t: f64| {
         let now = Samples::at(&planner, t);
         let pose = project.prepared().pose(&planner, &now, FRAME);
-        (placement(&pose, 11).opacity, 2.0 * now.axes[0].actual, path(&pose, 5).matches('M').count())
+        (placement(&pose, CHIPS).opacity, 2.0 * now.axes[0].actual, path(&pose, 5).matches('M').count())
     };
     let moments: Vec<_> = (0..=400).map(|at| chips(end * f64::from(at) / 400.0)).collect();
     assert!(moments.iter().any(|(seen, ..)| *seen > 0.0));
     assert!(moments.iter().all(|(seen, diameter, _)| *seen == 0.0 || *diameter < 80.0), "a chip without stock");
     assert!(moments.windows(2).all(|pair| pair[0].2 <= pair[1].2), "the tray loses chips");
     assert_eq!((moments[0].2, moments[400].2), (0, 12));
+}
+
+#[test]
+fn turret_covers_leaders_and_the_bed_covers_chips() {
+    let (scene, _) = drawn(&[], &now(50.0, 10.0, 0.0));
+    let place = |is: &dyn Fn(&Node) -> bool| scene.nodes.iter().position(is).unwrap();
+    let last = |is: &dyn Fn(&Node) -> bool| scene.nodes.iter().rposition(is).unwrap();
+    let turret = place(&|node| node.group == TURRET);
+    let is_path = |node: &Node| matches!(node.shape, Shape::Path { .. });
+    assert!(last(&|node| node.label > 0 && is_path(node)) < turret, "a leader lies on the turret");
+    let ways = last(&|node| matches!(node.shape, Shape::Rect { w, .. } if w > scene.view[2]));
+    assert!(last(&|node| node.group >= CHIPS) < ways, "chips fall before the bed");
 }
 
 #[test]

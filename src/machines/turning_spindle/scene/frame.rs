@@ -1,4 +1,4 @@
-//! Fixed parts: floor, bed with its chip tray, headstock with the gate of the gear stages, tailstock.
+//! Fixed parts: floor, bed with its chip tray behind the front, headstock with the gate of the gear stages, tailstock.
 
 use super::ids::{group, node};
 use super::layout::{BED, Layout, TAIL};
@@ -17,8 +17,8 @@ const GATE: (f64, f64) = (100.0, 352.0);
 /// Columns and rows of the gate from its centre.
 const SLOTS: (f64, f64) = (28.0, 27.0);
 
-/// Floor and bed.
-pub(super) fn draw_bed(d: &mut Drawing) {
+/// Floor, feet of the bed, and its chip tray.
+pub(super) fn draw_bed_back(d: &mut Drawing) {
     d.rect([-3000.0, 546.0, 7000.0, 900.0, 0.0], Look::fill(Paint::Floor));
     d.ellipse((500.0, 596.0), (660.0, 20.0), Look::fill(Paint::GroundShade));
     for x in [-70.0, 790.0] {
@@ -26,8 +26,14 @@ pub(super) fn draw_bed(d: &mut Drawing) {
     }
     // Tray between the feet.
     d.path(filled("M244 #h540l-16 26h-508Z", &[BED + 40.0]), Look::fill(Paint::DarkShade));
-    d.rect([-400.0, BED + 28.0, 1800.0, 36.0, 0.0], Look::fill(Paint::SteelShade));
     d.path(filled("M250 #h528l-18 24h-492Z", &[BED + 38.0]), Look::fill(Paint::DarkShade));
+}
+
+/// Ways and front of the bed, with the opening to the chip tray: chips fall behind them.
+pub(super) fn draw_bed_front(d: &mut Drawing) {
+    let (top, opening) = (BED + 28.0, BED + 38.0);
+    // The opening runs against the outline, so that it stays free.
+    d.path(filled("M-400 #H1400v36H-400ZM250 #l18 24h492l18 -24Z", &[top, opening]), Look::fill(Paint::SteelShade));
     d.rect([-400.0, BED, 1800.0, 30.0, 0.0], Look::fill(Paint::SteelBar));
     d.rect([-400.0, BED - 9.0, 1800.0, 10.0, 0.0], Look::fill(Paint::SteelLight));
     d.path(filled("M-400 #H1400M-400 #H1400M-400 #H1400", &[BED + 1.0, BED + 29.0, BED + 64.0]), Look::HAIR.faint(0.5));

@@ -16,10 +16,11 @@ pub(in super::super) mod group {
     /// The lens, and the chip in it.
     pub(in crate::machines::turning_spindle) const LENS: u16 = 8;
     pub(in crate::machines::turning_spindle) const LENS_CHIP: u16 = 9;
-    /// The column that carries the turret along the bed.
-    pub(in crate::machines::turning_spindle) const COLUMN: u16 = 10;
+    /// The carriage, which goes along the bed, and the cross slide on it.
+    pub(in crate::machines::turning_spindle) const CARRIAGE: u16 = 10;
+    pub(in crate::machines::turning_spindle) const CROSS_SLIDE: u16 = 11;
     /// First of the chips.
-    pub(in crate::machines::turning_spindle) const CHIPS: u16 = 11;
+    pub(in crate::machines::turning_spindle) const CHIPS: u16 = 12;
 }
 
 /// Nodes that poses change.

@@ -1,16 +1,16 @@
 //! The lens at the edge of the tool: depth of cut and chip, magnified.
 
 use super::ids::{group, node};
-use super::layout::{Layout, VIEW};
+use super::layout::{Layout, UNIT, VIEW};
 use super::work::PartSection;
 use crate::machines::turning_spindle::params::{Params, Path};
 use crate::math;
 use crate::text::catalog::number_text as show;
 use crate::text::number::filled;
-use crate::text::units;
+use crate::text::{columns, units};
 use crate::view::drawing::{Drawing, polygon};
 use crate::view::look::{Look, Paint};
-use crate::view::scene::{Font, Placement, SceneGroup, Shape};
+use crate::view::scene::{Font, LETTER, Placement, SceneGroup, Shape};
 
 /// Centre and radius.
 pub(super) const LENS: (f64, f64, f64) = (792.0, 410.0, 78.0);
@@ -51,7 +51,7 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, layout: &Layout) {
     d.within(group::LENS, |d| {
         d.showing("depth", |d| {
             let line = if p.path == Path::Facing {
-                filled("M0 44v12M# 44v12M0 50h#", &[depth, depth])
+                filled("M0 10v12M# 10v12M0 16h#", &[depth, depth])
             } else {
                 filled("M-56 0h12M-56 #h12M-50 0v#", &[-depth, -depth])
             };
@@ -60,11 +60,16 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, layout: &Layout) {
     });
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
     let times = format!("{} ×", show(magnification(p, layout), 0));
+    // The depth of cut below its dimension line, the scale in the middle below.
+    let value = units::short(p.depth, 3);
+    let room = 60.0 - 0.3 * LETTER * UNIT * columns(&value) as f64;
+    let below = ((0.5 * depth).min(room).max(0.0), 40.0);
+    let (at, anchor) = if p.path == Path::Facing { (below, "middle") } else { ((-58.0, 24.0), "start") };
     d.lens((x, y, r), |d| {
-        d.text((x + 66.0, y + 28.0), "end", &times, Font::Label, Paint::Ink);
         d.showing("depth", |d| {
-            d.text((x, y + 70.0), "middle", &units::short(p.depth, 3), Font::Value, Paint::Ink);
+            d.text((x + at.0, y + at.1), anchor, &value, Font::Value, Paint::Ink);
         });
+        d.text((x, y + 64.0), "middle", &times, Font::Label, Paint::Ink);
     });
 }
 

@@ -1,4 +1,4 @@
-//! The turret with its tool, which the slides move, and the chips at its edge.
+//! The slides, the turret with its tool that they move, and the chips at its edge.
 
 use super::ids::{group, node};
 use super::layout::{BED, Layout};
@@ -9,11 +9,15 @@ use crate::view::drawing::Drawing;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Placement, SceneGroup};
 
-/// Opacity of the column, so that labels over it can be read.
-const QUIET: f64 = 0.4;
+/// Opacity of the carriage's column, so that labels over it can be read.
+const QUIET: f64 = 0.55;
+/// Top of the column, below the row of labels.
+const TOP: f64 = 134.0;
 /// Chips in the air, and how long one falls, s.
 const CHIPS: u16 = 7;
 const FALL: f64 = 0.25;
+/// Height of the chips in the tray.
+const TRAY: f64 = BED + 47.0;
 /// Curls in the tray at most.
 const PILE: u32 = 12;
 
@@ -29,21 +33,29 @@ pub(super) fn draw_way(d: &mut Drawing, p: &Params, layout: &Layout) {
     });
 }
 
-/// The column behind the turret, which goes along the bed with it; its origin is above the tip of the tool.
-pub(super) fn draw_column(d: &mut Drawing) {
-    d.within(group::COLUMN, |d| {
+/// The carriage on the ways of the bed with its column, which goes along the bed with the turret; its origin is above the tip of the tool.
+pub(super) fn draw_carriage(d: &mut Drawing) {
+    let quiet = |paint: Paint| Look::fill(paint).faint(QUIET);
+    let (foot, saddle) = (BED - 9.0, BED - 33.0);
+    d.within(group::CARRIAGE, |d| {
+        d.path(filled("M106 #V#h66V#Z", &[saddle - 6.0, TOP, saddle - 6.0]), quiet(Paint::CabinetFront));
+        d.path(filled("M172 #V#l12 7V#Z", &[saddle - 6.0, TOP, saddle - 6.0]), quiet(Paint::SteelShade));
+        // Ways of the cross slide.
         d.path(
-            filled("M84 #h110l-12 -30h-86Z", &[BED - 9.0]),
-            Look::fill(Paint::Steel).thin(Paint::Edge, 0.8).faint(QUIET),
+            filled("M116 #V#h10V#ZM152 #V#h10V#Z", &[saddle - 6.0, TOP, saddle - 6.0].repeat(2)),
+            quiet(Paint::Steel),
         );
-        d.path(filled("M106 -60h66V#h-66Z", &[BED - 39.0]), Look::fill(Paint::CabinetFront).faint(QUIET));
-        d.path(filled("M172 -60h12V#h-12Z", &[BED - 39.0]), Look::fill(Paint::SteelShade).faint(QUIET));
-        for x in [118.0, 150.0] {
-            d.path(
-                filled("M# -60h10V#h-10Z", &[x, BED - 52.0]),
-                Look::fill(Paint::Steel).thin(Paint::Edge, 0.8).faint(QUIET),
-            );
-        }
+        d.path(filled("M72 #l14 -8h116l14 8Z", &[saddle]), Look::fill(Paint::DarkLight));
+        d.rect([72.0, saddle, 144.0, foot - saddle, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
+    });
+}
+
+/// The cross slide on the column, which carries the turret; its origin is the tip of the tool.
+pub(super) fn draw_cross_slide(d: &mut Drawing) {
+    d.within(group::CROSS_SLIDE, |d| {
+        d.path("M186 -160l10 7V24l-10 6Z", Look::fill(Paint::SteelShade));
+        d.rect([92.0, -160.0, 94.0, 190.0, 4.0], Look::fill(Paint::CabinetFront).thin(Paint::Edge, 1.0));
+        d.path("M98 -12h82M104 8h7v7h-7ZM167 8h7v7h-7Z", Look::HAIR.faint(0.6));
     });
 }
 
@@ -75,7 +87,7 @@ pub(super) fn draw(d: &mut Drawing) {
     });
 }
 
-/// Curls in the air and in the tray.
+/// Curls in the air and in the tray, which the front of the bed covers.
 pub(super) fn draw_chips(d: &mut Drawing) {
     d.path(String::new(), Look::line(Paint::DarkLight, 3.0).round()).id = Some(node::PILE);
     for chip in 0..CHIPS {
@@ -102,10 +114,10 @@ pub(in super::super) fn pose_chips(
         let turns = t / fall + f64::from(chip) / f64::from(CHIPS);
         let part = turns - turns.floor();
         let hand = if chip % 2 == 0 { 1.0 } else { -0.25 };
-        let depth = (BED + 30.0 - tip.1).max(0.0);
+        let depth = (TRAY - tip.1).max(0.0);
         placements.push(Placement {
             dx: tip.0 + 6.0 + hand * (10.0 + 7.0 * f64::from(chip)) * part,
-            dy: tip.1 + 10.0 + depth * part * part,
+            dy: tip.1 + 10.0 + (depth - 10.0) * part * part,
             turn: 300.0 * part * hand + 50.0 * f64::from(chip),
             opacity: if cuts { 1.0 } else { 0.0 },
             ..Placement::of(group::CHIPS + chip)
@@ -115,7 +127,7 @@ pub(in super::super) fn pose_chips(
     let curl = |at: u32| {
         // Spread over the tray, the first in its middle.
         let spread = [6, 4, 8, 5, 7, 3, 9, 2, 10, 1, 11, 0].get(at as usize).copied().unwrap_or(0);
-        let (x, y) = (330.0 + 30.0 * f64::from(spread), BED + 47.0 + 3.0 * f64::from(at % 3));
+        let (x, y) = (330.0 + 30.0 * f64::from(spread), TRAY + 3.0 * f64::from(at % 3));
         filled("M# #c8 -5 15 1 13 7s-13 4 -12 -3", &[x, y])
     };
     paths.push((node::PILE, (0..curls.min(PILE)).map(curl).collect()));
