@@ -49,7 +49,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
         place(group::of(group::DISC, at), 0.0, (own, 0.0), shown);
         place(group::of(group::INSERTS, at), tool, near, seen);
         place(group::of(group::BLUR, at), 0.0, near, 0.5 * (1.0 - seen));
-        for group in [group::LENS, group::TRACES, group::PASSES] {
+        for group in [group::LENS, group::TRACES, group::PASSES, group::RING] {
             place(group::of(group, at), 0.0, near, shown);
         }
     }
@@ -76,7 +76,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
         (node::BAR, scene::bar(lathe, &layout, &progress)),
         (node::EDGES, edges(lathe, &layout, &progress, angle)),
         (node::DISTANCE, scene::distance(polygon, &layout, aside)),
-        (node::LEADER, scene::leader(polygon, &layout, aside)),
+        (node::LEADER, scene::leader((lathe, polygon), &layout, aside)),
         (node::IDEAL, scene::wanted(polygon, &layout)),
     ];
     pose.texts = texts((lathe, polygon), &layout, now, &progress);

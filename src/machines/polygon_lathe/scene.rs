@@ -56,14 +56,25 @@ pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
 
 /// Base line of the names over the machine, and of those below the lens.
 const ROW: f64 = 80.0;
-const LOW_ROW: f64 = 246.0;
-/// Base lines over the view from above, and of the first figure of the slides below it.
-const ABOVE: f64 = 337.5;
+const LOW_ROW: f64 = 239.0;
+/// Base lines of the state, of the heading of the view from above, and of the first figure of the slides below it.
+const STATE: f64 = 298.0;
+const ABOVE: f64 = 331.0;
 const SLIDES: f64 = 593.0;
-/// Left ends of the labels of work and cutter, right end of those at the right.
+/// Least left ends of the labels of work and cutter, width of the former, right end of those at the right.
 const WORK: f64 = 180.0;
 const CUTTER: f64 = 350.0;
+const WIDE: f64 = 165.0;
 const RIGHT: f64 = 1008.0;
+/// Distance of the cutter's leader to the left of its texts, beside which it begins.
+const BESIDE: f64 = 8.0;
+
+/// Left ends of the labels of work and cutter: right of the leader from the contact to the lens.
+fn columns(lathe: &PolygonLathe, layout: &Layout) -> (f64, f64) {
+    let contact = lathe.polygons().map(|polygon| layout.contact(polygon).0).fold(0.0, f64::max);
+    let work = WORK.max(contact + 14.0);
+    (work, CUTTER.max(work + WIDE))
+}
 
 /// Names, dimensions and live values; every one has its own place, whatever the sizes.
 fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
@@ -73,18 +84,19 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
         |d: &mut Drawing, field: &'static str, at, anchor, name: &str, values: &[(Option<u16>, &str)], part| {
             d.showing(field, |d| d.callout(&Callout { at, anchor, name, values, part }));
         };
-    let chuck = (layout.work.0 + 0.62 * layout.chuck, layout.work.1 - 0.72 * layout.chuck);
-    callout(d, "speed", (WORK, ROW), "start", &say("polygon.scene.work"), &[(Some(node::WORK_SPEED), "")], Some(chuck));
+    let chuck = (layout.work.0 + 0.72 * layout.chuck, layout.work.1 - 0.62 * layout.chuck);
+    let (work, cutter) = columns(lathe, layout);
+    callout(d, "speed", (work, ROW), "start", &say("polygon.scene.work"), &[(Some(node::WORK_SPEED), "")], Some(chuck));
     d.path(String::new(), Look::LEAD).id = Some(node::LEADER);
     let (name, [across, radius]) = (say("polygon.scene.cutter"), sizes(lathe));
     let values = [(Some(node::TOOL_SPEED), ""), (Some(node::RADIUS), radius.as_str())];
-    callout(d, "tip-radius", (CUTTER, ROW), "start", &name, &values, None);
+    callout(d, "tip-radius", (cutter, ROW), "start", &name, &values, None);
     callout(d, "", (632.0, LOW_ROW), "start", &say("polygon.scene.phase"), &[(Some(node::PHASE), "")], None);
     callout(d, "depth", (748.0, LOW_ROW), "start", &say("polygon.scene.pass"), &[(Some(node::PASS), "")], None);
     let stock = format!("Ø {}", mm(p.stock_diameter));
     let values = [(Some(node::ACROSS), across.as_str()), (None, stock.as_str())];
     callout(d, "across-flats", (RIGHT, LOW_ROW), "end", &say("polygon.scene.close"), &values, None);
-    d.text((632.0, 315.0), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
+    d.text((632.0, STATE), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
     d.text((632.0, ABOVE), "start", &say("polygon.scene.above"), Font::Label, Paint::Dim);
     let start = format!("X{} Z{}", show(0.5 * p.start_x * lathe.words(), 3), show(p.start_z, 3));
     callout(d, "start-x", (RIGHT, 450.0), "end", &say("polygon.scene.start"), &[(None, &start)], None);
@@ -101,8 +113,7 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let middle = (0.5 * (layout.work.0 + layout.cutter.0), cutter::DISTANCE);
     d.place(group::DISTANCE, SceneGroup { at: middle, ..SceneGroup::default() });
     d.within(group::DISTANCE, |d| {
-        d.rect([-cutter::FIGURE, -13.0, 2.0 * cutter::FIGURE, 24.0, 4.0], Look::fill(Paint::Page).faint(0.9));
-        d.text((0.0, 5.5), "middle", "", Font::Value, Paint::Ink).id = Some(node::APART);
+        d.text((0.0, -7.0), "middle", "", Font::Value, Paint::Ink).id = Some(node::APART);
     });
 }
 
@@ -112,12 +123,12 @@ pub(super) fn sizes(lathe: &PolygonLathe) -> [String; 2] {
     [format!("AF {}", mm(lathe.p.across_flats)), format!("r {}", mm(lathe.p.tip_radius))]
 }
 
-/// Leader of the cutter's label to its disc, `away` units from its last place; none where the disc has left the drawing.
-pub(super) fn leader(lathe: &PolygonLathe, layout: &Layout, away: f64) -> String {
-    let r = 0.6 * lathe.p.tip_radius * layout.scale;
+/// Leader of the cutter's label to the disc of the present polygon, `away` units from its last place; none where the disc has left the drawing.
+pub(super) fn leader((lathe, polygon): (&PolygonLathe, &PolygonLathe), layout: &Layout, away: f64) -> String {
+    let r = 0.6 * polygon.p.tip_radius * layout.scale;
     let (x, y) = (layout.cutter.0 + away + 0.3 * r, layout.cutter.1 - 0.95 * r);
     if x > layout::RIGHT {
         return String::new();
     }
-    filled("M# #L# #", &[CUTTER + 24.0, ROW + 66.0, x, y])
+    filled("M# #V#L# #", &[columns(lathe, layout).1 - BESIDE, ROW - 12.0, ROW + 66.0, x, y])
 }

@@ -16,6 +16,7 @@ const INSERTS: u16 = 3;
 const BLUR: u16 = 4;
 const SIDE: u16 = 5;
 const LENS: u16 = 11;
+const RING: u16 = 27;
 const SECTION: u16 = 0;
 
 /// Sizes from small to large: stock, across flats, tip radius, start of X.
@@ -140,12 +141,20 @@ fn lens_leader_leaves_the_cutter_free() {
         let scene = project.prepared().scene();
         let (work, disc) = (place(&scene, WORK), place(&scene, DISC));
         let circle = circles(&scene, DISC).fold(0.0, f64::max);
-        let leader = scene.nodes.iter().find_map(|node| match &node.shape {
-            Shape::Path { d } if node.group == 0 && node.look.stroke == Paint::Accent && d.contains("V46H") => Some(d),
-            _ => None,
-        });
-        assert!(leader.unwrap().starts_with(&format!("M{}", work.0)), "{leader:?}");
-        assert!(disc.1 - circle > 46.0 && disc.0 - circle >= work.0, "{size:?}: the cutter reaches the leader");
+        let ring = scene.nodes.iter().filter(|node| node.group == RING);
+        let (mut centre, mut leader) = (None, None);
+        for node in ring {
+            match &node.shape {
+                Shape::Circle { x, y, .. } => centre = Some((*x, *y)),
+                Shape::Path { d } if node.look.stroke == Paint::Accent && d.contains("V46H") => leader = Some(d),
+                _ => {}
+            }
+        }
+        let (cut, level) = centre.unwrap();
+        assert!(leader.unwrap().starts_with(&format!("M{}", (100.0 * cut).round() / 100.0)), "{leader:?}");
+        // Where the tips pass nearest to the axis of the work.
+        assert!(level == work.1 && (disc.0 - circle - cut).abs() < 1e-6, "{size:?}: the ring is beside the contact");
+        assert!(disc.1 - circle > 46.0 && cut > work.0, "{size:?}: the cutter reaches the leader");
     }
 }
 

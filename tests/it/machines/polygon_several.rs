@@ -24,10 +24,11 @@ const TWO: [(&str, &str); 7] = [
     ("second-tip-radius", "60"),
 ];
 
-/// Groups of the lens, of the disc and of the traces: of the first polygon, and of the second.
-const LENS: [u16; 2] = [11, 30];
-const DISC: [u16; 2] = [2, 27];
-const PASSES: [u16; 2] = [26, 32];
+/// Groups of the lens, of the disc, of the passes and of the ring at the contact: of the first polygon, and of the second.
+const LENS: [u16; 2] = [11, 31];
+const DISC: [u16; 2] = [2, 28];
+const PASSES: [u16; 2] = [26, 33];
+const RING: [u16; 2] = [27, 34];
 
 fn two(more: &[(&str, &str)]) -> Project {
     project(&[&TWO[..], more].concat())
@@ -53,7 +54,7 @@ fn drawing_follows_the_polygon_that_is_cut() {
         seen[cut] += 1;
         let pose = project.prepared().pose(&planner, &Samples::at(&planner, t), Frame { step: 0.001, option: false });
         let place = |group: u16| *pose.placements.iter().find(|place| place.group == group).unwrap();
-        for groups in [LENS, DISC, PASSES] {
+        for groups in [LENS, DISC, PASSES, RING] {
             assert_eq!(groups.map(|group| place(group).opacity), [[1.0, 0.0], [0.0, 1.0]][cut], "{groups:?} at {t}");
         }
         let text = |id: u16| pose.texts.iter().find(|(node, _)| *node == id).unwrap().1.clone();

@@ -234,7 +234,7 @@ pub(in super::super) fn figure_at(layout: &Layout, away: f64) -> f64 {
     math::clamp(middle + 0.5 * away, FIGURE, RIGHT - FIGURE) - middle
 }
 
-/// Half the width of the figure's plate.
+/// Half the width of the figure.
 pub(super) const FIGURE: f64 = 58.0;
 /// Height of the line of the distance.
 pub(super) const DISTANCE: f64 = 506.0;

@@ -31,9 +31,11 @@ pub(in super::super) mod group {
     pub(in crate::machines::polygon_lathe) const TRACES: u16 = TIPS + super::TIPS;
     /// The ticks of the passes in the section, in the frame of the work.
     pub(in crate::machines::polygon_lathe) const PASSES: u16 = TRACES + 1;
+    /// The ring at the contact of cutter and work, and its leader to the lens.
+    pub(in crate::machines::polygon_lathe) const RING: u16 = PASSES + 1;
     /// Groups that each polygon has of its own, and the first group of the second polygon.
-    const OWN: [u16; 6] = [DISC, INSERTS, BLUR, LENS, TRACES, PASSES];
-    const SECOND: u16 = PASSES + 1;
+    const OWN: [u16; 7] = [DISC, INSERTS, BLUR, LENS, TRACES, PASSES, RING];
+    const SECOND: u16 = RING + 1;
 
     /// The group of a polygon, from 0, that is `first` for the first one.
     pub(in crate::machines::polygon_lathe) fn of(first: u16, polygon: usize) -> u16 {

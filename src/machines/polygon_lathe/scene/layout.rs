@@ -21,7 +21,7 @@ const CHUCK: (f64, f64) = (74.0, 134.0);
 const SMALLER: f64 = 0.6;
 
 /// Centre of the section as the work sees it, radius of the stock in it, and of its glass.
-pub(in super::super) const CLOSE: (f64, f64, f64) = (918.0, 128.0, 74.0);
+pub(in super::super) const CLOSE: (f64, f64, f64) = (918.0, 118.0, 74.0);
 pub(super) const GLASS: f64 = 86.0;
 
 /// From above: face of the chuck's jaws and height of the axis; room for the bar: length and half its width.
@@ -83,5 +83,9 @@ impl Layout {
     pub(in super::super) fn of(self, lathe: &PolygonLathe) -> Layout {
         let p = &lathe.p;
         Layout { cutter: (self.work.0 + (0.5 * p.across_flats + p.tip_radius) * self.scale, AXIS), ..self }
+    }
+    /// Where an insert touches the finished side of a polygon: at the level of the axes, towards the cutter.
+    pub(in super::super) fn contact(&self, lathe: &PolygonLathe) -> (f64, f64) {
+        (self.work.0 + 0.5 * lathe.p.across_flats.min(lathe.p.stock_diameter) * self.scale, AXIS)
     }
 }

@@ -14,7 +14,7 @@ use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, SceneGroup, Shape};
 
 /// Centre and radius of the lens.
-const LENS: (f64, f64, f64) = (726.0, 128.0, 96.0);
+const LENS: (f64, f64, f64) = (726.0, 118.0, 96.0);
 /// Height of the plane in it, half the length of a side, and the greatest height of a deviation.
 const PLANE: f64 = 8.0;
 const HALF: f64 = 76.0;
@@ -34,12 +34,16 @@ fn round(value: f64) -> f64 {
 /// The lens with all sides over one plane.
 pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let (x, y, r) = LENS;
-    // From the upper side of the work over the cutter, which the leader does not cross.
-    let top = layout.work.1 - 0.5 * lathe.p.across_flats.min(lathe.p.stock_diameter) * layout.scale;
-    d.circle((layout.work.0, top, 10.0), Look::POINTER);
     let edge = x - (r * r - (y - OVER) * (y - OVER)).max(0.0).sqrt();
-    d.path(filled("M# #V#H#", &[layout.work.0, top - 10.0, OVER, edge]), Look::POINTER.edge(Paint::Accent, 1.0));
     for (at, polygon) in lathe.polygons().enumerate() {
+        let ring = group::of(group::RING, at);
+        d.place(ring, SceneGroup { hidden: at > 0, ..SceneGroup::default() });
+        d.within(ring, |d| {
+            // Up from the contact and over the cutter, which the leader does not cross.
+            let (cut, level) = layout.contact(polygon);
+            d.circle((cut, level, 10.0), Look::POINTER);
+            d.path(filled("M# #V#H#", &[cut, level - 10.0, OVER, edge]), Look::POINTER.edge(Paint::Accent, 1.0));
+        });
         let clip = Some(Shape::Circle { x: 0.0, y: 0.0, r });
         let own = group::of(group::LENS, at);
         d.place(own, SceneGroup { at: (x, y), clip, hidden: at > 0, ..SceneGroup::default() });
