@@ -30,6 +30,8 @@ pub struct Drawing {
     leaders: Vec<Leader>,
     /// Number of nodes that leaders are drawn over.
     leaders_over: Option<usize>,
+    /// Labels with values of another length than [`VALUE_LETTERS`]: number of the label, most letters.
+    value_letters: Vec<(u16, usize)>,
 }
 
 /// A hairline from a label to its part.
@@ -172,6 +174,12 @@ impl Drawing {
         self.nodes.len() - 1
     }
 
+    /// A callout with values that poses write with at most so many letters: leaders of other labels may pass closer to it.
+    pub fn callout_with(&mut self, callout: &Callout, most_letters: usize) {
+        self.value_letters.push((self.labels + 1, most_letters));
+        self.callout(callout);
+    }
+
     /// A name with its values and a leader to its part.
     pub fn callout(&mut self, callout: &Callout) {
         let Callout { at, anchor, name, values, part } = *callout;
@@ -211,7 +219,9 @@ impl Drawing {
     fn text_box(&self, node: &Node) -> Option<(u16, [f64; 4])> {
         let Shape::Text { x, y, anchor, text, line, .. } = &node.shape else { return None };
         let letter = LETTER * self.unit;
-        let count = if node.id.is_some() { columns(text).max(VALUE_LETTERS) } else { columns(text) };
+        let posed = self.value_letters.iter().find(|(label, _)| *label == node.label);
+        let posed = posed.map_or(VALUE_LETTERS, |(_, letters)| *letters);
+        let count = if node.id.is_some() { columns(text).max(posed) } else { columns(text) };
         let [wide, top, foot] = LETTER_BOX;
         let width = wide * letter * count as f64;
         let left = match *anchor {

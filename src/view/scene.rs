@@ -190,15 +190,8 @@ impl Scene {
         self.nodes.iter().find(|node| node.id == Some(id))
     }
 
-    /// Removes the labels, and the plates in the colour of the page that lie under their texts: for pictures too small to read.
+    /// Removes the labels: for pictures too small to read.
     pub fn remove_labels(&mut self) {
-        let is_text: Vec<bool> =
-            self.nodes.iter().map(|node| node.label > 0 && matches!(node.shape, Shape::Text { .. })).collect();
-        let mut under = is_text.into_iter().skip(1);
-        self.nodes.retain(|node| {
-            let under_text = under.next() == Some(true);
-            let is_plate = matches!(node.shape, Shape::Rect { .. }) && node.look.fill == Paint::Page;
-            node.label == 0 && !(under_text && is_plate)
-        });
+        self.nodes.retain(|node| node.label == 0);
     }
 }

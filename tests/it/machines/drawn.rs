@@ -6,6 +6,7 @@ use super::sweep::{changes, forms};
 use macroline::drives::Bound;
 use macroline::machines::{self, Frame, Samples};
 use macroline::motion::{Snapshot, Visit};
+use macroline::project::Project;
 use macroline::view::drawing::crosses;
 use macroline::view::scene::{LETTER, LINE};
 use macroline::view::{Font, Pose, Scene, Shape};
@@ -192,6 +193,22 @@ fn labels_never_overlap_and_poses_fit_any_form() {
         }
     }
     assert!(found.is_empty(), "{} faults:\n{}", found.len(), found[..found.len().min(90)].join("\n"));
+}
+
+#[test]
+fn every_label_of_the_examples_leads_to_its_part() {
+    for machine in machines::ALL {
+        for example in machine.examples() {
+            let scene = Project::named(machine.id(), None, Some(example.id)).unwrap().prepared().scene();
+            let leaders = scene.nodes.iter().filter(|node| node.group == 0 && node.label > 0 && node.id.is_none());
+            for leader in leaders {
+                let Shape::Path { d } = &leader.shape else { continue };
+                let mut own = scene.nodes.iter().filter(|node| node.label == leader.label);
+                let name = own.find(|node| matches!(node.shape, Shape::Text { .. }));
+                assert!(!d.is_empty(), "{} {}: no leader from {name:?}", machine.id(), example.id);
+            }
+        }
+    }
 }
 
 /// The page shows it before its module is loaded. `UPDATE_EXPECT=1` draws it anew.

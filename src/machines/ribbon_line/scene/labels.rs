@@ -18,6 +18,9 @@ pub(crate) fn smear_text(smear: f64) -> String {
     if smear > MOST { format!("> {}", units::text(MOST, 0, "mm")) } else { units::figure(smear, 3, "mm") }
 }
 
+/// Most letters of the slack: `+12345.6 mm`.
+const SLACK_LETTERS: usize = 11;
+
 /// A magnification: `5 ×`, `1/20 ×`.
 fn times(magnified: f64) -> String {
     if magnified < 1.0 {
@@ -84,12 +87,13 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
         (&layout.pull, "ribbon.scene.servo", "gear-x", p.gear_x),
     ] {
         let text = format!("{}, {} : 1", say(id), show(ratio, 2));
-        // Below the cabinet, or beside the text before.
-        let at = (station.x - 3.0 * station.scale - 0.5 * wide(&text)).max(end);
+        // In the middle below the cabinet, or beside the text before.
+        let half = 0.5 * wide(&text);
+        let middle = (station.x - 3.0 * station.scale).max(end + half);
         drawing.showing(field, |drawing| {
-            drawing.text((at, y), "start", &text, Font::Label, Paint::Dim);
+            drawing.text((middle, y), "middle", &text, Font::Label, Paint::Dim);
         });
-        end = at + wide(&text) + gap;
+        end = middle + half + gap;
     }
     let note = format!("{} {}", say("ribbon.scene.thickness"), factor(layout.thickness / p.ribbon_thickness));
     drawing.text((end, y), "start", &note, Font::Label, Paint::Dim);
@@ -121,16 +125,18 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let plates = (layout.unwinder.x + 66.0 * layout.unwinder.scale, layout.pull.x - 52.0 * layout.pull.scale);
     let middle = 0.5 * (plates.0 + plates.1);
     drawing.text((x - 4.0 * unit, -8.0 * unit), "end", "0", Font::Label, Paint::Dim);
-    drawing.callout(&Callout {
+    let callout = Callout {
         at: (middle, -26.0 * unit - 2.0 * LINE * LETTER * unit),
         anchor: "middle",
         name: &say("ribbon.scene.loop"),
         values: &[(Some(node::SLACK), ""), (Some(node::LOOP_STATE), "")],
         part: None,
-    });
+    };
+    let states = ["ribbon.scene.full", "ribbon.scene.empty"].map(|id| columns(&say(id)));
+    drawing.callout_with(&callout, states.into_iter().fold(SLACK_LETTERS, usize::max));
 }
 
-/// The capacity of the loop below its limit, on a plate: a loop beyond its limit hangs there too.
+/// The capacity of the loop below its limit, over a loop that hangs deeper.
 pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let unit = layout.unit;
     let middle = 0.5 * (layout.unwinder.x + layout.unwinder.r + layout.pull.x - layout.pull.r);
@@ -139,10 +145,7 @@ pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
         let factor = 1.0 / layout.slack.share;
         limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));
     }
-    let (half, y) = (0.5 * LETTER_WIDTH * LETTER * unit * columns(&limit) as f64, layout.full + 15.0 * unit);
-    let plate = [middle - half - 3.0 * unit, y - 12.0 * unit, 2.0 * half + 6.0 * unit, 16.0 * unit, 4.0 * unit];
-    drawing.rect(plate, Look::fill(Paint::Page).faint(0.8));
-    drawing.text((middle, y), "middle", &limit, Font::Label, Paint::Dim);
+    drawing.text((middle, layout.full + 15.0 * unit), "middle", &limit, Font::Label, Paint::Dim);
 }
 
 /// Rim and figures of the lens: smear and magnification.
