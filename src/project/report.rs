@@ -68,7 +68,8 @@ impl Project {
             }
         };
         let end = run.timeline().end();
-        let now = run.timeline().at(SHOWN * end);
+        let drawn_at = SHOWN * end;
+        let now = run.timeline().at(drawn_at);
         let pose = prepared.pose(&run, &now, Frame { step: 0.0, option: false });
         let scene = prepared.scene();
         let cycle = run.ended_at().filter(|time| ended == RunEnd::ProgramEnd && *time > 0.0);
@@ -84,6 +85,7 @@ impl Project {
             ]
         });
         RunReport {
+            drawn_at,
             drawing: svg::picture_with(&scene, &pose, Theme::Line, &balloons(&scene, &pose, &prepared.parts())),
             figures: figures.into_iter().flatten().collect(),
             charts: prepared.charts(&run, 0.0, end, POINTS).into_iter().map(Chart::shown).collect(),

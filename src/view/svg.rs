@@ -384,11 +384,13 @@ impl Writer<'_> {
         }
     }
 
-    /// Look of a shape in a line drawing: lit edges are omitted, bodies have an outline.
+    /// Look of a shape in a line drawing: lit edges are omitted, bodies have an outline, and light letters, whose dark ground is pale, are ink.
     fn drawn(&self, node: &Node) -> Look {
         let look = node.look;
+        let is_text = matches!(node.shape, Shape::Text { .. });
         match look.stroke {
             _ if !matches!(self.place, Place::Alone(Theme::Line, _)) => look,
+            _ if is_text && look.fill == Paint::Rim => Look { fill: Paint::Ink, ..look },
             Paint::Rim if look.fill == Paint::Clear => Look { stroke: Paint::Clear, ..look },
             Paint::Rim => look.thin(Paint::Edge, OUTLINE),
             Paint::Clear if look.fill.is_body() && look.opacity == 1.0 => look.thin(Paint::Edge, OUTLINE),

@@ -84,6 +84,8 @@ pub struct PrintedProgram {
 pub struct RunReport {
     /// The drawing at one time of the run, SVG.
     pub drawing: String,
+    /// That time, seconds from the start.
+    pub drawn_at: f64,
     /// Cycle time and figures derived from it; empty if the run does not reach the end of the program.
     pub figures: Vec<Figure>,
     /// Charts over the run.
