@@ -20,17 +20,17 @@ pub fn highest_speed(power: f64, rated_speed: f64) -> f64 {
     of_frame.map_or(0.0, |(_, speeds)| speeds[poles.min(2)])
 }
 
-/// Frequency of the name plate, Hz.
-const RATED: f64 = 50.0;
+/// Frequency of the rated speeds of motors, Hz.
+pub const RATED_FREQUENCY: f64 = 50.0;
 
 /// Speed in r/min without load at a frequency in Hz, of a motor with this rated speed at 50 Hz: `60 f / p`, with the most pairs of poles
 /// p that turn no slower than rated. Source: sizing facts 2.6.
 pub fn no_load_speed(rated_speed: f64, frequency: f64) -> f64 {
-    60.0 * frequency / (60.0 * RATED / rated_speed).floor().max(1.0)
+    60.0 * frequency / (60.0 * RATED_FREQUENCY / rated_speed).floor().max(1.0)
 }
 
 /// Share (0.5 to 1) of its continuous torque that a motor with its own fan gives at a frequency in Hz: `0.5 + 0.5 f / 50 Hz`, because the
 /// fan turns with the rotor. Source: sizing facts 2.10, from memory.
 pub fn own_fan(frequency: f64) -> f64 {
-    math::clamp(0.5 + 0.5 * frequency / RATED, 0.5, 1.0)
+    math::clamp(0.5 + 0.5 * frequency / RATED_FREQUENCY, 0.5, 1.0)
 }

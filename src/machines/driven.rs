@@ -301,6 +301,9 @@ pub struct SpindleEncoder {
     pub speed: f64,
 }
 
+/// Braking torque (% of the rated one) that an inverter takes back without a brake resistor. Source: turning spindle facts, 5.
+pub const WITHOUT_RESISTOR: f64 = 20.0;
+
 /// Braking of a motor behind an inverter with more torque than the inverter takes back without a brake resistor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResistorDemand {

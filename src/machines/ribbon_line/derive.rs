@@ -375,9 +375,14 @@ impl Derived {
         self.draw_tension.max(self.start_tension)
     }
 
-    /// Greatest tension (N) of the ribbon before X: `T1`, with a draw `T1 + E · A · draw`, or that after a start.
+    /// Greatest tension (N) of the ribbon before X: `T1`, with a draw, or after a start.
     pub(super) fn taut(&self, p: &Params) -> f64 {
-        (p.web.tension_before + self.draw_tension).max(self.start_tension)
+        self.drawn(p).max(self.start_tension)
+    }
+
+    /// Tension (N) of the ribbon before X with a draw: `T1 + E · A · draw`.
+    pub(super) fn drawn(&self, p: &Params) -> f64 {
+        p.web.tension_before + self.draw_tension
     }
 
     /// Position (%) of the knob of these results: as far as it makes the unwinder faster.

@@ -10,7 +10,7 @@ use crate::drives::load::{Load, Move};
 use crate::drives::web;
 use crate::machines::driven::{
     DrivenAxis, Fitted, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive,
-    MotorFields, ProductSize, ResistorDemand, SpindleEncoder,
+    MotorFields, ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR,
 };
 use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
@@ -150,9 +150,6 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         fields: Some(&UNWINDER),
     }
 }
-
-/// Braking torque (% of the rated one) that an inverter takes back without a brake resistor. Source: turning spindle facts, 5.
-const WITHOUT_RESISTOR: f64 = 20.0;
 
 /// The brake resistor of the unwinder's inverter: the energy of a stop, `T ω t / 2`, over a product and its pause, with the knob at its end.
 pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {

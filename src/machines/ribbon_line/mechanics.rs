@@ -39,8 +39,9 @@ pub(super) struct Mechanics {
     pub print: ServoAxis,
     /// Greatest tension of the ribbon before X over the range of the knob, N.
     pub tautest: f64,
-    /// Greatest share of the nip's holding force in use.
+    /// Greatest share of the nip's holding force in use, and that in use by the tautest ribbon.
     pub nip_use: f64,
+    pub taut_nip_use: f64,
     /// Steady torque at the press roller, Nm.
     pub unwound: f64,
     /// Steady torque of the unwinder's motor, Nm.
@@ -257,11 +258,13 @@ impl Mechanics {
         };
         let grip = (pull.pinch_friction, pull.pinch_force);
         let running = web::nip_use(grip, tension, (web_mass, acceleration));
+        let taut_nip_use = web::nip_use(grip, tautest - web.tension_behind, (web_mass, 0.0));
         Mechanics {
             pull: pull_axis,
             tautest,
             print: ServoAxis::new(&print_side, print_motor, limits(print.inertia_limit, print.effective_limit), p, d),
-            nip_use: running.max(web::nip_use(grip, tautest - web.tension_behind, (web_mass, 0.0))),
+            nip_use: running.max(taut_nip_use),
+            taut_nip_use,
             unwound: unwound(p, unwinding.brake),
             unwinder,
             unwinder_ramp: unwinder + unwinder_rise,

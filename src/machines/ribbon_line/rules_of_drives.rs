@@ -6,7 +6,6 @@ use super::mechanics::ServoAxis;
 use super::params::FIELDS;
 use super::resolved::RibbonLine;
 use super::rules_of_slack as slack;
-use crate::drives::web;
 use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
@@ -143,13 +142,10 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(now) {
         return ok(limit);
     }
-    let (pull, ribbon) = (&line.p.pull, &line.p.web);
-    let set = up(FIELDS, "pinch-force", pull.pinch_force * end / GRIP);
+    let set = up(FIELDS, "pinch-force", line.p.pull.pinch_force * end / GRIP);
     let force: f64 = set.1.parse().unwrap_or_default();
     let tautest = line.mechanics.tautest;
-    let taut =
-        100.0 * web::nip_use((pull.pinch_friction, pull.pinch_force), tautest - ribbon.tension_behind, (0.0, 0.0));
-    let is_taut = taut >= end && tautest > ribbon.tension_before;
+    let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= end && tautest > line.p.web.tension_before;
     let said = match is_taut {
         true => msg!("ribbon.nip-slips-taut", tension = (tautest, 0), percent = (end, 1), force = (force, 1)),
         false => msg!("ribbon.nip-slips", percent = (end, 1), force = (force, 1)),

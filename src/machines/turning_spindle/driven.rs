@@ -4,7 +4,7 @@ use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
-use crate::machines::driven::{GaugeRow, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun};
+use crate::machines::driven::{GaugeRow, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, WITHOUT_RESISTOR};
 use crate::math::RPM;
 use crate::view::Limit;
 
@@ -54,9 +54,6 @@ pub(super) fn turned(lathe: &TurningSpindle) -> Load {
         efficiency,
     }
 }
-
-/// Braking torque (% of the rated one) that an inverter takes back without a brake resistor. Source: turning spindle facts, 5.
-const WITHOUT_RESISTOR: f64 = 20.0;
 
 /// The brake resistor that the form's braking torque assumes: all energy that comes back in a run without stock, over the run and its pause.
 pub(super) fn resistor(run: &SpindleRun, lathe: &TurningSpindle) -> Option<ResistorDemand> {

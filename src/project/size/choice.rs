@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
-use crate::drives::cage_motor::{highest_speed, no_load_speed, own_fan};
+use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, own_fan};
 use crate::drives::duty::{Hardest, Motion, Strikes, ToResistor, Work, with_pause};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
@@ -620,9 +620,6 @@ fn other_poles(part: &Part, drive: &InverterDrive, rated_speed: f64, project: &P
     let is_off = named(project, fields.name) == Some(name(part)) && (turns / asked - 1.0).abs() > OTHER_POLES;
     is_off.then(|| (Rank::Speed, msg!("size.refused-poles", speed = (turns, 0), asked = (asked, 0))))
 }
-
-/// Frequency of the rated speeds of induction motors, Hz.
-const RATED_FREQUENCY: f64 = 50.0;
 
 /// Greatest relative difference of two speeds of motors with equal poles.
 const OTHER_POLES: f64 = 0.2;
