@@ -2,6 +2,8 @@
 
 pub(crate) mod children;
 
+pub(crate) mod delayed;
+
 pub(crate) mod script;
 
 pub(crate) mod turns;

@@ -6,6 +6,7 @@ use leptos::prelude::*;
 
 use super::value::value_of;
 use crate::machines::form::FieldInfo;
+use crate::ui::dom::delayed::Delayed;
 use crate::ui::dom::go_to_field;
 use crate::ui::state::{Page, put};
 use crate::ui::words::t;
@@ -33,14 +34,11 @@ pub(super) fn decisive_facts() -> RwSignal<Vec<String>> {
             });
         });
     };
-    let timer = StoredValue::new(None::<TimeoutHandle>);
-    let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
+    let delayed = Delayed::new();
     Effect::new(move |changed: Option<()>| {
         page.project.track();
-        stop();
-        timer.set_value(set_timeout_with_handle(ask, REST[usize::from(changed.is_some())]).ok());
+        delayed.call(ask, REST[usize::from(changed.is_some())]);
     });
-    on_cleanup(stop);
     found
 }
 
@@ -92,7 +90,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{ViewBench, field, mount, settled, until};
+    use crate::ui::testing::{ViewBench, field, mount, pause, settled, until};
 
     async fn listed(ids: &[&str]) -> ViewBench {
         let found: Vec<String> = ids.iter().map(|id| (*id).to_owned()).collect();
@@ -120,6 +118,16 @@ mod tests {
     #[wasm_bindgen_test]
     async fn nothing_is_listed_where_no_fact_flips_a_verdict() {
         assert!(!listed(&[]).await.has(".measure-first"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn nothing_is_found_without_a_worker() {
+        let found = Rc::new(Cell::new(None));
+        let facts = Rc::clone(&found);
+        let bench = mount(move || facts.set(Some(decisive_facts()))).await;
+        bench.page.edit("", |project| project.name = "Changed".to_owned());
+        pause(600).await;
+        assert!(found.get().unwrap().get_untracked().is_empty());
     }
 
     #[wasm_bindgen_test]

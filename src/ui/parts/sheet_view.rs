@@ -5,6 +5,7 @@ use std::time::Duration;
 use leptos::prelude::*;
 
 use crate::project::Project;
+use crate::ui::dom::delayed::Delayed;
 use crate::ui::state::{Page, put};
 use crate::ui::words::t;
 use crate::ui::worker::client::Client;
@@ -60,11 +61,10 @@ pub(crate) fn SheetView(
         let number = page.project.with_untracked(|project| worker.ask_long(project, request(), progress, show));
         asked.set_value(number);
     };
-    let timer = StoredValue::new(None::<TimeoutHandle>);
-    let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
+    let delayed = Delayed::new();
     let cancel = move |_| {
         // A request that is still to be sent would undo the cancelling.
-        stop();
+        delayed.cancel();
         worker.cancel(asked.get_value());
         far.set(None);
         is_cancelled.set(true);
@@ -79,14 +79,12 @@ pub(crate) fn SheetView(
         }
         before.set_value(Some(present));
         put(outdated, true);
-        stop();
         if rest.is_zero() {
             ask();
         } else {
-            timer.set_value(set_timeout_with_handle(ask, rest).ok());
+            delayed.call(ask, rest);
         }
     });
-    on_cleanup(stop);
     let mut children = children;
     let working = long.then(|| {
         view! {

@@ -11,6 +11,7 @@ use crate::msg;
 use crate::project::Project;
 use crate::project::variant::{MAX_VARIANT_NAME, MAX_VARIANTS, Variant, variant_name};
 use crate::ui::dom;
+use crate::ui::dom::delayed::Delayed;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{Tone, sentence, t};
@@ -33,8 +34,7 @@ pub(super) fn Variants() -> impl IntoView {
     let (head, rows, outdated) = (RwSignal::new(String::new()), RwSignal::new(String::new()), RwSignal::new(true));
     let (lead, none) = (RwSignal::new(String::new()), RwSignal::new(true));
     let ask = asking(page, head, rows, outdated);
-    let timer = StoredValue::new(None::<TimeoutHandle>);
-    let stop = move || timer.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
+    let delayed = Delayed::new();
     Effect::new(move |_| {
         page.project.with(|project| {
             let present = head_of(&project.variants);
@@ -48,12 +48,12 @@ pub(super) fn Variants() -> impl IntoView {
             }
         });
         put(outdated, true);
-        stop();
-        if !none.get_untracked() {
-            timer.set_value(set_timeout_with_handle(ask, REST).ok());
+        if none.get_untracked() {
+            delayed.cancel();
+        } else {
+            delayed.call(ask, REST);
         }
     });
-    on_cleanup(stop);
     // Whether the name is that of a variant, and whether there is room for it.
     let known = Signal::derive(move || typed.with(|typed| page.project.with(|project| is_known(project, typed))));
     let blocked =
