@@ -184,7 +184,7 @@ fn Failures() -> impl IntoView {
     view! {
         <Show when=move || count.get() != 0>
             <b class="failures" aria-hidden="true">{move || count.get()}</b>
-            <span class="hidden">{move || sentence(&msg!("page.example-faults", count = count.get() as f64))}</span>
+            <span class="hidden">{move || sentence(&msg!("page.results-fail", count = count.get() as f64))}</span>
         </Show>
     }
 }
@@ -273,6 +273,18 @@ mod tests {
         assert_eq!(document().title(), titled("Order 7"));
         bench.press_button(t("page.undo")).await;
         assert_eq!(document().title(), titled(t(crate::machines::ALL[0].name())));
+    }
+
+    #[wasm_bindgen_test]
+    async fn tab_of_the_results_counts_those_that_fail() {
+        let bench = app().await;
+        assert!(!bench.has(".failures"), "the first example fails in nothing");
+        bench.type_into("#pitch", "20").await;
+        bench.press("#tab-results").await;
+        let count = bench.all(".result.fail").len();
+        assert_eq!((bench.text("#tab-results .failures"), count > 0), (count.to_string(), true));
+        bench.press_button(t("page.undo")).await;
+        assert!(!bench.has(".failures"));
     }
 
     #[wasm_bindgen_test]

@@ -129,7 +129,7 @@ fn ExampleCard(
     let reasons = (count > 0).then(|| {
         view! {
             <details>
-                <summary>{sentence(&crate::msg!("page.example-faults", count = count))}</summary>
+                <summary>{sentence(&crate::msg!("page.results-fail", count = count))}</summary>
                 <ul>{faults.iter().map(fault).collect_view()}</ul>
             </details>
         }
@@ -158,6 +158,7 @@ mod tests {
     use crate::machines::form::Value;
     use crate::ui::testing::{ViewBench, mount, until};
     use crate::ui::worker::pictures;
+    use crate::view::Verdict;
 
     /// The open gallery.
     async fn gallery() -> ViewBench {
@@ -264,6 +265,12 @@ mod tests {
         let faults = bench.page.project.with_untracked(Project::faults);
         let told = bench.page.notices.list.get_untracked().pop().unwrap();
         assert_eq!((told.tone, faults.len() >= everywhere().count()), (Tone::Warn, true));
-        assert!(told.text.contains(&faults.len().to_string()), "{}", told.text);
+        let said = crate::msg!("page.example-fails", example = t(paper.name), count = faults.len() as u32);
+        assert_eq!(told.text, sentence(&said));
+        // The tab of the results names them.
+        let design = bench.page.results.design.get_untracked();
+        let fails =
+            |id: &str| design.readouts.iter().any(|readout| readout.id == id && readout.verdict == Verdict::Fail);
+        assert!(faults.iter().all(|(readout, _)| fails(readout.id)));
     }
 }

@@ -125,8 +125,7 @@ impl Page<'_> {
         self.text("p", "conclusion", &conclusion);
         self.raw("<figure class=\"drawing\">");
         self.raw(&report.run.drawing);
-        let time = (10.0 * report.run.drawn_at).round() / 10.0;
-        self.text("figcaption", "dim", &sentence(&msg!("form.report.drawn-at", time)));
+        self.text("figcaption", "dim", &sentence(&msg!("form.report.drawn-at", time = (report.run.drawn_at, 1))));
         self.raw("</figure>");
         self.title("form.report.verdicts");
         let columns = [
