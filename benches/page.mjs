@@ -31,7 +31,9 @@ await withPage(app, {}, async ({ page }) => {
   await page.click('#play');
   await openGroups(page);
   // An hour is longer than the axes stay within the range of the control, unless their coordinates roll over.
+  // And longer than the default reel lasts.
   await field(page, 'endless').selectOption('roll-over');
+  await field(page, 'reel-diameter').fill('1000');
   await field(page, 'pitch-count').fill('10000000');
   await page.fill('#go-to', '3600');
   await page.press('#go-to', 'Enter');
