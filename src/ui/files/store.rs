@@ -30,6 +30,16 @@ const ID: &str = "macroline.id";
 /// Key of the project's steps of undo and redo.
 const STEPS: &str = "macroline.steps";
 
+/// Key of the place that has the latest state of the project: [`IN_STORE`] or [`ON_SHELF`]. The words are of one length, so that a full store
+/// takes one for the other.
+const PLACE: &str = "macroline.place";
+
+/// This store has the latest state.
+const IN_STORE: &str = "store";
+
+/// The store had no room for the latest state: at most the shelf has it.
+const ON_SHELF: &str = "shelf";
+
 /// Key of the messages between tabs of this browser: a word, and a number that makes each message a change of the store.
 const TABS: &str = "macroline.tab";
 
@@ -138,6 +148,7 @@ fn store_now(page: Page) {
             dom::store(ID, &id);
         }
     }
+    dom::store(PLACE, if kept { IN_STORE } else { ON_SHELF });
     // A state that has no room in this store may have room in the database.
     shelf::soon(page);
     let refused = if dom::storage().is_some() { Kept::No } else { Kept::Denied };
@@ -262,6 +273,14 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     }
     shelf::identify(page);
     shelf::take_in_soon(page);
+    // Without a word of the last visit the store is new, full or denied: it is new if it takes one.
+    let in_store = match dom::stored(PLACE) {
+        Some(place) => place == IN_STORE,
+        None => dom::store(PLACE, IN_STORE),
+    };
+    if !in_store && !by_link {
+        shelf::offer_latest(page);
+    }
     // The project of the other tab that is shown here, and that of this tab when it began to watch.
     let shown = StoredValue::new_local(None::<Project>);
     let watched = StoredValue::new_local(None::<Project>);
@@ -431,6 +450,49 @@ mod tests {
         stored_soon(bench.page).await;
         let id = bench.page.project.with_untracked(|project| project.id.clone());
         assert!(id.is_some() && load().project.unwrap().id == id);
+    }
+
+    /// Fills the store up to its last byte.
+    fn fill() {
+        let mut part = 1 << 22;
+        while part > 0 {
+            let filled = dom::stored("filler").unwrap_or_default();
+            if !dom::store("filler", &(filled + &"x".repeat(part))) {
+                part /= 2;
+            }
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_that_only_the_shelf_has_is_offered_at_the_start() {
+        // With a project of an earlier visit in the store, and without one.
+        for earlier in [true, false] {
+            shelf::pretend::empty();
+            let bench = kept().await;
+            if earlier {
+                bench.page.set("pitch", Value::Number(9.0));
+                stored_soon(bench.page).await;
+            } else {
+                dom::forget(PLACE);
+            }
+            // The project would take their room.
+            dom::forget(STEPS);
+            fill();
+            bench.page.edit("name", |project| project.name = "Order 7 ".repeat(12));
+            until(move || bench.page.view.kept.get_untracked() == Kept::No).await;
+            shelf::keep_present(bench.page).await.unwrap();
+            let latest = bench.page.project.get_untracked();
+            drop(bench);
+            let visit = load();
+            assert!(visit.project.as_ref().is_some_and(|project| project.name.is_empty()));
+            let bench = crate::ui::testing::mount_project(visit.project.unwrap(), || ()).await;
+            keep(bench.page, visit.stored);
+            until(|| !bench.notices().is_empty()).await;
+            let offer = bench.page.notices.list.with_untracked(|list| list[0].offer);
+            offer.unwrap().1.run(());
+            assert!(bench.page.project.get_untracked() == latest);
+            dom::forget("filler");
+        }
     }
 
     #[wasm_bindgen_test]
