@@ -8,6 +8,8 @@ pub(crate) mod header;
 
 mod large;
 
+mod latest;
+
 pub(crate) mod offline;
 
 pub(crate) mod open;

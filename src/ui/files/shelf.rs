@@ -6,14 +6,12 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 
-use super::open::show;
 use super::set_aside::{self, SetAsideReason};
 use crate::msg;
 use crate::project::Project;
 use crate::ui::dom;
 use crate::ui::dom::script::call;
 use crate::ui::state::Page;
-use crate::ui::state::notices::Notice;
 use crate::ui::state::view::Kept;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::messages::{OTHER_TAB, ShelfState};
@@ -158,32 +156,6 @@ pub(super) fn take_in_soon(page: Page) {
         if let Err(reason) = take_in(page).await {
             warn_refused(page, &reason);
         }
-    });
-}
-
-/// Offers the latest project of the shelf where the page began with another one. The shelf has more room than the browser's other store, and
-/// may be allowed where that is denied.
-pub(super) fn offer_latest(page: Page) {
-    spawn_local(async move {
-        // A shelf that does not answer has nothing to offer; the next change tells why.
-        let states = states().await.unwrap_or_default();
-        let projects = states.into_iter().filter(|state| state.of.is_empty() && state.note.is_empty());
-        let Some(latest) = projects.max_by(|a, b| a.at.total_cmp(&b.at)) else { return };
-        if page.view.kept.is_disposed() || latest.text == present(page).text {
-            return;
-        }
-        let Some(project) = Project::from_json(&latest.text).project.map(|project| project.with_id(Some(latest.id)))
-        else {
-            return;
-        };
-        let name = if project.name.is_empty() { t("page.untitled") } else { project.name.as_str() };
-        let text = sentence(&msg!("projects.latest", name));
-        let act = Callback::new(move |()| show(page, project.clone()));
-        page.notices.show(Notice {
-            offer: Some(("page.open", act)),
-            of_project: true,
-            ..Notice::new(Tone::Warn, text)
-        });
     });
 }
 

@@ -7,6 +7,7 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Event, PageTransitionEvent, StorageEvent};
 
+use super::latest;
 use super::set_aside::{self, SetAsideReason};
 use super::share;
 use super::shelf;
@@ -279,7 +280,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         None => dom::store(PLACE, IN_STORE),
     };
     if !in_store && !by_link {
-        shelf::offer_latest(page);
+        latest::offer(page);
     }
     // The project of the other tab that is shown here, and that of this tab when it began to watch.
     let shown = StoredValue::new_local(None::<Project>);
