@@ -3,7 +3,7 @@
 use super::machine::Samples;
 use crate::controls::Address;
 use crate::motion::Snapshot;
-use crate::view::{Chart, Series};
+use crate::view::{Chart, ChartLimit, Series};
 
 /// A line of a chart of a machine `M`.
 pub struct ChartLine<M: 'static> {
@@ -29,6 +29,13 @@ pub struct ChartRow<M: 'static> {
     pub least_span: f64,
     /// Its lines.
     pub lines: &'static [ChartLine<M>],
+    /// Its limits.
+    pub limits: fn(&M) -> Vec<ChartLimit>,
+}
+
+/// A chart without limits.
+pub fn unlimited<M>(_: &M) -> Vec<ChartLimit> {
+    Vec::new()
 }
 
 /// The charts from `from` to `to` seconds with `points` points (2 at least) each.
@@ -56,6 +63,7 @@ pub fn charts<M>(
         least_span: row.least_span,
         x_unit: "s",
         series: row.lines.iter().map(drawn).collect(),
+        limits: (row.limits)(machine),
     };
     rows.iter().map(chart).collect()
 }

@@ -16,6 +16,15 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
+/// A value that a quantity must not pass.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChartLimit {
+    /// Catalog id of its name.
+    pub label: &'static str,
+    /// The value, in the unit of y.
+    pub value: f64,
+}
+
 /// A chart: one quantity over another, usually time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
@@ -31,6 +40,8 @@ pub struct Chart {
     pub x_unit: &'static str,
     /// The lines.
     pub series: Vec<Series>,
+    /// The limits; those far from the lines are not drawn.
+    pub limits: Vec<ChartLimit>,
 }
 
 impl Chart {
@@ -38,6 +49,9 @@ impl Chart {
     pub fn shown(mut self) -> Chart {
         for (x, y) in self.series.iter_mut().flat_map(|line| &mut line.points) {
             (*x, *y) = (units::value(*x, self.x_unit), units::value(*y, self.unit));
+        }
+        for limit in &mut self.limits {
+            limit.value = units::value(limit.value, self.unit);
         }
         Chart {
             least_span: units::value(self.least_span, self.unit),

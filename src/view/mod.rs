@@ -35,7 +35,7 @@ pub mod torque_chart;
 
 pub mod report;
 
-pub use chart::{Chart, Series};
+pub use chart::{Chart, ChartLimit, Series};
 pub use comparison::{ComparedRow, Comparison, VariantCell};
 pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Knob};

@@ -14,9 +14,10 @@ use plotters::element::PathElement;
 use plotters::style::RGBColor;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 
-use super::Chart;
 use super::svg::escape;
+use super::{Chart, ChartLimit};
 use crate::math;
+use crate::text::catalog::words;
 use crate::text::number::{Plain, fill, short};
 
 /// Size of the frame in units.
@@ -27,8 +28,12 @@ const FINE: u32 = 8;
 const GRID: (usize, usize) = (8, 4);
 /// Percent of the height below which a figure stands on its grid line; others lie in their lines.
 const FLOOR: f64 = 8.0;
-/// Colour of grid lines; chart lines have `(tone, 0, 0)`. The backend turns both into classes.
+/// Colour of grid lines; chart lines have `(tone, 0, 0)`. The backend turns them into classes.
 const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
+/// Colour of the lines of limits.
+const LIMIT_COLOUR: RGBColor = RGBColor(0, 128, 0);
+/// Share of the height above a limit that its name needs.
+const ABOVE_LIMIT: f64 = 0.22;
 
 /// A drawn chart: left edge is `x.0`, right edge `x.1`, bottom `y.0`, top `y.1`.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,20 +55,32 @@ pub fn svg(chart: &Chart) -> String {
 pub fn draw(chart: &Chart) -> Plot {
     let points = || chart.series.iter().flat_map(|line| &line.points).filter(|(x, y)| x.is_finite() && y.is_finite());
     let x = ends(points().map(|point| point.0)).filter(|(from, to)| from < to).unwrap_or((0.0, 1.0));
-    let y = room(ends(points().map(|point| point.1)).unwrap_or((0.0, 1.0)), chart.least_span);
-    let mut lines = String::with_capacity(16 * points().count() + 1024);
+    let lines = ends(points().map(|point| point.1)).unwrap_or((0.0, 1.0));
+    let limits = near(chart, room(lines, chart.least_span));
+    let values = limits.iter().map(|limit| limit.value).chain([lines.0, lines.1]);
+    let y = room(ends(values).unwrap_or(lines), chart.least_span);
+    let tops = limits.iter().map(|limit| y.0 + (limit.value - y.0) / (1.0 - ABOVE_LIMIT));
+    let y = (y.0, tops.fold(y.1, f64::max));
+    let mut paths = String::with_capacity(16 * points().count() + 1024);
     // The backend cannot fail; a failure would leave an empty frame.
-    let _ = frame(&mut lines, chart, x, y);
-    let mut svg = String::with_capacity(lines.len() + 2048);
+    let _ = frame(&mut paths, (chart, &limits), x, y);
+    let mut svg = String::with_capacity(paths.len() + 2048);
     let (width, height) = SIZE;
     let _ = write!(
         svg,
         "<svg class=\"chart-lines\" width=\"100%\" height=\"100%\"><svg viewBox=\"0 0 {width} {height}\" \
-         width=\"100%\" height=\"100%\" preserveAspectRatio=\"none\">{lines}</svg>"
+         width=\"100%\" height=\"100%\" preserveAspectRatio=\"none\">{paths}</svg>"
     );
     figures(&mut svg, x, y, chart.x_unit);
+    names(&mut svg, &limits, y, chart.unit);
     svg.push_str("</svg>");
     Plot { svg, x, y }
+}
+
+/// The limits within a height of the frame from it: a limit further away would leave the lines flat.
+fn near(chart: &Chart, (low, high): (f64, f64)) -> Vec<&ChartLimit> {
+    let reach = low - (high - low)..=high + (high - low);
+    chart.limits.iter().filter(|limit| reach.contains(&limit.value)).collect()
 }
 
 /// Smallest and largest.
@@ -92,7 +109,7 @@ fn around(low: f64, high: f64, least: f64) -> (f64, f64) {
 /// Writes grid and lines.
 fn frame(
     out: &mut String,
-    chart: &Chart,
+    (chart, limits): (&Chart, &[&ChartLimit]),
     x: (f64, f64),
     y: (f64, f64),
 ) -> Result<(), plotters::drawing::DrawingAreaErrorKind<Infallible>> {
@@ -100,6 +117,9 @@ fn frame(
     let plane: Plane = Cartesian2d::new(x.0..x.1, y.0..y.1, (0..width as i32, height as i32..0));
     let area = SvgBackend { out }.into_drawing_area().apply_coord_spec(plane);
     area.draw_mesh(|pen, line| line.draw(pen, &GRID_COLOUR.into()), GRID.1, GRID.0)?;
+    for limit in limits {
+        area.draw(&PathElement::new(vec![(x.0, limit.value), (x.1, limit.value)], LIMIT_COLOUR))?;
+    }
     for line in &chart.series {
         let points: Vec<_> = line.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
         area.draw(&PathElement::new(points, RGBColor(line.tone, 0, 0)))?;
@@ -133,6 +153,18 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
     }
 }
 
+/// Writes the limits with their names at the right edge, where no figure is.
+fn names(out: &mut String, limits: &[&ChartLimit], (low, high): (f64, f64), unit: &str) {
+    for limit in limits {
+        let at = 100.0 * (limit.value - low) / (high - low);
+        fill(out, "<text class=\"bound\" x=\"100%\" dx=\"-3\" y=\"#%\" dy=\"-4\" text-anchor=\"end\">", &[100.0 - at]);
+        escape(out, words(limit.label));
+        let _ = write!(out, " {} ", short(limit.value, 3));
+        escape(out, unit);
+        out.push_str("</text>");
+    }
+}
+
 /// Values of the grid lines.
 pub(super) fn keys((from, to): (f64, f64), at_most: usize) -> Vec<f64> {
     RangedCoordf64::from(from..to).key_points(at_most)
@@ -157,6 +189,7 @@ impl SvgBackend<'_> {
         let (tone, other, _) = color.rgb;
         let _ = match other {
             255 => write!(self.out, "<path class=\"grid\" d=\""),
+            128 => write!(self.out, "<path class=\"limit\" d=\""),
             _ => write!(self.out, "<path class=\"line l{tone}\" d=\""),
         };
         let mut letter = 'M';

@@ -9,6 +9,7 @@ mod lathe_stops;
 mod links;
 mod look;
 mod parts;
+mod plots;
 mod polygon;
 mod polygon_drawing;
 mod polygon_paper;

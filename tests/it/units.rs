@@ -10,7 +10,7 @@ use macroline::project::{Project, list, origins};
 use macroline::text::catalog::sentence;
 use macroline::text::units::{self, Lengths};
 use macroline::view::svg::picture;
-use macroline::view::{Pose, Theme, report};
+use macroline::view::{Chart, ChartLimit, Pose, Series, Theme, report};
 use macroline::{controls, nc};
 use proptest::prelude::*;
 
@@ -32,6 +32,16 @@ fn each_machine() -> impl Iterator<Item = Project> {
 fn fields() -> Vec<FieldInfo> {
     let all = machines::ALL.iter().flat_map(|machine| machine.fields());
     all.filter(|field| matches!(field.kind, FieldKindInfo::Number { .. })).collect()
+}
+
+#[test]
+fn charts_have_lines_and_limits_in_the_units_that_are_shown() {
+    let line = Series { label: "ribbon.chart.x", tone: 1, address: None, points: vec![(2.0, 254.0)] };
+    let limits = vec![ChartLimit { label: "ribbon.loop-capacity", value: 508.0 }];
+    let (id, title, unit, x_unit) = ("any", "ribbon.chart.slack", "mm", "s");
+    let chart = Chart { id, title, unit, least_span: 0.0, x_unit, series: vec![line], limits };
+    let shown = in_inches(|| chart.shown());
+    assert_eq!((shown.unit, shown.series[0].points[0], shown.limits[0].value), ("in", (2.0, 10.0), 20.0));
 }
 
 #[test]

@@ -4,9 +4,9 @@ use super::outlines::deviations;
 use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::controls::Address;
 use crate::drives::polygon::{CutterSetup, Section};
-use crate::machines::chart_rows::{ChartLine, ChartRow};
+use crate::machines::chart_rows::{ChartLine, ChartRow, unlimited};
 use crate::math::PI;
-use crate::view::{Chart, Series};
+use crate::view::{Chart, ChartLimit, Series};
 
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
@@ -14,16 +14,16 @@ pub(super) const ROWS: &[ChartRow<PolygonLathe>] = &[
     ChartRow { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", least_span: 1.0, lines: &[
         ChartLine { label: |_| "polygon.chart.work", tone: 0, address: |_| None, value: |_, now| now.pmc[WORK].feed / 360.0 },
         ChartLine { label: |_| "polygon.chart.tool", tone: 1, address: |_| None, value: |_, now| now.pmc[TOOL].feed / 360.0 },
-    ] },
+    ], limits: |lathe| vec![ChartLimit { label: "polygon.tool-limit", value: lathe.p.tool_limit }] },
     ChartRow { id: "phase", title: "polygon.chart.phase", unit: "°", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.ahead", tone: 3, address: |_| None, value: |lathe, now| lathe.phase(now) },
-    ] },
+    ], limits: unlimited },
     ChartRow { id: "size", title: "polygon.chart.size", unit: "mm", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.across", tone: 2, address: |_| None, value: |lathe, now| lathe.slide(now).0 },
-    ] },
+    ], limits: unlimited },
     ChartRow { id: "along", title: "polygon.chart.along", unit: "mm", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.z", tone: 0, address: |_| Some(Address::Z), value: |lathe, now| lathe.slide(now).1 },
-    ] },
+    ], limits: unlimited },
 ];
 
 /// The deviation of the finished sections from their sides, over the angle: a line for each polygon.
@@ -41,7 +41,15 @@ pub(super) fn deviation_alone(lathe: &PolygonLathe, points: usize) -> Option<Cha
 }
 
 fn over_angle(series: Vec<Series>) -> Chart {
-    Chart { id: "deviation", title: "polygon.chart.deviation", unit: "µm", least_span: 0.0, x_unit: "°", series }
+    Chart {
+        id: "deviation",
+        title: "polygon.chart.deviation",
+        unit: "µm",
+        least_span: 0.0,
+        x_unit: "°",
+        series,
+        limits: Vec::new(),
+    }
 }
 
 /// The deviation of one section (µm) over the angle from its first side (°).
@@ -84,5 +92,6 @@ pub(super) fn over_radius(lathe: &PolygonLathe, points: usize) -> Option<Chart> 
         least_span: 0.0,
         x_unit: "mm",
         series: vec![line("polygon.chart.lowest", 0, |side| side.1), line("polygon.chart.highest", 1, |side| side.2)],
+        limits: Vec::new(),
     })
 }

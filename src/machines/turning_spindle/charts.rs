@@ -4,8 +4,8 @@ use super::resolved::TurningSpindle;
 use crate::controls::Address;
 use crate::drives::speed::surface_speed;
 use crate::drives::spindle_motor::{self, MotorCurve};
-use crate::machines::chart_rows::{ChartLine, ChartRow};
-use crate::view::{Chart, Series};
+use crate::machines::chart_rows::{ChartLine, ChartRow, unlimited};
+use crate::view::{Chart, ChartLimit, Series};
 
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
@@ -13,20 +13,26 @@ pub(super) const ROWS: &[ChartRow<TurningSpindle>] = &[
     ChartRow { id: "speed", title: "turning.chart.speed", unit: "r/min", least_span: 1.0, lines: &[
         ChartLine { label: |_| "turning.chart.command", tone: 0, address: |_| Some(Address::S), value: |_, now| now.spindle.command },
         ChartLine { label: |_| "turning.chart.actual", tone: 1, address: |_| Some(Address::S), value: |_, now| now.spindle.actual },
-    ] },
+    ], limits: upper_limit },
     ChartRow { id: "surface", title: "turning.chart.surface", unit: "m/min", least_span: 0.1, lines: &[
         ChartLine { label: |_| "turning.chart.at-tool", tone: 2, address: |_| None, value: |lathe, now| surface_speed(now.spindle.actual, lathe.diameter(now)) },
-    ] },
+    ], limits: unlimited },
     ChartRow { id: "volts", title: "turning.chart.volts", unit: "V", least_span: 0.01, lines: &[
         ChartLine { label: |_| "turning.chart.output", tone: 3, address: |_| Some(Address::S), value: |_, now| now.spindle.volts },
-    ] },
+    ], limits: unlimited },
     ChartRow { id: "stage", title: "turning.chart.stage", unit: "", least_span: 1.0, lines: &[
         ChartLine { label: |_| "turning.chart.engaged", tone: 4, address: |_| None, value: |_, now| f64::from(now.spindle.stage) },
-    ] },
+    ], limits: unlimited },
     ChartRow { id: "diameter", title: "turning.chart.diameter", unit: "mm", least_span: 0.01, lines: &[
         ChartLine { label: |_| "turning.chart.tool", tone: 0, address: |_| None, value: |lathe, now| lathe.diameter(now) },
-    ] },
+    ], limits: unlimited },
 ];
+
+/// The upper limit of the speed, where the program commands a constant surface speed.
+fn upper_limit(lathe: &TurningSpindle) -> Vec<ChartLimit> {
+    let limit = ChartLimit { label: "turning.upper-limit", value: lathe.p.upper_limit };
+    if lathe.surface() { vec![limit] } else { Vec::new() }
+}
 
 /// Charts over the diameter: constant surface speed beside the fixed speed.
 pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
@@ -47,6 +53,7 @@ pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart>
         least_span: 0.0,
         x_unit: "mm",
         series,
+        limits: Vec::new(),
     };
     vec![
         chart(
@@ -105,7 +112,15 @@ pub(super) fn over_speed(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
         });
         stages.chain(short).chain(cut).collect()
     };
-    let chart = |id, title, unit, series| Chart { id, title, unit, least_span: 0.0, x_unit: "r/min", series };
+    let chart = |id, title, unit, series| Chart {
+        id,
+        title,
+        unit,
+        least_span: 0.0,
+        x_unit: "r/min",
+        series,
+        limits: Vec::new(),
+    };
     vec![
         chart("torque-speed", "turning.chart.torque-speed", "Nm", lines(|torque, _| torque)),
         chart("power-speed", "turning.chart.power-speed", "kW", lines(spindle_motor::power)),

@@ -8,12 +8,8 @@ use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{ControlContext, Frame, Samples, report};
 use macroline::math;
 use macroline::motion::{Snapshot, Visit};
-use macroline::text::{Grade, Phrase};
 use macroline::view::look::{Gradient, Ramp};
-use macroline::view::{
-    self, Callout, Chart, Column, Drawing, Look, Paint, Placement, Pose, Row, Scene, SceneGroup, Series, Shape, Sheet,
-    SheetKind, Theme, csv, plot, svg,
-};
+use macroline::view::{self, Callout, Drawing, Look, Paint, Placement, Pose, Scene, SceneGroup, Shape, Theme, svg};
 
 /// The line at full speed, `t` seconds after X has its speed.
 fn running(t: f64) -> Snapshot {
@@ -281,89 +277,6 @@ fn chart_points_equal_the_timeline() {
     assert!((slack.0 - 4.0).abs() < 1e-12 && (slack.1 - 183.673 / 60.0 * 4.0).abs() < 0.01, "{slack:?}");
     let register = charts[4].series[0].points[8].1;
     assert!(register.abs() < 1e-4, "matched to the float: {register}");
-}
-
-fn chart(points: Vec<(f64, f64)>) -> Chart {
-    let series = vec![Series { label: "ribbon.chart.x", tone: 1, address: None, points }];
-    Chart { id: "any", title: "ribbon.chart.feeds", unit: "mm/min", least_span: 0.5, x_unit: "s", series }
-}
-
-#[test]
-fn chart_svg_has_lines_grid_and_figures_with_classes() {
-    let drawn = plot::draw(&chart(vec![(0.0, 0.0), (1.0, 40.0), (2.0, 100.0)]));
-    assert_eq!((drawn.x, drawn.y), ((0.0, 2.0), (0.0, 112.0)));
-    assert!(drawn.svg.contains("<path class=\"line l1\" d=\"M0 200L500"), "{}", drawn.svg);
-    assert!(drawn.svg.contains("class=\"grid\"") && drawn.svg.contains(">50</text>"), "{}", drawn.svg);
-    for forbidden in ["style=", "fill=", "stroke=", "rgb", "NaN", "inf", "∞"] {
-        assert!(!drawn.svg.contains(forbidden), "{forbidden} in {}", drawn.svg);
-    }
-}
-
-#[test]
-fn chart_lines_have_a_point_at_each_bend_and_no_other() {
-    let flat = |from: u32, to: u32, value: f64| (from..to).map(move |at| (f64::from(at), value));
-    let points = flat(0, 10, 1.0).chain(flat(10, 20, 5.0)).chain(flat(20, 30, 1.0)).collect();
-    let drawn = plot::draw(&chart(points)).svg;
-    let line = drawn.split("line l1\" d=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a line");
-    assert_eq!(line.matches('L').count(), 5, "{line}");
-    // There and back on one line is a bend.
-    let peak = plot::draw(&chart(vec![(0.0, 0.0), (0.0, 5.0), (0.0, 1.0), (1.0, 1.0)])).svg;
-    assert!(peak.contains("d=\"M0 200L0 21.5L0 164.375L1000 164.375\""), "{peak}");
-}
-
-#[test]
-fn signals_below_the_least_span_are_drawn_flat() {
-    for (low, high, axis) in [(-1e-3, 1e-3, (-0.25, 0.25)), (0.1, 0.2, (0.0, 0.5)), (99.9, 100.1, (99.75, 100.25))] {
-        let (bottom, top) = plot::draw(&chart(vec![(0.0, low), (1.0, high)])).y;
-        let near = |found: f64, wanted: f64| (found - wanted).abs() <= 0.07;
-        assert!(near(bottom, axis.0) && near(top, axis.1), "{low} to {high}: {bottom} to {top}");
-    }
-}
-
-#[test]
-fn empty_or_non_finite_charts_are_drawn() {
-    for points in [
-        vec![],
-        vec![(0.0, 1.0)],
-        vec![(0.0, f64::NAN), (1.0, f64::INFINITY)],
-        vec![(0.0, 8.107), (1.0, 8.107)],
-        vec![(0.0, -1e300), (1.0, 1e300)],
-        vec![(5.0, 1e-300), (5.0, 2e-300)],
-    ] {
-        let drawn = plot::draw(&chart(points.clone()));
-        assert!(drawn.svg.ends_with("</svg>") && !drawn.svg.contains("NaN"), "{points:?}: {}", drawn.svg);
-    }
-}
-
-#[test]
-fn run_is_exported_as_csv_columns() {
-    let mut wide = chart(vec![(0.0, 1.0), (0.5, 2.5)]);
-    wide.series.push(Series { label: "ribbon.print-axis.y", tone: 2, address: None, points: vec![(0.0, -1.0)] });
-    assert_eq!(
-        csv::charts(&[wide]),
-        "t [s],X [mm/min],Y [mm/min]\r\n0.000000,1.000000,-1.000000\r\n0.500000,2.500000,\r\n"
-    );
-    assert_eq!(csv::charts(&[]), "");
-}
-
-#[test]
-fn csv_of_more_than_ascii_begins_with_a_byte_order_mark() {
-    let mut angles = chart(vec![(0.0, 1.0)]);
-    angles.unit = "°";
-    assert_eq!(csv::charts(&[angles]), "\u{feff}t [s],X [°]\r\n0.000000,1.000000\r\n");
-    for (cell, mark) in [("motor", false), ("电机", true)] {
-        let row = Row { cells: vec![cell.to_owned()], grade: Grade::Manual, source: Phrase::new(""), sets: Vec::new() };
-        let rows = vec![row];
-        let sheet = Sheet {
-            id: "bill",
-            kind: SheetKind::Bill,
-            title: "projects.title",
-            columns: vec![Column::Plain("page.share")],
-            rows,
-            drawing: String::new(),
-        };
-        assert_eq!(csv::sheet(&sheet).starts_with('\u{feff}'), mark, "{cell}");
-    }
 }
 
 /// Cells of a sheet, one line a row.

@@ -1,6 +1,6 @@
 //! Drawing and charts of the cut-to-length feeder.
 
-use macroline::machines::chart_rows::{ChartLine, ChartRow};
+use macroline::machines::chart_rows::{ChartLine, ChartRow, unlimited};
 use macroline::motion::Snapshot;
 use macroline::view::{Drawing, DrawnPart, Look, Paint, Placement, Pose, Scene};
 
@@ -47,6 +47,7 @@ pub(super) const CHARTS: &[ChartRow<CutToLength>] = &[
         unit: "mm",
         least_span: 0.01,
         lines: &[ChartLine { label: |_| "toy.chart.strip", tone: 0, address: |_| None, value: position }],
+        limits: unlimited,
     },
     ChartRow {
         id: "feed",
@@ -59,5 +60,6 @@ pub(super) const CHARTS: &[ChartRow<CutToLength>] = &[
             address: |_| None,
             value: |feeder, now| now.axes.get(feeder.axis()).map_or(0.0, |axis| axis.feed),
         }],
+        limits: unlimited,
     },
 ];
