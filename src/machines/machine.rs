@@ -229,6 +229,14 @@ pub trait Prepared: Send + Sync {
     fn contact(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<&'static str> {
         None
     }
+    /// What the machine does to the work at a moment: `Cutting, pass 2 / 4`; none while it does nothing to it.
+    fn activity(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<Message> {
+        None
+    }
+    /// Begins (s) of the passes over the work, up to a time of the run.
+    fn passes(&self, _run: &dyn Samples, _until: f64) -> Vec<f64> {
+        Vec::new()
+    }
     /// The servo motors for the sizing.
     fn driven_axes(&self) -> Vec<DrivenAxis> {
         Vec::new()

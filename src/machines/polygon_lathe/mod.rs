@@ -188,6 +188,16 @@ impl Prepared for PolygonLathe {
         driven::axes(self)
     }
 
+    fn activity(&self, run: &dyn Samples, now: &Snapshot) -> Option<Message> {
+        let (_, end) = progress::cuts(self, run, now.t).pop()?;
+        let pass = (end >= now.t).then(|| pose::pass(self, &progress::progress(self, run, now)))?;
+        Some(msg!("polygon.cutting", pass))
+    }
+
+    fn passes(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
+        progress::cuts(self, run, until).into_iter().map(|(begin, _)| begin).collect()
+    }
+
     fn working(&self, run: &dyn Samples, until: f64) -> Option<Vec<(f64, f64)>> {
         Some(progress::cuts(self, run, until))
     }

@@ -92,7 +92,7 @@ fn edges(lathe: &PolygonLathe, layout: &Layout, progress: &Progress, angle: f64)
 }
 
 /// Number of the pass, and the number of passes where its size is one of the form's.
-fn pass(lathe: &PolygonLathe, progress: &Progress) -> String {
+pub(super) fn pass(lathe: &PolygonLathe, progress: &Progress) -> String {
     let all: Vec<f64> = lathe.polygons().flat_map(|lathe| &lathe.sizes).copied().collect();
     let Some(now) = progress.now() else { return format!("1 / {}", all.len()) };
     let planned = all.get(now.before).is_some_and(|size| (size - now.size).abs() < 1e-3);

@@ -197,8 +197,13 @@ impl Prepared for RibbonLine {
         pose::pose(self, now, frame)
     }
 
+    fn activity(&self, _run: &dyn Samples, now: &Snapshot) -> Option<Message> {
+        let dots = pose::dots_printed(self, now);
+        (dots > 0.0 && now.axes[self.pull()].feed > 0.0).then(|| msg!("ribbon.printing", dots = (dots, 0)))
+    }
+
     fn contact(&self, _: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
-        pose::has_printed(self, now).then_some("ribbon.first-dot")
+        (pose::dots_printed(self, now) > 0.0).then_some("ribbon.first-dot")
     }
 
     fn driven_axes(&self) -> Vec<DrivenAxis> {

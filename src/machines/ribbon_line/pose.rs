@@ -85,9 +85,9 @@ impl LineState {
     }
 }
 
-/// Whether the first dot is on the ribbon.
-pub(super) fn has_printed(line: &RibbonLine, now: &Snapshot) -> bool {
-    LineState::new(line, now).passed(&line.p).1 >= 1.0
+/// The number of dots on the ribbon.
+pub(super) fn dots_printed(line: &RibbonLine, now: &Snapshot) -> f64 {
+    LineState::new(line, now).passed(&line.p).1.max(0.0)
 }
 
 /// A group turned about its own origin.

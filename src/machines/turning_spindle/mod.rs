@@ -149,6 +149,15 @@ impl Prepared for TurningSpindle {
         (progress.done > 0 || progress::cuts(self, progress, now)).then_some("turning.first-contact")
     }
 
+    fn activity(&self, run: &dyn Samples, now: &Snapshot) -> Option<Message> {
+        let progress = progress::progress(self, run, now);
+        progress::cuts(self, progress, now).then(|| msg!("turning.cutting", pass = pose::pass(self, progress)))
+    }
+
+    fn passes(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
+        run.executions(program::CUTS[0], until).into_iter().map(|(begin, _)| begin).collect()
+    }
+
     fn inverter_drive(&self) -> Option<InverterDrive> {
         driven::inverter(self)
     }

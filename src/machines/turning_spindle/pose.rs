@@ -82,11 +82,16 @@ fn gear(lathe: &TurningSpindle, stage: u8) -> String {
     }
 }
 
+/// Number of the pass, and the number of passes.
+pub(super) fn pass(lathe: &TurningSpindle, progress: Progress) -> String {
+    let pass = (progress.done + u32::from(progress.at.is_some())).max(1);
+    format!("{pass} / {}", show(lathe.p.passes(), 0))
+}
+
 fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16, String)> {
     let p = &lathe.p;
     let spindle = &now.spindle;
     let diameter = lathe.diameter(now);
-    let pass = (progress.done + u32::from(progress.at.is_some())).max(1);
     let stage = lathe.p.stages().nth(usize::from(spindle.stage).saturating_sub(1)).unwrap_or(p.stage_1);
     let (radius, z) = lathe.tool(now);
     let across = if lathe.diameters() { diameter } else { radius };
@@ -97,7 +102,7 @@ fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16
         (node::STAGE, format!("{} {}", say("turning.scene.gear"), gear(lathe, spindle.stage))),
         (node::STAGE_SPEED, format!("{} r/min", figure(stage, 0))),
         (node::VOLTS, format!("{} V", figure(spindle.volts, 3))),
-        (node::PASS, format!("{pass} / {}", show(p.passes(), 0))),
+        (node::PASS, pass(lathe, progress)),
         (node::BOUND, bound(spindle.bound).map(say).unwrap_or_default()),
         (node::LEFT, units::text(p.left(f64::from(progress.done)), 3, "mm")),
         (node::X, format!("X {}", figure(across, 3))),

@@ -6,12 +6,13 @@ use leptos::prelude::*;
 use super::action_marks::ActionMarks;
 use crate::controls::Control;
 use crate::motion::{Milestone, Mode};
+use crate::msg;
 use crate::text::columns;
 use crate::text::number::filled;
 use crate::ui::dom;
 use crate::ui::state::player::RunMoment;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{clock, t};
+use crate::ui::words::{clock, sentence, t};
 
 /// Pixels of a letter of a name, and beside the name.
 const LETTER: f64 = 6.5;
@@ -54,6 +55,9 @@ fn milestones(moment: &RunMoment, control: &Control) -> Vec<Named> {
     if let Some((t, id)) = moment.machine.first_contact(moment.run, timeline.end()) {
         found.push(Named { t, words: t_owned(id), weight: 3 });
     }
+    // The first pass begins with the first contact.
+    let passes = (1_u32..).zip(moment.machine.passes(moment.run, timeline.end())).skip(1);
+    found.extend(passes.map(|(number, t)| Named { t, words: sentence(&msg!("page.mark-pass", number)), weight: 1 }));
     found.sort_by(|a, b| a.t.total_cmp(&b.t));
     found
 }
@@ -197,7 +201,8 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{ViewBench, mount, settled, until};
+    use crate::project::Project;
+    use crate::ui::testing::{ViewBench, mount, mount_project, settled, until};
 
     fn rows(rows: &[(f64, &str, u8)]) -> Vec<Named> {
         rows.iter().map(|(t, words, weight)| Named { t: *t, words: (*words).to_owned(), weight: *weight }).collect()
@@ -255,6 +260,23 @@ mod tests {
         let first = titles.iter().position(|title| title.ends_with(t("ribbon.first-dot"))).unwrap();
         bench.press(&format!(".event:nth-of-type({})", first + 1)).await;
         assert!(titles[first].starts_with(&clock(bench.page.player.head())));
+    }
+
+    #[wasm_bindgen_test]
+    async fn passes_after_the_first_are_marked() {
+        let axis = RwSignal::new((0.0, 10.0));
+        let lathe = Project::of("turning-spindle", None).unwrap();
+        let bench = mount_project(lathe, move || view! { <Marks axis=axis /> }).await;
+        bench.run().await;
+        let player = bench.page.player;
+        until(move || player.planned.get_untracked().1).await;
+        axis.set((0.0, player.planned.get_untracked().0));
+        bench.drawn().await;
+        let titles: Vec<String> = bench.all(".event").iter().filter_map(|mark| mark.get_attribute("title")).collect();
+        let passes: Vec<&str> = titles.iter().filter_map(|title| Some(title.split_once(": ")?.1)).collect();
+        let place = |words: &str| passes.iter().position(|title| *title == words);
+        assert!(place("first contact") < place("pass 2") && place("pass 1").is_none(), "{passes:?}");
+        assert!(place("pass 2") < place("M5"), "{passes:?}");
     }
 
     async fn marks() -> (ViewBench, RwSignal<(f64, f64)>) {

@@ -50,6 +50,12 @@ pub(crate) fn Stage() -> impl IntoView {
         player.ask();
     };
     let state = Memo::new(move |_| shown_state(page));
+    // The control runs the program: the machine's own words say more, where it has some.
+    let words = move || {
+        let (id, _) = state.get();
+        let activity = if id == mode_words(Mode::Running) { page.player.activity.get() } else { None };
+        activity.map_or_else(|| t(id).to_owned(), |activity| sentence(&activity))
+    };
     let full = move || {
         if let Some(section) = section.get_untracked() {
             // With the film, which is beside the drawing.
@@ -64,7 +70,7 @@ pub(crate) fn Stage() -> impl IntoView {
                 // The labels make room for the elements over the drawing.
                 {fitted.refit()}
                 <div class="state">
-                    <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
+                    <span class=move || format!("mode {}", state.get().1)>{words}</span>
                     <WrongValues />
                 </div>
                 <AlarmScreen />
@@ -222,6 +228,18 @@ mod tests {
         bench.page.player.playing.set(true);
         crate::ui::testing::settled().await;
         assert_eq!(bench.text(".mode"), t(mode_words(mode)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn state_tells_what_the_machine_does_to_the_work() {
+        let bench = stage().await;
+        bench.seek(3.0).await;
+        let activity = bench.page.player.activity.get_untracked().unwrap();
+        assert!(activity.id == "ribbon.printing" && bench.text(".mode") == t("page.mode-paused"));
+        bench.page.player.playing.set(true);
+        crate::ui::testing::settled().await;
+        let activity = bench.page.player.activity.get_untracked().unwrap();
+        assert_eq!(bench.text(".mode"), sentence(&activity));
     }
 
     #[wasm_bindgen_test]

@@ -69,7 +69,7 @@ fn Clock() -> impl IntoView {
     }
 }
 
-/// Text of the running block.
+/// Text of the running block; where there is little room, its number alone.
 #[component]
 fn RunningBlock() -> impl IntoView {
     let page = Page::here();
@@ -80,7 +80,12 @@ fn RunningBlock() -> impl IntoView {
             Some(place.span.of(&file.text).trim().to_owned())
         })
     };
-    view! { <code class="where">{move || text().unwrap_or_default()}</code> }
+    let parts = move || {
+        let text = text().unwrap_or_default();
+        let (number, words) = text.split_at(text.find(' ').filter(|_| text.starts_with('N')).unwrap_or(text.len()));
+        view! { {number.to_owned()}<span>{words.to_owned()}</span> }
+    };
+    view! { <code class="where">{parts}</code> }
 }
 
 /// A time to go to.

@@ -16,7 +16,7 @@ use crate::math;
 use crate::motion::{Action, Event, Mode, RunEnd, Snapshot};
 use crate::project::debug::Debugger;
 use crate::project::run::{self, Run};
-use crate::text::{Diagnostic, Place};
+use crate::text::{Diagnostic, Message, Place};
 use crate::ui::dom::{self, Frames};
 use crate::view::Chart;
 use crate::view::svg::{Theme, picture};
@@ -70,6 +70,8 @@ pub(crate) struct Player {
     pub option: RwSignal<bool>,
     /// The machine at the play head, some times a second.
     pub now: RwSignal<Snapshot>,
+    /// What the machine does to the work at the play head, some times a second.
+    pub activity: RwSignal<Option<Message>>,
     /// The message of the program on the control's screen, at the play head.
     pub message: RwSignal<Option<String>>,
     /// The block that runs at the play head.
@@ -150,6 +152,7 @@ impl Player {
             repeat: RwSignal::new(false),
             option: RwSignal::new(false),
             now: RwSignal::new(Snapshot::default()),
+            activity: RwSignal::new(None),
             message: RwSignal::new(None),
             running: RwSignal::new(None),
             planned: RwSignal::new((0.0, false)),
@@ -423,11 +426,12 @@ impl Player {
             if self.message.with_untracked(|shown| shown.as_deref() != message) {
                 self.message.set(message.map(str::to_owned));
             }
-            Some((now, slow))
+            Some((slow.then(|| machine.activity(run, &now)), now))
         });
-        let Some(Some((now, slow))) = shown else { return };
+        let Some(Some((activity, now))) = shown else { return };
         let block = now.block;
-        if slow {
+        if let Some(activity) = activity {
+            put(self.activity, activity);
             put(self.now, now);
         }
         put(self.running, block);

@@ -1,10 +1,11 @@
-//! Milestones of a run, and the first contact with the work.
+//! Milestones of a run, the first contact with the work, and the passes over it.
 
 use macroline::controls::Code;
 use macroline::machines;
 use macroline::motion::{Budget, Milestone, Mode, Retention};
 use macroline::project::Project;
 use macroline::project::run::{self, Run, RunOptions};
+use macroline::text::catalog::sentence;
 
 fn whole(project: &Project) -> Run {
     let limits = Budget { blocks: 1_000_000, seconds: 600.0 };
@@ -64,4 +65,38 @@ fn every_machine_meets_its_work() {
         assert!(t > 0.0 && t < run.timeline().end(), "{}", project.machine.id());
         assert_eq!(machine.first_contact(&run, 0.5 * t), None, "{}", project.machine.id());
     }
+}
+
+/// What the machine does halfway between two times.
+fn activity(project: &Project, run: &Run, (from, to): (f64, f64)) -> Option<String> {
+    let activity = project.prepared().activity(run, &run.timeline().at(0.5 * (from + to)));
+    activity.map(|activity| sentence(&activity))
+}
+
+#[test]
+fn lathes_tell_the_pass_that_they_cut() {
+    for (id, passes, third) in [("turning-spindle", 2, None), ("polygon-lathe", 4, Some("Cutting, pass 3 / 4"))] {
+        let project = Project::of(id, None).unwrap();
+        let (run, machine) = (whole(&project), project.prepared());
+        let end = run.timeline().end();
+        let begins = machine.passes(&run, end);
+        assert_eq!(begins.len(), passes, "{id}");
+        let told = |at: usize| activity(&project, &run, (begins[at], begins.get(at + 1).copied().unwrap_or(end)));
+        assert_eq!(told(0), Some(format!("Cutting, pass 1 / {passes}")), "{id}");
+        assert!(third.is_none_or(|third| told(2).as_deref() == Some(third)), "{id}");
+        // Before the first pass, and at the end.
+        assert_eq!(activity(&project, &run, (0.0, begins[0])), None, "{id}");
+        assert_eq!(activity(&project, &run, (end, end)), None, "{id}");
+        assert_eq!(machine.passes(&run, begins[1] - 1e-6).len(), 1, "{id}");
+    }
+}
+
+#[test]
+fn ribbon_line_tells_the_dot_that_it_prints() {
+    let project = Project::of("ribbon-line", None).unwrap();
+    let run = whole(&project);
+    let (dot, _) = project.prepared().first_contact(&run, run.timeline().end()).unwrap();
+    assert_eq!(activity(&project, &run, (0.0, dot)), None);
+    assert_eq!(activity(&project, &run, (dot, dot + 1e-3)).as_deref(), Some("Printing, dot 1"));
+    assert!(project.prepared().passes(&run, f64::INFINITY).is_empty());
 }
