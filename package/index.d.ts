@@ -378,6 +378,7 @@ export interface Size {
     grade: string;
     source: string;
   }[];
+  /** Wires at terminals (`X2:4`), and ready-made cables (`W3`). Each end is an item of `bom`. */
   terminals: { terminal: string; signal: string; from: string; to: string }[];
   /** Null without `draws`. */
   chance: { draws: number; seed: number; facts: number; probability: number; fails: { result: string; draws: number }[] } | null;

@@ -7,6 +7,7 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
+use super::devices::AskedDevice;
 use super::driven::{
     CoastedAxes, DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, SpindleRun,
 };
@@ -257,6 +258,10 @@ pub trait Prepared: Send + Sync {
     /// The encoder of the spindle, if it has one of its own; a servo motor includes its encoder.
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None
+    }
+    /// The devices that the form asks for, and what they have to do: those of its options, and sensors with a known place.
+    fn devices(&self) -> Vec<AskedDevice> {
+        Vec::new()
     }
     /// The axes that coast at a power failure by the formulas of the machine, where no spindle with a coasting time does so in the run.
     fn without_supply(&self) -> Option<CoastedAxes> {

@@ -8,6 +8,8 @@ pub mod machine;
 
 pub mod driven;
 
+pub mod devices;
+
 pub mod verdict;
 
 pub mod chart_rows;

@@ -18,6 +18,7 @@ mod taut;
 mod timeline;
 mod tornado;
 mod unwinder;
+mod wiring;
 
 use std::collections::BTreeMap;
 

@@ -36,9 +36,9 @@ pub(super) struct RibbonContacts {
     /// Index of the axis that pulls.
     pull: usize,
     /// Ribbon (mm) in the loop at which the first contact opens; infinite for a line without a loop.
-    longest: f64,
+    pub(super) longest: f64,
     /// Ribbon (mm) in the loop, negative, at which the second opens.
-    shortest: f64,
+    pub(super) shortest: f64,
     /// Ribbon (mm) unwound from a reel at which the third opens.
     reel: f64,
     /// Greatest speed (mm/s) at which the loop changes.

@@ -48,6 +48,8 @@ mod plant;
 
 mod contacts;
 
+mod devices;
+
 mod ladder;
 
 mod plc;
@@ -72,6 +74,7 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
+use crate::machines::devices::AskedDevice;
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, read};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -220,6 +223,10 @@ impl Prepared for RibbonLine {
 
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         driven::encoder(self)
+    }
+
+    fn devices(&self) -> Vec<AskedDevice> {
+        devices::devices(self)
     }
 
     fn product_size(&self) -> Option<ProductSize> {

@@ -1,11 +1,14 @@
-//! The bill of materials of the drives: the control, and the motor and amplifier of each drive.
+//! The bill of materials: the control, motor and amplifier of each drive, and each device that a wire of the terminal list leads to.
 //! A motor named in the form is ordered; one given by figures alone is a row of these figures, with the smallest motor of the catalogue
 //! that passes as a proposal.
+
+use std::collections::BTreeMap;
 
 use super::choice::{Candidate, MotorDemand, SizedAxis, name, named};
 use super::runs::SizingRuns;
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::machines::PreparedMachine;
+use crate::machines::devices::{BillItem, wired};
 use crate::machines::driven::{FormMotor, ResistorDemand, SpindleEncoder};
 use crate::machines::report::inputs;
 use crate::machines::sheets::say;
@@ -19,8 +22,8 @@ use crate::view::report::Input;
 /// A row of the bill.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BillRow {
-    /// Catalog id of the item: a motor, an amplifier.
-    pub item: &'static str,
+    /// The item: a motor, an amplifier.
+    pub item: BillItem,
     /// Catalog id of its axis; none for the control.
     pub axis: Option<&'static str>,
     /// Maker; empty if the row is no part of the catalogue.
@@ -33,8 +36,8 @@ pub struct BillRow {
     pub quantity: u32,
     /// Reason of the list of motors why the form's motor does not carry its axis; none if it does, or is not in the list.
     pub refusal: Option<Message>,
-    /// Open point of the order; none without one.
-    pub open: Option<Message>,
+    /// Open points of the order.
+    pub open: Vec<Message>,
     /// Production status; none if it is not known.
     pub status: Option<Status>,
     /// Grade of evidence.
@@ -58,7 +61,7 @@ pub(super) fn bill(
     runs: &SizingRuns,
     axes: &[SizedAxis],
 ) -> Vec<BillRow> {
-    let control = described("size.item.control", None, project.control.name.to_owned(), PartGrade::Entered);
+    let control = described(BillItem::Control, None, project.control.name.to_owned(), PartGrade::Entered);
     let inputs = inputs(project.machine, prepared, &project.values, &project.provenance);
     let motors = project.machine.info().motors;
     let entered = |motor: &FormMotor| entered(motor, &inputs);
@@ -74,7 +77,50 @@ pub(super) fn bill(
     let encoder = prepared.spindle_encoder().map(|asked| encoder(project, asked));
     let spindle = runs.present.stretches(Mover::Spindle);
     let resistor = prepared.resistor_demand(&runs.present.run, &spindle).map(|asked| resistor(&asked));
-    core::iter::once(control).chain(sized).chain(others).chain(resistor).chain(encoder).collect()
+    let mut rows: Vec<BillRow> =
+        core::iter::once(control).chain(sized).chain(others).chain(resistor).chain(encoder).collect();
+    let dancers: Vec<_> = prepared.devices().into_iter().filter(|asked| asked.item == BillItem::Dancer).collect();
+    let trimmed =
+        |row: &&mut BillRow| row.item == BillItem::Inverter && dancers.iter().any(|dancer| dancer.drive == row.axis);
+    rows.iter_mut().filter(trimmed).for_each(|row| row.open.push(msg!("size.bill.trim-input")));
+    rows.extend(devices(prepared, &rows));
+    rows
+}
+
+/// The devices that are no part of a drive: contactors of brakes, contacts and outputs of the ladder, options of the form, supplies. All are
+/// open: the catalogue has none of them.
+fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
+    let open = |item, drive, asked: &Message| described(item, drive, sentence(asked), PartGrade::Open);
+    let brakes = rows.iter().filter(|row| row.item == BillItem::Brake);
+    let contactors = brakes.map(|row| open(BillItem::BrakeContactor, row.axis, &msg!("size.bill.brake-contactor")));
+    let mut devices: Vec<BillRow> = contactors.collect();
+    let machine = prepared.devices();
+    devices.extend(machine.iter().map(|of| open(of.item, of.drive, &of.asked)));
+    let mut meanings: BTreeMap<BillItem, (u32, Vec<String>)> = BTreeMap::new();
+    for (item, device) in wired(prepared.ladder().as_ref()).into_iter().filter(|(item, _)| *item != BillItem::Inverter)
+    {
+        let (quantity, told) = meanings.entry(item).or_default();
+        let meaning = say(device.meaning);
+        *quantity += 1;
+        if !told.contains(&meaning) {
+            told.push(meaning);
+        }
+    }
+    for (item, (quantity, told)) in meanings {
+        if let Some(row) = devices.iter_mut().find(|row| row.item == item) {
+            row.quantity = quantity;
+            continue;
+        }
+        let meaning = listed(&told);
+        let asked = match item {
+            BillItem::GearValve => msg!("size.bill.valve", meaning),
+            _ => msg!("size.bill.contact", meaning),
+        };
+        devices.push(BillRow { quantity, ..open(item, None, &asked) });
+    }
+    devices.push(open(BillItem::MainSwitch, None, &msg!("size.bill.main-switch")));
+    devices.push(open(BillItem::ControlSupply, None, &msg!("size.bill.control-supply")));
+    devices
 }
 
 /// The brake resistor of an inverter: the demand, for no inverter of the catalogue has its own.
@@ -82,12 +128,12 @@ fn resistor(asked: &ResistorDemand) -> BillRow {
     let (power, energy, percent) = ((asked.power(), 1), (asked.greatest(), 0), (asked.percent, 0));
     let count = asked.energies.len() as f64;
     let told = sentence(&msg!("size.bill.inverter-resistor", power, energy, count, percent));
-    described("size.item.resistor", Some(asked.name), told, PartGrade::Open)
+    described(BillItem::Resistor, Some(asked.name), told, PartGrade::Open)
 }
 
 /// The encoder of a spindle: as a proposal the one with the least sufficient top speed, else the demand.
 fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
-    let item = "size.item.encoder";
+    let item = BillItem::Encoder;
     let goes = project.catalogue().into_iter().filter_map(|part| match part.ratings {
         Ratings::Encoder(of) => Some((part, of.top_speed.filter(|speed| *speed >= asked.speed)?)),
         _ => None,
@@ -99,7 +145,7 @@ fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
 
 /// The row of an item for an axis: its part, else an open row with the demand.
 fn part_or_open(
-    (item, axis): (&'static str, &'static str),
+    (item, axis): (BillItem, &'static str),
     part: Option<&Part>,
     proposed: bool,
     asked: &Message,
@@ -109,7 +155,7 @@ fn part_or_open(
 }
 
 /// A row without a part of the catalogue, in the words of form and project.
-fn described(item: &'static str, axis: Option<&'static str>, model: String, grade: PartGrade) -> BillRow {
+fn described(item: BillItem, axis: Option<&'static str>, model: String, grade: PartGrade) -> BillRow {
     let source = say(if grade == PartGrade::Open { "size.bill.no-source" } else { "size.bill.of-project" });
     BillRow {
         item,
@@ -119,7 +165,7 @@ fn described(item: &'static str, axis: Option<&'static str>, model: String, grad
         proposed: false,
         quantity: 1,
         refusal: None,
-        open: None,
+        open: Vec::new(),
         status: None,
         grade,
         source,
@@ -134,13 +180,13 @@ fn entered(motor: &FormMotor, inputs: &[Input]) -> Option<BillRow> {
     };
     let figures: Vec<String> = motor.figures.iter().filter_map(figure).collect();
     let told = sentence(&msg!("size.bill.entered", figures = listed(&figures)));
-    (!figures.is_empty()).then(|| described("size.item.motor", Some(motor.name), told, PartGrade::Entered))
+    (!figures.is_empty()).then(|| described(BillItem::Motor, Some(motor.name), told, PartGrade::Entered))
 }
 
 /// The brake at the motor of an axis.
 fn brake(axis: &SizedAxis) -> Option<BillRow> {
     let torque = format!("{} Nm", number_text(axis.brake, 2));
-    let row = described("size.item.brake", Some(axis.name), torque, PartGrade::Entered);
+    let row = described(BillItem::Brake, Some(axis.name), torque, PartGrade::Entered);
     (axis.brake > 0.0).then_some(row)
 }
 
@@ -149,11 +195,11 @@ fn gear(axis: &SizedAxis) -> Option<BillRow> {
     let gear = axis.gear.as_ref()?;
     let (ratio, torque, speed) = ((gear.ratio, 6), (gear.duty.peak, 2), (gear.duty.speed, 0));
     let asked = msg!("size.bill.gear", ratio, torque, speed);
-    Some(part_or_open(("size.item.gear", axis.name), gear.least(), true, &asked))
+    Some(part_or_open((BillItem::Gear, axis.name), gear.least(), true, &asked))
 }
 
 /// A row of a part of the catalogue.
-fn of_part(item: &'static str, axis: &'static str, part: &Part, proposed: bool) -> BillRow {
+fn of_part(item: BillItem, axis: &'static str, part: &Part, proposed: bool) -> BillRow {
     BillRow {
         item,
         axis: Some(axis),
@@ -162,21 +208,21 @@ fn of_part(item: &'static str, axis: &'static str, part: &Part, proposed: bool) 
         proposed,
         quantity: 1,
         refusal: None,
-        open: None,
+        open: Vec::new(),
         status: part.status,
         grade: part.evidence.grade,
         source: part.evidence.source.clone(),
     }
 }
 
-/// Catalog id of a motor's drive: servo amplifier or inverter.
-fn amplifier_item(is_servo: bool) -> &'static str {
-    if is_servo { "size.item.amplifier" } else { "size.item.inverter" }
+/// Item of a motor's drive: servo amplifier or inverter.
+fn amplifier_item(is_servo: bool) -> BillItem {
+    if is_servo { BillItem::Amplifier } else { BillItem::Inverter }
 }
 
 /// Open point of an amplifier or inverter at a site that derates the motor: there is no table of its own.
-fn site(share: f64) -> Option<Message> {
-    (share < 1.0).then(|| msg!("size.bill.site", percent = (100.0 * share, 1)))
+fn site(share: f64) -> Vec<Message> {
+    (share < 1.0).then(|| msg!("size.bill.site", percent = (100.0 * share, 1))).into_iter().collect()
 }
 
 fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec<BillRow> {
@@ -193,14 +239,14 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
         });
         let amplifier = amplifier.or(short).unwrap_or_else(|| open("size.bill.no-amplifier"));
         let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
-        [BillRow { refusal, ..of("size.item.motor", &chosen.part, proposed) }, amplifier]
+        [BillRow { refusal, ..of(BillItem::Motor, &chosen.part, proposed) }, amplifier]
     };
     let resistor = |chosen: &Candidate, proposed| {
         let of_axis = chosen.resistor.as_ref()?;
         let amplifier = chosen.amplifier.as_ref().map(|part| part.model.as_str()).unwrap_or_default();
         let (power, energy) = ((of_axis.asked.mean, 1), (of_axis.asked.stop, 1));
         let asked = msg!("size.bill.resistor", power, energy, amplifier);
-        Some(part_or_open(("size.item.resistor", axis.name), of_axis.part.as_ref(), proposed, &asked))
+        Some(part_or_open((BillItem::Resistor, axis.name), of_axis.part.as_ref(), proposed, &asked))
     };
     let all =
         |chosen: &Candidate, proposed| pair(chosen, proposed).into_iter().chain(resistor(chosen, proposed)).collect();
@@ -210,7 +256,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
         (Some(chosen), _) => all(chosen, false),
         // The motor of the form is not in the catalogue.
         (None, Some(typed)) => {
-            let motor = described("size.item.motor", Some(axis.name), typed, PartGrade::Entered);
+            let motor = described(BillItem::Motor, Some(axis.name), typed, PartGrade::Entered);
             vec![motor, open("size.bill.no-amplifier")]
         }
         (None, None) => {
@@ -218,7 +264,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
             let asked = || {
                 let MotorDemand { peak, effective, speed } = axis.asked;
                 let told = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
-                let motor = described("size.item.motor", Some(axis.name), sentence(&told), PartGrade::Open);
+                let motor = described(BillItem::Motor, Some(axis.name), sentence(&told), PartGrade::Open);
                 vec![motor, open("size.bill.with-motor")]
             };
             entered.into_iter().chain(proposal.unwrap_or_else(asked)).collect()

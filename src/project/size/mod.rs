@@ -29,7 +29,7 @@ pub use envelope::{EnvelopeRow, Offer, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth};
 pub use runs::{CutRun, SizingRuns};
-pub use terminals::TerminalRow;
+pub use terminals::{TerminalRow, WireEnd};
 pub use tornado::{Swing, Tornado};
 
 use super::Project;
@@ -135,7 +135,7 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
     let axes = choice::axes(project, &prepared, runs);
     let bill = bill::bill(project, &prepared, runs, &axes);
-    let terminals = terminals::terminals(&prepared, &axes);
+    let terminals = terminals::terminals(&prepared, &bill);
     let (limits, fastest) = growth::growth(project);
     let sensitivity = Sensitivity::new(project);
     Sizing {

@@ -47,8 +47,8 @@ impl Sizing {
     pub fn bill_sheet(&self) -> Sheet {
         let cells = |of: &BillRow| {
             let item = match of.axis {
-                Some(axis) => headed(say(axis), say(of.item)),
-                None => say(of.item),
+                Some(axis) => headed(say(axis), say(of.item.name())),
+                None => say(of.item.name()),
             };
             let item = if of.proposed { sentence(&msg!("size.bill.proposed", item)) } else { item };
             let cells = [
@@ -56,7 +56,7 @@ impl Sizing {
                 of.maker.clone(),
                 of.model.clone(),
                 of.quantity.to_string(),
-                if of.maker.is_empty() { String::new() } else { order_of(of) },
+                order_of(of),
                 part_grade(of.grade),
                 of.source.clone(),
             ];
@@ -83,7 +83,7 @@ impl Sizing {
     /// The terminal list, and a remark at its end.
     pub fn terminal_sheet(&self) -> Sheet {
         let cells =
-            |of: &TerminalRow| row([of.terminal.clone(), of.signal.clone(), of.from.clone(), of.to.clone()], of.cite);
+            |of: &TerminalRow| row([of.terminal.clone(), of.signal.clone(), of.from.text(), of.to.text()], of.cite);
         let remark = self.terminals.last().map(|last| {
             let cells = [String::new(), say("sheet.no-safety"), String::new(), String::new()];
             row(cells, last.cite)
@@ -321,11 +321,11 @@ fn ordered_status(of: Option<Status>) -> String {
     }
 }
 
-/// Remarks for the order of a part: its refusal, its production status, and open points.
+/// Remarks for the order of a part: its refusal, its production status if it has a maker, and open points.
 fn order_of(of: &BillRow) -> String {
     let refused = of.refusal.as_ref().map(|message| format!("✕ {}", sentence(message)));
-    let open = of.open.as_ref().map(sentence);
-    refused.into_iter().chain([ordered_status(of.status)]).chain(open).collect::<Vec<_>>().join(" · ")
+    let status = (!of.maker.is_empty()).then(|| ordered_status(of.status));
+    refused.into_iter().chain(status).chain(of.open.iter().map(sentence)).collect::<Vec<_>>().join(" · ")
 }
 
 /// Grade of a part in words.

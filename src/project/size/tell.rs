@@ -162,13 +162,15 @@ fn tornado(of: &Tornado) -> Json {
 }
 
 fn terminal(row: &TerminalRow) -> Json {
-    json!({ "terminal": row.terminal, "signal": row.signal, "from": row.from, "to": row.to })
+    json!({ "terminal": row.terminal, "signal": row.signal, "from": row.from.text(), "to": row.to.text() })
 }
 
 fn bill(row: &BillRow) -> Json {
+    let open: Vec<String> = row.open.iter().map(sentence).collect();
+    let open = (!open.is_empty()).then(|| open.join(" · "));
     json!({
-        "item": words(row.item), "axis": row.axis.map(words), "part": row.part(), "maker": row.maker, "model": row.model, "proposal": row.proposed,
-        "quantity": row.quantity, "refused": row.refusal.as_ref().map(sentence), "open": row.open.as_ref().map(sentence), "status": status(row.status), "grade": grade(row.grade), "source": row.source,
+        "item": words(row.item.name()), "axis": row.axis.map(words), "part": row.part(), "maker": row.maker, "model": row.model, "proposal": row.proposed,
+        "quantity": row.quantity, "refused": row.refusal.as_ref().map(sentence), "open": open, "status": status(row.status), "grade": grade(row.grade), "source": row.source,
     })
 }
 

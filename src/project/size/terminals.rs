@@ -1,25 +1,56 @@
-//! The terminal list: wires of motors and amplifiers, contacts and outputs of the machine's PLC, set speed of the inverter.
-//! The supply, and the plugs of encoders and of servo amplifiers, are those of their makers.
+//! The terminal list: wires at the terminals of the cabinet, and ready-made cables, between items of the bill.
+//!
+//! Each end is an item of the bill, and each item of the bill that wires lead to has its wires here. Plugs and pins of control, amplifiers and
+//! encoders are those of their makers.
 
-use super::SizedAxis;
+use std::collections::BTreeMap;
+
+use super::bill::BillRow;
 use crate::machines::PreparedMachine;
-use crate::machines::ladder::{Bit, MachineOutput};
+use crate::machines::devices::{BillItem, wired};
+use crate::machines::ladder::{Device, Ladder, PlcSide};
 use crate::machines::sheets::say;
 use crate::text::{Citation, Grade, headed};
 
-/// A wire at a terminal.
+/// A wire at a terminal, or a cable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TerminalRow {
-    /// The terminal: its strip and its number, for instance `X2:4`.
+    /// The terminal, its strip and its number, for instance `X2:4`; of a ready-made cable its number, `W3`.
     pub terminal: String,
     /// Signal of the wire.
     pub signal: String,
     /// Start of the wire.
-    pub from: String,
+    pub from: WireEnd,
     /// End of the wire.
-    pub to: String,
+    pub to: WireEnd,
     /// Source and grade.
     pub cite: Citation,
+}
+
+/// End of a wire.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WireEnd {
+    /// Item of the bill.
+    pub item: BillItem,
+    /// Catalog id of its axis, as in the bill.
+    pub axis: Option<&'static str>,
+    /// Its place at the item, in full; empty where the item is enough.
+    pub place: String,
+}
+
+impl WireEnd {
+    fn of(item: BillItem, axis: Option<&'static str>) -> WireEnd {
+        WireEnd { item, axis, place: String::new() }
+    }
+
+    /// Its name: the place, else the item with its axis.
+    pub fn text(&self) -> String {
+        match self.axis {
+            _ if !self.place.is_empty() => self.place.clone(),
+            Some(axis) => headed(say(axis), say(self.item.name())),
+            None => say(self.item.name()),
+        }
+    }
 }
 
 /// Source of the strips: power, contacts and analog voltages are kept apart.
@@ -28,52 +59,147 @@ const STRIPS: Citation = Citation::new("engineering choice", Grade::Inferred);
 /// Wires of a motor from its amplifier or inverter.
 const PHASES: [&str; 4] = ["U", "V", "W", "PE"];
 
-/// The rows: strip X1 for the motors and their brakes, X2 for the contacts and outputs of the PLC, X3 for the set speed.
-pub(super) fn terminals(prepared: &PreparedMachine, axes: &[SizedAxis]) -> Vec<TerminalRow> {
-    let power = axes.iter().flat_map(motor_wires);
+/// Strips in their order, and the ready-made cables: supply, motors, contacts and outputs of the PLC, analog voltages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strip {
+    Supply,
+    Motors,
+    Contacts,
+    Analog,
+    Cables,
+}
+
+impl Strip {
+    /// Name of a terminal, counted from 1.
+    fn terminal(self, number: u32) -> String {
+        match self {
+            Strip::Supply => format!("X0:{number}"),
+            Strip::Motors => format!("X1:{number}"),
+            Strip::Contacts => format!("X2:{number}"),
+            Strip::Analog => format!("X3:{number}"),
+            Strip::Cables => format!("W{number}"),
+        }
+    }
+}
+
+/// A wire before it has its terminal.
+#[derive(Clone)]
+struct Wire {
+    strip: Strip,
+    signal: String,
+    from: WireEnd,
+    to: WireEnd,
+    cite: Citation,
+}
+
+/// The rows, by strip.
+pub(super) fn terminals(prepared: &PreparedMachine, bill: &[BillRow]) -> Vec<TerminalRow> {
     let ladder = prepared.ladder();
-    let bits = ladder.iter().flat_map(|ladder| ladder.bits.iter());
-    let contacts = bits.filter_map(|(bit, device)| {
-        let plc = format!("{} {}", say("plc.side.plc"), device.name);
-        let (from, to) = match bit {
-            Bit::Input(_) => (say("plc.side.machine"), plc),
-            // Alarms are texts of the control.
-            Bit::Output(MachineOutput::Forward | MachineOutput::Reverse | MachineOutput::Gear(_)) => {
-                (plc, say("plc.side.machine"))
-            }
-            _ => return None,
-        };
-        Some((say(device.meaning), from, to, device.cite))
-    });
-    let drive = prepared.inverter_drive();
-    let analog = drive.iter().flat_map(|drive| {
-        let inverter = headed(say(drive.name), say("size.item.inverter"));
-        ["size.terminal.set-speed", "size.terminal.common", "size.terminal.screen"]
-            .map(|signal| (say(signal), say("size.terminal.analog-output"), inverter.clone(), STRIPS))
-    });
-    numbered("X1", power).chain(numbered("X2", contacts)).chain(numbered("X3", analog)).collect()
+    // A motor as entered and the proposal in its place are one item.
+    let mut items: Vec<(BillItem, Option<&'static str>)> = Vec::new();
+    for row in bill {
+        if !items.contains(&(row.item, row.axis)) {
+            items.push((row.item, row.axis));
+        }
+    }
+    let of_items = items.iter().flat_map(|(item, axis)| wires(*item, *axis, bill));
+    let mut wires: Vec<Wire> = of_items.chain(contacts(ladder.as_ref(), bill)).collect();
+    wires.sort_by_key(|wire| wire.strip);
+    let mut numbers: BTreeMap<Strip, u32> = BTreeMap::new();
+    let numbered = |Wire { strip, signal, from, to, cite }: Wire| {
+        let number = numbers.entry(strip).and_modify(|number| *number += 1).or_insert(1);
+        TerminalRow { terminal: strip.terminal(*number), signal, from, to, cite }
+    };
+    wires.into_iter().map(numbered).collect()
 }
 
-/// Signal, both ends, source.
-type Wire = (String, String, String, Citation);
-
-/// The wires of a motor and its brake.
-fn motor_wires(axis: &SizedAxis) -> Vec<Wire> {
-    let end = |item| headed(say(axis.name), say(item));
-    let amplifier = end(if axis.work.is_some() { "size.item.amplifier" } else { "size.item.inverter" });
-    let phase = |phase: &str| (phase.to_owned(), amplifier.clone(), end("size.item.motor"), STRIPS);
-    let brake = ["size.terminal.brake-plus", "size.terminal.brake-minus"]
-        .map(|signal| (say(signal), say("size.terminal.brake-contactor"), end("size.item.brake"), STRIPS));
-    PHASES.into_iter().map(phase).chain(brake.into_iter().filter(|_| axis.brake > 0.0)).collect()
-}
-
-/// The wires at the terminals of a strip, numbered from 1.
-fn numbered(strip: &'static str, wires: impl Iterator<Item = Wire>) -> impl Iterator<Item = TerminalRow> {
-    (1..).zip(wires).map(move |(number, (signal, from, to, cite))| TerminalRow {
-        terminal: format!("{strip}:{number}"),
-        signal,
+/// The wires of an item but for those of the PLC's contacts and outputs.
+fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wire> {
+    let own = WireEnd::of(item, axis);
+    let of = |item: BillItem| WireEnd::of(item, axis);
+    let of_machine = |item: BillItem| WireEnd::of(item, None);
+    let billed = |item: BillItem| bill.iter().any(|row| row.item == item && row.axis == axis);
+    let drive = if billed(BillItem::Inverter) { BillItem::Inverter } else { BillItem::Amplifier };
+    let wire = |strip: Strip, signal: &'static str, from: WireEnd, to: WireEnd| Wire {
+        strip,
+        signal: say(signal),
         from,
         to,
-        cite,
-    })
+        cite: STRIPS,
+    };
+    let fed = || {
+        let end = || of_machine(BillItem::MainSwitch);
+        ["size.terminal.mains", "size.terminal.earth"]
+            .map(|signal| wire(Strip::Supply, signal, end(), own.clone()))
+            .to_vec()
+    };
+    let analog = |signals: [&'static str; 3], from: WireEnd, to: WireEnd| {
+        signals.map(|signal| wire(Strip::Analog, signal, from.clone(), to.clone())).to_vec()
+    };
+    match item {
+        BillItem::Motor => {
+            let phase = |phase: &str| Wire {
+                strip: Strip::Motors,
+                signal: phase.to_owned(),
+                from: of(drive),
+                to: own.clone(),
+                cite: STRIPS,
+            };
+            let encoder = wire(Strip::Cables, "size.terminal.motor-encoder", own.clone(), of(drive));
+            PHASES.into_iter().map(phase).chain((drive == BillItem::Amplifier).then_some(encoder)).collect()
+        }
+        BillItem::Amplifier => {
+            let command = wire(Strip::Cables, "size.terminal.command", of_machine(BillItem::Control), own.clone());
+            fed().into_iter().chain([command]).collect()
+        }
+        BillItem::Inverter => {
+            let output = WireEnd { place: say("size.terminal.analog-output"), ..of_machine(BillItem::Control) };
+            let signals = ["size.terminal.set-speed", "size.terminal.common", "size.terminal.screen"];
+            fed().into_iter().chain(analog(signals, output, own.clone())).collect()
+        }
+        BillItem::Fan | BillItem::ControlSupply => fed(),
+        BillItem::Brake => ["size.terminal.brake-plus", "size.terminal.brake-minus"]
+            .map(|signal| wire(Strip::Motors, signal, of(BillItem::BrakeContactor), own.clone()))
+            .into(),
+        BillItem::Resistor => ["size.terminal.resistor-first", "size.terminal.resistor-second"]
+            .map(|signal| wire(Strip::Motors, signal, of(drive), own.clone()))
+            .into(),
+        BillItem::Encoder => {
+            vec![wire(Strip::Cables, "size.terminal.spindle-encoder", own, of_machine(BillItem::Control))]
+        }
+        BillItem::Dancer => {
+            let inverter = of(BillItem::Inverter);
+            let input = WireEnd { place: headed(inverter.text(), say("size.terminal.trim-input")), ..inverter };
+            analog(["size.terminal.dancer", "size.terminal.dancer-common", "size.terminal.screen"], own, input)
+        }
+        BillItem::Control => ["size.terminal.control-plus", "size.terminal.control-zero"]
+            .map(|signal| wire(Strip::Supply, signal, of_machine(BillItem::ControlSupply), own.clone()))
+            .into(),
+        BillItem::Gear
+        | BillItem::BrakeContactor
+        | BillItem::EmergencyStop
+        | BillItem::Key
+        | BillItem::GearSwitch
+        | BillItem::GearValve
+        | BillItem::LoopSensor
+        | BillItem::TensionSwitch
+        | BillItem::ReelSensor
+        | BillItem::MainSwitch => Vec::new(),
+    }
+}
+
+/// The wires of the PLC's contacts and outputs.
+fn contacts(ladder: Option<&Ladder>, bill: &[BillRow]) -> Vec<Wire> {
+    let wire = |(item, device): (BillItem, Device)| {
+        let axis = bill.iter().find(|row| row.item == item).and_then(|row| row.axis);
+        let plc = WireEnd {
+            place: format!("{} {}", say("plc.side.plc"), device.name),
+            ..WireEnd::of(BillItem::Control, None)
+        };
+        let other = WireEnd::of(item, axis);
+        let is_output = device.sides.0 == PlcSide::Plc;
+        let (from, to) = if is_output { (plc, other) } else { (other, plc) };
+        Wire { strip: Strip::Contacts, signal: say(device.meaning), from, to, cite: device.cite }
+    };
+    wired(ladder).into_iter().map(wire).collect()
 }

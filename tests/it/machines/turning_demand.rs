@@ -1,6 +1,7 @@
 //! Demand on the motor of the turning spindle: cut, friction and acceleration together, by the formulas and in the run.
 
 use macroline::drives::spindle_motor::MotorCurve;
+use macroline::machines::devices::BillItem;
 use macroline::machines::driven::SpindleRun;
 use macroline::math;
 use macroline::motion::Mover;
@@ -160,7 +161,7 @@ fn resistor_of_many_passes_takes_each_braking() {
     near(asked.power(), power, 1e-6);
     near(power, 235.1, 1.0);
     let sizing = size(&lathe, &lathe.written());
-    let row = sizing.bill.iter().find(|row| row.item == "size.item.resistor").unwrap();
+    let row = sizing.bill.iter().find(|row| row.item == BillItem::Resistor).unwrap();
     assert!(row.model.contains("235.1") && row.model.contains("20 brakings"), "{}", row.model);
 }
 

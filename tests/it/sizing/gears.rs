@@ -4,6 +4,7 @@ use macroline::drives::duty::{Motion, Turn};
 use macroline::drives::gear::{GearDuty, GearReason};
 use macroline::drives::load::Load;
 use macroline::drives::parts::GearRatings;
+use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::math::{self, PI, RPM};
 use macroline::project::size::{BillRow, GearCandidate, SizedGear, Sizing, size};
@@ -30,7 +31,7 @@ fn gear<'a>(sizing: &'a Sizing, axis: &str) -> Option<&'a SizedGear> {
 }
 
 fn row<'a>(sizing: &'a Sizing, axis: &str) -> Option<&'a BillRow> {
-    sizing.bill.iter().find(|row| row.item == "size.item.gear" && row.axis == Some(axis))
+    sizing.bill.iter().find(|row| row.item == BillItem::Gear && row.axis == Some(axis))
 }
 
 /// A table of one gear unit of the user.

@@ -3,10 +3,10 @@
 use macroline::drives::duty::{Motion, ToResistor, Turn};
 use macroline::drives::load::{Load, Regeneration};
 use macroline::drives::parts::{PartGrade, ResistorRatings};
+use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::project::size::{Candidate, Sizing, size};
 use macroline::project::{Project, parts};
-use macroline::text::catalog::words;
 use proptest::prelude::*;
 
 fn sized(project: &Project) -> Sizing {
@@ -123,7 +123,7 @@ fn braked(sizing: &Sizing) -> Vec<&Candidate> {
 }
 
 fn resistor_rows(sizing: &Sizing) -> Vec<(String, PartGrade, f64)> {
-    let rows = sizing.bill.iter().filter(|row| words(row.item) == "Brake resistor");
+    let rows = sizing.bill.iter().filter(|row| row.item == BillItem::Resistor);
     rows.map(|row| (row.part(), row.grade, f64::from(row.quantity))).collect()
 }
 

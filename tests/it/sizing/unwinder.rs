@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::project::Project;
 use macroline::project::size::{Candidate, Sizing, SizingRuns, answers};
@@ -23,7 +24,7 @@ fn unwinder(sizing: &Sizing) -> &[Candidate] {
 /// Row of a brake resistor in the bill, in words.
 fn resistor(project: &Project) -> Option<String> {
     let rows = sized(project).bill.into_iter();
-    rows.filter(|row| row.item == "size.item.resistor").map(|row| row.model).next()
+    rows.filter(|row| row.item == BillItem::Resistor).map(|row| row.model).next()
 }
 
 /// Torque in Nm that web and friction of the first example ask of the motor: 20 N at 100.5 mm and 1 Nm, behind 50 : 1 with 70 %.

@@ -1,0 +1,143 @@
+//! Items of the bill of materials, and the devices that ladder and form of a machine ask for.
+
+use super::ladder::{Bit, Device, Ladder, MachineContact, MachineOutput};
+use crate::text::Message;
+
+/// An item of the bill, in its order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum BillItem {
+    /// The control with its PLC.
+    Control,
+    /// A motor; a servo motor with its encoder.
+    Motor,
+    /// Amplifier of a servo motor.
+    Amplifier,
+    /// Inverter of an induction motor.
+    Inverter,
+    /// Gear unit.
+    Gear,
+    /// Brake at a motor that closes without current.
+    Brake,
+    /// Contactor of such a brake.
+    BrakeContactor,
+    /// Brake resistor.
+    Resistor,
+    /// Encoder of a spindle.
+    Encoder,
+    /// Fan with a motor of its own.
+    Fan,
+    /// Dancer with the sensor of its position.
+    Dancer,
+    /// Button for the emergency stop.
+    EmergencyStop,
+    /// Key that the PLC reads.
+    Key,
+    /// Position switch of a gear stage.
+    GearSwitch,
+    /// Valve of a gear stage.
+    GearValve,
+    /// Sensor of the longest loop.
+    LoopSensor,
+    /// Switch of the tight web.
+    TensionSwitch,
+    /// Sensor of the end of the reel.
+    ReelSensor,
+    /// Main switch with the protection of the lines.
+    MainSwitch,
+    /// Supply of control, contacts and valves.
+    ControlSupply,
+}
+
+impl BillItem {
+    /// Catalog id of its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            BillItem::Control => "size.item.control",
+            BillItem::Motor => "size.item.motor",
+            BillItem::Amplifier => "size.item.amplifier",
+            BillItem::Inverter => "size.item.inverter",
+            BillItem::Gear => "size.item.gear",
+            BillItem::Brake => "size.item.brake",
+            BillItem::BrakeContactor => "size.item.brake-contactor",
+            BillItem::Resistor => "size.item.resistor",
+            BillItem::Encoder => "size.item.encoder",
+            BillItem::Fan => "size.item.fan",
+            BillItem::Dancer => "size.item.dancer",
+            BillItem::EmergencyStop => "size.item.emergency-stop",
+            BillItem::Key => "size.item.key",
+            BillItem::GearSwitch => "size.item.gear-switch",
+            BillItem::GearValve => "size.item.gear-valve",
+            BillItem::LoopSensor => "size.item.loop-sensor",
+            BillItem::TensionSwitch => "size.item.tension-switch",
+            BillItem::ReelSensor => "size.item.reel-sensor",
+            BillItem::MainSwitch => "size.item.main-switch",
+            BillItem::ControlSupply => "size.item.control-supply",
+        }
+    }
+
+    /// Whether wires lead to it.
+    pub fn is_wired(self) -> bool {
+        self != BillItem::Gear
+    }
+}
+
+/// A device that a machine asks for: what it has to do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AskedDevice {
+    /// Its item.
+    pub item: BillItem,
+    /// Catalog id of the name of its drive; none for a device of the whole machine.
+    pub drive: Option<&'static str>,
+    /// Range and kind of signal.
+    pub asked: Message,
+}
+
+impl MachineContact {
+    /// The item that has the contact.
+    pub fn device(self) -> BillItem {
+        match self {
+            MachineContact::Emergency => BillItem::EmergencyStop,
+            MachineContact::ResetKey
+            | MachineContact::ForwardKey
+            | MachineContact::ReverseKey
+            | MachineContact::StopKey => BillItem::Key,
+            MachineContact::InverterReady
+            | MachineContact::InverterEnabled
+            | MachineContact::AtSpeed
+            | MachineContact::AtShiftSpeed => BillItem::Inverter,
+            MachineContact::InGear(_) => BillItem::GearSwitch,
+            MachineContact::LoopNotFull => BillItem::LoopSensor,
+            MachineContact::WebNotTight => BillItem::TensionSwitch,
+            MachineContact::ReelNotEmpty => BillItem::ReelSensor,
+        }
+    }
+}
+
+impl MachineOutput {
+    /// The item that a wire leads to; none for texts, and for a voltage that the control itself puts out.
+    pub fn device(self) -> Option<BillItem> {
+        match self {
+            MachineOutput::Forward | MachineOutput::Reverse => Some(BillItem::Inverter),
+            MachineOutput::Gear(_) => Some(BillItem::GearValve),
+            MachineOutput::ShiftVolts
+            | MachineOutput::InverterAlarm
+            | MachineOutput::ReversalAlarm
+            | MachineOutput::GearAlarm
+            | MachineOutput::Message(_) => None,
+        }
+    }
+}
+
+/// Inputs and outputs of the PLC that a wire leads to, with the item at its other end.
+pub fn wired(ladder: Option<&Ladder>) -> Vec<(BillItem, Device)> {
+    let bits = ladder.into_iter().flat_map(|ladder| ladder.bits.iter());
+    let device = |(bit, device): &(Bit, Device)| {
+        let item = match bit {
+            Bit::Input(contact) => Some(contact.device()),
+            Bit::Output(output) => output.device(),
+            _ => None,
+        };
+        Some((item?, device.clone()))
+    };
+    bits.filter_map(device).collect()
+}

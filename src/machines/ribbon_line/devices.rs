@@ -1,0 +1,28 @@
+//! Devices of the ribbon line beside its drives: dancer, fan of the unwinder's motor, and the sensors of loop and reel with their places.
+
+use super::contacts::RibbonContacts;
+use super::resolved::RibbonLine;
+use crate::machines::devices::{AskedDevice, BillItem};
+use crate::msg;
+
+/// Catalog id of the name of the drive with dancer and fan.
+const UNWINDER: &str = "ribbon.drive.unwinder";
+
+/// The devices. A dancer acts on the trim input of the inverter (sizing facts 2.6).
+pub(super) fn devices(line: &RibbonLine) -> Vec<AskedDevice> {
+    let p = &line.p;
+    let (capacity, places) = ((p.loop_capacity, 0), RibbonContacts::new(line));
+    let sensor = |item, asked| AskedDevice { item, drive: None, asked };
+    let of_unwinder = |item, asked| AskedDevice { item, drive: Some(UNWINDER), asked };
+    let dancer = p.dancer.then(|| of_unwinder(BillItem::Dancer, msg!("ribbon.device.dancer", capacity)));
+    let fan = p.unwinding.forced_cooling.then(|| of_unwinder(BillItem::Fan, msg!("ribbon.device.fan")));
+    let longest = places
+        .longest
+        .is_finite()
+        .then(|| sensor(BillItem::LoopSensor, msg!("ribbon.device.loop-sensor", capacity = (places.longest, 0))));
+    let (missing, tension) = ((-places.shortest, 1), (line.d.tension_limit, 1));
+    let tight = sensor(BillItem::TensionSwitch, msg!("ribbon.device.tension-switch", missing, tension));
+    let left = (super::contacts::left_at_reel_end(line), 0);
+    let reel = sensor(BillItem::ReelSensor, msg!("ribbon.device.reel-sensor", left));
+    dancer.into_iter().chain(fan).chain(longest).chain([tight, reel]).collect()
+}

@@ -1,0 +1,142 @@
+//! Bill of materials and terminal list agree: each end of a wire is an item of the bill, and each item that wires lead to has its wires.
+
+use std::collections::BTreeSet;
+
+use macroline::drives::parts::PartGrade;
+use macroline::machines::ALL;
+use macroline::machines::devices::BillItem;
+use macroline::machines::form::Value;
+use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
+use macroline::project::Project;
+use macroline::project::size::{Sizing, SizingRuns, answers};
+
+fn answered(project: &Project) -> Sizing {
+    answers(project, &SizingRuns::new(project, &project.written()))
+}
+
+/// An item of the bill with its axis.
+type Entry = (BillItem, Option<&'static str>);
+
+fn billed(sizing: &Sizing) -> BTreeSet<Entry> {
+    sizing.bill.iter().map(|row| (row.item, row.axis)).collect()
+}
+
+/// The ends of all wires.
+fn wired(sizing: &Sizing) -> BTreeSet<Entry> {
+    sizing.terminals.iter().flat_map(|row| [&row.from, &row.to]).map(|end| (end.item, end.axis)).collect()
+}
+
+fn agree(name: &str, project: &Project) -> Sizing {
+    let sizing = answered(project);
+    let (billed, wired) = (billed(&sizing), wired(&sizing));
+    let wanted: BTreeSet<Entry> = billed.iter().copied().filter(|(item, _)| item.is_wired()).collect();
+    assert_eq!(wired, wanted, "{name}");
+    // Each item once, but for a motor as entered and the proposal in its place.
+    for entry in &billed {
+        let rows: Vec<_> = sizing.bill.iter().filter(|row| (row.item, row.axis) == *entry).collect();
+        let proposed = rows.iter().filter(|row| row.proposed).count();
+        let (most, is_motor) = (rows.len() - proposed, entry.0 == BillItem::Motor);
+        let is_asked = rows.iter().any(|row| row.grade == PartGrade::Open);
+        assert!(rows.len() == 1 || is_motor && proposed + usize::from(is_asked) == 1 && most <= 2, "{name}: {rows:?}");
+    }
+    // Each contact and each output of the PLC is a wire, and its device is ordered as often as wires lead to it.
+    let ladder = project.prepared().ladder().expect("a ladder");
+    let devices: Vec<(BillItem, &str)> = ladder
+        .bits
+        .iter()
+        .filter_map(|(bit, device)| match bit {
+            Bit::Input(contact) => Some((contact.device(), device.name.as_str())),
+            Bit::Output(output) => Some((output.device()?, device.name.as_str())),
+            _ => None,
+        })
+        .collect();
+    for (item, device) in &devices {
+        let place = format!("PLC {device}");
+        let ends = |row: &macroline::project::size::TerminalRow| {
+            let (plc, other) = if row.to.place == place { (&row.to, &row.from) } else { (&row.from, &row.to) };
+            plc.place == place && plc.item == BillItem::Control && other.item == *item
+        };
+        assert_eq!(sizing.terminals.iter().filter(|row| ends(row)).count(), 1, "{name}: {place}");
+        let wires = devices.iter().filter(|(other, _)| other == item).count();
+        let ordered: u32 = sizing.bill.iter().filter(|row| row.item == *item).map(|row| row.quantity).sum();
+        assert!(*item == BillItem::Inverter || ordered as usize == wires, "{name}: {item:?}");
+    }
+    let names: BTreeSet<&str> = sizing.terminals.iter().map(|row| row.terminal.as_str()).collect();
+    assert_eq!(names.len(), sizing.terminals.len(), "{name}");
+    sizing
+}
+
+#[test]
+fn each_wire_ends_at_items_of_the_bill_and_each_item_has_wires() {
+    for machine in ALL {
+        for control in machine.controls() {
+            agree(
+                &format!("{} on {control}", machine.id()),
+                &Project::named(machine.id(), Some(control), None).unwrap(),
+            );
+            for example in machine.examples() {
+                let project = Project::named(machine.id(), Some(control), Some(example.id)).unwrap();
+                agree(&format!("{} {} on {control}", machine.id(), example.id), &project);
+            }
+        }
+    }
+}
+
+#[test]
+fn options_of_the_form_change_bill_and_terminals_together() {
+    let (on, off) = (Value::Flag(true), Value::Flag(false));
+    let unwinder = |item| (item, Some("ribbon.drive.unwinder"));
+    // 20 % is what an inverter takes back without a resistor.
+    let (brakes, bare) = (Value::Number(150.0), Value::Number(20.0));
+    let rows: [(&str, &str, [Value; 2], Entry); 5] = [
+        ("ribbon-line", "dancer", [on.clone(), off.clone()], unwinder(BillItem::Dancer)),
+        ("ribbon-line", "spindle-encoder", [on.clone(), off.clone()], unwinder(BillItem::Encoder)),
+        ("ribbon-line", "unwinder-forced-cooling", [on, off], unwinder(BillItem::Fan)),
+        ("ribbon-line", "unwinder-motor-brake", [5.0, 0.0].map(Value::Number), unwinder(BillItem::Brake)),
+        ("turning-spindle", "motor-braking", [brakes, bare], (BillItem::Resistor, Some("turning.drive.spindle"))),
+    ];
+    for (machine, field, [with, without], entry) in rows {
+        for (value, has) in [(with, true), (without, false)] {
+            let mut project = Project::named(machine, None, None).unwrap();
+            assert!(project.machine.fields().iter().any(|row| row.id == field), "{field}");
+            project.values.insert(field.to_owned(), value);
+            let sizing = agree(field, &project);
+            assert_eq!((billed(&sizing).contains(&entry), wired(&sizing).contains(&entry)), (has, has), "{field}");
+        }
+    }
+}
+
+#[test]
+fn lathe_without_a_known_cut_has_its_motor_on_the_terminals() {
+    let lathe = Project::named("turning-spindle", None, None).unwrap();
+    let lathe = lathe.with_entries(&[("material", "none".to_owned())]).unwrap();
+    assert!(lathe.prepared().inverter_drive().is_none());
+    let sizing = agree("no cut", &lathe);
+    let motor = |row: &&macroline::project::size::TerminalRow| row.to.item == BillItem::Motor;
+    assert_eq!(sizing.terminals.iter().filter(motor).count(), 4);
+}
+
+#[test]
+fn dancer_asks_the_inverter_for_a_trim_input() {
+    for dancer in [true, false] {
+        let mut line = Project::named("ribbon-line", None, None).unwrap();
+        line.values.insert("dancer".to_owned(), Value::Flag(dancer));
+        line.values.insert("loop-capacity".to_owned(), Value::Number(432.0));
+        let sizing = answered(&line);
+        let inverter = sizing.bill.iter().find(|row| row.item == BillItem::Inverter).unwrap();
+        assert_eq!(inverter.open.iter().filter(|open| open.id == "size.bill.trim-input").count(), usize::from(dancer));
+        let row = sizing.bill.iter().find(|row| row.item == BillItem::Dancer);
+        assert_eq!(row.map(|row| row.grade), dancer.then_some(PartGrade::Open));
+        // What the parts have to do is of the form: the loop is as long as its capacity.
+        let asked = |item: BillItem| sizing.bill.iter().find(|row| row.item == item).unwrap().model.clone();
+        assert!(row.is_none_or(|row| row.model.contains("432 mm")), "{row:?}");
+        assert!(asked(BillItem::LoopSensor).contains("432 mm"), "{}", asked(BillItem::LoopSensor));
+    }
+}
+
+#[test]
+fn texts_of_the_ladder_have_no_wire() {
+    for output in [MachineOutput::InverterAlarm, MachineOutput::Message(MachineContact::LoopNotFull)] {
+        assert_eq!(output.device(), None);
+    }
+}
