@@ -111,6 +111,8 @@ pub struct FormGear {
     pub output: Load,
     /// Torque at its output at standstill, Nm.
     pub hold: f64,
+    /// Greatest torque (Nm) at its output at steady speed that the load of a run does not have, as [`DrivenAxis::taut`]; 0 without one.
+    pub taut: f64,
     /// Backlash (minutes of arc) that the machine's formulas use; none if it has no effect.
     pub backlash: Option<f64>,
     /// Fields of the form for another gear unit.
@@ -122,6 +124,7 @@ impl FormGear {
     pub fn behind(&self, input: &[Turn]) -> Motion {
         let slower = |turn: &Turn| Turn { from: turn.from / self.ratio, to: turn.to / self.ratio, ..*turn };
         Motion::new(input.iter().map(slower), self.output, self.hold)
+            .with_strikes(pulled_taut(Strikes::default(), self.taut))
     }
 }
 
@@ -152,8 +155,14 @@ pub struct FormMotor {
 impl DrivenAxis {
     /// The motion of the motor's shaft in a part of a run.
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {
-        Motion::new(turns(stretches, self.turn), self.load, self.hold).with_strikes(self.strikes)
+        Motion::new(turns(stretches, self.turn), self.load, self.hold)
+            .with_strikes(pulled_taut(self.strikes, self.taut))
     }
+}
+
+/// Strikes with the torque of a taut web. It pulls at steady speed, and not for long enough to count in the effective torque.
+fn pulled_taut(strikes: Strikes, taut: f64) -> Strikes {
+    Strikes { peak: strikes.peak.max(taut), ..strikes }
 }
 
 /// Stretches of a run as turns of a shaft, in radians per unit of the run.

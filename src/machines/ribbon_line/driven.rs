@@ -73,6 +73,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         ratio,
         output: of.output,
         hold: of.hold * ratio,
+        taut: of.output_taut.abs(),
         backlash: of.reverses(p.path_mode).then_some(p.gear_backlash),
         fields,
     };
@@ -114,7 +115,7 @@ fn unwinder_gear(line: &RibbonLine) -> FormGear {
     let ratio = line.p.reduction_ratio;
     let load = unwinder_load(&line.p, line.mechanics.unwinder);
     let output = Load { inertia: load.inertia * ratio * ratio, torque: line.mechanics.unwound, efficiency: 1.0 };
-    FormGear { ratio, output, hold: 0.0, backlash: None, fields: UNWINDER_GEAR }
+    FormGear { ratio, output, hold: 0.0, taut: 0.0, backlash: None, fields: UNWINDER_GEAR }
 }
 
 /// Run-up and stop of the unwinder over the inverter's ramp, with a product between them, at the fastest position of the knob.

@@ -25,8 +25,9 @@ pub(super) struct ServoAxis {
     pub hold: f64,
     /// Torque of the ramp besides the steady one, Nm.
     pub rise: f64,
-    /// Torque at steady speed with the ribbon at its tautest, Nm.
+    /// Torque at steady speed with the ribbon at its tautest, at the motor and at the output of the gear, Nm.
     pub taut: f64,
+    pub output_taut: f64,
     /// Mean speed of the motor over a cycle with its pause, r/min.
     pub mean_speed: f64,
     pub duty: Duty,
@@ -91,7 +92,7 @@ impl ServoAxis {
         let peak = others.fold((load.torque + rise).abs().max(taut.abs()), f64::max);
         let duty = Duty { peak, effective, speed: side.rpm };
         let limits = limits.at_starts(starts(p, d)).derated(p.site().share());
-        ServoAxis { load, output, motor, limits, ramp, hold, rise, taut, mean_speed, duty }
+        ServoAxis { load, output, motor, limits, ramp, hold, rise, taut, output_taut: side.taut, mean_speed, duty }
     }
 
     /// Demand of the run as shares of the motor's ratings.

@@ -6,7 +6,7 @@ use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
 use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, own_fan};
-use crate::drives::duty::{Hardest, Motion, Strikes, ToResistor, Work, with_pause};
+use crate::drives::duty::{Hardest, Motion, ToResistor, Work, with_pause};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits, Status};
@@ -183,9 +183,7 @@ struct Asked {
 
 impl Asked {
     fn of(axis: &DrivenAxis, runs: &[&WholeRun], pause: f64) -> Asked {
-        // A taut web pulls at steady speed, and not for long enough to count in the effective torque.
-        let strikes = Strikes { peak: axis.strikes.peak.max(axis.taut), ..axis.strikes };
-        let motion = |whole: &&WholeRun| whole.motion(axis).with_pause(pause).with_strikes(strikes);
+        let motion = |whole: &&WholeRun| whole.motion(axis).with_pause(pause);
         let motions: Vec<Motion> = runs.iter().map(motion).collect();
         let greatest = |of: fn(&Motion) -> f64| motions.iter().map(of).fold(0.0, f64::max);
         let (mean_speed, starts_per_minute) = (greatest(Motion::mean_speed), greatest(Motion::starts_per_minute));

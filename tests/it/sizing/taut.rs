@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use macroline::project::parts;
-use macroline::project::size::{SizingRuns, answers};
+use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, SizingRuns, answers, size};
 use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Verdict};
 
@@ -102,4 +102,30 @@ fn taut_ribbon_counts_in_the_torque_of_x_in_form_and_list() {
     };
     assert!(refusal("WEAK").is_some_and(|said| said.starts_with("Too weak")), "{:?}", refusal("WEAK"));
     assert_eq!(refusal("STRONG"), None);
+}
+
+#[test]
+fn taut_ribbon_counts_in_the_gear_unit_and_in_operation() {
+    let stiff = [SHORT_DWELL, ("youngs-modulus", 2000.0), ("tensile-strength", 2000.0), ("pinch-force", 10_000.0)];
+    let project = line(&[&stiff[..], &[("pitch-count", 20.0), ("loop-capacity", 600.0)]].concat());
+    let at_roller = tautest(2000.0) * 0.05 + 0.3;
+    let sizing = size(&project, &project.written());
+    let pull = sizing.axes.iter().find(|axis| axis.id == "x").unwrap();
+    let duty = pull.gear.as_ref().unwrap().duty;
+    same("gear", duty.peak, at_roller, 1e-9);
+    // Not for long enough for its life.
+    assert!(duty.mean < 0.1 * at_roller, "{duty:?}");
+    let run = |sizing: &Sizing| {
+        let of_run = |row: &&EnvelopeRow| row.id == "x-torque" && row.event == OperatingEvent::Run;
+        sizing.envelope.iter().find(of_run).unwrap().clone()
+    };
+    let row = run(&sizing);
+    same("envelope", row.value, at_roller / (50.0 * 0.95), 1e-9);
+    assert_eq!(row.verdict, Verdict::Ok);
+    // 0.8 of 1.6 Nm are too little, as in the form.
+    let weak = project.with_entries(&[("motor-peak-x", "1.6".to_owned())]).unwrap();
+    assert_eq!(run(&size(&weak, &weak.written())).verdict, Verdict::Fail);
+    // The ribbon pulls at X alone.
+    let print = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "y").unwrap().gear.as_ref().unwrap().duty;
+    assert!(print(&sizing).peak < 0.1 * at_roller, "{:?}", print(&sizing));
 }
