@@ -358,6 +358,8 @@ export interface Size {
     entry: string;
     fails_with_less_too: string[];
   } | null;
+  /** Why there is no `inverse`; null where there is one. */
+  inverse_reason: string | null;
   sensitivities: { input: string; result: string; factor: number; flips: { from: Verdict; to: Verdict } }[];
   tornado: { result: string; limit_use: number; bars: { input: string; low: number; high: number }[] }[];
   bom: {

@@ -1,9 +1,12 @@
 //! Limits of growth: how far speed, mass or pitch grow until a verdict fails, and the fastest operation of this hardware.
 
 use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
+use crate::machines::sheets::say;
 use crate::math;
+use crate::msg;
 use crate::project::Project;
 use crate::text::catalog::number_text;
+use crate::text::{Message, units};
 use crate::view::{Readout, Verdict};
 
 /// Factor between two trials.
@@ -14,6 +17,19 @@ const TRIALS: u32 = 12;
 
 /// Halvings of the last step: the edge to a ten-thousandth.
 const HALVINGS: u32 = 12;
+
+/// The reason why no fastest operation is known; none if it is.
+pub(super) fn no_fastest(limits: &[Growth], fastest: Option<&Fastest>) -> Option<Message> {
+    let Some(speed) = limits.first().filter(|_| fastest.is_none()) else {
+        return fastest.is_none().then(|| msg!("size.no-speed"));
+    };
+    let (quantity, value) = (say(speed.label), units::text(speed.value, 3, speed.unit));
+    Some(match speed.binding {
+        Some(binding) if !speed.holds => msg!("size.no-speed-holds", quantity, value, result = say(binding.1)),
+        Some(_) => msg!("size.no-speed"),
+        None => msg!("size.no-speed-limit", quantity, value),
+    })
+}
 
 /// How far a field grows until a verdict fails.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,6 +5,7 @@ use serde_json::{Value as Json, json};
 use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, Offer};
 use super::gears::{GearCandidate, SizedGear};
+use super::growth::no_fastest;
 use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::gear::GearDuty;
 use crate::drives::parts::{Part, PartGrade, Status};
@@ -43,6 +44,7 @@ impl Sizing {
             "would_hold": self.offers.iter().map(offer).collect::<Vec<_>>(),
             "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
             "inverse": self.fastest.as_ref().map(fastest),
+            "inverse_reason": no_fastest(&self.limits, self.fastest.as_ref()).as_ref().map(sentence),
             "sensitivities": self.sensitivities.iter().map(flip).collect::<Vec<_>>(),
             "tornado": self.tornadoes.iter().map(tornado).collect::<Vec<_>>(),
             "bom": self.bill.iter().map(bill).collect::<Vec<_>>(),

@@ -1,5 +1,6 @@
 //! Limits of growth where no tried entry keeps every verdict.
 
+use macroline::machines::ALL;
 use macroline::project::Project;
 use macroline::project::size::{Sizing, SizingRuns, answers};
 use macroline::view::Verdict;
@@ -14,7 +15,7 @@ fn failing(project: &Project, speed: f64, unmended: &[(&str, &str)]) -> Vec<&'st
 
 /// The sizing without the envelope.
 fn sized(project: &Project) -> Sizing {
-    let short = project.with_entries(&[("pitch-count", "10".to_owned())]).unwrap();
+    let short = project.with_entries(&[("pitch-count", "10".to_owned())]).unwrap_or_else(|| project.clone());
     answers(project, &SizingRuns::new(&short, &short.written()))
 }
 
@@ -44,6 +45,31 @@ fn fastest_entry_fails_only_in_what_is_named() {
             let Some(fastest) = sizing.fastest else { continue };
             let speed: f64 = fastest.entry.1.parse().unwrap();
             assert_eq!(failing(&project, speed, &fastest.unmended), [""; 0], "{example} on {control} at {speed}");
+        }
+    }
+}
+
+#[test]
+fn json_says_why_there_is_no_fastest_speed() {
+    let told = |project: &Project| {
+        let json = sized(project).json();
+        let reason = json["inverse_reason"].as_str().map(str::to_owned);
+        assert_eq!(json["inverse"].is_null(), reason.is_some(), "{json}");
+        reason.unwrap_or_default()
+    };
+    let lathe = Project::named("turning-spindle", None, None).unwrap();
+    let reason = told(&lathe);
+    assert!(reason.starts_with("No limit binds: nothing fails up to Cutting speed 2"), "{reason}");
+    let line = Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
+    let reason = told(&line);
+    assert!(reason.starts_with("No tried value keeps every verdict: with Spindle speed S down to "), "{reason}");
+    assert!(reason.ends_with(" fails."), "{reason}");
+    for machine in ALL {
+        for control in machine.controls() {
+            for example in machine.examples() {
+                let project = Project::named(machine.id(), Some(control), Some(example.id)).unwrap();
+                told(&project);
+            }
         }
     }
 }
