@@ -24,7 +24,15 @@ const SHARES: [[f64; 4]; 5] = [
     [80.0, 68.0, 62.0, 55.0],
 ];
 
+/// Greatest height and temperature for which a data sheet holds. Source: sizing facts 2.7.
+pub const DATA_SHEET: Site = Site { height: 1000.0, temperature: 40.0 };
+
 impl Site {
+    /// Whether the site is higher or warmer than a data sheet allows.
+    pub fn is_beyond_data_sheet(self) -> bool {
+        self.height > DATA_SHEET.height || self.temperature > DATA_SHEET.temperature
+    }
+
     /// Remaining share of the data sheet's continuous torque, which is valid to 1000 m and 40 °C. Linear between the entries of the table,
     /// constant beyond them, and 1 at most: a cool site gives no more than the data sheet. Source: sizing facts 2.7.
     pub fn share(self) -> f64 {

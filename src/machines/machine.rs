@@ -16,6 +16,7 @@ use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
 use super::ladder::Ladder;
 use super::left_out::LeftOut;
+use super::site::SevereSite;
 use crate::controls::options::{CommonAtReset, SwitchChoice};
 use crate::controls::{Control, Dialect, Switches};
 use crate::math;
@@ -263,6 +264,10 @@ pub trait Prepared: Send + Sync {
     fn devices(&self) -> Vec<AskedDevice> {
         Vec::new()
     }
+    /// The site of the drives, where it is beyond the data sheets of amplifiers and inverters.
+    fn severe_site(&self) -> Option<SevereSite> {
+        None
+    }
     /// The axes that coast at a power failure by the formulas of the machine, where no spindle with a coasting time does so in the run.
     fn without_supply(&self) -> Option<CoastedAxes> {
         None
@@ -481,11 +486,12 @@ impl PreparedMachine {
         }
     }
 
-    /// Results and verdicts; invalid fields as errors, assumed facts as a remark.
+    /// Results and verdicts; invalid fields as errors, a site beyond the data sheets and assumed facts as remarks.
     pub fn design(&self, origins: &Origins) -> Design {
         let mut design = self.machine.results();
         self.check_remedies(&mut design);
         design.diagnostics.splice(0..0, self.invalid.iter().cloned());
+        design.diagnostics.extend(self.machine.severe_site().map(|site| site.remark()));
         let assumed = assumed(&self.facts, origins);
         if !assumed.is_empty() {
             let fields = self.trial.machine.fields();

@@ -20,7 +20,7 @@ pub mod stops;
 
 pub mod scaling;
 
-mod site;
+pub mod site;
 
 mod shift;
 

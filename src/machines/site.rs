@@ -1,10 +1,68 @@
-//! The site of a motor that has no table of its own here: the share of its ratings that its maker leaves it there.
+//! The site of the drives: the share of its ratings that a maker leaves a motor there, and what is open beyond the data sheets.
 
 use super::form::Field;
 use super::form::rows::{Member, number};
+use crate::drives::derating::{DATA_SHEET, Site};
+use crate::msg;
+use crate::text::{Diagnostic, Message};
 
 /// A field for the share (%) of its rated torque and power that a motor gives continuously at its site. Short-time torque stays.
 pub(super) const fn share<P>(id: &'static str, group: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).group(group).label("form.site-share").help("form.site-share.help").symbol("x");
     row.unit("%").range(10.0..=100.0).default(100.0).decimals(1).step(1.0).fact()
+}
+
+/// A site beyond the data sheets of amplifiers and inverters, which have no derating of their own here.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SevereSite {
+    /// Its height and temperature; none where the form has the share alone.
+    at: Option<Site>,
+    /// Share of the continuous torque that it leaves a motor.
+    share: f64,
+    /// Id of the field with it.
+    field: &'static str,
+}
+
+impl SevereSite {
+    /// A site by height and temperature, with the ids of their fields; none within the data sheets.
+    pub(super) fn at(site: Site, [height, temperature]: [&'static str; 2]) -> Option<SevereSite> {
+        let field = if site.height > DATA_SHEET.height { height } else { temperature };
+        site.is_beyond_data_sheet().then_some(SevereSite { at: Some(site), share: site.share(), field })
+    }
+
+    /// A site by the share (%) that it leaves a motor, with the id of its field; none for the whole.
+    pub(super) fn leaving(percent: f64, field: &'static str) -> Option<SevereSite> {
+        (percent < 100.0).then_some(SevereSite { at: None, share: percent / 100.0, field })
+    }
+
+    /// Open point of an amplifier or inverter in the bill.
+    pub fn order(&self) -> Message {
+        let percent = (100.0 * self.share, 1);
+        match self.at {
+            None => msg!("size.bill.site", percent),
+            Some(Site { height, temperature }) => msg!(
+                "size.bill.site-at",
+                height = (height, 0),
+                temperature = (temperature, 0),
+                most_height = (DATA_SHEET.height, 0),
+                most_temperature = (DATA_SHEET.temperature, 0),
+                percent
+            ),
+        }
+    }
+
+    /// Remark on the results.
+    pub fn remark(&self) -> Diagnostic {
+        let said = match self.at {
+            None => msg!("form.site-amplifiers", percent = (100.0 * self.share, 1)),
+            Some(Site { height, temperature }) => msg!(
+                "form.site-amplifiers-at",
+                height = (height, 0),
+                temperature = (temperature, 0),
+                most_height = (DATA_SHEET.height, 0),
+                most_temperature = (DATA_SHEET.temperature, 0)
+            ),
+        };
+        Diagnostic::info(said).about(self.field)
+    }
 }

@@ -77,6 +77,7 @@ use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
     ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples,
 };
+use crate::machines::site::SevereSite;
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::msg;
 use crate::nc::File;
@@ -182,6 +183,10 @@ impl Prepared for PolygonLathe {
 
     fn contact(&self, run: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
         progress::progress(self, run, now).now().map(|_| "polygon.first-contact")
+    }
+
+    fn severe_site(&self) -> Option<SevereSite> {
+        SevereSite::leaving(self.p.site_share, "site-share")
     }
 
     fn driven_axes(&self) -> Vec<DrivenAxis> {

@@ -83,6 +83,7 @@ use crate::machines::left_out::LeftOut;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
 };
+use crate::machines::site::SevereSite;
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
@@ -227,6 +228,11 @@ impl Prepared for RibbonLine {
 
     fn devices(&self) -> Vec<AskedDevice> {
         devices::devices(self)
+    }
+
+    fn severe_site(&self) -> Option<SevereSite> {
+        let share = SevereSite::leaving(self.p.unwinding.site_share, "unwinder-site-share");
+        SevereSite::at(self.p.site(), ["site-height", "site-temperature"]).or(share)
     }
 
     fn product_size(&self) -> Option<ProductSize> {

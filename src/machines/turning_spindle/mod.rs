@@ -53,6 +53,7 @@ use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
 };
+use crate::machines::site::SevereSite;
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
@@ -172,6 +173,10 @@ impl Prepared for TurningSpindle {
 
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         Some(driven::encoder(self))
+    }
+
+    fn severe_site(&self) -> Option<SevereSite> {
+        SevereSite::leaving(self.p.site_share, "site-share")
     }
 
     fn pause(&self) -> f64 {

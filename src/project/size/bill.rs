@@ -83,6 +83,10 @@ pub(super) fn bill(
     let trimmed =
         |row: &&mut BillRow| row.item == BillItem::Inverter && dancers.iter().any(|dancer| dancer.drive == row.axis);
     rows.iter_mut().filter(trimmed).for_each(|row| row.open.push(msg!("size.bill.trim-input")));
+    if let Some(site) = prepared.severe_site() {
+        let sensitive = |row: &&mut BillRow| matches!(row.item, BillItem::Amplifier | BillItem::Inverter);
+        rows.iter_mut().filter(sensitive).for_each(|row| row.open.push(site.order()));
+    }
     rows.extend(devices(prepared, &rows));
     rows
 }
@@ -220,18 +224,12 @@ fn amplifier_item(is_servo: bool) -> BillItem {
     if is_servo { BillItem::Amplifier } else { BillItem::Inverter }
 }
 
-/// Open point of an amplifier or inverter at a site that derates the motor: there is no table of its own.
-fn site(share: f64) -> Vec<Message> {
-    (share < 1.0).then(|| msg!("size.bill.site", percent = (100.0 * share, 1))).into_iter().collect()
-}
-
 fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec<BillRow> {
     let item = amplifier_item(axis.work.is_some());
     let open = |words| described(item, Some(axis.name), say(words), PartGrade::Open);
     let of = |item, part: &Part, proposed| of_part(item, axis.name, part, proposed);
     let pair = |chosen: &Candidate, proposed| {
-        let amplifier =
-            chosen.amplifier.as_ref().map(|part| BillRow { open: site(axis.site_share), ..of(item, part, proposed) });
+        let amplifier = chosen.amplifier.as_ref().map(|part| of(item, part, proposed));
         let short = chosen.shortage.as_ref();
         let short = short.map(|short| {
             let told = sentence(&msg!("size.bill.amplifier-short", reason = sentence(short)));

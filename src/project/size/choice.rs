@@ -57,8 +57,6 @@ pub struct SizedAxis {
     pub ampere_per_torque: Option<f64>,
     /// Demand on a motor to be bought.
     pub asked: MotorDemand,
-    /// Share (0 to 1) of its continuous torque that the site leaves the motor.
-    pub site_share: f64,
     /// Demand of the run on the form's motor; none for a drive behind an inverter.
     pub work: Option<Work>,
     /// Position (%) of the knob in the run with the knob at its end, if there is such a run.
@@ -281,7 +279,6 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             gear: gears::of_axis(&axis, &asked.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
             asked: MotorDemand { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM },
-            site_share: axis.site_share,
             work: Some(work),
             knob: asked.knob,
             peak_is_at_knob: asked.peak_is_at_knob(axis.fitted.motor.rotor),
@@ -311,7 +308,6 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             gear: gears::of_inverter(&drive, &catalogue),
             ampere_per_torque: None,
             asked: asked_behind(&drive, spindle.as_ref()),
-            site_share: drive.site_share,
             work: None,
             knob: None,
             peak_is_at_knob: false,

@@ -2,8 +2,9 @@
 
 use macroline::drives::derating::Site;
 use macroline::drives::servo::{Acceptance, Servo};
+use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
-use macroline::project::size::{Candidate, SizedAxis, size};
+use macroline::project::size::{BillRow, Candidate, SizedAxis, SizingRuns, answers, size};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Readout, Verdict};
@@ -195,4 +196,55 @@ fn choice_of_an_inverter_motor_counts_with_its_site_share() {
         };
         assert!(passing(10.0) < passing(100.0), "{machine}");
     }
+}
+
+#[test]
+fn severe_site_is_an_open_point_of_every_amplifier() {
+    let line = |entries: &[(&'static str, f64)], field| ("ribbon-line", entries.to_vec(), field);
+    let lathe = |machine, percent, field| (machine, vec![("site-share", percent)], field);
+    let rows = [
+        line(&[("site-height", 1000.0), ("site-temperature", 40.0)], None),
+        line(&[("site-height", 1001.0), ("site-temperature", 40.0)], Some("site-height")),
+        line(&[("site-height", 500.0), ("site-temperature", 41.0)], Some("site-temperature")),
+        // Cool air at 2000 m takes nothing from the motors.
+        line(&[("site-height", 2000.0), ("site-temperature", 30.0)], Some("site-height")),
+        line(&[("unwinder-site-share", 90.0)], Some("unwinder-site-share")),
+        lathe("turning-spindle", 90.0, Some("site-share")),
+        lathe("turning-spindle", 100.0, None),
+        lathe("polygon-lathe", 90.0, Some("site-share")),
+        lathe("polygon-lathe", 100.0, None),
+    ];
+    for (machine, entries, field) in rows {
+        let mut project = Project::named(machine, None, None).unwrap();
+        for (id, value) in &entries {
+            assert!(project.machine.fields().iter().any(|row| row.id == *id), "{id}");
+            project.values.insert((*id).to_owned(), Value::Number(*value));
+        }
+        let is_site = |id: &str| id.starts_with("form.site-amplifiers");
+        let found = project.design().diagnostics.into_iter().filter(|found| is_site(found.message.id));
+        let fields: Vec<Option<&str>> = found.map(|found| found.field).collect();
+        assert_eq!(fields, field.map(Some).into_iter().collect::<Vec<_>>(), "{machine} {entries:?}");
+        let sizing = answers(&project, &SizingRuns::new(&project, &project.written()));
+        let drives = |row: &&BillRow| matches!(row.item, BillItem::Amplifier | BillItem::Inverter);
+        assert!(sizing.bill.iter().any(|row| drives(&row)), "{machine}");
+        for row in sizing.bill.iter().filter(drives) {
+            let open = row.open.iter().filter(|open| open.id.starts_with("size.bill.site")).count();
+            assert_eq!(open, usize::from(field.is_some()), "{machine} {entries:?}: {row:?}");
+        }
+    }
+}
+
+#[test]
+fn severe_site_is_in_the_bill_sheet_of_an_open_inverter() {
+    let lathe = Project::named("turning-spindle", None, None).unwrap();
+    let entries = [("material", "none".to_owned()), ("site-share", "90".to_owned())];
+    let lathe = lathe.with_entries(&entries).unwrap();
+    let sizing = answers(&lathe, &SizingRuns::new(&lathe, &lathe.written()));
+    let inverter = sizing.bill.iter().position(|row| row.item == BillItem::Inverter).unwrap();
+    assert!(sizing.bill[inverter].maker.is_empty());
+    let cells = &sizing.bill_sheet().rows[inverter].cells;
+    assert!(
+        cells.iter().any(|cell| cell.contains("90 % of its torque") || cell.contains("90\u{a0}% of its torque")),
+        "{cells:?}"
+    );
 }
