@@ -163,6 +163,8 @@ proptest! {
             ("spindle-speed", &number(speed)), ("pitch", &pitch), ("heads", &number(heads)), ("pitches-per-block", &number(count)),
             ("speed-clamp", &number(clamp)), ("override", &number(entered)), ("feed-limit", &number(limit)),
             ("clamp-x", "25000"), ("pitch-count", "10000000"),
+            // The contacts of a full loop would hold the line: until X follows, a turn of the knob piles up ribbon.
+            ("loop-capacity", "100000"),
         ]);
         prop_assume!(has_knob(&line));
         // Repairs of each failing result hold, tried as often as there are results.
