@@ -160,7 +160,7 @@ test('archive has all projects, another browser adds them once', async () => {
     assert.equal(await pitch(page).inputValue(), '9.5');
     await openProjects(page);
     await page.setInputFiles('#unpack', { name: 'no.zip', mimeType: 'application/zip', buffer: Buffer.from('no archive') });
-    await page.locator('.notice', { hasText: 'no.zip was not added: It is no archive of projects.' }).waitFor();
+    await page.locator('.notice', { hasText: 'no.zip was not added: It is not an archive of projects.' }).waitFor();
   });
 });
 

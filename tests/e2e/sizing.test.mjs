@@ -91,7 +91,7 @@ test('variants are kept, compared, taken and undone', () =>
     await dialog.getByRole('row', { name: /^Pitch mm 20 10/ }).waitFor();
     await dialog.locator('.sides .scene').nth(1).waitFor();
     await dialog.locator('.editor .cm-content').waitFor();
-    await dialog.getByRole('combobox', { name: 'Compared at the left' }).selectOption({ label: 'Wide' });
+    await dialog.getByRole('combobox', { name: 'Left side of the comparison' }).selectOption({ label: 'Wide' });
     await dialog.locator('thead', { hasText: 'Wide' }).waitFor();
     await accessible(page);
     await page.keyboard.press('Escape');

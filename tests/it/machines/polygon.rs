@@ -515,7 +515,7 @@ fn design_readouts_match_their_golden() {
     "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.1338 mm, 0.1 mm are allowed.
-        Warn insert-depth: Insert 2 is 0.1 mm off the tip circle: sides that it cuts alone are deeper by as much, or higher where that is negative. Set it, or dress all to one radius.
+        Warn insert-depth: Insert 2 is 0.1 mm off the tip circle: sides that it cuts alone are deeper by as much, or higher where that is negative. Reset it, or set all inserts to one radius.
         Warn insert-turn: Insert 2 turns its sides by 0.5° against where they belong.
     "#]].assert_eq(&said(&[
         ("radius-errors", "0 0.1"),

@@ -15,7 +15,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             G54 | #1032 | PLC | program |  | Spindle override or final speed for the program
             F10 |  | control | PLC |  | Number of the M function
             D100 |  | machine | PLC | % | Spindle override knob
-            G6.4 |  | PLC | control |  | Feed override off: 1 acts
+            G6.4 |  | PLC | control |  | Feed override cancel: active at 1
             F7.0 |  | control | PLC |  | M is put out
             F7.2 |  | control | PLC |  | S is put out
             F7.3 |  | control | PLC |  | T is put out
@@ -32,9 +32,9 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X3.2 |  | machine | PLC |  | Key: spindle clockwise
             X3.3 |  | machine | PLC |  | Key: spindle counterclockwise
             X3.4 |  | machine | PLC |  | Key: spindle stop
-            X3.5 |  | machine | PLC |  | Inverter is ready: supply on, enable closed; open while it is not
-            X3.6 |  | machine | PLC |  | Loop sensor: open while the loop is at its longest limit, the loop capacity
-            X3.7 |  | machine | PLC |  | Tension switch at the loop: open while the ribbon is tight to its limit
+            X3.5 |  | machine | PLC |  | Inverter ready: closed while the supply is on, the enable is closed and there is no fault
+            X3.6 |  | machine | PLC |  | Loop sensor: opens when the loop reaches its longest limit, the loop capacity
+            X3.7 |  | machine | PLC |  | Tension switch at the loop: opens when the ribbon reaches its tension limit
             X4.0 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
@@ -42,7 +42,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             Y5.3 |  | PLC | machine |  | Alarm: M03 and M04 without M05 between them
             Y5.4 |  | PLC | machine |  | Message: inverter is not ready
             Y5.5 |  | PLC | machine |  | Message: loop at its longest limit
-            Y5.6 |  | PLC | machine |  | Message: ribbon tight to its limit
+            Y5.6 |  | PLC | machine |  | Message: ribbon taut to its limit
             Y5.7 |  | PLC | machine |  | Message: reel at its end
         "#]],
     );
@@ -219,16 +219,16 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X3.3 |  | machine | PLC |  | Key: spindle clockwise
             X3.4 |  | machine | PLC |  | Key: spindle counterclockwise
             X3.5 |  | machine | PLC |  | Key: spindle stop
-            X3.6 |  | machine | PLC |  | Inverter is ready: supply on, enable closed; open while it is not
-            X3.7 |  | machine | PLC |  | Loop sensor: open while the loop is at its longest limit, the loop capacity
-            X4.0 |  | machine | PLC |  | Tension switch at the loop: open while the ribbon is tight to its limit
+            X3.6 |  | machine | PLC |  | Inverter ready: closed while the supply is on, the enable is closed and there is no fault
+            X3.7 |  | machine | PLC |  | Loop sensor: opens when the loop reaches its longest limit, the loop capacity
+            X4.0 |  | machine | PLC |  | Tension switch at the loop: opens when the ribbon reaches its tension limit
             X4.1 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
             Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
             Y5.3 |  | PLC | machine |  | Message: inverter is not ready
             Y5.4 |  | PLC | machine |  | Message: loop at its longest limit
-            Y5.5 |  | PLC | machine |  | Message: ribbon tight to its limit
+            Y5.5 |  | PLC | machine |  | Message: ribbon taut to its limit
             Y5.6 |  | PLC | machine |  | Message: reel at its end
         "#]],
     );

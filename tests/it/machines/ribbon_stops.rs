@@ -397,7 +397,7 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
             "Emergency stop",
             "Inverter fault",
             "Loop at its longest limit",
-            "Ribbon tight to its limit",
+            "Ribbon taut to its limit",
             "Reel at its end",
             "Inverter not ready",
         ];

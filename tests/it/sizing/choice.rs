@@ -52,7 +52,7 @@ fn motor_is_refused_by_the_first_limit_that_it_breaks() {
         ((2.0, 6.0, 3000.0, 1e-4), ""),
         ((2.0, 6.0, 100.0, 1e-4), "Too slow"),
         ((0.05, 0.1, 3000.0, 1e-4), "Too weak"),
-        ((0.01, 6.0, 3000.0, 1e-4), "Too warm"),
+        ((0.01, 6.0, 3000.0, 1e-4), "Too hot"),
         ((2.0, 6.0, 3000.0, 1e-7), "Rotor too light"),
     ] {
         let (stall, peak, top, rotor) = ratings;
@@ -178,7 +178,7 @@ fn motor_without_name_is_billed_by_figures_beside_a_proposal() {
     assert_eq!(billed(&project, ""), [("Control", project.control.name.to_owned())]);
     // The design judges 1.3 and 3.8 Nm: a smaller motor that would do as well is proposed, not ordered.
     let entered =
-        "as entered: stall torque 1.3 Nm, peak 3.8 Nm, rotor 0.375 kg cm², rated speed 3000 r/min; to be chosen";
+        "as entered: stall torque 1.3 Nm, peak torque 3.8 Nm, rotor inertia 0.375 kg cm², rated speed 3000 r/min; to be chosen";
     let of_pull = billed(&project, "Pull roller");
     assert_eq!((of_pull.len(), &of_pull[0]), (3, &("Motor", entered.to_owned())), "{of_pull:?}");
     let proposed = candidates(&sized(&project), "x").iter().find(|motor| motor.amplifier.is_some()).unwrap().clone();
@@ -188,7 +188,7 @@ fn motor_without_name_is_billed_by_figures_beside_a_proposal() {
     assert_eq!(of_unwinder[0].1, "as entered: rated torque 5 Nm; to be chosen");
     assert_eq!(
         (of_unwinder.len(), of_unwinder[3].clone()),
-        (4, ("Brake that closes without current", "0.5 Nm".into()))
+        (4, ("Brake, closed when de-energized", "0.5 Nm".into()))
     );
     project.values.insert("unwinder-motor-brake".to_owned(), Value::Number(0.0));
     assert_eq!(billed(&project, "Unwinder"), of_unwinder[..3]);
@@ -219,7 +219,7 @@ fn motor_of_a_lathe_is_billed_without_a_known_cut() {
     let project = Project::named("turning-spindle", None, None).unwrap();
     let project = project.with_entries(&[("material", "none".to_owned())]).unwrap();
     assert!(project.prepared().inverter_drive().is_none());
-    let entered = "as entered: rated power 7.5 kW, rated speed 1500 r/min, highest speed 3000 r/min, rotor 0.03 kg m²; to be chosen";
+    let entered = "as entered: rated power 7.5 kW, rated speed 1500 r/min, highest speed 3000 r/min, rotor inertia 0.03 kg m²; to be chosen";
     let open = ("Inverter", "open, to be chosen with the motor".to_owned());
     let bill = billed(&project, "Spindle");
     assert_eq!(bill[..2], [("Motor", entered.to_owned()), open.clone()]);
@@ -253,8 +253,8 @@ fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
     let inertia = (value("inertia") - 0.03) * 0.8 + 0.03;
     let energy = 0.5 * inertia * omega * omega - 0.5 * 2.0 / 0.8 * omega * stop;
     let plain = row.model.replace('\u{202f}', "");
-    assert!(plain.contains(&format!("{energy:.0} J each at most; the form has 150 % braking torque")), "{}", row.model);
-    assert!(plain.contains("2 brakings"), "{}", row.model);
+    assert!(plain.contains(&format!("{energy:.0} J each time; the form has 150 % braking torque")), "{}", row.model);
+    assert!(plain.contains("brakes 2 times"), "{}", row.model);
     assert_eq!((row.axis, row.grade), (Some("turning.drive.spindle"), PartGrade::Open));
 }
 
@@ -407,11 +407,11 @@ fn induction_motor_beyond_its_highest_speed_is_refused() {
     // IEC 60034-1: 3600 r/min for four poles up to frame 112, 2700 up to frame 180, 5200 and 4500 for two poles.
     let four = |power: u32, torque: u32| format!("induction,Works,S,{power},1450,,{torque},0.02,entered\n");
     assert_eq!(refused("3600", &four(3700, 24)), "");
-    assert_eq!(refused("3610", &four(3700, 24)), "Too slow: 3610 r/min asked, 3600 r/min at most.");
-    assert_eq!(refused("2710", &four(7500, 49)), "Too slow: 2710 r/min asked, 2700 r/min at most.");
+    assert_eq!(refused("3610", &four(3700, 24)), "Too slow: 3610 r/min required, 3600 r/min at most.");
+    assert_eq!(refused("2710", &four(7500, 49)), "Too slow: 2710 r/min required, 2700 r/min at most.");
     let two = "induction,Works,S,7500,2900,,25,0.02,entered\n";
     assert_eq!(refused("4500", two), "");
-    assert_eq!(refused("12000", two), "Too slow: 12000 r/min asked, 4500 r/min at most.");
+    assert_eq!(refused("12000", two), "Too slow: 12000 r/min required, 4500 r/min at most.");
     // What the maker gives goes before the standard.
     assert_eq!(refused("12000", "induction,Works,S,7500,2900,12000,25,0.02,entered\n"), "");
 }
@@ -494,7 +494,7 @@ fn motor_is_judged_by_the_torque_that_it_has_at_its_speed() {
 }
 
 #[test]
-fn motor_is_too_warm_by_its_torque_at_the_mean_speed() {
+fn motor_is_too_hot_by_its_torque_at_the_mean_speed() {
     // The web asks 0.08 Nm in the mean at 290 r/min: at rated speed 300 r/min the motor gives 0.05 Nm, at standstill 1 Nm.
     let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
          servo,Works,DROPS,300,3000,0.05,1,6,0.0001,entered\n\
@@ -502,7 +502,7 @@ fn motor_is_too_warm_by_its_torque_at_the_mean_speed() {
     let mut project = line();
     project.add_parts(parts::read(table, "own.csv").0);
     let sizing = sized(&project);
-    assert!(refusal(&sizing, "x", "DROPS").starts_with("Too warm"), "{}", refusal(&sizing, "x", "DROPS"));
+    assert!(refusal(&sizing, "x", "DROPS").starts_with("Too hot"), "{}", refusal(&sizing, "x", "DROPS"));
     assert_eq!(refusal(&sizing, "x", "HOLDS"), "");
 }
 
@@ -678,7 +678,7 @@ fn form_and_list_judge_a_motor_by_the_limits_of_its_series() {
     super::same("limit", result(&project).limit.unwrap().value(), 0.7 * 0.16, 0.01);
     let sizing = sized(&project);
     let own = candidates(&sizing, "x").iter().find(|candidate| candidate.part.model == "beta 0.2/5000is").unwrap();
-    assert!(reason(own).starts_with("Too warm: "), "{}", reason(own));
+    assert!(reason(own).starts_with("Too hot: "), "{}", reason(own));
     // The limit is the person's to set.
     let lax = project.with_entries(&[("effective-limit-x", "80".to_owned())]).unwrap();
     assert_eq!(result(&lax).verdict, Verdict::Ok);
@@ -689,7 +689,7 @@ fn named_motor_that_the_list_refuses_is_marked_in_the_bill() {
     let refused = sized(&used_to_three_quarters("beta 0.2/5000is"));
     let motor = refused.bill.iter().find(|row| row.model == "beta 0.2/5000is").unwrap();
     let why = sentence(motor.refusal.as_ref().expect("a reason"));
-    assert!(why.starts_with("Too warm: "), "{why}");
+    assert!(why.starts_with("Too hot: "), "{why}");
     let cells = refused.bill_sheet().rows.into_iter().map(|row| row.cells);
     assert!(cells.flatten().any(|cell| cell.starts_with(&format!("✕ {why}"))));
     let told =

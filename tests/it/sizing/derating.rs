@@ -139,7 +139,7 @@ fn choice_of_motors_counts_with_the_site() {
     assert_eq!(own.refusal, None);
     let (high, own) = sized(stall, 5000.0);
     let text = sentence(&own.refusal.unwrap().message);
-    assert!(text.starts_with("Too warm") && text.contains("54.4 %"), "{text}");
+    assert!(text.starts_with("Too hot") && text.contains("54.4 %"), "{text}");
     // The chart has the derated torque.
     let continuous = |axis: SizedAxis| axis.chart.unwrap().continuous[0].1;
     near(continuous(low), 0.77 * 1.3);

@@ -254,7 +254,7 @@ fn loop_misses_at_most_the_stretch_at_the_tension_limit() {
     // The tension is that of the stretch.
     let tension = row(&sizing, OperatingEvent::Run, "tension").value;
     super::same("tension", tension, 15.0 - least.value * 4000.0 * 2.5 / 2000.0, 1e-9);
-    assert!(sizing.findings().iter().any(|found| sentence(&found.message).contains("Least in the loop")));
+    assert!(sizing.findings().iter().any(|found| sentence(&found.message).contains("Minimum in the loop")));
 }
 
 #[test]
@@ -397,7 +397,7 @@ fn long_product_is_sized_whole_and_a_cut_run_says_so() {
     let sizing = sized(&project);
     assert!(sizing.cycle.is_none());
     let cut = sentence(&sizing.cut.as_ref().unwrap().message());
-    assert!(cut.starts_with("The run was cut at ") && cut.contains("after 200000 blocks"), "{cut}");
+    assert!(cut.starts_with("The run was ended at ") && cut.contains("after 200000 blocks"), "{cut}");
     assert_eq!(sentence(&sizing.findings()[0].message), cut);
     assert_eq!(sizing.json()["cut"]["reason"], cut);
     let sheets = sizing.sheets();
