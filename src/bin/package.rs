@@ -1,6 +1,6 @@
 //! The package of the core for JavaScript: its module, which `package/index.js` loads.
 
-use macroline::project::package::{self, StepAnswers, Unasked};
+use macroline::project::package::{self, EarlyRefusal, StepAnswers};
 use macroline::text::catalog::{self, Language};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -11,7 +11,7 @@ fn speak(code: &str) -> Option<String> {
             catalog::speak(language.sentences());
             None
         }
-        None => Some(Unasked::Language.answer(code)),
+        None => Some(EarlyRefusal::Language.answer(code)),
     }
 }
 
@@ -31,10 +31,10 @@ pub fn most() -> u32 {
 #[wasm_bindgen]
 pub fn refusal(language: &str, why: &str, text: &str) -> String {
     let unasked = match why {
-        "too-large" => Unasked::TooLarge,
-        "freed" => Unasked::Freed,
-        "broken" => Unasked::Broken,
-        _ => Unasked::Unreadable,
+        "too-large" => EarlyRefusal::TooLarge,
+        "freed" => EarlyRefusal::Freed,
+        "broken" => EarlyRefusal::Broken,
+        _ => EarlyRefusal::Unreadable,
     };
     speak(language).unwrap_or_else(|| unasked.answer(text))
 }
@@ -70,7 +70,7 @@ impl StepSession {
         let _ = speak(&self.language);
         match &mut self.steps {
             Some(steps) => steps.answer(command),
-            None => Unasked::Freed.answer(""),
+            None => EarlyRefusal::Freed.answer(""),
         }
     }
 }

@@ -31,6 +31,6 @@ pub fn no_load_speed(rated_speed: f64, frequency: f64) -> f64 {
 
 /// Share (0.5 to 1) of its continuous torque that a motor with its own fan gives at a frequency in Hz: `0.5 + 0.5 f / 50 Hz`, because the
 /// fan turns with the rotor. Source: sizing facts 2.10, from memory.
-pub fn own_fan(frequency: f64) -> f64 {
+pub fn own_fan_torque_share(frequency: f64) -> f64 {
     math::clamp(0.5 + 0.5 * frequency / RATED_FREQUENCY, 0.5, 1.0)
 }

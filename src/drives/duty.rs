@@ -91,7 +91,7 @@ pub struct Work {
 
 /// Load on a brake resistor.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ToResistor {
+pub struct ResistorLoad {
     /// Mean power over a run and its pause, W.
     pub mean: f64,
     /// Greatest energy of a stop, J.
@@ -100,10 +100,14 @@ pub struct ToResistor {
     pub peak: f64,
 }
 
-impl ToResistor {
+impl ResistorLoad {
     /// The greater of each figure.
-    pub fn or(self, other: ToResistor) -> ToResistor {
-        ToResistor { mean: self.mean.max(other.mean), stop: self.stop.max(other.stop), peak: self.peak.max(other.peak) }
+    pub fn max(self, other: ResistorLoad) -> ResistorLoad {
+        ResistorLoad {
+            mean: self.mean.max(other.mean),
+            stop: self.stop.max(other.stop),
+            peak: self.peak.max(other.peak),
+        }
     }
 }
 
@@ -112,7 +116,7 @@ const STEADY: f64 = 1e-6;
 
 /// Most demanding operating point of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Hardest {
+pub struct OperatingPoint {
     /// Torque, Nm.
     pub torque: f64,
     /// Highest speed with this torque, r/min.
@@ -244,24 +248,24 @@ impl Motion {
     }
 
     /// The operating point with the largest fraction of the motor's short-time torque at its speed.
-    pub fn hardest(&self, motor: &Servo) -> Hardest {
-        self.hardest_under(motor.rotor, |_, speed| motor.most(speed))
+    pub fn worst_point(&self, motor: &Servo) -> OperatingPoint {
+        self.worst_point_under(motor.rotor, |_, speed| motor.most(speed))
     }
 
     /// The operating point with the largest fraction of the torque (Nm) that a drive gives at a speed in r/min, with a rotor in kg m². The
     /// first argument of `most` is whether the drive brakes.
-    pub fn hardest_under(&self, rotor: f64, most: impl Fn(bool, f64) -> f64) -> Hardest {
-        let mut hardest = Hardest::default();
+    pub fn worst_point_under(&self, rotor: f64, most: impl Fn(bool, f64) -> f64) -> OperatingPoint {
+        let mut worst_point = OperatingPoint::default();
         for turn in &self.turns {
             let signed = self.torque(turn, rotor);
             let (torque, _) = self.greatest(turn, signed);
             let speed = turn.from.abs().max(turn.to.abs()) / RPM;
             let share = torque / most(signed * (turn.from + turn.to) < 0.0, speed);
-            if share > hardest.share {
-                hardest = Hardest { torque, speed, share };
+            if share > worst_point.share {
+                worst_point = OperatingPoint { torque, speed, share };
             }
         }
-        hardest
+        worst_point
     }
 
     /// Effective torque as a fraction of a motor's continuous curve, over the motion and its pause: `√(Σ ∫ (T / M(n))² dt / t)`. Above base
@@ -316,8 +320,8 @@ impl Motion {
 
     /// Load of the regenerated energy on a brake resistor, after the capacitors have taken their part at each stop. Source: sizing facts
     /// 2.4.
-    pub fn to_resistor(&self, rotor: f64, regeneration: &Regeneration) -> ToResistor {
-        let mut taken = ToResistor::default();
+    pub fn to_resistor(&self, rotor: f64, regeneration: &Regeneration) -> ResistorLoad {
+        let mut taken = ResistorLoad::default();
         let (mut sum, mut stop, mut seconds) = (0.0, 0.0, self.counted_pause());
         let mut end = |stop: &mut f64, most: &mut f64| {
             let joules = regeneration.to_resistor(core::mem::take(stop));
@@ -340,7 +344,7 @@ impl Motion {
         if seconds > 0.0 {
             taken.mean = sum / seconds;
         }
-        if taken.stop > 0.0 { taken } else { ToResistor::default() }
+        if taken.stop > 0.0 { taken } else { ResistorLoad::default() }
     }
 }
 

@@ -30,7 +30,7 @@ impl GearDuty {
     }
 
     /// The greater of each figure.
-    pub fn or(self, other: GearDuty) -> GearDuty {
+    pub fn max(self, other: GearDuty) -> GearDuty {
         GearDuty {
             peak: self.peak.max(other.peak),
             mean: self.mean.max(other.mean),
@@ -55,7 +55,7 @@ fn lasting(output: &Motion) -> f64 {
 
 /// Reason for rejecting a gear unit, with the required and the allowed value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum GearReason {
+pub enum GearRefusal {
     /// Backlash of the unit, and the largest assumed one, minutes of arc.
     Backlash(f64, f64),
     /// Mean speed at the input, r/min.
@@ -73,26 +73,26 @@ pub enum GearReason {
 impl GearRatings {
     /// The first reason for rejecting the unit, `None` if it is suitable. `backlash` (minutes of arc) is the largest assumed one, if any. A
     /// missing rating rejects the unit if no other rating replaces it.
-    pub fn refuses(&self, asked: &GearDuty, backlash: Option<f64>) -> Option<GearReason> {
+    pub fn refuses(&self, asked: &GearDuty, backlash: Option<f64>) -> Option<GearRefusal> {
         let highest = self.peak_torque.or(self.rated_torque);
         let fastest = self.top_speed.or(self.rated_speed);
         let (Some(peak), Some(mean), Some(speed)) = (highest, self.rated_torque, fastest) else {
-            return Some(GearReason::Unknown);
+            return Some(GearRefusal::Unknown);
         };
         let mean_speed = self.rated_speed.unwrap_or(speed);
         if asked.peak > peak {
-            return Some(GearReason::Peak(asked.peak, peak));
+            return Some(GearRefusal::Peak(asked.peak, peak));
         }
         if asked.mean > mean {
-            return Some(GearReason::Mean(asked.mean, mean));
+            return Some(GearRefusal::Mean(asked.mean, mean));
         }
         if asked.speed > speed {
-            return Some(GearReason::Speed(asked.speed, speed));
+            return Some(GearRefusal::Speed(asked.speed, speed));
         }
         if asked.mean_speed > mean_speed {
-            return Some(GearReason::MeanSpeed(asked.mean_speed, mean_speed));
+            return Some(GearRefusal::MeanSpeed(asked.mean_speed, mean_speed));
         }
         let (own, most) = self.backlash.zip(backlash)?;
-        (own > most).then_some(GearReason::Backlash(own, most))
+        (own > most).then_some(GearRefusal::Backlash(own, most))
     }
 }

@@ -1,4 +1,4 @@
-//! Engineering shared by machines: inertia, load, duty, servo and its derating of an axis, parts to order, cams, analog output, spindle speed, positioning, gear units, cuts, web (strip), its reel, a servo's block, induction drive, cage motor, polygon turning, axis scaling.
+//! Engineering formulas shared by the machines: inertia, load and duty of motors, servo motors and their derating, parts to order, cams, analog output, spindle speed and positioning, gear units, cutting, web and reel, timing of a servo’s block, induction motors, polygon turning, axis scaling.
 
 pub mod inertia;
 

@@ -1,6 +1,6 @@
 //! Parts as data: servo and induction motors, amplifiers, inverters, gear units, brake resistors and encoders with ratings and evidence.
 
-use super::duty::ToResistor;
+use super::duty::ResistorLoad;
 use super::servo::{Acceptance, Servo};
 use crate::text::{Citation, Grade};
 
@@ -234,7 +234,7 @@ pub struct ResistorRatings {
 
 impl ResistorRatings {
     /// Whether the resistor can take a load. Its continuous power has to be known; peak power and stop energy are checked if known.
-    pub fn takes(&self, asked: &ToResistor) -> bool {
+    pub fn takes(&self, asked: &ResistorLoad) -> bool {
         let keeps = |most: Option<f64>, value: f64| most.is_none_or(|most| value <= most);
         self.brake_power.is_some_and(|most| asked.mean <= most)
             && keeps(self.brake_peak_power, asked.peak)

@@ -48,7 +48,7 @@ pub fn contact_length(radius: f64, depth: f64) -> f64 {
 }
 
 /// Used share of the holding force of a nip over start, steady run and stop: `(|T₁ - T₂| + m a) / (μ N)`, at most one half for a web that
-/// does not slip. A start asks it where the pull `T₁ - T₂` brakes the web, a stop where it drives the web.
+/// does not slip. A start loads the nip if the pull `T₁ - T₂` brakes the web, a stop if it drives the web.
 /// Newtons, kg, m/s². Source: sizing facts 2.2, checked as the reciprocal of B19.
 pub fn nip_use((friction, force): (f64, f64), pull: f64, (mass, acceleration): (f64, f64)) -> f64 {
     (pull.abs() + mass * acceleration) / (friction * force)

@@ -1,6 +1,6 @@
 //! Drives that a machine is sized by: motors behind its axes, the drive behind its inverter, and quantities checked during operation.
 
-use crate::drives::duty::{Hardest, Motion, Strikes, Turn};
+use crate::drives::duty::{Motion, OperatingPoint, Strikes, Turn};
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::drives::spindle_motor::MotorCurve;
@@ -281,23 +281,23 @@ pub struct SpindleRun {
 impl SpindleRun {
     /// The operating point with the largest fraction of the short-time torque of a motor with this curve and rotor (kg m²), with and without
     /// stock.
-    pub fn hardest(&self, motor: &MotorCurve, rotor: f64) -> Hardest {
-        let (cut, idle) = (self.under(&self.motion, motor, rotor), self.hardest_idle(motor, rotor));
+    pub fn worst_point(&self, motor: &MotorCurve, rotor: f64) -> OperatingPoint {
+        let (cut, idle) = (self.under(&self.motion, motor, rotor), self.worst_point_idle(motor, rotor));
         if idle.share > cut.share { idle } else { cut }
     }
 
     /// The same point of a run without stock: that of its ramps.
-    pub fn hardest_idle(&self, motor: &MotorCurve, rotor: f64) -> Hardest {
+    pub fn worst_point_idle(&self, motor: &MotorCurve, rotor: f64) -> OperatingPoint {
         self.under(&self.idle, motor, rotor)
     }
 
-    fn under(&self, motion: &Motion, motor: &MotorCurve, rotor: f64) -> Hardest {
-        motion.hardest_under(rotor, |brakes, speed| self.peak[usize::from(brakes)] * motor.torque(speed))
+    fn under(&self, motion: &Motion, motor: &MotorCurve, rotor: f64) -> OperatingPoint {
+        motion.worst_point_under(rotor, |brakes, speed| self.peak[usize::from(brakes)] * motor.torque(speed))
     }
 
     /// The operating point of cut and friction with the largest fraction of the torque that this curve gives.
-    pub fn hardest_steady(&self, motor: &MotorCurve) -> Hardest {
-        self.motion.clone().without_inertia().hardest_under(0.0, |_, speed| motor.torque(speed))
+    pub fn worst_point_steady(&self, motor: &MotorCurve) -> OperatingPoint {
+        self.motion.clone().without_inertia().worst_point_under(0.0, |_, speed| motor.torque(speed))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::nc::symbols::Symbols;
 use crate::nc::{Block, Deck, Parsed, Program, TokenKind, keywords, tokens};
 use crate::text::{FileId, LineIndex, Span, utf16};
 
-/// ProposalKind of a proposal.
+/// Kind of a proposal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProposalKind {
     /// A G or M code, or a code that is a name.

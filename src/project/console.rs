@@ -4,7 +4,7 @@ use super::breakpoints::Location;
 use super::debug::{Debugger, Goal, Stop};
 use super::render::{Renderer, headline};
 use super::run::{Run, Setting};
-use super::session::{Halt, Session};
+use super::session::{Session, SessionStop};
 use crate::controls::Control;
 use crate::interp::inspect::{Change, Entered, Level, What};
 use crate::motion::{Action, RunEnd};
@@ -204,7 +204,7 @@ impl<'f> Console<'f> {
     }
 
     /// Describes a stop.
-    fn halted(&self, halt: &Halt) -> String {
+    fn halted(&self, halt: &SessionStop) -> String {
         let mut out = match &halt.stop {
             Stop::Reached => String::new(),
             Stop::Breakpoint(number) => line(&msg!("console.breakpoint", number = *number)),

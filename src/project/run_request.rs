@@ -90,7 +90,7 @@ impl RunRequest {
         }
         let silenced = self.choices.known_silenced()?;
         let RunRequest { subject, plant, panel: (panel, panel_file), start, settings, choices, limits, keep } = self;
-        let operated = Operated { panel: panel.unwrap_or_default(), start, settings, choices, limits, keep };
+        let operated = OperatorInputs { panel: panel.unwrap_or_default(), start, settings, choices, limits, keep };
         let files = vec![panel_file];
         match subject {
             ProgramSource::Project(read) => operated.project(*read, files, silenced),
@@ -100,7 +100,7 @@ impl RunRequest {
 }
 
 /// Actions, settings and choices of the operator.
-struct Operated {
+struct OperatorInputs {
     panel: Panel,
     start: Option<String>,
     settings: Vec<Setting>,
@@ -109,7 +109,7 @@ struct Operated {
     keep: Retention,
 }
 
-impl Operated {
+impl OperatorInputs {
     fn options(&self, start: Option<StartProgram>) -> RunOptions<'_> {
         RunOptions { start, settings: &self.settings, limits: self.limits, keep: self.keep }
     }

@@ -15,7 +15,7 @@ const SLICE: usize = 4096;
 
 /// A stop of a session.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Halt {
+pub struct SessionStop {
     /// Its reason.
     pub stop: Stop,
     /// Whether the run was at this end before the command.
@@ -24,7 +24,7 @@ pub struct Halt {
     pub found: Vec<Diagnostic>,
 }
 
-impl Halt {
+impl SessionStop {
     /// The run has ended in an alarm.
     pub fn is_alarm(&self) -> bool {
         matches!(self.stop, Stop::Ended(RunEnd::Alarm(_)))
@@ -49,7 +49,7 @@ pub struct Session {
 
 impl Session {
     /// A session before the first block of a run, and its first stop.
-    pub fn new(main: Run) -> (Session, Halt) {
+    pub fn new(main: Run) -> (Session, SessionStop) {
         let mut session = Session {
             debugger: Debugger::new(&main, 0.0, Goal::Into),
             main,
@@ -88,13 +88,13 @@ impl Session {
     }
 
     /// Steps to a goal.
-    pub fn go(&mut self, goal: Goal) -> Halt {
+    pub fn go(&mut self, goal: Goal) -> SessionStop {
         self.debugger.go(goal);
         self.walk()
     }
 
     /// Goes back to the block read before; nothing where there is none.
-    pub fn back(&mut self) -> Option<Halt> {
+    pub fn back(&mut self) -> Option<SessionStop> {
         while self.main.timeline().end() < self.debugger.t() {
             if self.main.advance(self.debugger.t(), SLICE).ended.is_some() {
                 break;
@@ -105,7 +105,7 @@ impl Session {
     }
 
     /// Applies an operator's action now, and runs on.
-    pub fn press(&mut self, action: Action) -> Halt {
+    pub fn press(&mut self, action: Action) -> SessionStop {
         self.act(Event { t: self.debugger.t(), action });
         self.walk()
     }
@@ -176,7 +176,7 @@ impl Session {
     }
 
     /// Steps to the goal, and collects new diagnostics.
-    fn walk(&mut self) -> Halt {
+    fn walk(&mut self) -> SessionStop {
         let stop = self.reach();
         let over = matches!(stop, Stop::Ended(_)).then(|| (self.debugger.t(), self.debugger.run().blocks()));
         let again = over.is_some() && over == self.over;
@@ -192,6 +192,6 @@ impl Session {
                 found.push(diagnostic);
             }
         }
-        Halt { stop, again, found }
+        SessionStop { stop, again, found }
     }
 }

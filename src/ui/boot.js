@@ -47,7 +47,7 @@ try {
 const asked = [wished('lang'), chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
 root.lang = asked.find((code) => languages.includes(code)) ?? languages[0];
 data.words = `${root.lang}.properties`;
-// The machine of a person who has one, or a link to one, is drawn by the module alone; so is one with other than English names or in inches.
+// The still shows a fresh project with English names in millimetres. The module draws every other one: a stored or linked project, another language, inches.
 if (own || location.hash || root.lang !== languages[0] || root.dataset.lengths === 'inch') still.querySelector('.scene')?.remove();
 
 // Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Values

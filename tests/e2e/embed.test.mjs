@@ -67,9 +67,9 @@ test('share element shows the project and stores nothing', () =>
       assert.ok((await frame.locator('.stage').textContent()).includes('9.5 mm'));
       await enter(frame.locator('.field input.number').first(), '60');
       await frame.waitForTimeout(600);
-      // Two keys belong to the whole page, which the test opened before and left.
+      // Three keys belong to the whole page, which the test opened before and left.
       const kept = await frame.evaluate(() => Object.keys(localStorage));
-      assert.deepEqual(kept.filter((key) => !['macroline.tab', 'macroline.walk'].includes(key)), []);
+      assert.deepEqual(kept.filter((key) => !['macroline.place', 'macroline.tab', 'macroline.walk'].includes(key)), []);
     });
   }));
 

@@ -278,7 +278,7 @@ test('a file is compared too, and one that is no project says so', () =>
     await enter(pitch(page), '12');
     await openProjects(page);
     await page.setInputFiles('#compare-file', { name: 'no.json', mimeType: 'application/json', buffer: Buffer.from('{ no project') });
-    await dialog(page).getByText('no.json is no project').waitFor();
+    await dialog(page).getByText('no.json is not a project').waitFor();
     await page.setInputFiles('#compare-file', { name: 'order-1.json', mimeType: 'application/json', buffer: file });
     await dialog(page).getByRole('row', { name: /^Pitch mm 12 9\.5/ }).waitFor();
     await dialog(page).getByText('order-1.json').first().waitFor();

@@ -95,11 +95,11 @@ test('variants are kept, compared, taken and undone', () =>
     await dialog.locator('thead', { hasText: 'Wide' }).waitFor();
     await accessible(page);
     await page.keyboard.press('Escape');
-    await page.getByRole('button', { name: 'Take variant A into the form' }).press('Enter');
+    await page.getByRole('button', { name: 'Use variant A in the form' }).press('Enter');
     await page.waitForFunction(() => document.getElementById('pitch').value === '10');
     await page.waitForFunction(() => document.querySelector('.variants tbody td')?.innerText === '10');
     assert.deepEqual(await pitch.locator('td').allInnerTexts(), ['10', '10', '20']);
-    assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Take variant A into the form');
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Use variant A in the form');
     await page.locator('.variants h3').click();
     await page.keyboard.press('Control+z');
     await page.waitForFunction(() => document.getElementById('pitch').value === '20');

@@ -79,7 +79,10 @@ fn folder_that_cannot_be_made_leaves_nothing() {
     assert!(said(&done).contains("file is a file, not a folder"), "{}", said(&done));
     assert_eq!(contents(&folder).len(), 2);
     let done = macroline(&["export", text(&project), "--out", "/dev/null"]);
-    assert_eq!((done.status.code(), said(&done).contains("/dev/null is a file, not a folder")), (Some(1), !cfg!(windows)));
+    assert_eq!(
+        (done.status.code(), said(&done).contains("/dev/null is a file, not a folder")),
+        (Some(1), !cfg!(windows))
+    );
 }
 
 /// A limit of file sizes ends the export behind its first files.

@@ -328,7 +328,7 @@ fn report_has_the_offer_beside_the_variants() {
 }
 
 #[test]
-fn what_two_machines_share_comes_before_what_one_has_alone() {
+fn rows_common_to_both_machines_come_first() {
     let named = |machine: &str| (machine.to_owned(), Project::of(machine, None).unwrap());
     let compared = macroline::project::variants::compare(&[named("turning-spindle"), named("polygon-lathe")]);
     for (title, rows) in compared.differences() {

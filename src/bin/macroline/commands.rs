@@ -23,7 +23,7 @@ use crate::args::{Command, Format};
 use crate::input;
 use crate::language::{self, failed};
 use crate::output::{
-    self, Failure, print, print_error, print_json, refuse, refused, tell, tell_as, tell_silenced, verdict,
+    self, Failure, print, print_diagnostics, print_error, print_json, refuse, refused, tell, tell_silenced, verdict,
 };
 use crate::{export, lsp, run};
 
@@ -235,7 +235,7 @@ fn check(
     let choices = input::choices(switches, silenced)?;
     let subject = input::subject(paths, control, format)?;
     let checked = request::check(subject, &choices).map_err(|why| refused(why, format))?;
-    tell_as(format, &checked.findings)?;
+    print_diagnostics(format, &checked.findings)?;
     if format == Format::Text {
         if checked.findings.iter().all(|findings| findings.list.is_empty()) {
             print_error(&(summary(&[]) + "\n"))?;

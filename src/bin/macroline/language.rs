@@ -21,7 +21,7 @@ use crate::output::print_error;
 /// Name of the option.
 const OPTION: &str = "language";
 
-/// The arguments, read in the language that they or the system choose. The exit status where they ask for help, or are wrong.
+/// Parses the arguments in the language that they or the system choose. Prints help or an error in that language, and returns its exit status.
 pub(crate) fn line() -> Result<CommandLine, ExitCode> {
     catalog::speak(chosen(std::env::args_os().skip(1)).unwrap_or_else(of_system).sentences());
     let mut command = translated(CommandLine::command().arg(option()));

@@ -122,7 +122,7 @@ pub(crate) fn tell(all: &[FileFindings]) -> Result<(), Failure> {
 }
 
 /// Prints diagnostics.
-pub(crate) fn tell_as(format: Format, all: &[FileFindings]) -> Result<(), Failure> {
+pub(crate) fn print_diagnostics(format: Format, all: &[FileFindings]) -> Result<(), Failure> {
     match format {
         Format::Text => tell(all),
         Format::Json => print_json(&json!({ "diagnostics": list_json(all) })),
@@ -132,7 +132,7 @@ pub(crate) fn tell_as(format: Format, all: &[FileFindings]) -> Result<(), Failur
 
 /// Prints the errors that keep a command from doing anything.
 pub(crate) fn refuse(all: &[FileFindings], format: impl Into<Format>) -> Failure {
-    tell_as(format.into(), all).err().unwrap_or(Failure::Told)
+    print_diagnostics(format.into(), all).err().unwrap_or(Failure::Told)
 }
 
 /// Prints why a request is not carried out.

@@ -120,9 +120,9 @@ impl Cam {
     }
 
     /// Greatest effective torque that the limits allow on this site at the mean speed of the motor, Nm.
-    pub(super) fn most_effective(&self) -> f64 {
+    pub(super) fn effective_torque_limit(&self) -> f64 {
         let mean = self.correction.speed * self.correction.arc / self.correction.pitch * self.turn / RPM;
-        self.axis.most_effective(mean)
+        self.axis.effective_torque_limit(mean)
     }
 
     /// The cam at another speed of the ribbon, m/s.
@@ -179,7 +179,7 @@ impl Cam {
         let flat = self.axis.motor.rated >= self.axis.motor.stall;
         self.speed_within(most, |cam| {
             let below = flat && cam.motor_speed() <= cam.axis.motor.rated_speed;
-            below || cam.effective_torque() <= cam.most_effective()
+            below || cam.effective_torque() <= cam.effective_torque_limit()
         })
     }
 

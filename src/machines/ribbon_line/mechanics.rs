@@ -125,7 +125,7 @@ impl ServoAxis {
     }
 
     /// Greatest effective torque (Nm) that the limits allow at a mean speed in r/min.
-    pub(super) fn most_effective(&self, mean_speed: f64) -> f64 {
+    pub(super) fn effective_torque_limit(&self, mean_speed: f64) -> f64 {
         self.limits.effective * self.motor.stall.min(self.motor.continuous(mean_speed))
     }
 

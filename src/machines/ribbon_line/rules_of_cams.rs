@@ -39,7 +39,7 @@ pub(super) fn advice(line: &RibbonLine) -> Option<Message> {
             torque = peak,
             limit = (end.most(), 2),
             effective,
-            effective_limit = (end.most_effective(), 2),
+            effective_limit = (end.effective_torque_limit(), 2),
             speed = (speed, 0)
         )
     })
@@ -79,7 +79,7 @@ fn start(line: &RibbonLine) -> Option<Judgement> {
 fn effective(line: &RibbonLine) -> Option<Judgement> {
     let (now, end) = cams::chosen(line)?;
     let torques = (now.effective_torque(), end.effective_torque());
-    torque(line, torques, end.most_effective(), end.speed_by_heat())
+    torque(line, torques, end.effective_torque_limit(), end.speed_by_heat())
 }
 
 fn lag(line: &RibbonLine) -> Option<Judgement> {

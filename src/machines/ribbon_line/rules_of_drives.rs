@@ -78,7 +78,7 @@ fn peak_x(line: &RibbonLine) -> Option<Judgement> {
     // No ramp takes the tension from a taut ribbon.
     let tension = (line.mechanics.tautest, 0);
     let said = msg!("ribbon.taut-torque", tension, torque = (end.taut.abs(), 2), limit = (most, 2));
-    fail(AtMost(here(most, now.duty.peak, end.duty.peak)), [slack::slackened(line, said)])
+    fail(AtMost(here(most, now.duty.peak, end.duty.peak)), [slack::advice_against_taut(line, said)])
 }
 
 fn peak_y(line: &RibbonLine) -> Option<Judgement> {
@@ -86,12 +86,12 @@ fn peak_y(line: &RibbonLine) -> Option<Judgement> {
 }
 
 fn effective(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
-    let most = end.most_effective(end.mean_speed);
+    let most = end.effective_torque_limit(end.mean_speed);
     let limit = AtMost(here(most, now.duty.effective, end.duty.effective));
     if limit.holds(now.duty.effective) {
         return ok(limit);
     }
-    if most < end.most_effective(0.0) {
+    if most < end.effective_torque_limit(0.0) {
         let (torque, speed, limit_there) = ((end.duty.effective, 2), (end.mean_speed, 0), (most, 2));
         return fail(limit, [Advice::from(msg!("ribbon.warm-at-speed", torque, speed, limit = limit_there))]);
     }
@@ -152,7 +152,7 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     };
     let mut advice = vec![Advice::from(said).setting(msg!("advice.set-pinch", force = (force, 1)), [set])];
     if is_taut {
-        advice.push(slack::slackened(line, msg!("ribbon.nip-slack", tension = (tautest, 0))));
+        advice.push(slack::advice_against_taut(line, msg!("ribbon.nip-slack", tension = (tautest, 0))));
     }
     if end > 100.0 { fail(limit, advice) } else { warn(limit, advice) }
 }

@@ -23,12 +23,12 @@ fn slip(line: &RibbonLine) -> Verdict {
 }
 
 /// Difference of surface ratio and 1 beyond which roller and ribbon do not match, however short the contact is. Source: sizing facts 3.4.
-const MATCHED: f64 = 0.025;
+const MATCH_TOLERANCE: f64 = 0.025;
 
 pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let slips = slip(line);
-    let verdict = if (d.surface_ratio - 1.0).abs() > MATCHED { slips.max(Verdict::Warn) } else { slips };
+    let verdict = if (d.surface_ratio - 1.0).abs() > MATCH_TOLERANCE { slips.max(Verdict::Warn) } else { slips };
     let advice = if verdict == Verdict::Ok {
         Vec::new()
     } else {

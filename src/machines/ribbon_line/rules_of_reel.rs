@@ -75,8 +75,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("reel-brake-needed", holds, FACTS),
 ];
 
-/// Acceleration in m/s², without sign, of the ribbon at an unwinder without current, with a brake of the reel in N: what slows its motor down over
-/// all that turns, alike at every speed. Source: sizing facts 2.2.
+/// Deceleration in m/s², without sign, of the ribbon at an unwinder without current, with a brake of the reel in N: the torque that brakes its motor over
+/// the inertia of all rotating parts, the same at every speed. Source: sizing facts 2.2.
 fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
     let torque = unwinder_torque(p, brake) + p.unwinding.motor_brake;
     torque / unwinder_load(p, 0.0).inertia / p.reduction_ratio * p.press_roller_diameter / 2e3
@@ -105,7 +105,7 @@ fn coasting_pull(line: &RibbonLine) -> f64 {
     reel.pull(reel.worst(), coasting_acceleration(&line.p, line.p.unwinding.brake))
 }
 
-/// A reel holds a product at least; the advice is the reel that does, where the form takes one so large.
+/// Judges whether a full reel holds at least one product; the advice is the smallest reel that does, if the form accepts it.
 fn lasts(line: &RibbonLine) -> Option<Judgement> {
     let (limit, reel) = (AtLeast(1.0), wound(&line.p));
     if limit.holds(products(line)) {

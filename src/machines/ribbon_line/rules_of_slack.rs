@@ -245,7 +245,7 @@ pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.
-pub(super) fn slackened(line: &RibbonLine, said: Message) -> Advice {
+pub(super) fn advice_against_taut(line: &RibbonLine, said: Message) -> Advice {
     let started = line.worst(|d| d.start_tension).start_tension;
     let drawn = line.worst(|d| d.draw_tension).drawn(&line.p);
     if drawn > started {

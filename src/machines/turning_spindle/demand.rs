@@ -77,7 +77,7 @@ impl Derived {
     }
 
     /// The point of the cut with the greatest fraction of a curve of the motor, by its torque at a diameter.
-    fn hardest(&self, p: &Params, motor: MotorCurve, torque: impl Fn(f64) -> f64) -> CutPoint {
+    fn worst_point(&self, p: &Params, motor: MotorCurve, torque: impl Fn(f64) -> f64) -> CutPoint {
         let at = |diameter: f64| {
             let speed = self.speed_at(p, diameter);
             CutPoint { diameter, speed, torque: torque(diameter), most: motor.torque(speed) }
@@ -88,9 +88,9 @@ impl Derived {
     }
 
     /// The point of the cut that asks most of the short-time torque: cut, friction and acceleration together.
-    pub(super) fn hardest_point(&self, p: &Params) -> CutPoint {
+    pub(super) fn worst_cut_point(&self, p: &Params) -> CutPoint {
         let [motor, _] = p.for_moments(self.stage_speed);
-        self.hardest(p, motor, |diameter| self.torque_at(p, diameter))
+        self.worst_point(p, motor, |diameter| self.torque_at(p, diameter))
     }
 
     /// Greatest power (kW) of cut and friction.

@@ -120,7 +120,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "peak-torque", label: "turning.readout.peak-torque", unit: "Nm", decimals: 1,
-        formula: "F D / 2000 + friction + J · 2π / 60 · dn/dt", cite: DEMAND, value: |lathe| lathe.d.hardest_point(&lathe.p).torque,
+        formula: "F D / 2000 + friction + J · 2π / 60 · dn/dt", cite: DEMAND, value: |lathe| lathe.d.worst_cut_point(&lathe.p).torque,
         shown: |lathe| cuts_by_force(lathe) && lathe.surface(), ..ReadoutRow::BASE
     },
     ReadoutRow {

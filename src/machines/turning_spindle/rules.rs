@@ -302,7 +302,7 @@ fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if lathe.p.cutting_force <= 0.0 {
         return None;
     }
-    let CutPoint { diameter, speed, torque, most } = lathe.d.hardest_point(&lathe.p);
+    let CutPoint { diameter, speed, torque, most } = lathe.d.worst_cut_point(&lathe.p);
     if torque <= most {
         return ok(AtMost(most));
     }
@@ -329,7 +329,7 @@ fn slower_feed(lathe: &TurningSpindle) -> Option<f64> {
     let holds = |share: f64| {
         let form = Params { feed: lathe.form.feed * share, ..lathe.form.clone() };
         let other = lathe.with(form);
-        let point = other.d.hardest_point(&other.p);
+        let point = other.d.worst_cut_point(&other.p);
         point.torque <= point.most
     };
     let halved = |(holding, failing): (f64, f64), _| {

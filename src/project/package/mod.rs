@@ -11,7 +11,7 @@ mod steps;
 use serde_json::{Value as Json, json};
 
 use self::refusal::refused;
-pub use self::refusal::{MAX_REQUEST, Unasked};
+pub use self::refusal::{EarlyRefusal, MAX_REQUEST};
 use self::requests::{
     CheckRequest, ExportRequest, InterpretRequest, NewRequest, NoRequest, ProjectRequest, RunArguments, SizeRequest,
     read_request,

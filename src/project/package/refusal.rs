@@ -13,7 +13,7 @@ pub const MAX_REQUEST: u32 = 64 << 20;
 
 /// Reason why a request is refused before it is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unasked {
+pub enum EarlyRefusal {
     /// There is no such language; its code.
     Language,
     /// The request cannot be written as JSON.
@@ -26,15 +26,15 @@ pub enum Unasked {
     Broken,
 }
 
-impl Unasked {
+impl EarlyRefusal {
     /// The answer; `text` is the request's text that the sentence names.
     pub fn answer(self, text: &str) -> String {
         let message = match self {
-            Unasked::Language => msg!("request.no-language", language = text, languages = "en, zh"),
-            Unasked::Unreadable => msg!("request.unreadable"),
-            Unasked::TooLarge => msg!("request.too-large", most = MAX_REQUEST >> 20),
-            Unasked::Freed => msg!("request.freed"),
-            Unasked::Broken => msg!("request.broken", reason = text),
+            EarlyRefusal::Language => msg!("request.no-language", language = text, languages = "en, zh"),
+            EarlyRefusal::Unreadable => msg!("request.unreadable"),
+            EarlyRefusal::TooLarge => msg!("request.too-large", most = MAX_REQUEST >> 20),
+            EarlyRefusal::Freed => msg!("request.freed"),
+            EarlyRefusal::Broken => msg!("request.broken", reason = text),
         };
         error(&message).to_string()
     }

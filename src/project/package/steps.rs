@@ -14,7 +14,7 @@ use crate::project::render::Renderer;
 use crate::project::request::Refused;
 use crate::project::run::Setting;
 use crate::project::run_request::ReadyRun;
-use crate::project::session::{Halt, Session};
+use crate::project::session::{Session, SessionStop};
 use crate::project::silence::silence;
 use crate::text::Diagnostic;
 use crate::text::catalog::sentence;
@@ -141,7 +141,7 @@ impl StepAnswers {
     }
 
     /// A stop as an object.
-    fn stop(&self, halt: &Halt) -> Json {
+    fn stop(&self, halt: &SessionStop) -> Json {
         let renderer = self.sources.renderer();
         let debugger = self.session.debugger();
         let (reason, point, why) = match &halt.stop {

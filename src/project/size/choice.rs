@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
-use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, own_fan};
-use crate::drives::duty::{Hardest, Motion, ToResistor, Work, with_pause};
+use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, own_fan_torque_share};
+use crate::drives::duty::{Motion, OperatingPoint, ResistorLoad, Work, with_pause};
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits, Status};
@@ -142,7 +142,7 @@ pub struct Candidate {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Resistor {
     /// Demand on the resistor.
-    pub asked: ToResistor,
+    pub asked: ResistorLoad,
     /// The resistor; none if the catalogue has none.
     pub part: Option<Part>,
 }
@@ -208,15 +208,15 @@ impl Asked {
     }
 
     /// Moment with the greatest share of the motor's short-time torque.
-    fn hardest(&self, motor: &Servo) -> Hardest {
-        let all = self.motions.iter().map(|motion| motion.hardest(motor));
+    fn worst_point(&self, motor: &Servo) -> OperatingPoint {
+        let all = self.motions.iter().map(|motion| motion.worst_point(motor));
         all.reduce(|worst, next| if next.share > worst.share { next } else { worst }).unwrap_or_default()
     }
 
     /// Energy and power beyond the capacitors, the greatest value of each figure over all runs.
-    fn to_resistor(&self, rotor: f64, back: &Regeneration) -> ToResistor {
+    fn to_resistor(&self, rotor: f64, back: &Regeneration) -> ResistorLoad {
         let all = self.motions.iter().map(|motion| motion.to_resistor(rotor, back));
-        all.reduce(ToResistor::or).unwrap_or_default()
+        all.reduce(ResistorLoad::max).unwrap_or_default()
     }
 
     /// Mean speed (r/min) and effective torque (Nm) of the run with the greatest effective torque.
@@ -321,7 +321,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
 /// Demand on the motor of a drive behind an inverter.
 fn asked_behind(drive: &InverterDrive, spindle: Option<&SpindleRun>) -> MotorDemand {
     let ramps = drive.cycle.iter().flat_map(|cycle| cycle.ramps(None)).map(|ramp| ramp.torque.abs());
-    let of_run = spindle.map(|spindle| spindle.hardest(&spindle.motor, spindle.rotor).torque);
+    let of_run = spindle.map(|spindle| spindle.worst_point(&spindle.motor, spindle.rotor).torque);
     let steady = drive.torque.abs();
     MotorDemand { peak: ramps.chain(of_run).fold(steady, f64::max), effective: steady, speed: drive.top_speed }
 }
@@ -400,10 +400,11 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let amplifier = amplifier(part, torques, catalogue, control);
     let shortage = if amplifier.is_none() { shortage(part, torques, catalogue, control) } else { None };
     let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
-    let hardest = asked.hardest(&motor);
-    let shares = Shares { peak: hardest.share, ..motor.shares(&axis.load, &duty) };
+    let worst_point = asked.worst_point(&motor);
+    let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &duty) };
     let limits = part.acceptance().at_starts(asked.starts_per_minute).derated(axis.site_share);
-    let refused = shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &hardest)));
+    let refused =
+        shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &worst_point)));
     let back = amplifier.and_then(braking).map(|(back, own)| (asked.to_resistor(motor.rotor, &back), own));
     let regenerative = back.and_then(|(asked, own)| Some(asked.mean / own?));
     let resistor = amplifier.zip(back).and_then(|(of, (asked, own))| resistor(of, asked, own, catalogue, control));
@@ -476,18 +477,18 @@ fn refused_by(
     reason: Reason,
     motor: &Servo,
     (shares, limits): (&Shares, &Acceptance),
-    (duty, hardest): (&Duty, &Hardest),
+    (duty, worst_point): (&Duty, &OperatingPoint),
 ) -> (Rank, Message) {
     match reason {
         Reason::Speed => {
             (Rank::Speed, msg!("size.refused-speed", speed = (duty.speed, 0), limit = (motor.top_speed, 0)))
         }
         Reason::Peak => {
-            let gives = motor.most(hardest.speed);
+            let gives = motor.most(worst_point.speed);
             let message = msg!(
                 "size.refused-peak",
-                torque = (hardest.torque, 3),
-                speed = (hardest.speed, 0),
+                torque = (worst_point.torque, 3),
+                speed = (worst_point.speed, 0),
                 limit = (limits.peak * gives, 3),
                 percent = (100.0 * limits.peak, 0)
             );
@@ -531,7 +532,7 @@ const NOTHING: f64 = 0.05;
 /// such energy.
 fn resistor(
     amplifier: &Part,
-    asked: ToResistor,
+    asked: ResistorLoad,
     own: Option<f64>,
     catalogue: &[&Part],
     control: &Control,
@@ -630,7 +631,7 @@ fn induction(
     let Ratings::Induction(of) = part.ratings else { return unknown(part) };
     let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
     let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
-    let cooled = drive.cooled_at.map_or(1.0, |speed| own_fan(speed / no_load_speed(rated_speed, 1.0)));
+    let cooled = drive.cooled_at.map_or(1.0, |speed| own_fan_torque_share(speed / no_load_speed(rated_speed, 1.0)));
     let (most, most_power) = (torque * drive.site_share * cooled, rated_power * drive.site_share);
     let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
     let top_speed = of.top_speed.unwrap_or_else(|| highest_speed(rated_power, rated_speed));
@@ -706,18 +707,18 @@ fn of_spindle(
     site_share: f64,
 ) -> (f64, f64, Option<(Rank, Message)>) {
     let continuous = curve.share(site_share);
-    let (steady, hardest) = (spindle.hardest_steady(&continuous), spindle.hardest(curve, rotor));
-    let ramps = spindle.hardest_idle(curve, rotor);
+    let (steady, worst_point) = (spindle.worst_point_steady(&continuous), spindle.worst_point(curve, rotor));
+    let ramps = spindle.worst_point_idle(curve, rotor);
     let effective = spindle.motion.effective_share(rotor, &continuous);
-    let at = |of: Hardest| ((of.torque, 3), (of.speed, 0), (of.torque / of.share, 3));
+    let at = |of: OperatingPoint| ((of.torque, 3), (of.speed, 0), (of.torque / of.share, 3));
     let refusal = if steady.share > 1.0 {
         let (torque, speed, limit) = at(steady);
         Some((Rank::Effective, msg!("size.refused-cut", torque, speed, limit)))
     } else if ramps.share > 1.0 {
         let (torque, _, limit) = at(ramps);
         Some((Rank::Peak, msg!("size.refused-ramp", torque, limit)))
-    } else if hardest.share > 1.0 {
-        let (torque, speed, limit) = at(hardest);
+    } else if worst_point.share > 1.0 {
+        let (torque, speed, limit) = at(worst_point);
         Some((Rank::Peak, msg!("size.refused-cut-peak", torque, speed, limit)))
     } else if effective > 1.0 {
         let most = continuous.torque(0.0);
@@ -726,7 +727,7 @@ fn of_spindle(
     } else {
         None
     };
-    (hardest.share, effective, refusal)
+    (worst_point.share, effective, refusal)
 }
 
 /// A part whose ratings do not suffice for a choice.

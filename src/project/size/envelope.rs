@@ -5,7 +5,7 @@
 
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
-use crate::drives::duty::{Hardest, Motion};
+use crate::drives::duty::{Motion, OperatingPoint};
 use crate::drives::servo::Servo;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
@@ -305,7 +305,7 @@ impl Envelope<'_> {
         let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
             let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
-            let Hardest { torque, speed, .. } = hardest(motion, &works, &axis.fitted.motor);
+            let OperatingPoint { torque, speed, .. } = worst_point(motion, &works, &axis.fitted.motor);
             let limit = Some(Limit::AtMost(axis.fitted.most(speed)));
             let of_torque = EnvelopeRow {
                 id: format!("{}-torque", axis.id),
@@ -333,7 +333,7 @@ impl Envelope<'_> {
         let stretches = run.timeline().stretches(Mover::Spindle, span.0, span.1);
         let spindle = self.prepared.spindle_run(run, &stretches).filter(|_| self.is_spindle_sized);
         let spindle = spindle.map(|spindle| {
-            let Hardest { torque, speed, share } = spindle.hardest(&spindle.motor, spindle.rotor);
+            let OperatingPoint { torque, speed, share } = spindle.worst_point(&spindle.motor, spindle.rotor);
             let most = if share > 0.0 { torque / share } else { spindle.peak[0] * spindle.motor.torque(speed) };
             let limit = Some(Limit::AtMost(most));
             EnvelopeRow {
@@ -354,9 +354,9 @@ impl Envelope<'_> {
 
 /// The operating point of a motion that asks most of a motor, with the torque of its work within these spans and without any: a work that is
 /// left out does not help to brake.
-fn hardest(motion: Motion, works: &Option<Vec<(f64, f64)>>, motor: &Servo) -> Hardest {
-    let Some(works) = works else { return motion.hardest(motor) };
-    let [working, idle] = [works.clone(), Vec::new()].map(|works| motion.clone().with_work(works).hardest(motor));
+fn worst_point(motion: Motion, works: &Option<Vec<(f64, f64)>>, motor: &Servo) -> OperatingPoint {
+    let Some(works) = works else { return motion.worst_point(motor) };
+    let [working, idle] = [works.clone(), Vec::new()].map(|works| motion.clone().with_work(works).worst_point(motor));
     if idle.share > working.share { idle } else { working }
 }
 
@@ -399,7 +399,7 @@ fn hold(event: OperatingEvent, run: &Run) -> Option<EnvelopeRow> {
 
 /// A limit that would hold at every event.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Offer {
+pub struct HoldingLimit {
     /// Id of the quantity.
     pub id: String,
     /// The limit, in `unit`.
@@ -415,9 +415,9 @@ pub struct Offer {
 }
 
 /// Limits of the form that would hold at every event and by every rule of the machine, for those that fail at an event.
-pub(super) fn offers(project: &Project, rows: &[EnvelopeRow]) -> Vec<Offer> {
+pub(super) fn offers(project: &Project, rows: &[EnvelopeRow]) -> Vec<HoldingLimit> {
     let beyond = rows.iter().filter(|row| row.verdict == Verdict::Fail);
-    let mut offers: Vec<Offer> = Vec::new();
+    let mut offers: Vec<HoldingLimit> = Vec::new();
     for of in beyond {
         let Some(field) = of.field.filter(|_| offers.iter().all(|known| known.id != of.id)) else { continue };
         let same = || rows.iter().filter(|row| row.id == of.id);
@@ -429,7 +429,7 @@ pub(super) fn offers(project: &Project, rows: &[EnvelopeRow]) -> Vec<Offer> {
         let entry = (field, number_text(value, of.decimals));
         let fits = !is_cut && project.with_entries(core::slice::from_ref(&entry)).is_some();
         let entry = fits.then_some(entry);
-        offers.push(Offer { id: of.id.clone(), value, unit: of.unit, decimals: of.decimals, is_cut, entry });
+        offers.push(HoldingLimit { id: of.id.clone(), value, unit: of.unit, decimals: of.decimals, is_cut, entry });
     }
     offers
 }

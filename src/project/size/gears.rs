@@ -1,7 +1,7 @@
 //! The choice of gear units: units of the catalogue with the form's ratio against the demand of the runs at output and input.
 
 use crate::drives::duty::Motion;
-use crate::drives::gear::{GearDuty, GearReason};
+use crate::drives::gear::{GearDuty, GearRefusal};
 use crate::drives::inertia::CM2;
 use crate::drives::parts::{GearRatings, Part, Ratings};
 use crate::machines::driven::{DrivenAxis, FormGear, InverterDrive};
@@ -40,7 +40,7 @@ pub struct GearCandidate {
     /// Its ratings.
     pub ratings: GearRatings,
     /// First reason of its refusal; none if it passes.
-    pub reason: Option<GearReason>,
+    pub reason: Option<GearRefusal>,
     /// Entries of the form with this unit: ids of fields and typed texts.
     pub entries: Vec<(&'static str, String)>,
 }
@@ -49,12 +49,14 @@ impl GearCandidate {
     /// Its refusal in words; none if it passes.
     pub fn refusal(&self) -> Option<Message> {
         Some(match self.reason? {
-            GearReason::Peak(torque, limit) => msg!("size.gear-peak", torque = (torque, 2), limit = (limit, 2)),
-            GearReason::Mean(torque, limit) => msg!("size.gear-mean", torque = (torque, 2), limit = (limit, 2)),
-            GearReason::Speed(speed, limit) => msg!("size.gear-speed", speed = (speed, 0), limit = (limit, 0)),
-            GearReason::MeanSpeed(speed, limit) => msg!("size.gear-mean-speed", speed = (speed, 0), limit = (limit, 0)),
-            GearReason::Backlash(own, limit) => msg!("size.gear-backlash", backlash = (own, 2), limit = (limit, 2)),
-            GearReason::Unknown => msg!("size.gear-unknown"),
+            GearRefusal::Peak(torque, limit) => msg!("size.gear-peak", torque = (torque, 2), limit = (limit, 2)),
+            GearRefusal::Mean(torque, limit) => msg!("size.gear-mean", torque = (torque, 2), limit = (limit, 2)),
+            GearRefusal::Speed(speed, limit) => msg!("size.gear-speed", speed = (speed, 0), limit = (limit, 0)),
+            GearRefusal::MeanSpeed(speed, limit) => {
+                msg!("size.gear-mean-speed", speed = (speed, 0), limit = (limit, 0))
+            }
+            GearRefusal::Backlash(own, limit) => msg!("size.gear-backlash", backlash = (own, 2), limit = (limit, 2)),
+            GearRefusal::Unknown => msg!("size.gear-unknown"),
         })
     }
 }
@@ -63,7 +65,7 @@ impl GearCandidate {
 pub(super) fn of_axis(axis: &DrivenAxis, motions: &[Motion], catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = axis.gear.as_ref()?;
     let duties = motions.iter().map(|motion| GearDuty::new(&gear.behind(motion.turns()), gear.ratio));
-    Some(sized(gear, duties.reduce(GearDuty::or).unwrap_or_default(), catalogue))
+    Some(sized(gear, duties.reduce(GearDuty::max).unwrap_or_default(), catalogue))
 }
 
 /// The gear unit of the drive behind the inverter; none without one.
@@ -99,20 +101,20 @@ fn sized(gear: &FormGear, duty: GearDuty, catalogue: &[&Part]) -> SizedGear {
 }
 
 /// Order of the reasons: the smallest shortage first.
-fn rank(reason: GearReason) -> u8 {
+fn rank(reason: GearRefusal) -> u8 {
     match reason {
-        GearReason::Backlash(..) => 0,
-        GearReason::MeanSpeed(..) => 1,
-        GearReason::Speed(..) => 2,
-        GearReason::Mean(..) => 3,
-        GearReason::Peak(..) => 4,
-        GearReason::Unknown => 5,
+        GearRefusal::Backlash(..) => 0,
+        GearRefusal::MeanSpeed(..) => 1,
+        GearRefusal::Speed(..) => 2,
+        GearRefusal::Mean(..) => 3,
+        GearRefusal::Peak(..) => 4,
+        GearRefusal::Unknown => 5,
     }
 }
 
 /// Entries of the form with a gear unit, as far as its source has them; none if its ratings do not suffice for a verdict.
-fn entries(gear: &FormGear, ratings: &GearRatings, reason: Option<GearReason>) -> Vec<(&'static str, String)> {
-    if reason == Some(GearReason::Unknown) {
+fn entries(gear: &FormGear, ratings: &GearRatings, reason: Option<GearRefusal>) -> Vec<(&'static str, String)> {
+    if reason == Some(GearRefusal::Unknown) {
         return Vec::new();
     }
     let efficiency = ratings.efficiency.map(|efficiency| (gear.fields.efficiency, number_text(100.0 * efficiency, 1)));

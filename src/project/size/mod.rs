@@ -25,7 +25,7 @@ mod tornado;
 
 pub use bill::BillRow;
 pub use choice::{Candidate, MotorDemand, Refusal, Resistor, SizedAxis};
-pub use envelope::{EnvelopeRow, Offer, OperatingEvent};
+pub use envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth};
 pub use runs::{CutRun, SizingRuns};
@@ -85,7 +85,7 @@ pub struct Sizing {
     /// Worst values at every event of operation.
     pub envelope: Vec<EnvelopeRow>,
     /// Limits of the form that would hold in operation, for those that fail.
-    pub offers: Vec<Offer>,
+    pub offers: Vec<HoldingLimit>,
     /// Limits that bind next when speed, mass or pitch grow.
     pub limits: Vec<Growth>,
     /// The fastest operation of this hardware, if a limit binds within the range of the form.

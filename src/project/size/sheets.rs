@@ -1,7 +1,7 @@
 //! A sizing as sheets, for page, report and command line.
 
 use super::choice::{Candidate, MotorDemand};
-use super::envelope::{EnvelopeRow, Offer, OperatingEvent};
+use super::envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 use super::gears::{GearCandidate, SizedGear};
 use super::{BillRow, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
@@ -229,7 +229,7 @@ impl Sizing {
     /// Limits of the form that would hold at every event, for those that fail.
     fn needed(&self, watched: &[&EnvelopeRow]) -> Option<Row> {
         let offered = |of: &&EnvelopeRow| self.offers.iter().find(|offer| offer.id == of.id);
-        let text = |offer: &Offer| at_least(offer.is_cut, units::text(offer.value, offer.decimals, offer.unit));
+        let text = |offer: &HoldingLimit| at_least(offer.is_cut, units::text(offer.value, offer.decimals, offer.unit));
         let cells = watched.iter().map(|of| offered(of).map_or(String::new(), text));
         let sets = watched.iter().filter_map(|of| offered(of)?.entry.clone()).collect();
         let told = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);

@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use super::choice::Candidate;
-use super::envelope::{EnvelopeRow, Offer};
+use super::envelope::{EnvelopeRow, HoldingLimit};
 use super::gears::{GearCandidate, SizedGear};
 use super::growth::no_fastest;
 use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
@@ -126,7 +126,7 @@ fn event(row: &EnvelopeRow) -> Json {
     })
 }
 
-fn offer(offer: &Offer) -> Json {
+fn offer(offer: &HoldingLimit) -> Json {
     json!({
         "id": offer.id, "value": offer.value, "unit": offer.unit, "more_than_value": offer.is_cut,
         "field": offer.entry.as_ref().map(|entry| entry.0), "entry": offer.entry.as_ref().map(|entry| entry.1.as_str()),

@@ -78,7 +78,7 @@ pub(crate) fn ShareDialog() -> impl IntoView {
             Ok(fragment) => {
                 let text = format!("{}#{fragment}", dom::address().0);
                 let long = (text.len() > LONG).then(|| view! { <p class="warn">{t("page.link-long")}</p> });
-                view! { <Copied text=text about=LINK /> {long} }.into_any()
+                view! { <CopyField text=text about=LINK /> {long} }.into_any()
             }
             Err(reason) => view! { <p class="fail">{sentence(&reason)}</p> }.into_any(),
         })
@@ -89,7 +89,7 @@ pub(crate) fn ShareDialog() -> impl IntoView {
         Some(view! {
             <h3>{t("page.embed")}</h3>
             <p>{t("page.embed-about")}</p>
-            <div class="share"><Copied text=text about=ELEMENT /></div>
+            <div class="share"><CopyField text=text about=ELEMENT /></div>
         })
     };
     let shared = if leads_to_this_disk(&dom::address().0) {
@@ -128,7 +128,7 @@ fn frame(address: &str, fragment: &str) -> String {
 }
 
 /// A text to copy, by catalog ids.
-struct Copy {
+struct CopyText {
     /// Id and class of the button.
     button: (&'static str, &'static str),
     /// Name of the text.
@@ -140,7 +140,7 @@ struct Copy {
 }
 
 /// The link.
-const LINK: Copy = Copy {
+const LINK: CopyText = CopyText {
     button: ("copy-link", "primary"),
     name: "page.share-link",
     words: "page.copy-link",
@@ -148,7 +148,7 @@ const LINK: Copy = Copy {
 };
 
 /// The element for another page.
-const ELEMENT: Copy = Copy {
+const ELEMENT: CopyText = CopyText {
     button: ("copy-frame", ""),
     name: "page.embed-frame",
     words: "page.embed-copy",
@@ -157,11 +157,11 @@ const ELEMENT: Copy = Copy {
 
 /// A text, and the button that copies it.
 #[component]
-fn Copied(
+fn CopyField(
     /// The text.
     text: String,
     /// Catalog ids of its name, button and message.
-    about: Copy,
+    about: CopyText,
 ) -> impl IntoView {
     let page = Page::here();
     let field: NodeRef<html::Input> = NodeRef::new();

@@ -1,5 +1,5 @@
 // The shelf of projects: one database of this browser, bundled beside the page and loaded when a project is first kept. A state is a project
-// or, with the id of its project in `of`, a version of one. What the database has is hostile: it leaves here with the types that it should have.
+// or, with the id of its project in `of`, a version of one. Content of the database is untrusted: it is converted to the expected types before it leaves this file.
 import { openDB } from 'idb';
 import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
 

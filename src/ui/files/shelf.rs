@@ -46,7 +46,7 @@ fn reason(error: &JsValue) -> String {
 }
 
 /// Gives the present project an id if it has none.
-pub(super) fn identify(page: Page) {
+pub(super) fn ensure_project_id(page: Page) {
     if page.project.with_untracked(|project| project.id.is_none()) {
         page.project.update_untracked(|project| project.id = Some(dom::fresh_id()));
     }
@@ -54,7 +54,7 @@ pub(super) fn identify(page: Page) {
 
 /// The present project as a state of the shelf.
 pub(super) fn present(page: Page) -> ShelfState {
-    identify(page);
+    ensure_project_id(page);
     page.project.with_untracked(|project| ShelfState {
         id: project.id.clone().unwrap_or_default(),
         at: js_sys::Date::now(),
@@ -185,12 +185,12 @@ async fn module() -> Result<JsValue, JsValue> {
 
 #[cfg(test)]
 async fn module() -> Result<JsValue, JsValue> {
-    Ok(pretend::module())
+    Ok(test_shelf::module())
 }
 
 /// A shelf for tests, in place of the database.
 #[cfg(test)]
-pub(super) mod pretend {
+pub(super) mod test_shelf {
     use std::cell::RefCell;
 
     use super::*;
@@ -244,7 +244,7 @@ mod tests {
     use crate::ui::worker::messages::{BEFORE_PROGRAM, BEFORE_VERSION};
 
     async fn bench() -> ViewBench {
-        pretend::empty();
+        test_shelf::empty();
         mount(|| ()).await
     }
 
@@ -319,7 +319,7 @@ mod tests {
             ("VersionError", "projects.newer"),
         ] {
             let reason = t(reason);
-            pretend::refuse(fault);
+            test_shelf::refuse(fault);
             let refused = take_in(bench.page).await.unwrap_err();
             warn_refused(bench.page, &refused);
             assert!(bench.notices().contains(&sentence(&msg!("projects.refused", reason))), "{refused}");
@@ -330,7 +330,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn unknown_error_is_told_by_its_name_in_chinese() {
         let bench = bench().await;
-        pretend::refuse("UnknownError");
+        test_shelf::refuse("UnknownError");
         assert_eq!(keep_present(bench.page).await.unwrap_err(), "refused");
         catalog::speak(Language::Chinese.sentences());
         let told = keep_present(bench.page).await.unwrap_err();

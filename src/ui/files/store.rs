@@ -259,6 +259,14 @@ fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValu
     }
 }
 
+/// Whether this store has the latest state of the project. Without a word of the last visit it is new, full or denied: new if it takes one.
+fn has_latest() -> bool {
+    match dom::stored(PLACE) {
+        Some(place) => place == IN_STORE,
+        None => dom::store(PLACE, IN_STORE),
+    }
+}
+
 /// Keeps the project from now on, shortly after each change, as long as no other tab holds it. A project that a link replaced is one step
 /// back.
 pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
@@ -272,14 +280,9 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     if occupied {
         page.view.kept.set(Kept::Elsewhere);
     }
-    shelf::identify(page);
+    shelf::ensure_project_id(page);
     shelf::take_in_soon(page);
-    // Without a word of the last visit the store is new, full or denied: it is new if it takes one.
-    let in_store = match dom::stored(PLACE) {
-        Some(place) => place == IN_STORE,
-        None => dom::store(PLACE, IN_STORE),
-    };
-    if !in_store && !by_link {
+    if !by_link && !has_latest() {
         latest::offer(page);
     }
     // The project of the other tab that is shown here, and that of this tab when it began to watch.
@@ -428,7 +431,7 @@ mod tests {
             |page| page.watch(project().with_id(Some("p9".to_owned()))),
         ];
         for way in ways {
-            shelf::pretend::empty();
+            shelf::test_shelf::empty();
             let bench = kept().await;
             bench.page.replace(project().with_name("Before"));
             settled().await;
@@ -468,7 +471,7 @@ mod tests {
     async fn project_that_only_the_shelf_has_is_offered_at_the_start() {
         // With a project of an earlier visit in the store, and without one.
         for earlier in [true, false] {
-            shelf::pretend::empty();
+            shelf::test_shelf::empty();
             let bench = kept().await;
             if earlier {
                 bench.page.set("pitch", Value::Number(9.0));

@@ -53,7 +53,7 @@ const PROGRAMS: &str = "programs";
 
 /// The help page on show, and the pages before it.
 #[derive(Clone, Copy)]
-struct Reading {
+struct ReaderState {
     page: Page,
     worker: Client,
     /// The page that is shown; `None` until the worker has answered.
@@ -68,7 +68,7 @@ struct Reading {
     hits: RwSignal<Vec<Hit>>,
 }
 
-impl Reading {
+impl ReaderState {
     /// Shows a place and keeps the present one for the way back.
     fn go(self, id: String) {
         let at = self.at.get_untracked();
@@ -138,7 +138,7 @@ fn to_anchor(id: &str) {
 #[component]
 pub(super) fn Reader() -> impl IntoView {
     let page = Page::here();
-    let reading = Reading {
+    let reading = ReaderState {
         page,
         worker: Client::here(),
         shown: RwSignal::new(None),
@@ -217,7 +217,7 @@ fn pages(shown: &HelpPageHtml) -> impl IntoView + use<> {
 #[component]
 fn Content(
     /// State of the reader.
-    reading: Reading,
+    reading: ReaderState,
 ) -> impl IntoView {
     move || match (reading.shown.get(), reading.silent.get()) {
         (Some(shown), _) => {
@@ -241,7 +241,7 @@ fn Content(
 #[component]
 fn Hits(
     /// State of the reader.
-    reading: Reading,
+    reading: ReaderState,
 ) -> impl IntoView {
     let row = |hit: Hit| {
         view! {

@@ -32,7 +32,7 @@ pub(crate) fn ThemeButton() -> impl IntoView {
             dom::set(&root, "data-theme", theme);
         }
     };
-    view! { <TurnButton class="icon theme" glyph=Glyph::Theme at=Page::here().view.appearance.theme key=THEME choices=&THEMES apply=apply /> }
+    view! { <CycleButton class="icon theme" glyph=Glyph::Theme at=Page::here().view.appearance.theme key=THEME choices=&THEMES apply=apply /> }
 }
 
 /// High contrast, standard, or as the system.
@@ -43,12 +43,12 @@ pub(crate) fn ContrastButton() -> impl IntoView {
             dom::set(&sheet, "media", media);
         }
     };
-    view! { <TurnButton class="icon contrast" glyph=Glyph::Contrast at=Page::here().view.appearance.contrast key=CONTRAST choices=&CONTRASTS apply=apply /> }
+    view! { <CycleButton class="icon contrast" glyph=Glyph::Contrast at=Page::here().view.appearance.contrast key=CONTRAST choices=&CONTRASTS apply=apply /> }
 }
 
 /// A button that goes through choices, applies the present one and remembers it.
 #[component]
-fn TurnButton(
+fn CycleButton(
     /// Classes.
     class: &'static str,
     /// Its sign.

@@ -65,7 +65,7 @@ function openView(host, begin, { label, pieces, phrases }, extensions) {
   return view;
 }
 
-// What of a file goes on in its next editor, as long as the text is the same: cursor and history.
+// State of a file that its next editor continues while the text is the same: cursor and undo history.
 const KEPT = { history: historyField };
 const states = new Map();
 
@@ -75,7 +75,7 @@ function stateOf(file, text, extensions) {
   return before?.doc.toString() === doc ? EditorState.fromJSON(before.toJSON(KEPT), { extensions }, KEPT) : EditorState.create({ doc, extensions });
 }
 
-// What keys, buttons and presses ask the page for, about a place of its text. `list` promises the list of a name at a place, `define` shows what is named at a place.
+// Requests of keys, buttons and presses to the page about a place of its text. `list` promises the list of a name at a place, `define` shows what is named at a place.
 function commandsOf(host, { list: ask, define, turn }, show, toPage) {
   const head = ({ state }) => toPage(state.selection.main.head);
   const offer = (name) => (view) => {

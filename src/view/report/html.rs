@@ -120,7 +120,11 @@ impl Page<'_> {
         self.raw("<header><div>");
         self.text("h1", "", &report.title);
         self.text("p", "dim", self.words("form.report.about"));
-        self.raw(concat!("</div><b class=\"maker\">", include_str!("../../../style/icon.svg"), "macroline</b></header>"));
+        self.raw(concat!(
+            "</div><b class=\"maker\">",
+            include_str!("../../../style/icon.svg"),
+            "macroline</b></header>"
+        ));
         let conclusion = conclusion(report);
         self.text("p", "conclusion", &conclusion);
         self.raw("<figure class=\"drawing\">");

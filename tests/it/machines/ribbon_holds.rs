@@ -237,7 +237,7 @@ fn action_in_the_past_holds_the_run_as_from_the_beginning() {
 }
 
 #[test]
-fn extreme_values_neither_loop_nor_stop_the_clock() {
+fn extreme_values_run_to_the_end() {
     let cases: [&[(&str, &str)]; 12] = [
         &[("loop-capacity", "0")],
         &[("loop-capacity", "0.1")],

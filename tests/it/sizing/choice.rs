@@ -177,8 +177,7 @@ fn motor_without_name_is_billed_by_figures_beside_a_proposal() {
     let mut project = line();
     assert_eq!(billed(&project, ""), [("Control", project.control.name.to_owned())]);
     // The design judges 1.3 and 3.8 Nm: a smaller motor that would do as well is proposed, not ordered.
-    let entered =
-        "as entered: stall torque 1.3 Nm, peak torque 3.8 Nm, rotor inertia 0.375 kg cm², rated speed 3000 r/min; to be chosen";
+    let entered = "as entered: stall torque 1.3 Nm, peak torque 3.8 Nm, rotor inertia 0.375 kg cm², rated speed 3000 r/min; to be chosen";
     let of_pull = billed(&project, "Pull roller");
     assert_eq!((of_pull.len(), &of_pull[0]), (3, &("Motor", entered.to_owned())), "{of_pull:?}");
     let proposed = candidates(&sized(&project), "x").iter().find(|motor| motor.amplifier.is_some()).unwrap().clone();
@@ -186,10 +185,7 @@ fn motor_without_name_is_billed_by_figures_beside_a_proposal() {
     assert_eq!(of_pull[2], ("Amplifier", format!("proposal: {}", proposed.amplifier.unwrap().name())));
     let of_unwinder = billed(&project, "Unwinder");
     assert_eq!(of_unwinder[0].1, "as entered: rated torque 5 Nm; to be chosen");
-    assert_eq!(
-        (of_unwinder.len(), of_unwinder[3].clone()),
-        (4, ("Brake, closed when de-energized", "0.5 Nm".into()))
-    );
+    assert_eq!((of_unwinder.len(), of_unwinder[3].clone()), (4, ("Brake, closed when de-energized", "0.5 Nm".into())));
     project.values.insert("unwinder-motor-brake".to_owned(), Value::Number(0.0));
     assert_eq!(billed(&project, "Unwinder"), of_unwinder[..3]);
 }
@@ -278,7 +274,7 @@ fn amplifier_without_the_current_refuses_its_motor() {
 }
 
 #[test]
-fn control_without_a_current_motor_is_told_what_is_asked() {
+fn control_without_a_current_motor_shows_the_demand() {
     let machine = macroline::machines::find("ribbon-line").unwrap();
     for control in machine.controls() {
         let sizing = sized(&Project::named("ribbon-line", Some(control), None).unwrap());

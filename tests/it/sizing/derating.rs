@@ -61,7 +61,7 @@ proptest! {
 }
 
 #[test]
-fn site_takes_from_torque_for_long_and_not_from_the_peak() {
+fn site_derates_continuous_torque_not_the_peak() {
     let limits = Acceptance::mitsubishi(5.0);
     assert_eq!(limits.derated(1.0), limits);
     assert_eq!(limits.derated(0.5), Acceptance { inertia_ratio: 5.0, peak: 0.8, effective: 0.4 });

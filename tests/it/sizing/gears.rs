@@ -1,7 +1,7 @@
 //! The choice of gear units: by the torque at their output and the speed of their input, in the run of the program.
 
 use macroline::drives::duty::{Motion, Turn};
-use macroline::drives::gear::{GearDuty, GearReason};
+use macroline::drives::gear::{GearDuty, GearRefusal};
 use macroline::drives::load::Load;
 use macroline::drives::parts::GearRatings;
 use macroline::machines::devices::BillItem;
@@ -81,8 +81,8 @@ fn play_counts_where_the_torque_changes_its_sign() {
     let asked = GearDuty { peak: 1.0, mean: 1.0, speed: 100.0, mean_speed: 100.0 };
     assert_eq!(ratings.refuses(&asked, None), None);
     assert_eq!(ratings.refuses(&asked, Some(8.0)), None);
-    assert_eq!(ratings.refuses(&asked, Some(3.0)), Some(GearReason::Backlash(8.0, 3.0)));
-    assert_eq!(GearRatings { rated_torque: None, ..ratings }.refuses(&asked, None), Some(GearReason::Unknown));
+    assert_eq!(ratings.refuses(&asked, Some(3.0)), Some(GearRefusal::Backlash(8.0, 3.0)));
+    assert_eq!(GearRatings { rated_torque: None, ..ratings }.refuses(&asked, None), Some(GearRefusal::Unknown));
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn gear_unit_with_more_play_is_taken_with_its_play() {
     let mut project = line(10.0).with_entries(&light).unwrap();
     own(&mut project, 5.0, 50.0, 100.0, 3000.0, 8.0);
     let refused = own_of(&sized(&project), "y").clone();
-    assert_eq!(refused.reason, Some(GearReason::Backlash(8.0, 3.0)));
+    assert_eq!(refused.reason, Some(GearRefusal::Backlash(8.0, 3.0)));
     let taken = project.with_entries(&refused.entries).unwrap();
     assert_eq!(taken.values["gear-backlash"], Value::Number(8.0));
     assert_eq!(own_of(&sized(&taken), "y").reason, None);
@@ -148,7 +148,7 @@ fn gear_unit_whose_ratings_are_unknown_sets_nothing() {
         .unwrap()
         .candidates
         .iter()
-        .filter(|candidate| candidate.reason == Some(GearReason::Unknown))
+        .filter(|candidate| candidate.reason == Some(GearRefusal::Unknown))
         .collect();
     assert!(!unknown.is_empty() && unknown.iter().all(|candidate| candidate.entries.is_empty()));
 }

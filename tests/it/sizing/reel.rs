@@ -36,7 +36,7 @@ proptest! {
     }
 
     #[test]
-    fn what_leaves_and_what_stays_is_the_whole(reel in reels(), share in 0.0..1.0_f64) {
+    fn removed_and_remaining_length_is_the_full_reel(reel in reels(), share in 0.0..1.0_f64) {
         let gone = share * reel.length();
         let rest = Reel { full: reel.diameter_after(gone), ..reel };
         same("rest", rest.length() + gone, reel.length(), 1e-9);
@@ -132,7 +132,7 @@ fn a_reel_of_the_line_passes() {
 }
 
 #[test]
-fn what_a_reel_cannot_do_is_told_and_mended() {
+fn failing_reel_result_has_an_advice_that_holds() {
     // A product of 4 m on a reel of a metre.
     let short = line(&[("reel-diameter", 70.0)]);
     assert_eq!(mended(&short, "reel-products"), (Verdict::Fail, vec![("reel-diameter", Verdict::Ok)]));

@@ -1,6 +1,6 @@
 //! Regeneration of an amplifier, and the brake resistor that takes it; the energy of all motors of a part.
 
-use macroline::drives::duty::{Motion, ToResistor, Turn};
+use macroline::drives::duty::{Motion, ResistorLoad, Turn};
 use macroline::drives::load::{Load, Regeneration};
 use macroline::drives::parts::{PartGrade, ResistorRatings};
 use macroline::machines::devices::BillItem;
@@ -30,7 +30,7 @@ fn starts(times: u32, speed: f64) -> Vec<Turn> {
 }
 
 #[test]
-fn mean_stop_and_peak_of_what_comes_back_follow_the_formulas() {
+fn regenerated_mean_stop_and_peak_follow_the_formulas() {
     let load = Load { inertia: 2e-3, torque: 0.1, efficiency: 0.9 };
     let (rotor, speed) = (3e-4, 200.0);
     let back = Regeneration { efficiency: 0.85, capacitor: 11.0 };
@@ -46,12 +46,12 @@ fn mean_stop_and_peak_of_what_comes_back_follow_the_formulas() {
     super::same("paused", motion.clone().with_pause(10.0).to_resistor(rotor, &back).mean, 5.0 * stop / 20.0, 1e-12);
     // Capacitors that take all of it leave nothing.
     let large = Regeneration { capacitor: 1e3, ..back };
-    assert_eq!(motion.to_resistor(rotor, &large), ToResistor::default());
+    assert_eq!(motion.to_resistor(rotor, &large), ResistorLoad::default());
 }
 
 #[test]
 fn resistor_takes_what_all_of_its_known_ratings_allow() {
-    let asked = ToResistor { mean: 20.0, stop: 300.0, peak: 2000.0 };
+    let asked = ResistorLoad { mean: 20.0, stop: 300.0, peak: 2000.0 };
     let of = |brake_power, brake_peak_power, brake_energy| {
         ResistorRatings { brake_power, brake_peak_power, brake_energy }.takes(&asked)
     };
@@ -128,7 +128,7 @@ fn resistor_rows(sizing: &Sizing) -> Vec<(String, PartGrade, f64)> {
 }
 
 #[test]
-fn what_no_resistor_of_the_catalogue_takes_is_an_open_row() {
+fn demand_beyond_every_resistor_is_an_open_row() {
     let (often, project) = (sized(&stopping()), line());
     let asked = |of: &Candidate| of.resistor.as_ref().unwrap().asked;
     assert!(braked(&often).into_iter().all(|motor| asked(motor).mean > 0.05 && asked(motor).peak > 0.0));

@@ -84,7 +84,7 @@ impl OpenDocuments {
         self.folders.values_mut().for_each(|folder| folder.read = None);
     }
 
-    /// A file is open with this text.
+    /// Handles an opened file and its text.
     pub(super) fn open(&mut self, address: Url, text: String) {
         let folder = self.folders.entry(folder(&address)).or_default();
         folder.texts.insert(address.clone(), text);
@@ -119,7 +119,7 @@ impl OpenDocuments {
         folder.read = None;
     }
 
-    /// A file is not open any more.
+    /// Handles a closed file.
     pub(super) fn close(&mut self, address: &Url) {
         let key = folder(address);
         let Some(folder) = self.folders.get_mut(&key) else { return };

@@ -50,7 +50,7 @@ pub(super) fn ProjectItem(
                         (reads.get(), place.get() == ShelfPlace::Present, place.get() == ShelfPlace::Aside);
                     let act = |label, shown: bool, act: fn(ProjectActions, ShelfState)| {
                         let about = Signal::derive(move || item.with(title));
-                        shown.then(|| view! { <Act label=label about=about press=actions.with_state(id, act) /> })
+                        shown.then(|| view! { <ItemButton label=label about=about press=actions.with_state(id, act) /> })
                     };
                     [
                         act("page.open", reads && !present, ProjectActions::open),
@@ -83,7 +83,7 @@ fn title(item: &ListedProject) -> String {
 
 /// A button of a project or version.
 #[component]
-fn Act(
+fn ItemButton(
     /// Catalog id of its words.
     label: &'static str,
     /// Name of the project or version, for people who do not see its place.
@@ -144,7 +144,7 @@ fn Version(
     let reads = unread.is_none();
     let act = |label, shown: bool, act: fn(ProjectActions, ShelfState)| {
         let about = name.clone();
-        shown.then(|| view! { <Act label=label about=about press=actions.with_state(id, act) /> })
+        shown.then(|| view! { <ItemButton label=label about=about press=actions.with_state(id, act) /> })
     };
     let acts = [
         act("page.open", reads, ProjectActions::open),

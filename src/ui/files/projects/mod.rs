@@ -122,9 +122,9 @@ mod tests {
 
     /// The open dialog, with two projects besides the present one, and a version of the first.
     async fn dialog() -> ViewBench {
-        shelf::pretend::empty();
+        shelf::test_shelf::empty();
         for state in [state("p2", "", "Order 2"), state("p3", "", "Order 3"), state("v2", "p2", "Order 2 before")] {
-            shelf::pretend::put(state).await;
+            shelf::test_shelf::put(state).await;
         }
         opened().await
     }
@@ -257,7 +257,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn pressed_step_is_gone_to_and_listed_as_undone() {
-        shelf::pretend::empty();
+        shelf::test_shelf::empty();
         let bench = opened().await;
         bench.page.set("pitch", Value::Number(9.0));
         bench.page.set("heads", Value::Number(7.0));
@@ -276,8 +276,8 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn refused_list_says_so_and_shows_what_was_set_aside() {
-        shelf::pretend::empty();
-        shelf::pretend::refuse("SecurityError");
+        shelf::test_shelf::empty();
+        shelf::test_shelf::refuse("SecurityError");
         drop(mount(|| ()).await);
         let bench = opened().await;
         set_aside::keep_project(&project().with_name("Order 7"), SetAsideReason::Replaced);
@@ -304,8 +304,8 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn row_of_a_newer_page_is_listed_and_left_alone() {
-        shelf::pretend::empty();
-        shelf::pretend::put(state("p9", "", "Order 9")).await;
+        shelf::test_shelf::empty();
+        shelf::test_shelf::put(state("p9", "", "Order 9")).await;
         let rows = shelf::states().await.unwrap();
         let newer = ShelfState { version: 2.0, ..rows[0].clone() };
         shelf::ask("restore", &[&js_sys::Array::of1(&shelf::row(&newer))]).await.unwrap();
