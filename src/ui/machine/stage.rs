@@ -50,12 +50,6 @@ pub(crate) fn Stage() -> impl IntoView {
         player.ask();
     };
     let state = Memo::new(move |_| shown_state(page));
-    // The control runs the program: the machine's own words say more, where it has some.
-    let words = move || {
-        let (id, _) = state.get();
-        let activity = if id == mode_words(Mode::Running) { page.player.activity.get() } else { None };
-        activity.map_or_else(|| t(id).to_owned(), |activity| sentence(&activity))
-    };
     let full = move || {
         if let Some(section) = section.get_untracked() {
             // With the film, which is beside the drawing.
@@ -70,7 +64,7 @@ pub(crate) fn Stage() -> impl IntoView {
                 // The labels make room for the elements over the drawing.
                 {fitted.refit()}
                 <div class="state">
-                    <span class=move || format!("mode {}", state.get().1)>{words}</span>
+                    <span class=move || format!("mode {}", state.get().1)>{move || state.get().0}</span>
                     <WrongValues />
                 </div>
                 <AlarmScreen />
@@ -106,18 +100,22 @@ fn open_field(event: MouseEvent) {
     }
 }
 
-/// Words and weight of the state: the machine's, as long as the film shows it in motion.
-fn shown_state(page: Page) -> (&'static str, Tone) {
+/// Words and weight of the state: the machine's, as long as the film shows it in motion; while the program runs, what it does to the work.
+fn shown_state(page: Page) -> (String, Tone) {
     let player = page.player;
     let (mode, begun) = player.now.with(|now| (now.mode, now.t > 0.0));
     let moves = matches!(mode, Mode::Running | Mode::Dwell | Mode::WaitFin);
-    match player.playing.get() {
+    let (words, tone) = match player.playing.get() {
         _ if page.program.has_errors() => ("page.mode-errors", Tone::Fail),
         _ if page.outlook.stopped.with(Option::is_some) => ("page.mode-at-once", Tone::Fail),
         false if moves && begun => ("page.mode-paused", Tone::Info),
         false if !begun => ("page.mode-ready", Tone::Info),
-        _ => (mode_words(mode), Tone::from(mode)),
-    }
+        _ => match player.activity.get().filter(|_| mode == Mode::Running) {
+            Some(activity) => return (sentence(&activity), Tone::from(mode)),
+            None => (mode_words(mode), Tone::from(mode)),
+        },
+    };
+    (t(words).to_owned(), tone)
 }
 
 /// Count of wrong fields, for a form that is out of sight; a press leads to them.
