@@ -254,7 +254,7 @@ fn loop_misses_at_most_the_stretch_at_the_tension_limit() {
     // The tension is that of the stretch.
     let tension = row(&sizing, OperatingEvent::Run, "tension").value;
     super::same("tension", tension, 15.0 - least.value * 4000.0 * 2.5 / 2000.0, 1e-9);
-    assert!(sizing.findings().iter().any(|found| sentence(&found.message).contains("Loop, minimum")));
+    assert!(sizing.findings().iter().any(|found| sentence(&found.message).contains("Loop, lowest")));
 }
 
 #[test]
