@@ -415,11 +415,11 @@ pub struct HoldingLimit {
 }
 
 /// Limits of the form that would hold at every event and by every rule of the machine, for those that fail at an event.
-pub(super) fn offers(project: &Project, rows: &[EnvelopeRow]) -> Vec<HoldingLimit> {
+pub(super) fn holding_limits(project: &Project, rows: &[EnvelopeRow]) -> Vec<HoldingLimit> {
     let beyond = rows.iter().filter(|row| row.verdict == Verdict::Fail);
-    let mut offers: Vec<HoldingLimit> = Vec::new();
+    let mut holding_limits: Vec<HoldingLimit> = Vec::new();
     for of in beyond {
-        let Some(field) = of.field.filter(|_| offers.iter().all(|known| known.id != of.id)) else { continue };
+        let Some(field) = of.field.filter(|_| holding_limits.iter().all(|known| known.id != of.id)) else { continue };
         let same = || rows.iter().filter(|row| row.id == of.id);
         let most = same().map(|row| row.value).fold(0.0, f64::max);
         let most = most.max(asked_by_rules(project, field));
@@ -429,9 +429,16 @@ pub(super) fn offers(project: &Project, rows: &[EnvelopeRow]) -> Vec<HoldingLimi
         let entry = (field, number_text(value, of.decimals));
         let fits = !is_cut && project.with_entries(core::slice::from_ref(&entry)).is_some();
         let entry = fits.then_some(entry);
-        offers.push(HoldingLimit { id: of.id.clone(), value, unit: of.unit, decimals: of.decimals, is_cut, entry });
+        holding_limits.push(HoldingLimit {
+            id: of.id.clone(),
+            value,
+            unit: of.unit,
+            decimals: of.decimals,
+            is_cut,
+            entry,
+        });
     }
-    offers
+    holding_limits
 }
 
 /// The greatest entry of a field in the advice on failing results; 0 if there is none.

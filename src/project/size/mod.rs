@@ -85,7 +85,7 @@ pub struct Sizing {
     /// Worst values at every event of operation.
     pub envelope: Vec<EnvelopeRow>,
     /// Limits of the form that would hold in operation, for those that fail.
-    pub offers: Vec<HoldingLimit>,
+    pub holding_limits: Vec<HoldingLimit>,
     /// Limits that bind next when speed, mass or pitch grow.
     pub limits: Vec<Growth>,
     /// The fastest operation of this hardware, if a limit binds within the range of the form.
@@ -118,14 +118,14 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
     };
     part();
     let envelope = envelope::envelope(project, &runs, &mut part);
-    let offers = if envelope.iter().any(EnvelopeRow::is_hold) {
+    let holding_limits = if envelope.iter().any(EnvelopeRow::is_hold) {
         // A hold ends the growth of the loop: the limit that would hold is that of runs without contacts.
         let free = SizingRuns::without_contacts(project, written);
-        envelope::offers(project, &envelope::envelope(project, &free, &mut || ()))
+        envelope::holding_limits(project, &envelope::envelope(project, &free, &mut || ()))
     } else {
-        envelope::offers(project, &envelope)
+        envelope::holding_limits(project, &envelope)
     };
-    let sizing = Sizing { envelope, offers, ..answers(project, &runs) };
+    let sizing = Sizing { envelope, holding_limits, ..answers(project, &runs) };
     part();
     sizing
 }
@@ -143,7 +143,7 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
         cycle: cycle(&prepared, runs),
         cut: runs.cut(),
         envelope: Vec::new(),
-        offers: Vec::new(),
+        holding_limits: Vec::new(),
         limits,
         fastest,
         sensitivities: sensitivity.flips(),

@@ -228,12 +228,12 @@ impl Sizing {
 impl Sizing {
     /// Limits of the form that would hold at every event, for those that fail.
     fn needed(&self, watched: &[&EnvelopeRow]) -> Option<Row> {
-        let offered = |of: &&EnvelopeRow| self.offers.iter().find(|offer| offer.id == of.id);
-        let text = |offer: &HoldingLimit| at_least(offer.is_cut, units::text(offer.value, offer.decimals, offer.unit));
-        let cells = watched.iter().map(|of| offered(of).map_or(String::new(), text));
-        let sets = watched.iter().filter_map(|of| offered(of)?.entry.clone()).collect();
+        let holding = |of: &&EnvelopeRow| self.holding_limits.iter().find(|limit| limit.id == of.id);
+        let text = |limit: &HoldingLimit| at_least(limit.is_cut, units::text(limit.value, limit.decimals, limit.unit));
+        let cells = watched.iter().map(|of| holding(of).map_or(String::new(), text));
+        let sets = watched.iter().filter_map(|of| holding(of)?.entry.clone()).collect();
         let told = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
-        (!self.offers.is_empty()).then_some(Row { sets, ..told })
+        (!self.holding_limits.is_empty()).then_some(Row { sets, ..told })
     }
 }
 

@@ -41,7 +41,7 @@ impl Sizing {
             })),
             "cut": self.cut.as_ref().map(|cut| json!({ "at_s": cut.at, "reason": sentence(&cut.message()) })),
             "envelope": self.envelope.iter().map(event).collect::<Vec<_>>(),
-            "would_hold": self.offers.iter().map(offer).collect::<Vec<_>>(),
+            "would_hold": self.holding_limits.iter().map(holding_limit).collect::<Vec<_>>(),
             "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
             "inverse": self.fastest.as_ref().map(fastest),
             "inverse_reason": no_fastest(&self.limits, self.fastest.as_ref()).as_ref().map(sentence),
@@ -126,10 +126,10 @@ fn event(row: &EnvelopeRow) -> Json {
     })
 }
 
-fn offer(offer: &HoldingLimit) -> Json {
+fn holding_limit(of: &HoldingLimit) -> Json {
     json!({
-        "id": offer.id, "value": offer.value, "unit": offer.unit, "more_than_value": offer.is_cut,
-        "field": offer.entry.as_ref().map(|entry| entry.0), "entry": offer.entry.as_ref().map(|entry| entry.1.as_str()),
+        "id": of.id, "value": of.value, "unit": of.unit, "more_than_value": of.is_cut,
+        "field": of.entry.as_ref().map(|entry| entry.0), "entry": of.entry.as_ref().map(|entry| entry.1.as_str()),
     })
 }
 

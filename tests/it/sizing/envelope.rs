@@ -381,7 +381,7 @@ fn unwinder_that_nothing_slows_coasts_beyond_the_run() {
     let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
     assert!(told.iter().any(|line| line.contains(": Loop comes to > ")), "{told:?}");
     // No loop would hold.
-    assert!(sizing.offers.iter().all(|offer| offer.id != "loop" || offer.is_cut && offer.entry.is_none()));
+    assert!(sizing.holding_limits.iter().all(|limit| limit.id != "loop" || limit.is_cut && limit.entry.is_none()));
 }
 
 #[test]
@@ -472,7 +472,7 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     assert_eq!((sizing.cut.as_ref().unwrap().is_held, sizing.cycle), (true, None));
     assert!(told.iter().any(|line| line.starts_with("Start: a contact of the machine holds the program.")), "{told:?}");
     // The loop that is offered is the one of runs that nothing holds.
-    let sets: Vec<_> = sizing.offers.iter().filter_map(|offer| offer.entry.clone()).collect();
+    let sets: Vec<_> = sizing.holding_limits.iter().filter_map(|limit| limit.entry.clone()).collect();
     let after = sized(&project.with_entries(&sets).unwrap());
     assert!(after.envelope.iter().all(|row| row.id != "hold" && (row.id != "loop" || row.verdict == Verdict::Ok)));
     assert_eq!(after.cut, None);
