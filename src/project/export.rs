@@ -14,6 +14,9 @@ use crate::text::units::in_millimetres;
 use crate::text::{Diagnostic, Severity};
 use crate::view::{self, report};
 
+/// Name of the report for people, which is printed.
+pub const REPORT: &str = "report.html";
+
 /// Options of an export.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ExportOptions<'a> {
@@ -103,7 +106,7 @@ impl Project {
         let file = |name: &str, text| File { name: name.to_owned(), text };
         let told = self.report(prepared, written, options);
         let mut files = vec![
-            file("report.html", report::html(&told)),
+            file(REPORT, report::html(&told)),
             file("report.md", report::markdown(&told)),
             file("drawing.svg", told.run.drawing.clone()),
         ];

@@ -1,6 +1,11 @@
 // Sharing: the link that carries a project, the archive of all files, the printed report.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { FIREFOX, accessible, ready, start, withPage } from './page.mjs';
 
 let app;
@@ -92,6 +97,26 @@ test('a link that was cut is told and changes nothing', async () => {
   });
 });
 
+// Sizes of the pages of a PDF, in points.
+function sizesOf(pdf) {
+  const boxes = [...pdf.toString('latin1').matchAll(/\/MediaBox \[([^\]]*)\]/g)];
+  return [...new Set(boxes.map(([, box]) => box.split(' ').map((side) => Math.round(Number(side))).join(' ')))];
+}
+
+// The command of the native tests, where they ran before.
+const COMMAND = fileURLToPath(new URL('../../target/debug/macroline', import.meta.url));
+
+test('the command prints the report too', { skip: !existsSync(COMMAND) || FIREFOX }, () => {
+  const folder = mkdtempSync(join(tmpdir(), 'share-'));
+  const [project, out] = ['line.json', 'out'].map((name) => join(folder, name));
+  writeFileSync(project, execFileSync(COMMAND, ['new', 'ribbon-line']));
+  for (const [paper, size] of [['a4', '0 0 595 842'], ['letter', '0 0 612 792']]) {
+    execFileSync(COMMAND, ['export', project, '--out', out, '--pdf', '--paper', paper]);
+    assert.deepEqual(sizesOf(readFileSync(join(out, 'report.pdf'))), [size]);
+  }
+  rmSync(folder, { recursive: true });
+});
+
 test('the report is printed as the export has it, in three clicks', () =>
   withPage(app, {}, async ({ page, context }) => {
     await context.addInitScript(() => (window.print = () => (document.title = `printed ${document.title}`)));
@@ -109,9 +134,7 @@ test('the report is printed as the export has it, in three clicks', () =>
     if (!FIREFOX) {
       // The printer sets the paper.
       for (const [format, size] of [['A4', '0 0 596 843'], ['Letter', '0 0 612 792']]) {
-        const pdf = (await report.pdf({ format, preferCSSPageSize: true })).toString('latin1');
-        const sizes = new Set([...pdf.matchAll(/\/MediaBox \[([^\]]*)\]/g)].map(([, box]) => box.split(' ').map((side) => Math.round(Number(side))).join(' ')));
-        assert.deepEqual([...sizes], [size]);
+        assert.deepEqual(sizesOf(await report.pdf({ format, preferCSSPageSize: true })), [size]);
       }
     }
   }));

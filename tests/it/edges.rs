@@ -124,6 +124,55 @@ fn read_only_folder_stays_as_it_was() {
 }
 
 #[cfg(unix)]
+/// A program in place of a browser.
+#[cfg(unix)]
+fn browser(folder: &Path, script: &str) -> String {
+    use std::os::unix::fs::PermissionsExt;
+    let path = folder.join("browser");
+    fs::write(&path, format!("#!/bin/sh\n{script}\n")).unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    text(&path).to_owned()
+}
+
+/// Prints by the option that names the PDF.
+#[cfg(unix)]
+const PRINTS: &str =
+    r#"for word; do case "$word" in --print-to-pdf=*) printf %s %PDF-1.4 > "${word#--print-to-pdf=}";; esac; done"#;
+
+#[test]
+#[cfg(unix)]
+fn pdf_of_a_browser_is_a_file_of_the_export() {
+    let folder = folder("pdf");
+    let (project, browser, out) = (project(&folder, |_| {}), browser(&folder, PRINTS), folder.join("out"));
+    let done = macroline(&["export", text(&project), "--out", text(&out), "--pdf", "--browser", &browser]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    assert_eq!(fs::read_to_string(out.join("report.pdf")).unwrap(), "%PDF-1.4");
+    assert!(String::from_utf8(done.stdout).unwrap().ends_with("report.pdf\n"));
+}
+
+#[test]
+#[cfg(unix)]
+fn browser_that_prints_nothing_or_is_missing_exports_nothing() {
+    let folder = folder("no-pdf");
+    let (project, out) = (project(&folder, |_| {}), folder.join("out"));
+    let fails = browser(&folder, "exit 3");
+    for (browser, reason) in
+        [(fails.as_str(), "printed no PDF (exit status: 3)"), ("/no/such/browser", "/no/such/browser: ")]
+    {
+        let done = macroline(&["export", text(&project), "--out", text(&out), "--pdf", "--browser", browser]);
+        assert_eq!(done.status.code(), Some(1));
+        assert!(said(&done).contains(reason), "{}", said(&done));
+        assert!(!out.exists());
+    }
+    let without = command::macroline()
+        .args(["export", text(&project), "--out", text(&out), "--pdf"])
+        .env("PATH", "")
+        .output()
+        .unwrap();
+    assert!(said(&without).contains("install Chromium, Chrome or Edge"), "{}", said(&without));
+    assert_eq!(macroline(&["export", text(&project), "--out", "out", "--browser", "any"]).status.code(), Some(2));
+}
+
 #[test]
 fn links_are_replaced_and_not_followed() {
     let folder = folder("links");

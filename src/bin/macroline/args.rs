@@ -92,6 +92,15 @@ pub(crate) enum Command {
         /// Date in the title block of the report, as its reader writes dates; without it the field stays empty
         #[arg(long, default_value = "")]
         date: String,
+        /// Prints the report as report.pdf too, by a browser: Chromium, Chrome or Edge
+        #[arg(long)]
+        pdf: bool,
+        /// Browser for the PDF; without it the first that is installed
+        #[arg(long, value_name = "PROGRAM", requires = "pdf")]
+        browser: Option<PathBuf>,
+        /// Paper of the PDF
+        #[arg(long, value_enum, default_value_t, requires = "pdf")]
+        paper: Paper,
     },
     /// Draws the machine at a moment of its run, as SVG
     Draw {
@@ -225,6 +234,16 @@ impl From<LengthUnits> for Lengths {
             LengthUnits::Inch => Lengths::Inches,
         }
     }
+}
+
+/// Paper of a PDF.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Paper {
+    /// 210 mm by 297 mm
+    #[default]
+    A4,
+    /// 8.5 inches by 11 inches
+    Letter,
 }
 
 /// How the diagnostics are printed.

@@ -7,6 +7,7 @@ use macroline::controls::Control;
 use macroline::machines;
 use macroline::msg;
 use macroline::project::chance::chance;
+use macroline::project::export::REPORT;
 use macroline::project::file_findings::list_json;
 use macroline::project::help::texts::Texts;
 use macroline::project::help::{Help, explain, pages};
@@ -19,13 +20,13 @@ use macroline::text::units;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
 
-use crate::args::{Command, Format};
+use crate::args::{Command, Format, Paper};
 use crate::input;
 use crate::language::{self, failed};
 use crate::output::{
     self, Failure, print, print_diagnostics, print_error, print_json, refuse, refused, tell, tell_silenced, verdict,
 };
-use crate::{export, lsp, run};
+use crate::{export, lsp, pdf, run};
 
 pub(crate) fn main() -> ExitCode {
     let line = match language::line() {
@@ -45,7 +46,9 @@ pub(crate) fn main() -> ExitCode {
         Command::Design { project, json } => design(&project, json),
         Command::Size { project, draws, seed, json } => size(&project, (draws, seed), json),
         Command::Compare { projects, json } => compare(&projects, json),
-        Command::Export { project, out, date } => export(&project, &out, &date),
+        Command::Export { project, out, date, pdf, browser, paper } => {
+            export(&project, &out, &date, pdf.then_some((paper, browser.as_deref())))
+        }
         Command::Draw { project, at, dark, out } => draw(&project, at, dark, &out),
         Command::Check { files, control, switch, silence, json, format } => {
             let format = if json { Format::Json } else { format };
@@ -178,14 +181,19 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
     verdict(&all)
 }
 
-fn export(path: &Path, folder: &Path, date: &str) -> Result<(), Failure> {
+/// `pdf` asks for the report on a paper, printed by a browser if it names one.
+fn export(path: &Path, folder: &Path, date: &str, pdf: Option<(Paper, Option<&Path>)>) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
     let (export, all) = answers::exported(&project, date, file);
     tell(&all)?;
     verdict(&all)?;
-    export::write(folder, &export.bytes().collect::<Vec<_>>()).map_err(Failure::Outside)?;
-    let paths = export.files.iter().map(|file| format!("{}\n", folder.join(&file.name).display()));
+    let mut files: Vec<_> = export.bytes().collect();
+    if let (Some((paper, browser)), Some((_, report))) = (pdf, files.iter().find(|(name, _)| *name == REPORT)) {
+        files.push((pdf::NAME, pdf::print(report, paper, browser).map_err(Failure::Outside)?));
+    }
+    export::write(folder, &files).map_err(Failure::Outside)?;
+    let paths = files.iter().map(|(name, _)| format!("{}\n", folder.join(name).display()));
     print(&paths.collect::<String>())
 }
 

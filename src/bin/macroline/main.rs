@@ -18,6 +18,9 @@ mod language;
 mod export;
 
 #[cfg(not(target_arch = "wasm32"))]
+mod pdf;
+
+#[cfg(not(target_arch = "wasm32"))]
 mod run;
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -10,6 +10,7 @@ use web_sys::Window;
 
 use crate::nc::File;
 use crate::project::Project;
+use crate::project::export::REPORT;
 use crate::text::Place;
 use crate::ui::dom::script::{call, load, table};
 use crate::ui::dom::{self, go_to_field};
@@ -22,9 +23,6 @@ use crate::view::report::TitleBlock;
 
 /// The bundle that makes archives.
 const ARCHIVE: &str = "archive.js";
-
-/// The file that is printed.
-const REPORT: &str = "report.html";
 
 #[wasm_bindgen(module = "/src/ui/files/tab.js")]
 extern "C" {

@@ -1,14 +1,18 @@
 //! Links: a project survives the way through the fragment of an address, and a link that was changed on its way opens nothing.
 
+use base64::Engine;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use expect_test::{Expect, expect};
 use macroline::machines;
 use macroline::machines::form::Provenance;
 use macroline::motion::{Action, Event, Panel};
-use macroline::nc::Files;
+use macroline::nc::{File, Files};
 use macroline::project::Project;
 use macroline::project::saved::{MAX_LINK, embedded, is_link};
 use macroline::text::catalog::sentence;
 use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
 
 use super::sweep;
 
@@ -28,23 +32,88 @@ fn check(link: &str, expect: Expect) {
     expect.assert_eq(&said(link));
 }
 
-#[test]
-fn a_thousand_forms_survive_the_way_through_a_link() {
-    let mut count = 0;
-    for machine in machines::ALL {
-        for control in machine.controls() {
-            for project in sweep::forms(*machine, control).into_iter().step_by(3) {
-                let link = project.to_link().unwrap();
-                let loaded = Project::from_link(&link);
-                assert!(loaded.project.as_ref() == Some(&project), "{}", project.to_json());
-                assert!(
-                    is_link(&link) && link.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte))
-                );
-                count += 1;
-            }
+/// What a person enters beside the form.
+#[derive(Debug)]
+struct Entries {
+    names: [String; 3],
+    measured: Option<prop::sample::Index>,
+    events: Vec<(u16, Action)>,
+    programs: Option<Vec<String>>,
+    variant: Option<String>,
+}
+
+impl Entries {
+    fn any() -> impl Strategy<Value = Entries> {
+        let text = || "\\PC{0,24}";
+        let action = prop_oneof![
+            (50_u8..=120).prop_map(|percent| Action::SpindleOverride(f64::from(percent))),
+            (0_u8..=150).prop_map(|percent| Action::FeedOverride(f64::from(percent))),
+            any::<bool>().prop_map(Action::SingleBlock),
+            Just(Action::Hold),
+            Just(Action::Start),
+            Just(Action::Reset),
+            Just(Action::EmergencyStop),
+        ];
+        let events = prop::collection::vec((any::<u16>(), action), 0..12);
+        let programs = prop::option::of(prop::collection::vec("[ -~\\n°£中文]{0,200}", 1..4));
+        (
+            [text(), text(), text()],
+            any::<Option<prop::sample::Index>>(),
+            events,
+            programs,
+            prop::option::of("[A-Z][a-z]{0,9}"),
+        )
+            .prop_map(|(names, measured, events, programs, variant)| Entries {
+                names,
+                measured,
+                events,
+                programs,
+                variant,
+            })
+    }
+
+    fn enter(self, project: &mut Project) {
+        let [name, author, revision] = self.names;
+        (project.name, project.title_block.author, project.title_block.revision) = (name, author, revision);
+        let fields: Vec<_> = project.values.keys().cloned().collect();
+        if let Some(at) = self.measured.filter(|_| !fields.is_empty()) {
+            project.provenance.insert(at.get(&fields).clone(), Provenance::Measured);
+        }
+        project.panel = Panel::new(self.events.into_iter().map(|(t, action)| Event { t: f64::from(t) / 64.0, action }));
+        project.edited = self.programs.map(|texts| {
+            let named = texts.into_iter().enumerate();
+            Files(named.map(|(at, text)| File { name: format!("O{at}.nc"), text }).collect())
+        });
+        if let Some(name) = self.variant {
+            project.keep_variant(&name);
         }
     }
-    assert!(count >= 1000, "{count}");
+}
+
+/// Projects of every machine and control, a third of the swept forms, with entries beside the form.
+fn projects() -> Vec<Project> {
+    let mut dice = TestRunner::deterministic();
+    let controls = machines::ALL.iter().flat_map(|machine| machine.controls().iter().map(move |id| (*machine, *id)));
+    let mut projects: Vec<_> =
+        controls.flat_map(|(machine, control)| sweep::forms(machine, control).into_iter().step_by(3)).collect();
+    for project in &mut projects {
+        Entries::any().new_tree(&mut dice).unwrap().current().enter(project);
+    }
+    projects
+}
+
+#[test]
+fn a_thousand_projects_survive_the_way_through_a_link() {
+    let projects = projects();
+    assert!(projects.len() >= 1000, "{}", projects.len());
+    for project in projects {
+        let link = project.to_link().unwrap();
+        let loaded = Project::from_link(&link);
+        assert!(loaded.project.as_ref() == Some(&project), "{}", project.to_json());
+        assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
+        let in_address = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte);
+        assert!(is_link(&link) && link.bytes().all(in_address));
+    }
 }
 
 #[test]
@@ -129,17 +198,21 @@ fn links_that_open_nothing_say_why() {
     assert!(["", "machine", "p", "p.", "px.", "1.p", "#p1."].iter().all(|fragment| !is_link(fragment)));
 }
 
+/// A link of the present form with a right checksum around any deflate stream.
+fn link_around(deflated: &[u8]) -> String {
+    let checksum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(deflated);
+    format!("p2.{}", URL_SAFE_NO_PAD.encode([&checksum.to_be_bytes(), deflated].concat()))
+}
+
 #[test]
 fn short_link_to_a_very_long_file_is_refused() {
-    use base64::Engine;
     let file = vec![b' '; 5_000_000];
     let zlib = miniz_oxide::deflate::compress_to_vec_zlib(&file, 9);
-    let deflated = miniz_oxide::deflate::compress_to_vec(&file, 9);
-    let check_sum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(&deflated);
-    let with_check_sum = [&check_sum.to_be_bytes(), deflated.as_slice()].concat();
-    for (form, bytes) in [("p1.", zlib), ("p2.", with_check_sum)] {
+    for link in
+        [format!("p1.{}", URL_SAFE_NO_PAD.encode(zlib)), link_around(&miniz_oxide::deflate::compress_to_vec(&file, 9))]
+    {
         check(
-            &(form.to_owned() + &base64::engine::general_purpose::URL_SAFE_NO_PAD.encode(bytes)),
+            &link,
             expect![[r#"
         The link is not whole: it was cut or changed on its way. Ask for it once more, or for the project as a file.
         no project"#]],
@@ -183,6 +256,49 @@ proptest! {
             None => prop_assert_eq!(loaded.diagnostics.len(), 1),
         }
     }
+}
+
+/// Replaces bytes; `None` removes one.
+fn replaced(mut bytes: Vec<u8>, changes: &[(prop::sample::Index, Option<u8>)]) -> Vec<u8> {
+    for (at, to) in changes {
+        let at = at.index(bytes.len());
+        match to {
+            Some(to) => bytes[at] = *to,
+            None => drop(bytes.drain(at..at + 1)),
+        }
+    }
+    bytes
+}
+
+/// A hostile link has a right checksum. It gives a project that can be kept and linked, or says why it gives none.
+#[test]
+fn ten_thousand_forged_links_give_a_whole_project_or_none() {
+    let byte = prop_oneof![6 => prop::option::of(prop::num::u8::ANY), 4 => prop::sample::select(&b"0123456789-e.,:\"{}[]n"[..]).prop_map(Some)];
+    let changes = prop::collection::vec((any::<prop::sample::Index>(), byte), 1..6);
+    let mut dice = TestRunner::deterministic();
+    let files: Vec<_> = projects().iter().map(|project| project.to_json().into_bytes()).collect();
+    let (mut forged, mut opened) = (0, 0);
+    for file in files.iter().cycle().take(10_000) {
+        let changes = changes.new_tree(&mut dice).unwrap().current();
+        let deflated = |file: &[u8]| miniz_oxide::deflate::compress_to_vec(file, 1);
+        // Every fourth is changed under the compression's feet.
+        forged += 1;
+        let link = match forged % 4 {
+            0 => link_around(&replaced(deflated(file), &changes)),
+            _ => link_around(&deflated(&replaced(file.clone(), &changes))),
+        };
+        let loaded = Project::from_link(&link);
+        match loaded.project {
+            Some(project) => {
+                opened += 1;
+                let again = Project::from_json(&project.to_json());
+                assert!(again.project.as_ref() == Some(&project), "{link}\n{}", project.to_json());
+                assert!(again.diagnostics.is_empty(), "{link}\n{:?}", again.diagnostics);
+            }
+            None => assert!(!loaded.diagnostics.is_empty(), "{link}"),
+        }
+    }
+    assert!(opened > 1000 && opened < 9000, "{opened} of {forged}");
 }
 
 /// Machine, control and name of the project that an embedded page shows, or the findings about its address.
