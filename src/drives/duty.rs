@@ -1,6 +1,6 @@
 //! Load of a motion on its motor: torque at the shaft over time for any rotor, and the energy in both directions.
 
-use super::load::{Load, Regeneration, power};
+use super::load::{Load, Regeneration, power, through_gear};
 use super::servo::Servo;
 use super::spindle_motor::MotorCurve;
 use crate::math::RPM;
@@ -36,6 +36,7 @@ pub struct Motion {
     turns: Vec<Turn>,
     load: Load,
     hold: f64,
+    weight: f64,
     strikes: Strikes,
     pause: f64,
     /// Start and end times (s) of the load's steady torque; `None`: it always acts.
@@ -133,12 +134,17 @@ impl Motion {
     /// Nm.
     pub fn new(turns: impl IntoIterator<Item = Turn>, load: Load, hold: f64) -> Motion {
         let turns = turns.into_iter().flat_map(at_reversal).filter(|turn| turn.seconds > 0.0).collect();
-        Motion { turns, load, hold, strikes: Strikes::default(), pause: 0.0, works: None, cuts: None }
+        Motion { turns, load, hold, weight: 0.0, strikes: Strikes::default(), pause: 0.0, works: None, cuts: None }
     }
 
     /// The motion, with an interrupted cut during all steady speeds.
     pub fn with_strikes(self, strikes: Strikes) -> Motion {
         Motion { strikes, ..self }
+    }
+
+    /// The motion, with a weight that it lifts in the positive direction and holds at standstill; its torque at rest in Nm.
+    pub fn with_weight(self, weight: f64) -> Motion {
+        Motion { weight, ..self }
     }
 
     /// The motion, followed by a standstill of `pause` seconds until the next run.
@@ -162,6 +168,11 @@ impl Motion {
     /// The motion of a load without inertia: its steady torques alone.
     pub fn without_inertia(self) -> Motion {
         Motion { load: Load { inertia: 0.0, ..self.load }, ..self }
+    }
+
+    /// Torque (Nm) at standstill.
+    fn at_rest(&self) -> f64 {
+        self.hold + self.weight
     }
 
     /// Torque (Nm) of a cut during a turn; none for a load without cuts.
@@ -198,11 +209,11 @@ impl Motion {
     }
 
     /// Torque in Nm during a turn, positive in the positive direction: steady torque and `(J_L / η + J_M) α` while the shaft accelerates,
-    /// `(J_L η + J_M) α` while it decelerates. Source: sizing facts 2.2.
+    /// `(J_L η + J_M) α` while it decelerates; a weight takes `T / η` upwards and gives `T η` downwards. Source: sizing facts 2.2.
     pub fn torque(&self, turn: &Turn, rotor: f64) -> f64 {
         let Turn { from, to, seconds, .. } = *turn;
         if from.abs() < STANDS && to.abs() < STANDS {
-            return self.hold;
+            return self.at_rest();
         }
         let side = (from + to).signum();
         let rises = side * (to - from) > 0.0;
@@ -213,7 +224,7 @@ impl Motion {
         } else {
             steady - change(self.load.braking(rotor, 1.0, 1.0))
         };
-        side * along
+        side * along + through_gear(side * self.weight, 1.0, self.load.efficiency) * side
     }
 
     /// Greatest torque in Nm during a turn, without sign, and the addition of its strikes to the mean square, (Nm)².
@@ -242,7 +253,7 @@ impl Motion {
             work.seconds += turn.seconds;
         }
         if work.seconds > 0.0 {
-            work.effective = with_pause((square / work.seconds).sqrt(), work.seconds, self.pause, self.hold);
+            work.effective = with_pause((square / work.seconds).sqrt(), work.seconds, self.pause, self.at_rest());
         }
         work
     }

@@ -1,8 +1,10 @@
-//! Engineering formulas shared by the machines: inertia, load and duty of motors, servo motors and their derating, parts to order, cams, analog output, spindle speed and positioning, gear units, cutting, web and reel, timing of a servo’s block, induction motors, polygon turning, axis scaling.
+//! Engineering formulas shared by the machines: inertia, load and duty of motors, slides on ball screws, servo motors and their derating, parts to order, cams, analog output, spindle speed and positioning, gear units, cutting, web and reel, timing of a servo’s block, induction motors, polygon turning, axis scaling.
 
 pub mod inertia;
 
 pub mod load;
+
+pub mod slide;
 
 pub mod duty;
 

@@ -1,6 +1,6 @@
 //! Drives that a machine is sized by: motors behind its axes, the drive behind its inverter, and quantities checked during operation.
 
-use crate::drives::duty::{Motion, OperatingPoint, Strikes, Turn};
+use crate::drives::duty::{CutSpan, Motion, OperatingPoint, Strikes, Turn};
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::drives::spindle_motor::MotorCurve;
@@ -23,10 +23,14 @@ pub struct DrivenAxis {
     pub load: Load,
     /// Torque at standstill, Nm.
     pub hold: f64,
+    /// Torque (Nm) of a weight that it lifts in the positive direction, besides `hold`; 0 without one.
+    pub weight: f64,
     /// Its interrupted cut.
     pub strikes: Strikes,
     /// Greatest torque (Nm) at steady speed that the load of a run does not have: a web pulled taut after a start. 0 without one.
     pub taut: f64,
+    /// Torque (Nm) of the cut while the machine works, besides the steady torque of the load; none where that torque is the one of the work.
+    pub cut: Option<f64>,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// The motor that the form has.
@@ -153,10 +157,18 @@ pub struct FormMotor {
 }
 
 impl DrivenAxis {
-    /// The motion of the motor's shaft in a part of a run.
-    pub fn motion(&self, stretches: &[Stretch]) -> Motion {
-        Motion::new(turns(stretches, self.turn), self.load, self.hold)
-            .with_strikes(pulled_taut(self.strikes, self.taut))
+    /// The motion of the motor's shaft in a part of a run, under the torque of its work within these spans (s); without spans always.
+    pub fn motion(&self, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> Motion {
+        let motion = Motion::new(turns(stretches, self.turn), self.load, self.hold)
+            .with_weight(self.weight)
+            .with_strikes(pulled_taut(self.strikes, self.taut));
+        match (works, self.cut) {
+            (None, _) => motion,
+            (Some(works), None) => motion.with_work(works.to_vec()),
+            (Some(works), Some(torque)) => {
+                motion.with_cuts(works.iter().map(|&(begin, end)| CutSpan { begin, end, torque }).collect())
+            }
+        }
     }
 }
 

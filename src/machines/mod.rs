@@ -26,6 +26,8 @@ mod shift;
 
 mod materials;
 
+mod slides;
+
 pub mod ladder;
 
 pub mod header;

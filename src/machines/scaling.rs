@@ -160,7 +160,7 @@ pub const fn lead<P>(id: &'static str, group: &'static str, label: &'static str,
 /// A field for the teeth of a gear.
 pub const fn teeth<P>(id: &'static str, group: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).group(group).label(label).help("scaling.teeth.help");
-    row.range(1.0..=10_000.0).default(1.0).decimals(0).step(1.0).fact()
+    row.range(1.0..=1000.0).default(1.0).decimals(0).step(1.0).fact()
 }
 
 /// A field for the counts of the encoders.

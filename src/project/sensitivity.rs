@@ -46,7 +46,7 @@ pub struct TriedFact {
 
 impl Sensitivity {
     /// Prepares the machine with 0.9 and 1.1 of each number that is shown on the control, is an uncertain fact and has no known origin: within the range
-    /// of the field, rounded to its decimals, a whole number at least one off.
+    /// of the field, rounded to its decimals, a whole number above 1 at least one off.
     pub fn new(project: &Project) -> Sensitivity {
         let tried = |field: FieldInfo| {
             let after = FACTORS.into_iter().filter_map(|factor| {
@@ -115,7 +115,8 @@ pub(super) fn changed(project: &Project, field: &FieldInfo, factor: f64) -> Opti
     };
     let rounded = |number: f64| number_text(math::clamp(number, min, max), decimals).parse::<f64>().ok();
     let mut changed = rounded(value * factor)?;
-    if decimals == 0 && changed == value {
+    // One off a count of one is no error of measurement.
+    if decimals == 0 && changed == value && value.abs() > 1.0 {
         changed = rounded(value + (factor - 1.0).signum())?;
     }
     (changed != value).then_some(changed)

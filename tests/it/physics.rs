@@ -15,6 +15,7 @@ mod replanning;
 mod scaling;
 mod script;
 mod sheets;
+mod slide;
 mod spindle;
 mod standstill;
 mod turning;

@@ -14,6 +14,7 @@ mod growth;
 mod rated_torque;
 mod reel;
 mod resistors;
+mod slides;
 mod taut;
 mod timeline;
 mod tornado;

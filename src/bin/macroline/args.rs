@@ -236,7 +236,7 @@ impl From<LengthUnits> for Lengths {
     }
 }
 
-/// Paper of a PDF.
+/// Paper of the PDF.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Paper {
     /// 210 mm by 297 mm

@@ -7,13 +7,15 @@ use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, GaugeRow};
+use crate::machines::scaling::AxisDrive;
+use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDrive, SlideMachine};
 use crate::math::PI;
 use crate::motion::Mover;
 
 /// All that the drive gives may be asked: the form has no reserve beside its peak torque.
 const WHOLE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
 
-/// The motors of work and tool, under the greatest torque of all feeds while the slide is in the stock.
+/// The motors of work and tool, under the greatest torque of all feeds while the slide is in the stock, and those of the slides.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
     let axis = |id, name, at, spindle: Spindle, (motor_teeth, teeth): (f64, f64)| {
         let p = &lathe.p;
@@ -39,8 +41,10 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             turn: gear * PI / 180.0,
             load: Load { inertia: drive.inertia / (gear * gear), torque: mean, efficiency },
             hold: 0.0,
+            weight: 0.0,
             strikes: Strikes::new(peak, mean),
             taut: 0.0,
+            cut: None,
             // Wheels of the lathe itself.
             gear: None,
             fitted: Fitted { motor, limits: WHOLE },
@@ -49,10 +53,34 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
         }
     };
     let p = &lathe.p;
-    vec![
+    let turned = [
         axis("work", "polygon.drive.work", WORK, Spindle::Work, (p.work_motor_teeth, p.work_teeth)),
         axis("tool", "polygon.drive.tool", TOOL, Spindle::Tool, (p.tool_motor_teeth, p.tool_teeth)),
-    ]
+    ];
+    turned.into_iter().chain(slides::axes(lathe)).collect()
+}
+
+impl HasSlides for PolygonLathe {
+    fn slides(&self) -> [ServoSlide; 2] {
+        let (p, [x, z]) = (&self.p, self.drives());
+        let drive = |at: usize, of: AxisDrive, rapid: f64, rise: f64| SlideDrive {
+            at,
+            lead: of.lead,
+            gear: of.gear.0 / of.gear.1,
+            rapid,
+            rise,
+        };
+        let machine = SlideMachine {
+            efficiency: p.screw_efficiency,
+            ramp: (p.time_constant, p.position_gain),
+            site_share: p.site_share,
+            feed_force: self.force() * p.feed_force / 100.0,
+        };
+        [
+            ServoSlide::new(&p.slide_x, drive(self.cross(), x, p.rapid_x, p.bed_angle), &machine),
+            ServoSlide::new(&p.slide_z, drive(self.along(), z, p.rapid_z, 0.0), &machine),
+        ]
+    }
 }
 
 /// Quantities checked during operation: lead of the tool over its ratio to the work.

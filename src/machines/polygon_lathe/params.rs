@@ -5,6 +5,7 @@ use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
+use crate::machines::slides::{self, SlideParams};
 use crate::machines::{shift, site};
 use crate::{member, options};
 
@@ -186,6 +187,11 @@ pub(crate) struct Params {
     pub encoder_counts: f64,
     pub time_constant: f64,
     pub position_gain: f64,
+    pub slide_x: SlideParams,
+    pub slide_z: SlideParams,
+    pub bed_angle: f64,
+    pub screw_efficiency: f64,
+    pub feed_force: f64,
     pub block_time: f64,
     pub macro_time: f64,
     pub preread: f64,
@@ -514,6 +520,35 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
     number("position-gain", member!(Params.position_gain)).group("polygon.group.slides").label("polygon.position-gain").help("polygon.position-gain.help").symbol("K")
         .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
+    slides::mass("slide-mass-x", "slides.mass-x", 150.0, member!(Params.slide_x.mass)),
+    slides::friction("slide-friction-x", "slides.friction-x", 200.0, member!(Params.slide_x.friction)),
+    slides::screw_diameter("screw-diameter-x", "slides.screw-diameter-x", 32.0, member!(Params.slide_x.screw_diameter)),
+    slides::screw_length("screw-length-x", "slides.screw-length-x", 500.0, member!(Params.slide_x.screw_length)),
+    slides::mass("slide-mass-z", "slides.mass-z", 250.0, member!(Params.slide_z.mass)),
+    slides::friction("slide-friction-z", "slides.friction-z", 250.0, member!(Params.slide_z.friction)),
+    slides::screw_diameter("screw-diameter-z", "slides.screw-diameter-z", 40.0, member!(Params.slide_z.screw_diameter)),
+    slides::screw_length("screw-length-z", "slides.screw-length-z", 1000.0, member!(Params.slide_z.screw_length)),
+    slides::bed_angle(member!(Params.bed_angle)),
+    slides::efficiency(member!(Params.screw_efficiency)),
+    slides::feed_force(member!(Params.feed_force)),
+    slides::motor("motor-x", "slides.motor-x", member!(&Params.slide_x.motor)),
+    slides::rated("motor-rated-torque-x", "slides.motor-rated-torque-x", 4.8, member!(Params.slide_x.rated)),
+    slides::stall("motor-stall-x", "slides.motor-stall-x", 4.8, member!(Params.slide_x.stall)),
+    slides::peak("motor-peak-x", "slides.motor-peak-x", 14.3, member!(Params.slide_x.peak)),
+    slides::rotor("motor-rotor-x", "slides.motor-rotor-x", 11.6, member!(Params.slide_x.rotor)),
+    slides::rated_speed("motor-rated-x", "slides.motor-rated-x", 2000.0, member!(Params.slide_x.rated_speed)),
+    slides::top_speed("motor-max-x", "slides.motor-max-x", 3000.0, member!(Params.slide_x.top_speed)),
+    slides::inertia_limit("inertia-limit-x", "slides.inertia-limit-x", member!(Params.slide_x.inertia_limit)),
+    slides::effective_limit("effective-limit-x", "slides.effective-limit-x", member!(Params.slide_x.effective_limit)),
+    slides::motor("motor-z", "slides.motor-z", member!(&Params.slide_z.motor)),
+    slides::rated("motor-rated-torque-z", "slides.motor-rated-torque-z", 4.8, member!(Params.slide_z.rated)),
+    slides::stall("motor-stall-z", "slides.motor-stall-z", 4.8, member!(Params.slide_z.stall)),
+    slides::peak("motor-peak-z", "slides.motor-peak-z", 14.3, member!(Params.slide_z.peak)),
+    slides::rotor("motor-rotor-z", "slides.motor-rotor-z", 11.6, member!(Params.slide_z.rotor)),
+    slides::rated_speed("motor-rated-z", "slides.motor-rated-z", 2000.0, member!(Params.slide_z.rated_speed)),
+    slides::top_speed("motor-max-z", "slides.motor-max-z", 3000.0, member!(Params.slide_z.top_speed)),
+    slides::inertia_limit("inertia-limit-z", "slides.inertia-limit-z", member!(Params.slide_z.inertia_limit)),
+    slides::effective_limit("effective-limit-z", "slides.effective-limit-z", member!(Params.slide_z.effective_limit)),
     number("block-time", member!(Params.block_time)).group("polygon.group.control").label("form.block-time").help("form.block-time.help")
         .unit("ms").range(0.1..=1000.0).default(4.0).decimals(3).step(0.1).fact(),
     number("macro-time", member!(Params.macro_time)).group("polygon.group.control").label("form.macro-time").help("form.macro-time.help")

@@ -3,6 +3,7 @@
 use super::resolved::PolygonLathe;
 use super::scene::{Layout, group};
 use crate::machines::driven::FormMotor;
+use crate::machines::slides;
 use crate::view::DrawnPart;
 
 /// The motors that the form describes.
@@ -19,6 +20,8 @@ pub(super) const MOTORS: &[FormMotor] = &[
         behind_inverter: false,
         figures: &[("size.figure.rated-power", "tool-power"), ("size.figure.rated-speed", "tool-base")],
     },
+    slides::MOTORS[0],
+    slides::MOTORS[1],
 ];
 
 /// All parts with their places in the drawing.
@@ -73,7 +76,7 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
             (0.0, 150.0),
             &[("", "tool-power"), ("", "tool-base"), ("", "tool-limit")],
         ),
-        part("polygon.part.cross", 0, (layout.cutter.0, 542.0), &[("", "lead-x"), ("", "rapid-x")]),
-        part("polygon.part.along", group::SIDE, (0.0, 88.0), &[("", "lead-z"), ("", "rapid-z")]),
+        part("polygon.part.cross", 0, (layout.cutter.0, 542.0), &[("", "lead-x"), ("", "rapid-x"), ("", "motor-x")]),
+        part("polygon.part.along", group::SIDE, (0.0, 88.0), &[("", "lead-z"), ("", "rapid-z"), ("", "motor-z")]),
     ]
 }

@@ -4,6 +4,7 @@ use super::further::field;
 use super::readouts::ROWS;
 use super::resolved::PolygonLathe;
 use super::rules::RULES;
+use crate::machines::slides;
 use crate::machines::verdict::{self, judge};
 use crate::text::Phrase;
 use crate::view::{Advice, Readout};
@@ -65,5 +66,6 @@ pub(super) fn results(lathe: &PolygonLathe) -> Vec<Readout> {
             all.push(readout);
         }
     }
+    all.extend(slides::results(lathe));
     all
 }

@@ -114,6 +114,19 @@ pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Str
     }
 }
 
+/// The spans of a run in which the tool cuts, up to a time.
+pub(super) fn working(lathe: &TurningSpindle, run: &dyn Samples, until: f64) -> Vec<(f64, f64)> {
+    let whole = Stretch { t: 0.0, seconds: until, from: 0.0, to: 0.0 };
+    let mut works: Vec<(f64, f64)> = Vec::new();
+    for cut in cuts(lathe, run, &[whole]) {
+        match works.last_mut() {
+            Some((_, end)) if *end == cut.begin => *end = cut.end,
+            _ => works.push((cut.begin, cut.end)),
+        }
+    }
+    works
+}
+
 /// The spans in which the tool cuts, each so short that its mean torque holds.
 fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec<CutSpan> {
     let (p, gear) = (&lathe.p, driven::gear(lathe));

@@ -5,6 +5,8 @@ use super::run_up;
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
 use crate::machines::driven::{GaugeRow, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, WITHOUT_RESISTOR};
+use crate::machines::scaling::AxisDrive;
+use crate::machines::slides::{HasSlides, ServoSlide, SlideDrive, SlideMachine};
 use crate::math::RPM;
 use crate::view::Limit;
 
@@ -68,6 +70,29 @@ pub(super) fn resistor(run: &SpindleRun, lathe: &TurningSpindle) -> Option<Resis
 /// The encoder of the spindle: the control counts the speed by it in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
     SpindleEncoder { name: NAME, speed: run_up::highest(lathe) }
+}
+
+impl HasSlides for TurningSpindle {
+    fn slides(&self) -> [ServoSlide; 2] {
+        let (p, [x, z]) = (&self.p, self.drives());
+        let drive = |at: usize, of: AxisDrive, rapid: f64, rise: f64| SlideDrive {
+            at,
+            lead: of.lead,
+            gear: of.gear.0 / of.gear.1,
+            rapid,
+            rise,
+        };
+        let machine = SlideMachine {
+            efficiency: p.screw_efficiency,
+            ramp: (p.time_constant, p.position_gain),
+            site_share: p.site_share,
+            feed_force: self.p.cutting_force * p.feed_force / 100.0,
+        };
+        [
+            ServoSlide::new(&p.slide_x, drive(self.cross(), x, p.rapid_x, p.bed_angle), &machine),
+            ServoSlide::new(&p.slide_z, drive(self.along(), z, p.rapid_z, 0.0), &machine),
+        ]
+    }
 }
 
 /// Quantity checked during operation: the speed of the spindle.

@@ -46,7 +46,7 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
-use crate::machines::driven::{Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read};
+use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
@@ -54,6 +54,7 @@ use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
 };
 use crate::machines::site::SevereSite;
+use crate::machines::slides;
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
@@ -94,7 +95,7 @@ impl Machine for TurningSpindle {
 
 impl Prepared for TurningSpindle {
     fn results(&self) -> Design {
-        let readouts = results(readouts::ROWS, self, RULES).collect();
+        let readouts = results(readouts::ROWS, self, RULES).chain(slides::results(self)).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }
 
@@ -157,6 +158,14 @@ impl Prepared for TurningSpindle {
 
     fn passes(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
         run.executions(program::CUTS[0], until).into_iter().map(|(begin, _)| begin).collect()
+    }
+
+    fn driven_axes(&self) -> Vec<DrivenAxis> {
+        slides::axes(self)
+    }
+
+    fn working(&self, run: &dyn Samples, until: f64) -> Option<Vec<(f64, f64)>> {
+        Some(demand::working(self, run, until))
     }
 
     fn inverter_drive(&self) -> Option<InverterDrive> {

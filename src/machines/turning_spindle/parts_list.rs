@@ -3,20 +3,25 @@
 use super::resolved::TurningSpindle;
 use super::scene::{Layout, group};
 use crate::machines::driven::FormMotor;
+use crate::machines::slides;
 use crate::view::DrawnPart;
 
-/// The motor that the form describes.
-pub(super) const MOTORS: &[FormMotor] = &[FormMotor {
-    drive: "spindle",
-    name: "turning.drive.spindle",
-    behind_inverter: true,
-    figures: &[
-        ("size.figure.rated-power", "motor-power"),
-        ("size.figure.rated-speed", "motor-base"),
-        ("size.figure.top-speed", "motor-top"),
-        ("size.figure.rotor", "rotor-inertia"),
-    ],
-}];
+/// The motors that the form describes.
+pub(super) const MOTORS: &[FormMotor] = &[
+    FormMotor {
+        drive: "spindle",
+        name: "turning.drive.spindle",
+        behind_inverter: true,
+        figures: &[
+            ("size.figure.rated-power", "motor-power"),
+            ("size.figure.rated-speed", "motor-base"),
+            ("size.figure.top-speed", "motor-top"),
+            ("size.figure.rotor", "rotor-inertia"),
+        ],
+    },
+    slides::MOTORS[0],
+    slides::MOTORS[1],
+];
 
 /// All parts with their places in the drawing.
 pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
@@ -43,8 +48,13 @@ pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
         part("turning.part.work", 0, work, &[("Ø ", "stock-diameter"), ("L ", "length")]),
         part("turning.part.tool", group::TURRET, (14.0, -30.0), &[("T ", "tool"), ("", "edge-angle"), ("", "rake")]),
         part("turning.part.turret", group::TURRET, (78.0, -110.0), &[]),
-        part("turning.part.cross", group::CROSS_SLIDE, (160.0, -28.0), &[("", "lead-x"), ("", "rapid-x")]),
-        part("turning.part.bed", 0, (700.0, 518.0), &[("", "lead-z"), ("", "rapid-z")]),
+        part(
+            "turning.part.cross",
+            group::CROSS_SLIDE,
+            (160.0, -28.0),
+            &[("", "lead-x"), ("", "rapid-x"), ("", "motor-x")],
+        ),
+        part("turning.part.bed", 0, (700.0, 518.0), &[("", "lead-z"), ("", "rapid-z"), ("", "motor-z")]),
     ];
     if layout.has_tailstock() {
         all.push(part("turning.part.tailstock", 0, (980.0, 420.0), &[]));

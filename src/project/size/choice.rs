@@ -49,7 +49,7 @@ pub struct SizedAxis {
     pub turning: f64,
     /// Share (0 to 1) of the time of a part in which it is loaded: a spindle in run-up, cut and stop, an axis while it turns.
     pub loaded: f64,
-    /// Torque of the brake at its motor that closes without current, Nm; 0 without one.
+    /// Torque that the brake at its motor holds without current, Nm; 0 without one.
     pub brake: f64,
     /// Its gear unit, if it has one.
     pub gear: Option<SizedGear>,
@@ -275,7 +275,8 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             field: axis.fields.map(|fields| fields.name),
             turning,
             loaded: loaded.unwrap_or(turning),
-            brake: 0.0,
+            // A weight falls without current.
+            brake: axis.weight,
             gear: gears::of_axis(&axis, &asked.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
             asked: MotorDemand { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM },

@@ -5,12 +5,11 @@
 
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
-use crate::drives::duty::{Motion, OperatingPoint};
-use crate::drives::servo::Servo;
+use crate::drives::duty::OperatingPoint;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
 use crate::math;
-use crate::motion::{Action, Event, Mover, RunEnd};
+use crate::motion::{Action, Event, Mover, RunEnd, Stretch};
 use crate::project::Project;
 use crate::project::run::Run;
 use crate::text::catalog::number_text;
@@ -303,9 +302,9 @@ impl Envelope<'_> {
         let works = self.prepared.working(run, span.1);
         let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| gauged(event, &gauge));
         let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
-            let motion = axis.motion(&run.timeline().stretches(axis.mover, span.0, span.1));
+            let stretches = run.timeline().stretches(axis.mover, span.0, span.1);
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
-            let OperatingPoint { torque, speed, .. } = worst_point(motion, &works, &axis.fitted.motor);
+            let OperatingPoint { torque, speed, .. } = worst_point(axis, &stretches, works.as_deref());
             let limit = Some(Limit::AtMost(axis.fitted.most(speed)));
             let of_torque = EnvelopeRow {
                 id: format!("{}-torque", axis.id),
@@ -352,12 +351,13 @@ impl Envelope<'_> {
     }
 }
 
-/// The operating point of a motion that asks most of a motor, with the torque of its work within these spans and without any: a work that is
+/// The operating point that asks most of the motor of an axis, with the torque of its work within these spans and without any: a work that is
 /// left out does not help to brake.
-fn worst_point(motion: Motion, works: &Option<Vec<(f64, f64)>>, motor: &Servo) -> OperatingPoint {
-    let Some(works) = works else { return motion.worst_point(motor) };
-    let [working, idle] = [works.clone(), Vec::new()].map(|works| motion.clone().with_work(works).worst_point(motor));
-    if idle.share > working.share { idle } else { working }
+fn worst_point(axis: &DrivenAxis, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> OperatingPoint {
+    let under = |works| axis.motion(stretches, works).worst_point(&axis.fitted.motor);
+    let working = under(works);
+    let idle = works.map(|_| under(Some(&[])));
+    idle.filter(|idle| idle.share > working.share).unwrap_or(working)
 }
 
 /// The row of a quantity that is checked during operation.

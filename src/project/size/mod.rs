@@ -140,7 +140,7 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let sensitivity = Sensitivity::new(project);
     Sizing {
         axes,
-        cycle: cycle(&prepared, runs),
+        cycle: cycle(project, &prepared, runs),
         cut: runs.cut(),
         envelope: Vec::new(),
         holding_limits: Vec::new(),
@@ -153,11 +153,12 @@ pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     }
 }
 
-/// Time and energy of the run; none if it does not reach the end of the program.
-fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
+/// Time and energy of the run; none if it does not reach the end of the program. The energy is that of all motors, or none.
+fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
     let seconds = runs.seconds_of_a_part()?;
+    let axes = prepared.driven_axes();
     let motors: Vec<(Motion, f64)> =
-        prepared.driven_axes().into_iter().map(|axis| (runs.present.motion(&axis), axis.fitted.motor.rotor)).collect();
+        axes.iter().map(|axis| (runs.present.motion(axis), axis.fitted.motor.rotor)).collect();
     let inverter = prepared.inverter_drive().map(|drive| {
         let spindle = runs.present.spindle(prepared).map(|spindle| spindle.motion);
         let motion = spindle.unwrap_or_else(|| drive.motion(&runs.present.stretches(Mover::Spindle)));
@@ -168,7 +169,10 @@ fn cycle(prepared: &PreparedMachine, runs: &SizingRuns) -> Option<Cycle> {
         works.fold((0.0, 0.0), |(given, returned), work| (given + work.given, returned + work.returned));
     let together: Vec<(&Motion, f64)> = motors.iter().map(|(motion, rotor)| (motion, *rotor)).collect();
     let returned_on_one_bus = on_one_bus(&together).1 + inverter.map_or(0.0, |work| work.returned);
-    let is_known = !together.is_empty() || inverter.is_some();
+    let drives = axes.iter().map(|axis| axis.id).chain(prepared.inverter_drive().map(|drive| drive.id));
+    let drives: Vec<&str> = drives.collect();
+    let is_known =
+        !drives.is_empty() && project.machine.info().motors.iter().all(|motor| drives.contains(&motor.drive));
     let energy = PartEnergy { given, returned, returned_on_one_bus };
     Some(Cycle { seconds, pause: prepared.pause(), energy: is_known.then_some(energy) })
 }

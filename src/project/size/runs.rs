@@ -121,11 +121,7 @@ impl WholeRun {
 
     /// The motion of the motor of an axis, under the torque of its work while that lasts.
     pub(super) fn motion(&self, axis: &DrivenAxis) -> Motion {
-        let motion = axis.motion(&self.stretches(axis.mover));
-        match &self.works {
-            Some(works) => motion.with_work(works.clone()),
-            None => motion,
-        }
+        axis.motion(&self.stretches(axis.mover), self.works.as_deref())
     }
 
     /// The motor of the main spindle in it; none for other drives.

@@ -74,7 +74,8 @@ fn friction_counts_in_torque_and_power() {
     near(row(&lathe, "power").value, power, 1e-6);
     // The list of motors asks (17.97 + 12) · 2 / 0.8 = 74.9 Nm of each: one of 48.4 Nm is refused.
     let sizing = size(&lathe, &lathe.written());
-    let motor = sizing.axes[0].candidates.iter().find(|motor| motor.part.model == "MT3 160 MB/2").unwrap();
+    let spindle = sizing.axes.iter().find(|axis| axis.id == "spindle").unwrap();
+    let motor = spindle.candidates.iter().find(|motor| motor.part.model == "MT3 160 MB/2").unwrap();
     let reason = sentence(&motor.refusal.as_ref().unwrap().message);
     assert!(reason.contains("74.9"), "{reason}");
 }

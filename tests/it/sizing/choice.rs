@@ -224,7 +224,8 @@ fn motor_of_a_lathe_is_billed_without_a_known_cut() {
     let heavy = Project::named("turning-spindle", None, Some("shaft")).unwrap();
     let force = [("material", "none".to_owned()), ("cutting-force", "90000".to_owned())];
     let heavy = heavy.with_entries(&force).unwrap();
-    assert!(heavy.prepared().inverter_drive().is_some() && sized(&heavy).axes[0].least().is_none());
+    let spindle = sized(&heavy).axes.into_iter().find(|axis| axis.id == "spindle").unwrap();
+    assert!(heavy.prepared().inverter_drive().is_some() && spindle.least().is_none());
     let bill = billed(&heavy, "Spindle");
     assert!(bill[1].0 == "Motor" && bill[1].1.starts_with("open: ") && bill[1].1.contains("none of the catalogue"));
     assert_eq!(bill[2..3], [open]);

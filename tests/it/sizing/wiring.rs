@@ -113,7 +113,8 @@ fn lathe_without_a_known_cut_has_its_motor_on_the_terminals() {
     assert!(lathe.prepared().inverter_drive().is_none());
     let sizing = agree("no cut", &lathe);
     let motor = |row: &&macroline::project::size::TerminalRow| row.to.item == BillItem::Motor;
-    assert_eq!(sizing.terminals.iter().filter(motor).count(), 4);
+    // Of the spindle and of two slides.
+    assert_eq!(sizing.terminals.iter().filter(motor).count(), 3 * 4);
 }
 
 #[test]

@@ -1,0 +1,147 @@
+//! The results about the slides of a lathe as rows, and the rules that judge them.
+
+use core::marker::PhantomData;
+
+use super::servo::{HasSlides, ServoSlide};
+use crate::drives::inertia::CM2;
+use crate::machines::verdict::{self, Judgement, ReadoutRow, Rule, down, fail, ok, up, warn};
+use crate::msg;
+use crate::text::{Citation, Grade};
+use crate::view::Limit::AtMost;
+use crate::view::{Advice, Readout};
+
+/// Longest time constant of the form, ms.
+const LONGEST: f64 = 5000.0;
+
+/// The results of the slides of a machine, each with the judgement of every rule about it.
+pub(in crate::machines) fn results<M: HasSlides>(machine: &M) -> impl Iterator<Item = Readout> {
+    verdict::results(Of::<M>::ROWS, machine, Of::<M>::RULES)
+}
+
+/// Rows and rules of a machine with slides.
+struct Of<M>(PhantomData<M>);
+
+fn x<M: HasSlides>(machine: &M) -> ServoSlide {
+    machine.slides()[0]
+}
+
+fn z<M: HasSlides>(machine: &M) -> ServoSlide {
+    machine.slides()[1]
+}
+
+const MECHANICS: Citation = Citation::new("mechanics of a ball screw", Grade::Inferred);
+
+impl<M: HasSlides> Of<M> {
+    #[rustfmt::skip]
+    const ROWS: &'static [ReadoutRow<M>] = &[
+        ReadoutRow {
+            id: "x-motor-speed", label: "slides.readout.x-motor-speed", unit: "r/min", decimals: 1,
+            formula: "rapid traverse / lead · screw teeth / motor teeth",
+            cite: MECHANICS, value: |machine| x(machine).rapid_speed(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "x-load-inertia", label: "slides.readout.x-load-inertia", unit: "kg cm²", decimals: 4,
+            formula: "(π / 32 · ρ · l · d⁴ + m · (h / 2π)²) / i²",
+            cite: MECHANICS, value: |machine| x(machine).slide.load().inertia / CM2, ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "x-inertia-ratio", label: "slides.readout.x-inertia-ratio", unit: ": 1", decimals: 2,
+            formula: "load inertia / rotor inertia",
+            cite: Citation::new("sizing facts 2.3", Grade::Inferred), value: |machine| x(machine).inertia_ratio(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "x-peak-torque", label: "slides.readout.x-peak-torque", unit: "Nm", decimals: 3,
+            formula: "(friction + weight · sin α) · h / (2π · i · η) + (JL / η + JM) · 2π n / (60 · τ)",
+            cite: MECHANICS, value: |machine| x(machine).rapid_torque(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "x-cut-torque", label: "slides.readout.x-cut-torque", unit: "Nm", decimals: 3,
+            formula: "(feed force + friction + weight · sin α) · h / (2π · i · η)",
+            cite: MECHANICS, value: |machine| x(machine).cut_torque(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "z-motor-speed", label: "slides.readout.z-motor-speed", unit: "r/min", decimals: 1,
+            formula: "rapid traverse / lead · screw teeth / motor teeth",
+            cite: MECHANICS, value: |machine| z(machine).rapid_speed(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "z-load-inertia", label: "slides.readout.z-load-inertia", unit: "kg cm²", decimals: 4,
+            formula: "(π / 32 · ρ · l · d⁴ + m · (h / 2π)²) / i²",
+            cite: MECHANICS, value: |machine| z(machine).slide.load().inertia / CM2, ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "z-inertia-ratio", label: "slides.readout.z-inertia-ratio", unit: ": 1", decimals: 2,
+            formula: "load inertia / rotor inertia",
+            cite: Citation::new("sizing facts 2.3", Grade::Inferred), value: |machine| z(machine).inertia_ratio(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "z-peak-torque", label: "slides.readout.z-peak-torque", unit: "Nm", decimals: 3,
+            formula: "friction · h / (2π · i · η) + (JL / η + JM) · 2π n / (60 · τ)",
+            cite: MECHANICS, value: |machine| z(machine).rapid_torque(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "z-cut-torque", label: "slides.readout.z-cut-torque", unit: "Nm", decimals: 3,
+            formula: "(feed force + friction) · h / (2π · i · η)",
+            cite: MECHANICS, value: |machine| z(machine).cut_torque(), ..ReadoutRow::BASE
+        },
+    ];
+
+    const RULES: &'static [Rule<M>] = &[
+        Rule::new("x-motor-speed", |machine| speed::<M>(&x(machine), "rapid-x"), MOTOR),
+        Rule::new("z-motor-speed", |machine| speed::<M>(&z(machine), "rapid-z"), MOTOR),
+        Rule::new("x-inertia-ratio", |machine| inertia(&x(machine)), LIMITS),
+        Rule::new("z-inertia-ratio", |machine| inertia(&z(machine)), LIMITS),
+        Rule::new("x-peak-torque", |machine| rapid::<M>(&x(machine)), LIMITS),
+        Rule::new("z-peak-torque", |machine| rapid::<M>(&z(machine)), LIMITS),
+        Rule::new("x-cut-torque", |machine| cut(&x(machine)), LIMITS),
+        Rule::new("z-cut-torque", |machine| cut(&z(machine)), LIMITS),
+    ];
+}
+
+/// Source of the highest speed of a motor.
+const MOTOR: Citation = Citation::new("data sheet of the motor", Grade::Inferred);
+
+/// Source of the limits of torque and inertia.
+const LIMITS: Citation = Citation::new("sizing facts 2.3", Grade::Inferred);
+
+fn speed<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgement> {
+    let (speed, most) = (slide.rapid_speed(), slide.motor.top_speed);
+    if speed <= most {
+        return ok(AtMost(most));
+    }
+    let set = down(M::fields(), field, slide.rapid * most / speed);
+    let advice = Advice::from(msg!("slides.motor-too-fast", speed = (speed, 0), limit = (most, 0)));
+    fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.1.as_str()), [set])])
+}
+
+fn inertia(slide: &ServoSlide) -> Option<Judgement> {
+    let (ratio, most) = (slide.inertia_ratio(), slide.limits.inertia_ratio);
+    if ratio <= most {
+        return ok(AtMost(most));
+    }
+    warn(AtMost(most), [msg!("slides.inertia-ratio", ratio = (ratio, 1), limit = (most, 1)).into()])
+}
+
+fn rapid<M: HasSlides>(slide: &ServoSlide) -> Option<Judgement> {
+    let (torque, most) = (slide.rapid_torque(), slide.rapid_torque_limit());
+    if torque <= most {
+        return ok(AtMost(most));
+    }
+    let ramp = slide.shortest_ramp() * 1e3;
+    if ramp > LONGEST {
+        return fail(AtMost(most), [msg!("slides.no-ramp", torque = (torque, 2), limit = (most, 2)).into()]);
+    }
+    let set = up(M::fields(), "time-constant", ramp);
+    let milliseconds: f64 = set.1.parse().unwrap_or(ramp);
+    let advice =
+        Advice::from(msg!("slides.ramp-too-short", torque = (torque, 2), limit = (most, 2), time = (milliseconds, 1)));
+    fail(AtMost(most), [advice.setting(msg!("advice.set-time-constant", time = (milliseconds, 1)), [set])])
+}
+
+fn cut(slide: &ServoSlide) -> Option<Judgement> {
+    let (torque, most) = (slide.cut_torque(), slide.cut_torque_limit());
+    if torque <= most {
+        return ok(AtMost(most));
+    }
+    fail(AtMost(most), [msg!("slides.cut-too-hard", torque = (torque, 2), limit = (most, 2)).into()])
+}

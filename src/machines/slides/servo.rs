@@ -1,0 +1,171 @@
+//! A slide with its motor: loads, limits, and the drive of the sizing.
+
+use super::form::SlideParams;
+use crate::drives::duty::Strikes;
+use crate::drives::inertia::{CM2, Cylinder, STEEL};
+use crate::drives::servo::{Acceptance, Servo};
+use crate::drives::slide::Slide;
+use crate::machines::driven::{DrivenAxis, Fitted, MotorFields};
+use crate::machines::machine::Machine;
+use crate::math::{PI, RPM};
+use crate::motion::Mover;
+
+/// A lathe with a slide across its work and one along it.
+pub(in crate::machines) trait HasSlides: Machine {
+    /// The slides: that of X, that of Z.
+    fn slides(&self) -> [ServoSlide; 2];
+}
+
+/// A slide with its motor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::machines) struct ServoSlide {
+    /// Index of its axis on the control.
+    pub at: usize,
+    pub slide: Slide,
+    pub motor: Servo,
+    pub limits: Acceptance,
+    /// Share of its continuous torque that the site leaves the motor, 0 to 1.
+    pub site_share: f64,
+    /// Rapid traverse, mm/min.
+    pub rapid: f64,
+    /// Time constant of its ramps, s.
+    pub ramp: f64,
+    /// Greatest force of the cut against the feed, N.
+    pub feed_force: f64,
+}
+
+/// What the slides of a machine have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::machines) struct SlideMachine {
+    /// Efficiency of screw and gear, %.
+    pub efficiency: f64,
+    /// Time constant of the ramps, ms, and the position gain, 1/s.
+    pub ramp: (f64, f64),
+    /// Share of its ratings that the site leaves a motor, %.
+    pub site_share: f64,
+    /// Greatest force of the cut against the feed, N.
+    pub feed_force: f64,
+}
+
+/// Where the drive of a slide differs from that of the other one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::machines) struct SlideDrive {
+    /// Index of its axis on the control.
+    pub at: usize,
+    /// Lead of the screw, mm.
+    pub lead: f64,
+    /// Speed of the motor over that of the screw.
+    pub gear: f64,
+    /// Rapid traverse, mm/min.
+    pub rapid: f64,
+    /// Angle of the positive direction above the horizontal, degrees.
+    pub rise: f64,
+}
+
+impl ServoSlide {
+    pub(in crate::machines) fn new(form: &SlideParams, drive: SlideDrive, of: &SlideMachine) -> ServoSlide {
+        let metres = |mm: f64| mm / 1e3;
+        let screw = Cylinder {
+            outer: metres(form.screw_diameter),
+            inner: 0.0,
+            length: metres(form.screw_length),
+            density: STEEL,
+        };
+        let site_share = of.site_share / 100.0;
+        let limits =
+            Acceptance { effective: form.effective_limit / 100.0, ..Acceptance::mitsubishi(form.inertia_limit) };
+        ServoSlide {
+            at: drive.at,
+            slide: Slide {
+                mass: form.mass,
+                friction: form.friction,
+                rise: drive.rise * PI / 180.0,
+                screw,
+                lead: metres(drive.lead),
+                gear: drive.gear,
+                efficiency: of.efficiency / 100.0,
+            },
+            motor: Servo {
+                rated: form.rated,
+                stall: form.stall,
+                peak: form.peak,
+                rated_speed: form.rated_speed,
+                top_speed: form.top_speed,
+                rotor: form.rotor * CM2,
+            },
+            limits: limits.derated(site_share),
+            site_share,
+            rapid: drive.rapid,
+            // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
+            ramp: (of.ramp.0 / 1e3).max(1.0 / of.ramp.1),
+            feed_force: of.feed_force,
+        }
+    }
+
+    /// Load inertia over rotor inertia.
+    pub(super) fn inertia_ratio(&self) -> f64 {
+        self.slide.load().inertia / self.motor.rotor
+    }
+
+    /// Speed of the motor at rapid traverse, r/min.
+    pub(super) fn rapid_speed(&self) -> f64 {
+        self.slide.motor_speed(self.rapid / 1e3)
+    }
+
+    /// Steady torque upwards, Nm: friction and weight.
+    fn steady(&self) -> f64 {
+        let load = self.slide.load();
+        load.torque + self.slide.weight() / load.efficiency
+    }
+
+    /// Greatest torque of a rapid traverse, Nm: its start upwards.
+    pub(super) fn rapid_torque(&self) -> f64 {
+        let acceleration = self.slide.load().accelerating(self.motor.rotor, self.rapid_speed() * RPM, self.ramp);
+        self.steady() + acceleration
+    }
+
+    /// Torque in the cut at its feed, Nm: force of the cut, friction and weight.
+    pub(super) fn cut_torque(&self) -> f64 {
+        self.steady() + self.slide.torque(self.feed_force)
+    }
+
+    /// Torque (Nm) that the limits leave the motor for a short time at rapid traverse.
+    pub(super) fn rapid_torque_limit(&self) -> f64 {
+        self.limits.peak * self.motor.most(self.rapid_speed())
+    }
+
+    /// Torque (Nm) that the limits leave the motor continuously at the low speed of a feed.
+    pub(super) fn cut_torque_limit(&self) -> f64 {
+        self.limits.effective * self.motor.stall
+    }
+
+    /// Seconds of the shortest ramp to rapid traverse; infinite where friction and weight take all torque.
+    pub(super) fn shortest_ramp(&self) -> f64 {
+        let left = self.rapid_torque_limit() - self.steady();
+        match left > 0.0 {
+            true => self.slide.load().accelerating(self.motor.rotor, self.rapid_speed() * RPM, 1.0) / left,
+            false => f64::INFINITY,
+        }
+    }
+
+    pub(super) fn driven(&self, id: &'static str, name: &'static str, fields: &'static MotorFields) -> DrivenAxis {
+        DrivenAxis {
+            id,
+            name,
+            mover: Mover::Axis(self.at),
+            // Radians of the motor per millimetre.
+            turn: self.slide.motor_speed(1e-3) * 2.0 * PI,
+            load: self.slide.load(),
+            hold: 0.0,
+            weight: self.slide.weight(),
+            strikes: Strikes::default(),
+            taut: 0.0,
+            cut: Some(self.slide.torque(self.feed_force)),
+            // Wheels or a belt of the lathe itself.
+            gear: None,
+            fitted: Fitted { motor: self.motor, limits: self.limits },
+            site_share: self.site_share,
+            fields: Some(fields),
+        }
+    }
+}

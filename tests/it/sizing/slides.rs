@@ -1,0 +1,121 @@
+//! Drives of the slides of lathes: the run asks of them what the formulas say, and the list, the bill and the envelope have them.
+
+use macroline::machines;
+use macroline::machines::devices::BillItem;
+use macroline::math;
+use macroline::project::Project;
+use macroline::project::size::{SizedAxis, Sizing, size};
+use macroline::view::{Readout, Verdict};
+
+/// Machines with slides.
+const LATHES: [&str; 2] = ["turning-spindle", "polygon-lathe"];
+
+fn lathe(machine: &str, control: &str, entries: &[(&'static str, &str)]) -> Project {
+    let entries: Vec<_> = entries.iter().map(|(id, text)| (*id, (*text).to_owned())).collect();
+    Project::named(machine, Some(control), None).unwrap().with_entries(&entries).unwrap()
+}
+
+fn sized(project: &Project) -> Sizing {
+    size(project, &project.written())
+}
+
+fn axis<'s>(sizing: &'s Sizing, id: &str) -> &'s SizedAxis {
+    sizing.axes.iter().find(|axis| axis.id == id).unwrap()
+}
+
+fn result(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
+}
+
+#[test]
+fn run_asks_of_a_slide_what_the_formulas_say() {
+    for name in LATHES {
+        for control in machines::find(name).unwrap().controls() {
+            for angle in ["0", "45"] {
+                let project = lathe(name, control, &[("bed-angle", angle)]);
+                let sizing = sized(&project);
+                for id in ["x", "z"] {
+                    let (work, formula) =
+                        (axis(&sizing, id).work.unwrap(), result(&project, &format!("{id}-peak-torque")));
+                    let about = format!("{name} on {control}, {angle}°, {id}: {work:?}, {}", formula.value);
+                    // A short way ends before the rapid is reached.
+                    assert!(work.peak.0 <= 1.001 * formula.value && work.peak.0 > 0.25 * formula.value, "{about}");
+                }
+                let (z, formula) = (axis(&sizing, "z").work.unwrap(), result(&project, "z-peak-torque"));
+                let reaches = z.speed / math::RPM > 0.999 * result(&project, "z-motor-speed").value;
+                assert!(!reaches || (z.peak.0 / formula.value - 1.0).abs() < 1e-3, "{name} on {control}: {z:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn cut_loads_the_slide_that_feeds() {
+    let effective = |share: &str, id: &str| {
+        axis(&sized(&lathe("turning-spindle", "gsk-980tdc", &[("feed-force", share)])), id).work.unwrap().effective
+    };
+    // The default example faces: X feeds, and Z moves beside the work.
+    assert!(effective("200", "x") > 1.5 * effective("0", "x"));
+    assert_eq!(effective("200", "z"), effective("0", "z"));
+}
+
+#[test]
+fn slant_bed_is_held_at_rest_and_lifted() {
+    let [flat, slant] = ["0", "60"].map(|angle| lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", angle)]));
+    let weight = 100.0 * 9.806_65 * math::sin(60_f64.to_radians()) * 0.005 / (2.0 * std::f64::consts::PI);
+    let more = result(&slant, "x-peak-torque").value - result(&flat, "x-peak-torque").value;
+    assert!((more - weight / 0.9).abs() < 1e-9, "{more}");
+    let [held, free] = [&slant, &flat].map(|project| axis(&sized(project), "x").work.unwrap().effective);
+    assert!(held > free, "{held} {free}");
+    // Without current a brake holds it: it is ordered and wired.
+    let brakes = |project: &Project| sized(project).bill.iter().filter(|row| row.item == BillItem::Brake).count();
+    assert_eq!((brakes(&slant), brakes(&flat)), (1, 0));
+}
+
+#[test]
+fn every_slide_has_motor_amplifier_and_torque_in_the_answers() {
+    for name in LATHES {
+        for control in machines::find(name).unwrap().controls() {
+            let project = lathe(name, control, &[]);
+            let sizing = sized(&project);
+            for (id, drive) in [("x", "slides.drive.x"), ("z", "slides.drive.z")] {
+                let of = axis(&sizing, id);
+                assert!(of.chart.is_some() && !of.candidates.is_empty(), "{name} on {control}: {id}");
+                let rows = sizing.bill.iter().filter(|row| row.axis == Some(drive)).count();
+                assert!(rows >= 2, "{name} on {control}: {rows} rows of {id}");
+                let torque = format!("{id}-torque");
+                assert!(sizing.envelope.iter().any(|row| row.id == torque && row.verdict == Verdict::Ok), "{torque}");
+            }
+        }
+    }
+}
+
+#[test]
+fn motor_of_the_list_is_taken_into_the_form() {
+    let project = lathe("turning-spindle", "fanuc-0i-tf", &[]);
+    let sizing = sized(&project);
+    let chosen = axis(&sizing, "z").ordered().expect("a motor of the catalogue passes");
+    let taken = project.with_entries(&chosen.entries).unwrap();
+    let bill = sized(&taken).bill;
+    let motor = bill.iter().find(|row| row.axis == Some("slides.drive.z")).unwrap();
+    assert_eq!((motor.model.as_str(), motor.proposed), (chosen.part.model.as_str(), false));
+    for id in ["z-motor-speed", "z-peak-torque", "z-inertia-ratio"] {
+        assert_eq!(result(&taken, id).verdict, Verdict::Ok, "{id}");
+    }
+}
+
+#[test]
+fn weak_motors_fail_with_a_remedy() {
+    let project = lathe(
+        "turning-spindle",
+        "gsk-980tdc",
+        &[("motor-max-z", "1500"), ("motor-peak-z", "5"), ("motor-stall-x", "0.3")],
+    );
+    for (id, field) in
+        [("z-motor-speed", Some("rapid-z")), ("z-peak-torque", Some("time-constant")), ("x-cut-torque", None)]
+    {
+        let found = result(&project, id);
+        assert_eq!(found.verdict, Verdict::Fail, "{id}");
+        assert_eq!(found.advice[0].sets.first().map(|set| set.0), field, "{id}");
+    }
+}
