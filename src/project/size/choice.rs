@@ -290,13 +290,15 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     let behind = prepared.inverter_drive().map(|drive| {
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
-        let spindle = of.present.spindle(prepared);
-        let spindle = spindle.map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle });
-        let candidates = motors.map(|part| induction(part, &drive, spindle.as_ref(), &catalogue, project)).collect();
+        // With the knob at its end a cut at constant surface speed asks more power.
+        let spindles = runs.iter().filter_map(|whole| whole.spindle(prepared));
+        let spindles: Vec<SpindleRun> =
+            spindles.map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle }).collect();
+        let candidates = motors.map(|part| induction(part, &drive, &spindles, &catalogue, project)).collect();
         let field = drive.fields.map(|fields| fields.name);
         let turning = share_turning(of, Mover::Spindle, pause);
         let in_run =
-            spindle.as_ref().map(|spindle| spindle.motion.loaded() / (of.present.run.timeline().end() + pause));
+            spindles.first().map(|spindle| spindle.motion.loaded() / (of.present.run.timeline().end() + pause));
         SizedAxis {
             id: drive.id,
             name: drive.name,
@@ -308,7 +310,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: drive.brake,
             gear: gears::of_inverter(&drive, &catalogue),
             ampere_per_torque: None,
-            asked: asked_behind(&drive, spindle.as_ref()),
+            asked: asked_behind(&drive, &spindles),
             work: None,
             knob: None,
             peak_is_at_knob: false,
@@ -320,9 +322,9 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
 }
 
 /// Demand on the motor of a drive behind an inverter.
-fn asked_behind(drive: &InverterDrive, spindle: Option<&SpindleRun>) -> MotorDemand {
+fn asked_behind(drive: &InverterDrive, spindles: &[SpindleRun]) -> MotorDemand {
     let ramps = drive.cycle.iter().flat_map(|cycle| cycle.ramps(None)).map(|ramp| ramp.torque.abs());
-    let of_run = spindle.map(|spindle| spindle.worst_point(&spindle.motor, spindle.rotor).torque);
+    let of_run = spindles.iter().map(|spindle| spindle.worst_point(&spindle.motor, spindle.rotor).torque);
     let steady = drive.torque.abs();
     MotorDemand { peak: ramps.chain(of_run).fold(steady, f64::max), effective: steady, speed: drive.top_speed }
 }
@@ -625,7 +627,7 @@ const OTHER_POLES: f64 = 0.2;
 fn induction(
     part: &Part,
     drive: &InverterDrive,
-    spindle: Option<&SpindleRun>,
+    spindles: &[SpindleRun],
     catalogue: &[&Part],
     project: &Project,
 ) -> Candidate {
@@ -681,11 +683,14 @@ fn induction(
             refusal = refusal.or_else(refused);
         }
     }
-    if let Some(spindle) = spindle {
-        let curve = MotorCurve::with_torque(rated_power / 1000.0, torque);
-        let found = of_spindle(spindle, of.inertia.unwrap_or(drive.rotor), &curve, drive.site_share);
-        (shares.peak, shares.effective) = (found.0, found.1);
-        refusal = refusal.or(found.2);
+    let curve = MotorCurve::with_torque(rated_power / 1000.0, torque);
+    let in_runs = spindles
+        .iter()
+        .map(|spindle| of_spindle(spindle, of.inertia.unwrap_or(drive.rotor), &curve, drive.site_share))
+        .reduce(|worst, next| (worst.0.max(next.0), worst.1.max(next.1), worst.2.or(next.2)));
+    if let Some((peak, effective, reason)) = in_runs {
+        (shares.peak, shares.effective) = (peak, effective);
+        refusal = refusal.or(reason);
     }
     let refusal = other_poles(part, drive, rated_speed, project).or(refusal);
     let entries = induction_entries(part, drive, (torque, rated_speed));
