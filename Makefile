@@ -101,6 +101,8 @@ fmt:
 .PHONY: lint
 lint:
 	cargo clippy --locked --all-targets -- -D warnings
+	@# The fuzz targets are a package of their own: its lockfile has to know the same dependencies.
+	cargo update --locked --workspace --quiet --manifest-path fuzz/Cargo.toml
 
 .PHONY: lint-web
 lint-web:
