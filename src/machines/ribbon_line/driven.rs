@@ -112,12 +112,14 @@ fn is_geared(ratio: f64) -> bool {
     ratio != 1.0
 }
 
-/// The unwinder's gear unit. The inertia behind it is that of the form, which has the rotor too: more than its teeth are asked, never less.
+/// The unwinder's gear unit. The inertia behind it is that of the form, which has the rotor too: more than its teeth are asked, never less. A
+/// ribbon pulled taut drives the press roller forwards, against brake and friction.
 fn unwinder_gear(line: &RibbonLine) -> FormGear {
+    let pulled = line.mechanics.tautest * line.p.press_roller_diameter / 2e3 - line.mechanics.unwound;
     let ratio = line.p.reduction_ratio;
     let load = unwinder_load(&line.p, line.mechanics.unwinder);
     let output = Load { inertia: load.inertia * ratio * ratio, torque: line.mechanics.unwound, efficiency: 1.0 };
-    FormGear { ratio, output, hold: 0.0, taut: 0.0, backlash: None, fields: UNWINDER_GEAR }
+    FormGear { ratio, output, hold: 0.0, taut: pulled.max(0.0), backlash: None, fields: UNWINDER_GEAR }
 }
 
 /// Run-up and stop of the unwinder over the inverter's ramp, with a product between them, at the fastest position of the knob.

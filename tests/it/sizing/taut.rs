@@ -40,6 +40,20 @@ fn taut_ribbon_beyond_the_grip_fails_the_nip() {
 }
 
 #[test]
+fn taut_ribbon_drives_the_gear_unit_of_the_unwinder() {
+    let peak = |changes: &[(&'static str, f64)]| {
+        let project =
+            line(&[&[("loop-capacity", 600.0), ("reel-brake", 4.0), ("unwinder-friction", 0.0)], changes].concat());
+        let unwinder = size(&project, &project.written()).axes.into_iter().find(|axis| axis.id == "unwinder").unwrap();
+        unwinder.gear.expect("a gear of 50 : 1").duty.peak
+    };
+    // At the press roller of 100.5 mm, against the 4 N of the reel's brake; more than the run-up takes.
+    let pulled = (tautest(2000.0) - 4.0) * 0.100_5 / 2.0;
+    assert!(pulled > 2.0 * peak(&[("youngs-modulus", 2000.0)]));
+    same("taut", peak(&[SHORT_DWELL, ("youngs-modulus", 2000.0)]), pulled, 1e-9);
+}
+
+#[test]
 fn nip_holds_the_draw_of_the_unwinder_too() {
     // A motor that loses 1 % under load draws 2 N beside the 15 N that the ribbon has (D11); 200 N/mm² make it 20 N.
     let draws = [("speed-at-10v", 1500.0), ("speed-clamp", 1500.0), ("rated-load-speed", 1488.0)];
