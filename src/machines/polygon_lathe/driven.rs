@@ -7,8 +7,7 @@ use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, GaugeRow};
-use crate::machines::scaling::AxisDrive;
-use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDrive, SlideMachine};
+use crate::machines::slides::{self, HasSlides, ServoSlide, SlideAxis, SlideMachine};
 use crate::math::PI;
 use crate::motion::Mover;
 
@@ -63,13 +62,6 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
 impl HasSlides for PolygonLathe {
     fn slides(&self) -> [ServoSlide; 2] {
         let (p, [x, z]) = (&self.p, self.drives());
-        let drive = |at: usize, of: AxisDrive, rapid: f64, rise: f64| SlideDrive {
-            at,
-            lead: of.lead,
-            gear: of.gear.0 / of.gear.1,
-            rapid,
-            rise,
-        };
         let machine = SlideMachine {
             efficiency: p.screw_efficiency,
             ramp: (p.time_constant, p.position_gain),
@@ -77,8 +69,13 @@ impl HasSlides for PolygonLathe {
             feed_force: self.force() * p.feed_force / 100.0,
         };
         [
-            ServoSlide::new(&p.slide_x, drive(self.cross(), x, p.rapid_x, p.bed_angle), &machine),
-            ServoSlide::new(&p.slide_z, drive(self.along(), z, p.rapid_z, 0.0), &machine),
+            ServoSlide::new(
+                &p.slide_x,
+                x,
+                SlideAxis { at: self.cross(), rapid: p.rapid_x, rise: p.bed_angle },
+                machine,
+            ),
+            ServoSlide::new(&p.slide_z, z, SlideAxis { at: self.along(), rapid: p.rapid_z, rise: 0.0 }, machine),
         ]
     }
 }

@@ -7,6 +7,7 @@ use crate::drives::servo::{Acceptance, Servo};
 use crate::drives::slide::Slide;
 use crate::machines::driven::{DrivenAxis, Fitted, MotorFields};
 use crate::machines::machine::Machine;
+use crate::machines::scaling::AxisDrive;
 use crate::math::{PI, RPM};
 use crate::motion::Mover;
 
@@ -47,15 +48,11 @@ pub(in crate::machines) struct SlideMachine {
     pub feed_force: f64,
 }
 
-/// Where the drive of a slide differs from that of the other one.
+/// The axis of a slide, as far as neither its form nor its screw says it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::machines) struct SlideDrive {
+pub(in crate::machines) struct SlideAxis {
     /// Index of its axis on the control.
     pub at: usize,
-    /// Lead of the screw, mm.
-    pub lead: f64,
-    /// Speed of the motor over that of the screw.
-    pub gear: f64,
     /// Rapid traverse, mm/min.
     pub rapid: f64,
     /// Angle of the positive direction above the horizontal, degrees.
@@ -63,7 +60,12 @@ pub(in crate::machines) struct SlideDrive {
 }
 
 impl ServoSlide {
-    pub(in crate::machines) fn new(form: &SlideParams, drive: SlideDrive, of: &SlideMachine) -> ServoSlide {
+    pub(in crate::machines) fn new(
+        form: &SlideParams,
+        drive: AxisDrive,
+        axis: SlideAxis,
+        of: SlideMachine,
+    ) -> ServoSlide {
         let metres = |mm: f64| mm / 1e3;
         let screw = Cylinder {
             outer: metres(form.screw_diameter),
@@ -75,14 +77,14 @@ impl ServoSlide {
         let limits =
             Acceptance { effective: form.effective_limit / 100.0, ..Acceptance::mitsubishi(form.inertia_limit) };
         ServoSlide {
-            at: drive.at,
+            at: axis.at,
             slide: Slide {
                 mass: form.mass,
                 friction: form.friction,
-                rise: drive.rise * PI / 180.0,
+                rise: axis.rise * PI / 180.0,
                 screw,
                 lead: metres(drive.lead),
-                gear: drive.gear,
+                gear: drive.gear.0 / drive.gear.1,
                 efficiency: of.efficiency / 100.0,
             },
             motor: Servo {
@@ -95,7 +97,7 @@ impl ServoSlide {
             },
             limits: limits.derated(site_share),
             site_share,
-            rapid: drive.rapid,
+            rapid: axis.rapid,
             // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
             ramp: (of.ramp.0 / 1e3).max(1.0 / of.ramp.1),
             feed_force: of.feed_force,

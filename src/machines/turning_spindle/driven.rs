@@ -5,8 +5,7 @@ use super::run_up;
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
 use crate::machines::driven::{GaugeRow, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, WITHOUT_RESISTOR};
-use crate::machines::scaling::AxisDrive;
-use crate::machines::slides::{HasSlides, ServoSlide, SlideDrive, SlideMachine};
+use crate::machines::slides::{HasSlides, ServoSlide, SlideAxis, SlideMachine};
 use crate::math::RPM;
 use crate::view::Limit;
 
@@ -75,13 +74,6 @@ pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
 impl HasSlides for TurningSpindle {
     fn slides(&self) -> [ServoSlide; 2] {
         let (p, [x, z]) = (&self.p, self.drives());
-        let drive = |at: usize, of: AxisDrive, rapid: f64, rise: f64| SlideDrive {
-            at,
-            lead: of.lead,
-            gear: of.gear.0 / of.gear.1,
-            rapid,
-            rise,
-        };
         let machine = SlideMachine {
             efficiency: p.screw_efficiency,
             ramp: (p.time_constant, p.position_gain),
@@ -89,8 +81,13 @@ impl HasSlides for TurningSpindle {
             feed_force: self.p.cutting_force * p.feed_force / 100.0,
         };
         [
-            ServoSlide::new(&p.slide_x, drive(self.cross(), x, p.rapid_x, p.bed_angle), &machine),
-            ServoSlide::new(&p.slide_z, drive(self.along(), z, p.rapid_z, 0.0), &machine),
+            ServoSlide::new(
+                &p.slide_x,
+                x,
+                SlideAxis { at: self.cross(), rapid: p.rapid_x, rise: p.bed_angle },
+                machine,
+            ),
+            ServoSlide::new(&p.slide_z, z, SlideAxis { at: self.along(), rapid: p.rapid_z, rise: 0.0 }, machine),
         ]
     }
 }
