@@ -82,6 +82,25 @@ pub struct MotorFields {
     pub encoder: &'static str,
 }
 
+/// The fields of the servo motor of an axis: ids that end with its letter, and the id of the field of its encoder.
+macro_rules! motor_fields {
+    ($axis:literal, $encoder:literal) => {
+        $crate::machines::driven::MotorFields {
+            name: concat!("motor-", $axis),
+            rated: concat!("motor-rated-torque-", $axis),
+            stall: concat!("motor-stall-", $axis),
+            peak: concat!("motor-peak-", $axis),
+            rotor: concat!("motor-rotor-", $axis),
+            rated_speed: concat!("motor-rated-", $axis),
+            top_speed: concat!("motor-max-", $axis),
+            inertia_limit: concat!("inertia-limit-", $axis),
+            effective_limit: concat!("effective-limit-", $axis),
+            encoder: $encoder,
+        }
+    };
+}
+pub(super) use motor_fields;
+
 /// Ids of the fields of a motor behind an inverter in a form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct InductionFields {

@@ -10,39 +10,17 @@ use crate::drives::load::{Load, Move};
 use crate::drives::web;
 use crate::machines::driven::{
     DrivenAxis, Fitted, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive,
-    MotorFields, ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR,
+    MotorFields, ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,
 };
 use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
 use crate::view::Limit;
 
 /// Fields of the motor of the pull roller.
-const PULL: MotorFields = MotorFields {
-    name: "motor-x",
-    rated: "motor-rated-torque-x",
-    stall: "motor-stall-x",
-    peak: "motor-peak-x",
-    rotor: "motor-rotor-x",
-    rated_speed: "motor-rated-x",
-    top_speed: "motor-max-x",
-    inertia_limit: "inertia-limit-x",
-    effective_limit: "effective-limit-x",
-    encoder: "encoder-resolution-x",
-};
+const PULL: MotorFields = motor_fields!("x", "encoder-resolution-x");
 
 /// Fields of the motor of the print roller.
-const PRINT: MotorFields = MotorFields {
-    name: "motor-y",
-    rated: "motor-rated-torque-y",
-    stall: "motor-stall-y",
-    peak: "motor-peak-y",
-    rotor: "motor-rotor-y",
-    rated_speed: "motor-rated-y",
-    top_speed: "motor-max-y",
-    inertia_limit: "inertia-limit-y",
-    effective_limit: "effective-limit-y",
-    encoder: "encoder-resolution-y",
-};
+const PRINT: MotorFields = motor_fields!("y", "encoder-resolution-y");
 
 /// Fields of the motor of the unwinder.
 const UNWINDER: InductionFields = InductionFields {

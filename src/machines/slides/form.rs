@@ -1,6 +1,6 @@
 //! The form of the slides: mass, friction, screw and motor of each, for every machine that has some.
 
-use crate::machines::driven::{FormMotor, MotorFields};
+use crate::machines::driven::{FormMotor, MotorFields, motor_fields};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{Member, TextMember, number, text};
 
@@ -29,32 +29,8 @@ const GROUP: &str = "slides.group";
 pub(super) const NAMES: [&str; 2] = ["slides.drive.x", "slides.drive.z"];
 
 /// Fields of the motors of X and Z. Both have encoders with the same counts.
-pub(super) const FIELDS: [MotorFields; 2] = [
-    MotorFields {
-        name: "motor-x",
-        rated: "motor-rated-torque-x",
-        stall: "motor-stall-x",
-        peak: "motor-peak-x",
-        rotor: "motor-rotor-x",
-        rated_speed: "motor-rated-x",
-        top_speed: "motor-max-x",
-        inertia_limit: "inertia-limit-x",
-        effective_limit: "effective-limit-x",
-        encoder: "encoder-counts",
-    },
-    MotorFields {
-        name: "motor-z",
-        rated: "motor-rated-torque-z",
-        stall: "motor-stall-z",
-        peak: "motor-peak-z",
-        rotor: "motor-rotor-z",
-        rated_speed: "motor-rated-z",
-        top_speed: "motor-max-z",
-        inertia_limit: "inertia-limit-z",
-        effective_limit: "effective-limit-z",
-        encoder: "encoder-counts",
-    },
-];
+pub(super) const FIELDS: [MotorFields; 2] =
+    [motor_fields!("x", "encoder-counts"), motor_fields!("z", "encoder-counts")];
 
 /// The motors as the form describes them.
 pub(in crate::machines) const MOTORS: [FormMotor; 2] = [
