@@ -88,10 +88,15 @@ fn stretches_of_a_run_add_up_to_its_travel() {
             // Each of the sixty blocks bends the speed twice; where the least increment changes nothing it stays one stretch.
             assert!(stretches.len() < 120, "{machine} {}: {} stretches", axis.id, stretches.len());
             let (sum, travel) = (travelled(&stretches), place(axis.mover));
+            let about = format!("{machine} on {control}, {}", axis.id);
             // A slide comes back to where it started.
-            let way = stretches.iter().map(|part| 0.5 * (part.from + part.to).abs() * part.seconds).sum::<f64>();
-            assert!(way > 50.0, "{machine} {}: {way}", axis.id);
-            assert!((sum - travel).abs() < 1e-6 * way, "{machine} on {control}, {}: {sum}, {travel}", axis.id);
+            if axis.cut.is_some() {
+                let way: f64 = stretches.iter().map(|part| 0.5 * (part.from + part.to).abs() * part.seconds).sum();
+                assert!(way > 50.0 && (sum - travel).abs() < 1e-6 * way, "{about}: {sum}, {travel}, {way}");
+            } else {
+                assert!(travel.abs() > 100.0);
+                super::same(&about, sum, travel, 1e-6);
+            }
         }
         // Turns of the spindle: r/min over seconds.
         let turns = travelled(&run.timeline().stretches(Mover::Spindle, 0.0, end)) / 60.0;
