@@ -307,7 +307,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     let timer = StoredValue::new(None::<TimeoutHandle>);
     let save = move || {
         // The page may be gone.
-        if page.view.kept.is_disposed() || page.view.kept.get_untracked() == Kept::Elsewhere {
+        if page.view.kept.try_get_untracked().is_none_or(|kept| kept == Kept::Elsewhere) {
             return;
         }
         store_now(page);
@@ -318,7 +318,8 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         if first.is_none() && !by_link {
             return;
         }
-        if page.view.kept.get_untracked() == Kept::Elsewhere {
+        // The page may be gone.
+        if page.view.kept.try_get_untracked().is_none_or(|kept| kept == Kept::Elsewhere) {
             return;
         }
         page.view.kept.set(Kept::Soon);
