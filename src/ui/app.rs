@@ -20,6 +20,7 @@ use super::machine::{CompareDialog, Machine};
 use super::parts::Later;
 use super::parts::divider::Divider;
 use super::parts::meaning::MeaningPopover;
+use super::parts::reload;
 use super::parts::scene::StillDrawing;
 use super::program::ProgramTab;
 use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, SizingTab, VariablesTab};
@@ -114,7 +115,7 @@ fn Screen() -> impl IntoView {
         </Later>
         <div class="hidden" role="status">{page.notices.announcement}</div>
     };
-    in_turn(move || page.player.begin());
+    in_turn(move || reload::begin_run(page));
     // The page may be gone.
     at_last(move || {
         if busy.try_set(false).is_none() {

@@ -20,8 +20,6 @@ window.macroline = {
 const root = document.documentElement;
 // A file of sentences for each (`text/catalog`). The language that was chosen, or the first of the browser's that there is.
 const languages = ['en', 'zh'];
-let chosen = null;
-let own = false;
 
 // Inside another page the address chooses language and units, and nothing is read from this browser's store (`docs/embedding.md`).
 const [first, ...wishes] = location.hash.slice(1).split('&');
@@ -30,25 +28,29 @@ const wished = (name) => (embedded ? wishes.find((wish) => wish.startsWith(`${na
 root.toggleAttribute('data-embedded', embedded);
 if (embedded) still.replaceChildren(notice);
 
-try {
-  const kept = (key) => (embedded ? null : localStorage.getItem(`macroline.${key}`));
-  chosen = kept('language');
-  root.dataset.theme = kept('theme') ?? '';
-  for (const column of ['--left', '--right']) {
-    const width = kept(`width${column}`);
-    if (width) root.style.setProperty(column, `${width}px`);
+// A text of an earlier visit: of this tab, which a reload keeps (`dom/tab_entry.rs`), or else of the browser's store.
+function kept(key) {
+  if (embedded) return null;
+  try {
+    return history.state?.[`macroline.${key}`] ?? localStorage.getItem(`macroline.${key}`);
+  } catch {
+    // A browser without a store has kept nothing.
+    return null;
   }
-  own = Boolean(kept('project'));
-  root.dataset.lengths = wished('lengths') ?? kept('lengths') ?? '';
-} catch {
-  // A browser without a store has kept nothing.
 }
 
-const asked = [wished('lang'), chosen, ...navigator.languages].map((tag) => tag?.split('-')[0]);
+root.dataset.theme = kept('theme') ?? '';
+root.dataset.lengths = wished('lengths') ?? kept('lengths') ?? '';
+for (const column of ['--left', '--right']) {
+  const width = kept(`width${column}`);
+  if (width) root.style.setProperty(column, `${width}px`);
+}
+
+const asked = [wished('lang'), kept('language'), ...navigator.languages].map((tag) => tag?.split('-')[0]);
 root.lang = asked.find((code) => languages.includes(code)) ?? languages[0];
 data.words = `${root.lang}.properties`;
 // The still shows a fresh project with English names in millimetres. The module draws every other one: a stored or linked project, another language, inches.
-if (own || location.hash || root.lang !== languages[0] || root.dataset.lengths === 'inch') still.querySelector('.scene')?.remove();
+if (kept('project') || location.hash || root.lang !== languages[0] || root.dataset.lengths === 'inch') still.querySelector('.scene')?.remove();
 
 // Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Values
 // wait for the page, which finds places for them, and so do names in such a drawing. The drawing is not laid out before its scale is known

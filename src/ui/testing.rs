@@ -47,9 +47,32 @@ pub(crate) fn field(id: &str) -> FieldInfo {
     project().machine.fields().into_iter().find(|field| field.id == id).unwrap()
 }
 
+/// Goes on in a new tab, which carries nothing over.
+pub(crate) fn new_tab() {
+    window().history().unwrap().replace_state(&JsValue::NULL, "").unwrap();
+}
+
+/// A browser that takes no text into the entries of its history, while this lives.
+pub(crate) struct WithoutHistory;
+
+impl WithoutHistory {
+    pub(crate) fn new() -> WithoutHistory {
+        // Called, it throws: no function.
+        script::set(&window().history().unwrap(), "replaceState", &JsValue::NULL);
+        WithoutHistory
+    }
+}
+
+impl Drop for WithoutHistory {
+    fn drop(&mut self) {
+        js_sys::Reflect::delete_property(&window().history().unwrap(), &"replaceState".into()).unwrap();
+    }
+}
+
 /// Mounts a view in a browser that remembers nothing.
 pub(crate) async fn mount<V: IntoView + 'static>(view: impl FnOnce() -> V + 'static) -> ViewBench {
     dom::storage().unwrap().clear().unwrap();
+    new_tab();
     mount_project(project(), view).await
 }
 

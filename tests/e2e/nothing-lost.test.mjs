@@ -1,7 +1,8 @@
 // No loss of work: machines and tabs left behind, undone actions, edits without a change, remedies by one click.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
+import { PAPER, accessible, enter, goTo, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
+import { words } from './words.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -139,4 +140,36 @@ test('line of 100,000 characters shows its start, quickly', () =>
     await page.locator('.listing li[data-l="3"]', { hasText: '…' }).waitFor();
     await page.locator('.listing[aria-busy=false]').waitFor({ timeout: 60_000 });
     assert.ok((await spent()) - begin < 10, 'the page works for seconds on one line');
+  }));
+
+test('a browser that keeps nothing loses nothing by another language', () =>
+  withPage(app, {}, async ({ page, context }) => {
+    await context.addInitScript(() => {
+      const denied = () => {
+        throw new DOMException('The user denied permission', 'SecurityError');
+      };
+      Object.defineProperty(window, 'localStorage', { get: denied });
+      IDBFactory.prototype.open = denied;
+    });
+    await page.reload();
+    await ready(page);
+    await enter(field(page, 'pitch'), '9.5');
+    await page.locator('.kept', { hasText: 'Not saved' }).waitFor();
+    await page.locator('#tab-results').click();
+    await goTo(page, 5);
+    const head = await page.locator('#head').inputValue();
+    await page.getByLabel('Name of the project').fill('Customer 4711');
+    await page.getByRole('button', { name: '中文' }).click();
+    await page.waitForFunction(() => document.documentElement.lang === 'zh');
+    await ready(page);
+    assert.equal(await field(page, 'pitch').inputValue(), '9.5');
+    assert.equal(await page.locator('#tab-results').getAttribute('aria-selected'), 'true');
+    await page.waitForFunction((head) => document.querySelector('#head').value === head, head);
+    const say = words('zh');
+    await page.getByRole('button', { name: say('page.undo') }).click();
+    await page.getByRole('button', { name: say('page.undo') }).click();
+    assert.equal(await field(page, 'pitch').inputValue(), '10');
+    await page.reload();
+    await ready(page);
+    assert.equal(await page.locator('html').getAttribute('lang'), 'zh');
   }));

@@ -72,7 +72,7 @@ fn begin_anew_at_another_address(page: Page) {
     dom::hear("hashchange", move |_| {
         // The page may be gone.
         if !page.view.kept.is_disposed() && dom::address().1 != shown {
-            let _ = window().location().reload();
+            dom::reload();
         }
     });
 }

@@ -6,7 +6,11 @@ pub(crate) mod delayed;
 
 pub(crate) mod script;
 
+pub(crate) mod tab_entry;
+
 pub(crate) mod turns;
+
+use std::cell::Cell;
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue, closure::Closure};
@@ -140,6 +144,22 @@ pub(crate) fn copy(text: &str, then: impl FnOnce(bool) + 'static) {
     });
 }
 
+thread_local! {
+    /// Whether the page reloads itself.
+    static RELOADS: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Loads the page again.
+pub(crate) fn reload() {
+    RELOADS.set(true);
+    let _ = window().location().reload();
+}
+
+/// Whether the page reloads itself.
+pub(crate) fn reloads() -> bool {
+    RELOADS.get()
+}
+
 /// The address of the page without its fragment, and the fragment without its `#`.
 pub(crate) fn address() -> (String, String) {
     let address = window().location().href().unwrap_or_default();
@@ -153,7 +173,8 @@ pub(crate) fn address() -> (String, String) {
 pub(crate) fn forget_fragment() {
     let (page, _) = address();
     if let Ok(history) = window().history() {
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&page));
+        let state = history.state().unwrap_or_default();
+        let _ = history.replace_state_with_url(&state, "", Some(&page));
     }
 }
 

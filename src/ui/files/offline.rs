@@ -59,7 +59,7 @@ mod tests {
     use super::*;
     use crate::machines::form::Value;
     use crate::ui::state::view::Kept;
-    use crate::ui::testing::{ViewBench, mount};
+    use crate::ui::testing::{ViewBench, WithoutHistory, mount};
 
     thread_local! {
         static TAKEN: Cell<u32> = const { Cell::new(0) };
@@ -101,9 +101,21 @@ mod tests {
     async fn version_is_not_taken_where_the_project_has_no_room() {
         let bench = announced(Kept::Yes).await;
         bench.page.edit("", |project| project.name = "x".repeat(6_000_000));
+        let denied = WithoutHistory::new();
         press(&bench);
+        drop(denied);
         assert_eq!(TAKEN.get(), 0);
         assert!(bench.notices().contains(&t("page.version-unkept").to_owned()));
+    }
+
+    #[wasm_bindgen_test]
+    async fn version_is_taken_where_the_tab_keeps_the_project() {
+        let bench = announced(Kept::Yes).await;
+        bench.page.edit("", |project| project.name = "x".repeat(6_000_000));
+        press(&bench);
+        assert_eq!(TAKEN.get(), 1);
+        assert!(dom::stored("macroline.project").is_none());
+        assert!(store::load().project == Some(bench.page.project.get_untracked()));
     }
 
     #[wasm_bindgen_test]

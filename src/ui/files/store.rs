@@ -15,21 +15,22 @@ use crate::machines;
 use crate::project::Project;
 use crate::project::saved::{Loaded, with_line};
 use crate::ui::dom;
+use crate::ui::dom::tab_entry::{carried, carry, drop_carried, remembered};
 use crate::ui::state::history::History;
 use crate::ui::state::notices::Notice;
-use crate::ui::state::view::Kept;
+use crate::ui::state::view::{Kept, PROJECT};
 use crate::ui::state::{Page, put, stepping};
 use crate::ui::words::{Tone, t};
 use crate::ui::worker::messages::ShelfState;
-
-/// Key of the project.
-const KEY: &str = "macroline.project";
 
 /// Key of the project's id.
 const ID: &str = "macroline.id";
 
 /// Key of the project's steps of undo and redo.
 const STEPS: &str = "macroline.steps";
+
+/// What this tab carries over a reload where the store refuses the project.
+const CARRIED: [&str; 3] = [PROJECT, ID, STEPS];
 
 /// Key of the place that has the latest state of the project: [`IN_STORE`] or [`ON_SHELF`]. The words are of one length, so that a full store
 /// takes one for the other.
@@ -108,8 +109,12 @@ fn no_room(state: Option<String>) -> Notice {
 
 /// The state of the last visit. An unreadable text is set aside; without room for that, it stays.
 fn last_visit() -> LastVisit {
+    if let Some(project) = carried(PROJECT).and_then(|text| Project::from_json(&text).project) {
+        let project = Some(project.with_id(carried(ID)));
+        return LastVisit { project, notices: Vec::new(), stored: Stored::default() };
+    }
     let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
-    let Some(text) = dom::stored(KEY) else {
+    let Some(text) = dom::stored(PROJECT) else {
         return LastVisit { project: fresh(), notices: Vec::new(), stored: Stored::default() };
     };
     let loaded = Project::from_json(&text);
@@ -121,7 +126,7 @@ fn last_visit() -> LastVisit {
     }
     let aside = set_aside::keep(&text, SetAsideReason::Unread, None);
     if aside {
-        dom::forget(KEY);
+        dom::forget(PROJECT);
         dom::forget(STEPS);
     }
     let reason = loaded.diagnostics.first().map(|found| with_line(found, &text)).unwrap_or_default();
@@ -139,15 +144,22 @@ fn store_now(page: Page) {
         dom::forget(ID);
     }
     // Without room for both, the steps are dropped for the project.
-    let kept = dom::store(KEY, &text) || make_room(&text);
+    let kept = dom::store(PROJECT, &text) || make_room(&text);
     if kept {
         dom::store(STEPS, &page.steps());
-        share::forget_link();
+        drop_carried(&CARRIED);
     } else {
         dom::forget(ID);
         if let Some(id) = id_before {
             dom::store(ID, &id);
         }
+        // A stale state would come back.
+        if !carry(&[(PROJECT, &text), (ID, &id), (STEPS, &page.steps())]) {
+            drop_carried(&CARRIED);
+        }
+    }
+    if kept || carried(PROJECT).is_some() {
+        share::forget_link();
     }
     dom::store(PLACE, if kept { IN_STORE } else { ON_SHELF });
     // A state that has no room in this store may have room in the database.
@@ -169,7 +181,7 @@ thread_local! {
 fn make_room(text: &str) -> bool {
     let Some(steps) = dom::stored(STEPS) else { return false };
     dom::forget(STEPS);
-    let kept = dom::store(KEY, text);
+    let kept = dom::store(PROJECT, text);
     if !kept {
         dom::store(STEPS, &steps);
     }
@@ -185,7 +197,7 @@ fn notify_tabs(word: &str) {
 /// Stores the project of this tab, and sets the other tab's stored project aside.
 pub(crate) fn take_over(page: Page) {
     let own = page.project.with_untracked(Project::to_json);
-    if let Some(text) = dom::stored(KEY).filter(|text| *text != own)
+    if let Some(text) = dom::stored(PROJECT).filter(|text| *text != own)
         && !set_aside::keep(&text, SetAsideReason::OtherTab, None)
     {
         page.notices.show(no_room(Some(text)));
@@ -204,16 +216,17 @@ pub(super) fn store_before_reload(page: Page) -> bool {
     page.take_typed();
     if page.view.kept.get_untracked() == Kept::Elsewhere {
         let own = page.project.with_untracked(Project::to_json);
-        return dom::stored(KEY).is_some_and(|stored| stored == own)
+        return dom::stored(PROJECT).is_some_and(|stored| stored == own)
             || set_aside::keep(&own, SetAsideReason::OtherTab, None);
     }
     store_now(page);
-    page.view.kept.get_untracked() == Kept::Yes
+    page.view.kept.get_untracked() == Kept::Yes || carried(PROJECT).is_some()
 }
 
 /// Makes this tab watch: nothing is stored from it.
 fn watch(page: Page, words: &'static str) {
     put(page.view.kept, Kept::Elsewhere);
+    drop_carried(&CARRIED);
     page.notices.notify(Tone::Warn, t(words).to_owned());
 }
 
@@ -244,7 +257,7 @@ fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValu
             watch(page, "page.other-tab");
         }
         (TABS, LEAVES) if watches => follow(page),
-        (KEY, _) if watches => {
+        (PROJECT, _) if watches => {
             let own = page.project.get_untracked();
             if shown.with_value(|shown| shown.as_ref() == Some(&own))
                 && let Some(mut project) = Project::from_json(value).project
@@ -254,7 +267,7 @@ fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValu
                 page.watch(project);
             }
         }
-        (KEY, _) => watch(page, "page.other-tab"),
+        (PROJECT, _) => watch(page, "page.other-tab"),
         _ => {}
     }
 }
@@ -271,8 +284,7 @@ fn has_latest() -> bool {
 /// back.
 pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     let by_link = replaced.is_some();
-    let mut steps =
-        dom::stored(STEPS).filter(|_| !occupied).map(|steps| History::from_json(&steps)).unwrap_or_default();
+    let mut steps = remembered(STEPS).filter(|_| !occupied).map(|steps| History::from_json(&steps)).unwrap_or_default();
     if let Some(before) = replaced {
         steps.note(&before, "", dom::now());
     }
@@ -282,7 +294,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     }
     shelf::ensure_project_id(page);
     shelf::take_in_soon(page);
-    if !by_link && !has_latest() {
+    if !by_link && carried(PROJECT).is_none() && !has_latest() {
         latest::offer(page);
     }
     // The project of the other tab that is shown here, and that of this tab when it began to watch.
@@ -376,10 +388,10 @@ fn close(page: Page, known: [StoredValue<Option<Project>, LocalStorage>; 2]) {
     }
 }
 
-/// Asks before a project is lost that the browser does not store.
+/// Asks before a project is lost that the browser does not store. A reload by the page itself loses nothing.
 fn warn_of_loss(page: Page, event: &Event) {
     let refused = page.view.kept.try_get_untracked().is_some_and(Kept::is_refused);
-    if refused && !page.project.with_untracked(set_aside::is_untouched) {
+    if refused && !dom::reloads() && !page.project.with_untracked(set_aside::is_untouched) {
         event.prevent_default();
     }
 }
@@ -390,7 +402,9 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{ViewBench, event, first_project, mount, pause, project, settled, until};
+    use crate::ui::testing::{
+        ViewBench, event, first_project, mount, mount_project, new_tab, pause, project, settled, until,
+    };
 
     async fn stored_soon(page: Page) {
         settled().await;
@@ -414,7 +428,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn project_is_stored_shortly_after_a_change() {
         let bench = kept().await;
-        assert!(dom::stored(KEY).is_none());
+        assert!(dom::stored(PROJECT).is_none());
         bench.page.set("pitch", Value::Number(9.0));
         settled().await;
         assert_eq!(bench.page.view.kept.get_untracked(), Kept::Soon);
@@ -488,9 +502,10 @@ mod tests {
             shelf::keep_present(bench.page).await.unwrap();
             let latest = bench.page.project.get_untracked();
             drop(bench);
+            new_tab();
             let visit = load();
             assert!(visit.project.as_ref().is_some_and(|project| project.name.is_empty()));
-            let bench = crate::ui::testing::mount_project(visit.project.unwrap(), || ()).await;
+            let bench = mount_project(visit.project.unwrap(), || ()).await;
             keep(bench.page, visit.stored);
             until(|| !bench.notices().is_empty()).await;
             let offer = bench.page.notices.list.with_untracked(|list| list[0].offer);
@@ -501,13 +516,36 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    async fn project_without_room_returns_after_a_reload() {
+        let bench = kept().await;
+        bench.page.set("pitch", Value::Number(9.0));
+        stored_soon(bench.page).await;
+        dom::forget(STEPS);
+        fill();
+        bench.page.edit("name", |project| project.name = "Order 7 ".repeat(12));
+        until(move || bench.page.view.kept.get_untracked() == Kept::No).await;
+        let latest = bench.page.project.get_untracked();
+        drop(bench);
+        let visit = load();
+        assert!(visit.project.as_ref() == Some(&latest) && latest.id.is_some());
+        let bench = mount_project(visit.project.unwrap(), || ()).await;
+        keep(bench.page, visit.stored);
+        bench.page.undo();
+        bench.page.undo();
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
+        dom::forget("filler");
+        stored_soon(bench.page).await;
+        assert_eq!(carried(PROJECT), None);
+    }
+
+    #[wasm_bindgen_test]
     async fn undo_goes_on_after_a_reload() {
         let bench = kept().await;
         bench.page.set("pitch", Value::Number(9.0));
         stored_soon(bench.page).await;
         drop(bench);
         let visit = load();
-        let bench = crate::ui::testing::mount_project(visit.project.unwrap(), || ()).await;
+        let bench = mount_project(visit.project.unwrap(), || ()).await;
         keep(bench.page, visit.stored);
         assert_eq!(bench.page.can.get_untracked(), (true, false));
         bench.page.undo();
@@ -517,12 +555,12 @@ mod tests {
     #[wasm_bindgen_test]
     async fn state_that_does_not_read_is_set_aside() {
         let _bench = mount(|| ()).await;
-        dom::store(KEY, "{ not a project");
+        dom::store(PROJECT, "{ not a project");
         let visit = load();
         assert!(visit.project == Some(first_project()) && !visit.stored.occupied);
         assert!(visit.notices[0].text.contains(t("page.set-aside")));
         assert_eq!(visit.notices[0].file, Some((set_aside::FILE, "{ not a project".to_owned())));
-        assert_eq!((dom::stored(KEY), set_aside::list().len()), (None, 1));
+        assert_eq!((dom::stored(PROJECT), set_aside::list().len()), (None, 1));
     }
 
     #[wasm_bindgen_test]
@@ -530,16 +568,16 @@ mod tests {
         let bench = mount(|| ()).await;
         // Two of them have no room.
         let text = "{".repeat(3_000_000);
-        assert!(dom::store(KEY, &text));
+        assert!(dom::store(PROJECT, &text));
         let visit = load();
         assert!(visit.stored.occupied && visit.notices[0].text.contains(t("page.set-aside-full")));
         keep(bench.page, visit.stored);
         bench.page.set("pitch", Value::Number(9.0));
         settled().await;
         assert_eq!(bench.page.view.kept.get_untracked(), Kept::Elsewhere);
-        assert!(dom::stored(KEY).is_some_and(|stored| stored == text));
+        assert!(dom::stored(PROJECT).is_some_and(|stored| stored == text));
         take_over(bench.page);
-        assert!(dom::stored(KEY).is_some_and(|stored| stored != text));
+        assert!(dom::stored(PROJECT).is_some_and(|stored| stored != text));
         assert!(bench.notices().contains(&t("page.aside-full").to_owned()));
     }
 
@@ -551,8 +589,8 @@ mod tests {
         assert_eq!(bench.notices(), [t("page.other-tab-open")]);
         let mut theirs = project();
         theirs.name = "Order 7".to_owned();
-        dom::store(KEY, &theirs.to_json());
-        other_tab(KEY, &theirs.to_json()).await;
+        dom::store(PROJECT, &theirs.to_json());
+        other_tab(PROJECT, &theirs.to_json()).await;
         assert!(bench.page.project.get_untracked() == theirs);
         bench.page.set("pitch", Value::Number(9.0));
         settled().await;
@@ -593,7 +631,7 @@ mod tests {
         let bench = kept().await;
         other_tab(TABS, "holds 0.5").await;
         bench.page.set("pitch", Value::Number(9.0));
-        other_tab(KEY, &project().to_json()).await;
+        other_tab(PROJECT, &project().to_json()).await;
         assert_eq!(bench.setting("pitch"), Some(Value::Number(9.0)));
     }
 }

@@ -4,6 +4,7 @@ use leptos::prelude::*;
 
 use super::icon::{Glyph, Icon};
 use crate::ui::dom;
+use crate::ui::dom::tab_entry::{remember, remembered};
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
@@ -62,13 +63,13 @@ fn CycleButton(
     /// Applies a choice.
     apply: fn(&'static str),
 ) -> impl IntoView {
-    let stored = dom::stored(key).unwrap_or_default();
+    let stored = remembered(key).unwrap_or_default();
     at.set(choices.iter().position(|(id, _)| *id == stored).unwrap_or(0));
     let choice = move || choices.get(at.get()).copied().unwrap_or(choices[0]);
     Effect::new(move |_| apply(choice().0));
     let next = move |_| {
         at.update(|at| *at = (*at + 1) % choices.len());
-        dom::store(key, untrack(choice).0);
+        remember(key, untrack(choice).0);
     };
     view! {
         <button type="button" class=class aria-label=move || t(choice().1) title=move || t(choice().1) on:click=next>

@@ -8,7 +8,7 @@ use web_sys::HtmlElement;
 
 use crate::math;
 use crate::text::number::filled;
-use crate::ui::dom;
+use crate::ui::dom::tab_entry::{remember, remembered};
 use crate::ui::words::t;
 
 /// Least and greatest width of a column, in pixels.
@@ -35,7 +35,7 @@ pub(crate) fn Divider(
     grows: f64,
 ) -> impl IntoView {
     let key = format!("macroline.width{property}");
-    let kept = dom::stored(&key).and_then(|text| text.parse::<f64>().ok()).filter(|width| width.is_finite());
+    let kept = remembered(&key).and_then(|text| text.parse::<f64>().ok()).filter(|width| width.is_finite());
     let width = RwSignal::new(kept.map(|width| math::clamp(width, WIDTHS.0, WIDTHS.1)));
     Effect::new(move |_| {
         if let Some(width) = width.get() {
@@ -52,7 +52,7 @@ pub(crate) fn Divider(
     let take = move |new: f64| {
         let new = math::clamp(new, WIDTHS.0, WIDTHS.1).round();
         width.set(Some(new));
-        dom::store(&key, &new.to_string());
+        remember(&key, &new.to_string());
     };
     let begun = StoredValue::new(None::<(f64, f64)>);
     let (dragged, pressed) = (take.clone(), take);
@@ -93,6 +93,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::ui::dom;
     use crate::ui::testing::{ViewBench, mount, mount_project, project};
 
     const KEY: &str = "macroline.width--left";

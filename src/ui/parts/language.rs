@@ -2,10 +2,9 @@
 
 use leptos::prelude::*;
 
+use super::reload::reload_with;
 use crate::text::catalog::{Language, spoken};
-use crate::ui::dom;
 use crate::ui::state::Page;
-use crate::ui::words::{Tone, t};
 
 /// Key in the browser's store of the language; `boot.js` reads it.
 const LANGUAGE: &str = "macroline.language";
@@ -15,18 +14,10 @@ const LANGUAGE: &str = "macroline.language";
 pub(crate) fn LanguageButtons() -> impl IntoView {
     let page = Page::here();
     let button = |language: Language| {
-        let speak = move |_| open_anew(page, LANGUAGE, language.code());
+        let speak = move |_| reload_with(page, LANGUAGE, language.code());
         view! { <button type="button" class="quiet language" lang=language.code() on:click=speak>{language.name()}</button> }
     };
     Language::ALL.into_iter().filter(|language| *language != spoken()).map(button).collect_view()
-}
-
-/// Keeps a choice that the page reads at its start, and reloads the page; the kept project returns.
-pub(super) fn open_anew(page: Page, key: &str, choice: &str) {
-    if page.view.kept.get_untracked().is_refused() || !dom::store(key, choice) {
-        return page.notices.notify(Tone::Warn, t("page.language-unkept").to_owned());
-    }
-    let _ = window().location().reload();
 }
 
 #[cfg(test)]
@@ -36,6 +27,7 @@ mod tests {
     use super::*;
     use crate::ui::state::view::Kept;
     use crate::ui::testing::mount;
+    use crate::ui::words::t;
 
     #[wasm_bindgen_test]
     async fn other_languages_are_offered_by_their_own_names() {

@@ -2,7 +2,7 @@
 
 use leptos::prelude::*;
 
-use super::language::open_anew;
+use super::reload::reload_with;
 use crate::text::units::{self, Lengths};
 use crate::ui::state::Page;
 use crate::ui::words::t;
@@ -24,7 +24,7 @@ pub(crate) fn LengthsButton() -> impl IntoView {
         Lengths::Millimetres => (Lengths::Inches, "page.inches", "page.inches-about"),
         Lengths::Inches => (Lengths::Millimetres, "page.millimetres", "page.millimetres-about"),
     };
-    let choose = move |_| open_anew(page, LENGTHS, other.id());
+    let choose = move |_| reload_with(page, LENGTHS, other.id());
     view! { <button type="button" class="quiet language lengths" title=t(about) on:click=choose>{t(name)}</button> }
 }
 

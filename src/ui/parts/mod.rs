@@ -24,6 +24,8 @@ pub(crate) mod meaning;
 
 pub(crate) mod phrases;
 
+pub(crate) mod reload;
+
 pub(crate) mod scene;
 
 pub(crate) mod sheet_view;

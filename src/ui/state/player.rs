@@ -182,6 +182,16 @@ impl Player {
         }
     }
 
+    /// Shows the run where it was before a reload.
+    pub(crate) fn resume(self, head: f64, plays: bool) {
+        self.set_head(head);
+        self.settle();
+        self.repeat.set(!dom::prefers("(prefers-reduced-motion: reduce)"));
+        if plays {
+            dom::soon(move || self.toggle());
+        }
+    }
+
     /// Plays or pauses. At the end of the run it restarts.
     pub(crate) fn toggle(self) {
         let playing = !self.playing.get_untracked();

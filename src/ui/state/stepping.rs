@@ -13,7 +13,7 @@ use crate::math;
 use crate::project::breakpoints::Location;
 use crate::project::debug::{Debugger, Goal, Stop};
 use crate::text::{Place, headed};
-use crate::ui::dom;
+use crate::ui::dom::tab_entry::{remember, remembered};
 use crate::ui::words::{Tone, end_words, sentence_with_hints, t};
 
 /// Milliseconds of walking in one slice.
@@ -216,12 +216,12 @@ pub(crate) fn keep(page: Page) {
             let _ = writeln!(out, "{}\t{}", point.name(), point.condition);
         }
     });
-    dom::store(KEPT, &out);
+    remember(KEPT, &out);
 }
 
 /// Takes the kept breakpoints and watches, as far as the program has their lines.
 pub(crate) fn restore(page: Page) {
-    let Some(text) = dom::stored(KEPT) else { return };
+    let Some(text) = remembered(KEPT) else { return };
     let parsed = page.program.written.with_untracked(|written| written.parsed.clone());
     page.player.walk.update_untracked(|walk| {
         for line in text.lines() {

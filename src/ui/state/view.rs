@@ -1,11 +1,12 @@
 //! State of the view: tab, dialogs, folds.
 
 use leptos::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::text::Place;
 
 /// A tab at the right.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub(crate) enum Tab {
     /// The program files.
     Program,
@@ -33,6 +34,9 @@ pub(crate) enum ProgramView {
     /// The lines beside those of the form's program.
     Difference,
 }
+
+/// Key of the project in the browser's store, or in this tab's entry of the history.
+pub(crate) const PROJECT: &str = "macroline.project";
 
 /// Whether the browser's store has the project.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
