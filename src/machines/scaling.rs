@@ -164,7 +164,12 @@ pub const fn teeth<P>(id: &'static str, group: &'static str, label: &'static str
 }
 
 /// A field for the counts of the encoders.
-pub const fn encoder<P>(id: &'static str, group: &'static str, member: Member<P, f64>) -> Field<P> {
-    let row = number(id, member).group(group).label("scaling.encoder").help("scaling.encoder.help");
+pub const fn encoder<P>(
+    id: &'static str,
+    group: &'static str,
+    label: &'static str,
+    member: Member<P, f64>,
+) -> Field<P> {
+    let row = number(id, member).group(group).label(label).help("scaling.encoder.help");
     row.unit("p/rev").range(1.0..=100_000_000.0).default(10_000.0).decimals(0).step(1000.0).fact()
 }

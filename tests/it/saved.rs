@@ -1,7 +1,7 @@
 //! Project files: saved projects read back equal, and hostile input gets findings with their place.
 
 use expect_test::{Expect, expect};
-use macroline::machines::form::Value;
+use macroline::machines::form::{Provenance, Value};
 use macroline::motion::{Action, Event, Panel};
 use macroline::nc::{File, Files};
 use macroline::project::render::Renderer;
@@ -387,6 +387,31 @@ fn version_1_project_file_still_reads() {
         };
         for id in ids {
             assert_eq!(&written["values"][id], value, "{id}");
+        }
+    }
+}
+
+/// Lathes had one field for the encoders of all axes.
+#[test]
+fn old_field_becomes_those_that_the_machine_has() {
+    for (machine, axes) in [("turning-spindle", &["x", "z"][..]), ("polygon-lathe", &["x", "z", "work", "tool"])] {
+        let mut file: serde_json::Value = serde_json::from_str(&Project::of(machine, None).unwrap().to_json()).unwrap();
+        for part in ["values", "provenance"] {
+            if let Some(members) = file[part].as_object_mut() {
+                members.retain(|id, _| !id.starts_with("encoder-counts"));
+            }
+        }
+        file["values"]["encoder-counts"] = 4096.into();
+        file["provenance"]["encoder-counts"] = "measured".into();
+        let loaded = Project::from_json(&file.to_string());
+        assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
+        let project = loaded.project.unwrap();
+        let counts = |map: Vec<&String>| map.into_iter().filter(|id| id.starts_with("encoder-counts")).count();
+        assert_eq!(counts(project.values.keys().collect()), axes.len());
+        for axis in axes {
+            let id = format!("encoder-counts-{axis}");
+            assert_eq!(project.values[&id], Value::Number(4096.0), "{id}");
+            assert_eq!(project.provenance[&id], Provenance::Measured, "{id}");
         }
     }
 }

@@ -144,6 +144,8 @@ pub(crate) struct Params {
     pub work_teeth: f64,
     pub tool_motor_teeth: f64,
     pub tool_teeth: f64,
+    pub work_encoder: f64,
+    pub tool_encoder: f64,
     pub index_speed: f64,
     pub emergency: Emergency,
     pub work_coast: f64,
@@ -184,7 +186,6 @@ pub(crate) struct Params {
     pub screw_teeth_x: f64,
     pub motor_teeth_z: f64,
     pub screw_teeth_z: f64,
-    pub encoder_counts: f64,
     pub time_constant: f64,
     pub position_gain: f64,
     pub slide_x: SlideParams,
@@ -445,6 +446,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     scaling::teeth("work-teeth", "polygon.group.drives", "scaling.work-teeth", member!(Params.work_teeth)),
     scaling::teeth("tool-motor-teeth", "polygon.group.drives", "scaling.tool-motor-teeth", member!(Params.tool_motor_teeth)),
     scaling::teeth("tool-teeth", "polygon.group.drives", "scaling.tool-teeth", member!(Params.tool_teeth)),
+    scaling::encoder("encoder-counts-work", "polygon.group.drives", "scaling.encoder-work", member!(Params.work_encoder)),
+    scaling::encoder("encoder-counts-tool", "polygon.group.drives", "scaling.encoder-tool", member!(Params.tool_encoder)),
     number("index-speed", member!(Params.index_speed)).group("polygon.group.drives").label("polygon.index-speed").help("polygon.index-speed.help")
         .unit("r/min").range(0.1..=1000.0).default(20.0).decimals(1).step(1.0),
     choice("emergency", member!(Params.emergency: Emergency)).group("polygon.group.drives").label("polygon.emergency").help("polygon.emergency.help"),
@@ -515,7 +518,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     scaling::teeth("screw-teeth-x", "polygon.group.slides", "scaling.screw-teeth-x", member!(Params.screw_teeth_x)),
     scaling::teeth("motor-teeth-z", "polygon.group.slides", "scaling.motor-teeth-z", member!(Params.motor_teeth_z)),
     scaling::teeth("screw-teeth-z", "polygon.group.slides", "scaling.screw-teeth-z", member!(Params.screw_teeth_z)),
-    scaling::encoder("encoder-counts", "polygon.group.slides", member!(Params.encoder_counts)),
+    scaling::encoder("encoder-counts-x", "polygon.group.slides", "scaling.encoder-x", member!(Params.slide_x.encoder)),
+    scaling::encoder("encoder-counts-z", "polygon.group.slides", "scaling.encoder-z", member!(Params.slide_z.encoder)),
     number("time-constant", member!(Params.time_constant)).group("polygon.group.slides").label("polygon.time-constant").help("polygon.time-constant.help").symbol("τ")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
     number("position-gain", member!(Params.position_gain)).group("polygon.group.slides").label("polygon.position-gain").help("polygon.position-gain.help").symbol("K")

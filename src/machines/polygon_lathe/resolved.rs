@@ -8,6 +8,7 @@ use crate::controls::{Address, Control, Dialect};
 use crate::drives::polygon::Ratio;
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
+use crate::machines::slides::SlideParams;
 use crate::motion::Snapshot;
 
 /// The slide across the work, and the one along it.
@@ -79,20 +80,28 @@ impl PolygonLathe {
     /// Drives of the slides across and along the work.
     pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
         let p = &self.p;
-        let drive =
-            |axis, lead, gear, words| AxisDrive { axis, lead, gear, encoder: p.encoder_counts, rotary: false, words };
+        let drive = |axis, lead, gear, slide: &SlideParams, words| AxisDrive {
+            axis,
+            lead,
+            gear,
+            encoder: slide.encoder,
+            rotary: false,
+            words,
+        };
         [
-            drive("X", p.lead_x, (p.screw_teeth_x, p.motor_teeth_x), self.words()),
-            drive("Z", p.lead_z, (p.screw_teeth_z, p.motor_teeth_z), 1.0),
+            drive("X", p.lead_x, (p.screw_teeth_x, p.motor_teeth_x), &p.slide_x, self.words()),
+            drive("Z", p.lead_z, (p.screw_teeth_z, p.motor_teeth_z), &p.slide_z, 1.0),
         ]
     }
 
     /// Drives of the work and the tool.
     pub(super) fn turning_drives(&self) -> [AxisDrive<'static>; 2] {
         let p = &self.p;
-        let drive =
-            |axis, gear| AxisDrive { axis, lead: 360.0, gear, encoder: p.encoder_counts, rotary: true, words: 1.0 };
-        [drive("4", (p.work_teeth, p.work_motor_teeth)), drive("3", (p.tool_teeth, p.tool_motor_teeth))]
+        let drive = |axis, gear, encoder| AxisDrive { axis, lead: 360.0, gear, encoder, rotary: true, words: 1.0 };
+        [
+            drive("4", (p.work_teeth, p.work_motor_teeth), p.work_encoder),
+            drive("3", (p.tool_teeth, p.tool_motor_teeth), p.tool_encoder),
+        ]
     }
 
     /// Index of the slide across the work.

@@ -20,6 +20,7 @@ pub(in crate::machines) struct SlideParams {
     pub top_speed: f64,
     pub inertia_limit: f64,
     pub effective_limit: f64,
+    pub encoder: f64,
 }
 
 /// The group of all fields.
@@ -28,9 +29,9 @@ const GROUP: &str = "slides.group";
 /// Catalog ids of the names of the drives.
 pub(super) const NAMES: [&str; 2] = ["slides.drive.x", "slides.drive.z"];
 
-/// Fields of the motors of X and Z. Both have encoders with the same counts.
+/// Fields of the motors of X and Z.
 pub(super) const FIELDS: [MotorFields; 2] =
-    [motor_fields!("x", "encoder-counts"), motor_fields!("z", "encoder-counts")];
+    [motor_fields!("x", "encoder-counts-x"), motor_fields!("z", "encoder-counts-z")];
 
 /// The motors as the form describes them.
 pub(in crate::machines) const MOTORS: [FormMotor; 2] = [

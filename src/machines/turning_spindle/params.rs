@@ -150,7 +150,6 @@ pub(crate) struct Params {
     pub screw_teeth_x: f64,
     pub motor_teeth_z: f64,
     pub screw_teeth_z: f64,
-    pub encoder_counts: f64,
     pub time_constant: f64,
     pub position_gain: f64,
     pub slide_x: SlideParams,
@@ -396,7 +395,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     scaling::teeth("screw-teeth-x", "turning.group.axes", "scaling.screw-teeth-x", member!(Params.screw_teeth_x)),
     scaling::teeth("motor-teeth-z", "turning.group.axes", "scaling.motor-teeth-z", member!(Params.motor_teeth_z)),
     scaling::teeth("screw-teeth-z", "turning.group.axes", "scaling.screw-teeth-z", member!(Params.screw_teeth_z)),
-    scaling::encoder("encoder-counts", "turning.group.axes", member!(Params.encoder_counts)),
+    scaling::encoder("encoder-counts-x", "turning.group.axes", "scaling.encoder-x", member!(Params.slide_x.encoder)),
+    scaling::encoder("encoder-counts-z", "turning.group.axes", "scaling.encoder-z", member!(Params.slide_z.encoder)),
     number("time-constant", member!(Params.time_constant)).group("turning.group.axes").label("turning.time-constant").help("turning.time-constant.help").symbol("τ")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
     number("position-gain", member!(Params.position_gain)).group("turning.group.axes").label("turning.position-gain").help("turning.position-gain.help").symbol("K")

@@ -9,11 +9,11 @@ use super::panel;
 use super::v1::{ProgramV1, ProjectV1, VariantV1};
 use crate::controls::{self, Control, Switches};
 use crate::machines::AnyMachine;
-use crate::machines::form::{FieldKindInfo, Provenance, Value, Values};
+use crate::machines::form::{FieldInfo, FieldKindInfo, Provenance, Value, Values};
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::findings::Findings;
-use crate::project::json::{JsonMembers, Located, kind_word};
+use crate::project::json::{JsonMember, JsonMembers, Located, kind_word};
 use crate::project::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::project::{Project, parts};
 use crate::text::catalog::Language;
@@ -109,6 +109,14 @@ fn variants<'t>(saved: &[VariantV1<'t>], machine: &'static dyn AnyMachine, found
     variants
 }
 
+/// Members by the present ids of their fields.
+fn of_fields<'s, 't>(
+    saved: &'s JsonMembers<'t>,
+    fields: &'s [FieldInfo],
+) -> impl Iterator<Item = (&'s JsonMember<'t>, &'s str)> {
+    saved.0.iter().flat_map(move |entry| field_ids(&entry.key, fields).into_iter().map(move |id| (entry, id)))
+}
+
 /// The form's values. A value out of range is kept: the field shows its range, and no input is lost.
 fn values<'t>(
     saved: &JsonMembers<'t>,
@@ -118,7 +126,7 @@ fn values<'t>(
 ) {
     found.repeated(saved);
     let fields = machine.fields();
-    for (entry, id) in saved.0.iter().flat_map(|entry| field_ids(&entry.key).into_iter().map(move |id| (entry, id))) {
+    for (entry, id) in of_fields(saved, &fields) {
         let Some(field) = fields.iter().find(|field| field.id == id) else {
             found.error(msg!("project.unknown-field", field = clip(id)), entry.source);
             continue;
@@ -149,8 +157,9 @@ fn origins<'t>(
     found: &mut Findings<'t>,
 ) {
     found.repeated(saved);
-    for (entry, id) in saved.0.iter().flat_map(|entry| field_ids(&entry.key).into_iter().map(move |id| (entry, id))) {
-        let known = machine.fields().iter().any(|field| field.id == id);
+    let fields = machine.fields();
+    for (entry, id) in of_fields(saved, &fields) {
+        let known = fields.iter().any(|field| field.id == id);
         match entry.value.as_str().and_then(provenance_of) {
             _ if !known => found.error(msg!("project.unknown-field", field = clip(id)), entry.source),
             Some(from) => {
