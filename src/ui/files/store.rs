@@ -164,12 +164,16 @@ fn store_now(page: Page) {
     dom::store(PLACE, if kept { IN_STORE } else { ON_SHELF });
     // A state that has no room in this store may have room in the database.
     shelf::soon(page);
-    let refused = if dom::storage().is_some() { Kept::No } else { Kept::Denied };
-    page.view.kept.set(if kept { Kept::Yes } else { refused });
+    page.view.kept.set(if kept { Kept::Yes } else { refused() });
     // Once: a small screen shows no state of the store.
     if !kept && !REFUSED.replace(true) {
-        page.notices.notify(Tone::Warn, t(refused.words()).to_owned());
+        page.notices.notify(Tone::Warn, t(refused().words()).to_owned());
     }
+}
+
+/// The state of a store that refuses the project.
+fn refused() -> Kept {
+    if dom::storage().is_some() { Kept::No } else { Kept::Denied }
 }
 
 thread_local! {
@@ -289,12 +293,16 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         steps.note(&before, "", dom::now());
     }
     page.take_steps(steps);
+    let is_carried = carried(PROJECT).is_some();
+    if is_carried {
+        page.view.kept.set(refused());
+    }
     if occupied {
         page.view.kept.set(Kept::Elsewhere);
     }
     shelf::ensure_project_id(page);
     shelf::take_in_soon(page);
-    if !by_link && carried(PROJECT).is_none() && !has_latest() {
+    if !by_link && !is_carried && !has_latest() {
         latest::offer(page);
     }
     // The project of the other tab that is shown here, and that of this tab when it began to watch.
