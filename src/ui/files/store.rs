@@ -372,7 +372,11 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         hide();
         close(page, [shown, watched]);
     });
-    dom::hear("beforeunload", move |event| warn_of_loss(page, &event));
+    // The history takes no text any more when the page is gone.
+    dom::hear("beforeunload", move |event| {
+        hide();
+        warn_of_loss(page, &event);
+    });
     // A page restored from the browser's history asks like a new one.
     dom::hear("pageshow", move |event| {
         if event.unchecked_ref::<PageTransitionEvent>().persisted() {
@@ -538,6 +542,7 @@ mod tests {
         assert!(visit.project.as_ref() == Some(&latest) && latest.id.is_some());
         let bench = mount_project(visit.project.unwrap(), || ()).await;
         keep(bench.page, visit.stored);
+        settled().await;
         bench.page.undo();
         bench.page.undo();
         assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
