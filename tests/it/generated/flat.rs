@@ -20,6 +20,8 @@ pub(crate) struct Ran {
     pub(crate) waited: bool,
     /// The block costs the time of a macro block.
     pub(crate) is_macro: bool,
+    /// The block has no words: the control does not count it as the next block.
+    pub(crate) is_empty: bool,
     /// Its commands.
     pub(crate) commands: Vec<Canon>,
     /// The run ends here with an alarm.
@@ -49,7 +51,8 @@ impl RunningProgram for Recorder {
         for is_macro in [false, true] {
             let blocks = if is_macro { after.macros - before.macros } else { after.nc - before.nc };
             for _ in 0..blocks {
-                ran.push(Ran { waited: core::mem::take(&mut self.waited), is_macro, ..Ran::default() });
+                let is_empty = after.empty > before.empty;
+                ran.push(Ran { waited: core::mem::take(&mut self.waited), is_macro, is_empty, ..Ran::default() });
             }
         }
         match &step {
@@ -136,6 +139,7 @@ impl Writer {
         if ran.commands.is_empty() {
             let text = match (ran.waited, ran.is_macro) {
                 (true, _) => format!("#149=#{}", self.variable(|kind| kind == VarKind::MachinePosition)),
+                (false, true) if self.named && ran.is_empty => ";EMPTY".to_owned(),
                 (false, true) if self.named => "R149=0".to_owned(),
                 (false, true) => "(MACRO)".to_owned(),
                 (false, false) => self.g(Code::Metric),
