@@ -43,6 +43,9 @@ pub struct Acceptance {
     pub effective: f64,
 }
 
+/// Highest share of the stall torque for holding a weight. Source: sizing facts 2.3, SPJ188.
+pub const WEIGHT_SHARE: f64 = 0.6;
+
 impl Acceptance {
     /// Mitsubishi's rules for its CNC servos: 0.8 of the peak torque, 0.8 of the stall torque, and the series' ratio of inertias. Source:
     /// sizing facts 2.3.

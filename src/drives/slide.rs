@@ -43,6 +43,11 @@ impl Slide {
         through_gear(force * self.lead / (2.0 * PI), self.gear, self.efficiency)
     }
 
+    /// Torque at the motor's shaft while the slide moves down its way against a force: the weight helps. Negative where it drives the motor.
+    pub fn downhill(&self, force: f64) -> f64 {
+        self.torque(force + self.friction - self.mass * GRAVITY * math::sin(self.rise))
+    }
+
     /// Torque at the motor's shaft by which it holds the weight at rest, without the losses of the screw: `m g sin α · h / (2π i)`.
     pub fn weight(&self) -> f64 {
         self.mass * GRAVITY * math::sin(self.rise) * self.lead / (2.0 * PI * self.gear)

@@ -31,6 +31,8 @@ pub struct DrivenAxis {
     pub taut: f64,
     /// Torque (Nm) of the cut while the machine works, besides the steady torque of the load; none where that torque is the one of the work.
     pub cut: Option<f64>,
+    /// Torque (Nm) that the whole cut may ask without a pause, with friction and weight; none where no cut adds to the load.
+    pub lasting: Option<f64>,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// The motor that the form has.

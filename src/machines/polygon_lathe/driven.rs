@@ -44,6 +44,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             strikes: Strikes::new(peak, mean),
             taut: 0.0,
             cut: None,
+            lasting: None,
             // Wheels of the lathe itself.
             gear: None,
             fitted: Fitted { motor, limits: WHOLE },
@@ -72,10 +73,15 @@ impl HasSlides for PolygonLathe {
             ServoSlide::new(
                 &p.slide_x,
                 x,
-                SlideAxis { at: self.cross(), rapid: p.rapid_x, rise: p.bed_angle },
+                SlideAxis { at: self.cross(), rapid: p.rapid_x, rise: p.bed_angle, cuts_downhill: false },
                 machine,
             ),
-            ServoSlide::new(&p.slide_z, z, SlideAxis { at: self.along(), rapid: p.rapid_z, rise: 0.0 }, machine),
+            ServoSlide::new(
+                &p.slide_z,
+                z,
+                SlideAxis { at: self.along(), rapid: p.rapid_z, rise: 0.0, cuts_downhill: false },
+                machine,
+            ),
         ]
     }
 }

@@ -57,11 +57,11 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("free-length", jaws, Citation::new("mechanics", Grade::Inferred)),
     Rule::new("finish-feed", finish_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("tool-torque", drives::tool_peak, MOTOR),
-    Rule::new("tool-torque-mean", drives::tool_mean, MOTOR),
+    Rule::new("tool-torque-effective", drives::tool_effective, MOTOR),
     Rule::new("tool-power", drives::tool_power, MOTOR),
     Rule::new("tool-run-up", drives::tool_run_up, MOTOR),
     Rule::new("work-torque", drives::work_peak, MOTOR),
-    Rule::new("work-torque-mean", drives::work_mean, MOTOR),
+    Rule::new("work-torque-effective", drives::work_effective, MOTOR),
     Rule::new("work-power", drives::work_power, MOTOR),
     Rule::new("work-run-up", drives::work_run_up, MOTOR),
 ];

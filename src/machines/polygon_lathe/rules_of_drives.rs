@@ -4,12 +4,12 @@ use super::demand::Asked;
 use super::load::{FEEDS, Spindle};
 use super::params::FIELDS;
 use super::resolved::PolygonLathe;
-use crate::machines::verdict::{Judgement, down, fail, ok, up};
+use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
 use crate::math;
 use crate::msg;
 use crate::text::Message;
-use crate::view::Advice;
 use crate::view::Limit::AtMost;
+use crate::view::{Advice, Verdict};
 
 /// Least feed (mm for each turn of the work) that an advice names: below it an edge rubs.
 const LEAST_FEED: f64 = 0.01;
@@ -47,6 +47,13 @@ fn cut(lathe: &PolygonLathe, spindle: Spindle, of: Asked, told: impl Fn(f64, f64
     fail(AtMost(limit), [with_feeds(lathe, spindle, of, told(asked, limit))])
 }
 
+/// The heat of the cut against the drive: a warning where only the strikes exceed its continuous torque, for a short cut may do that.
+fn heat(lathe: &PolygonLathe, spindle: Spindle, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
+    let judged = cut(lathe, spindle, Asked::Effective, told)?;
+    let (mean, limit) = lathe.demand(spindle, Asked::Mean);
+    if judged.verdict == Verdict::Fail && mean <= limit { warn(judged.limit, judged.advice) } else { Some(judged) }
+}
+
 pub(super) fn tool_peak(lathe: &PolygonLathe) -> Option<Judgement> {
     cut(lathe, Spindle::Tool, Asked::Peak, |asked, limit| {
         msg!("polygon.tool-stalls", torque = (asked, 1), limit = (limit, 1))
@@ -59,16 +66,12 @@ pub(super) fn work_peak(lathe: &PolygonLathe) -> Option<Judgement> {
     })
 }
 
-pub(super) fn tool_mean(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Tool, Asked::Mean, |asked, limit| {
-        msg!("polygon.tool-overheats", torque = (asked, 2), limit = (limit, 2))
-    })
+pub(super) fn tool_effective(lathe: &PolygonLathe) -> Option<Judgement> {
+    heat(lathe, Spindle::Tool, |asked, limit| msg!("polygon.tool-overheats", torque = (asked, 2), limit = (limit, 2)))
 }
 
-pub(super) fn work_mean(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Work, Asked::Mean, |asked, limit| {
-        msg!("polygon.work-overheats", torque = (asked, 2), limit = (limit, 2))
-    })
+pub(super) fn work_effective(lathe: &PolygonLathe) -> Option<Judgement> {
+    heat(lathe, Spindle::Work, |asked, limit| msg!("polygon.work-overheats", torque = (asked, 2), limit = (limit, 2)))
 }
 
 pub(super) fn tool_power(lathe: &PolygonLathe) -> Option<Judgement> {

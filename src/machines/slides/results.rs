@@ -56,8 +56,13 @@ impl<M: HasSlides> Of<M> {
         },
         ReadoutRow {
             id: "x-cut-torque", label: "slides.readout.x-cut-torque", unit: "Nm", decimals: 3,
-            formula: "(feed force + friction + weight · sin α) · h / (2π · i · η)",
+            formula: "(feed force + friction ± weight · sin α) · h / (2π · i · η)",
             cite: MECHANICS, value: |machine| x(machine).cut_torque(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
+            id: "x-hold-torque", label: "slides.readout.x-hold-torque", unit: "Nm", decimals: 3,
+            formula: "weight · sin α · h / (2π · i)",
+            cite: MECHANICS, value: |machine| x(machine).slide.weight(), shown: |machine| x(machine).slide.weight() > 0.0, ..ReadoutRow::BASE
         },
         ReadoutRow {
             id: "z-motor-speed", label: "slides.readout.z-motor-speed", unit: "r/min", decimals: 1,
@@ -95,6 +100,7 @@ impl<M: HasSlides> Of<M> {
         Rule::new("z-peak-torque", |machine| rapid::<M>(&z(machine)), LIMITS),
         Rule::new("x-cut-torque", |machine| cut(&x(machine)), LIMITS),
         Rule::new("z-cut-torque", |machine| cut(&z(machine)), LIMITS),
+        Rule::new("x-hold-torque", |machine| hold(&x(machine)), LIMITS),
     ];
 }
 
@@ -144,4 +150,12 @@ fn cut(slide: &ServoSlide) -> Option<Judgement> {
         return ok(AtMost(most));
     }
     fail(AtMost(most), [msg!("slides.cut-too-hard", torque = (torque, 2), limit = (most, 2)).into()])
+}
+
+fn hold(slide: &ServoSlide) -> Option<Judgement> {
+    let (torque, most) = (slide.slide.weight(), slide.hold_torque_limit());
+    if torque <= most {
+        return ok(AtMost(most));
+    }
+    fail(AtMost(most), [msg!("slides.weight-too-heavy", torque = (torque, 2), limit = (most, 2)).into()])
 }

@@ -3,7 +3,7 @@
 use super::form::SlideParams;
 use crate::drives::duty::Strikes;
 use crate::drives::inertia::{CM2, Cylinder, STEEL};
-use crate::drives::servo::{Acceptance, Servo};
+use crate::drives::servo::{Acceptance, Servo, WEIGHT_SHARE};
 use crate::drives::slide::Slide;
 use crate::machines::driven::{DrivenAxis, Fitted, MotorFields};
 use crate::machines::machine::Machine;
@@ -33,6 +33,8 @@ pub(in crate::machines) struct ServoSlide {
     pub ramp: f64,
     /// Greatest force of the cut against the feed, N.
     pub feed_force: f64,
+    /// Whether it cuts only on its way down.
+    pub cuts_downhill: bool,
 }
 
 /// What the slides of a machine have in common.
@@ -57,6 +59,8 @@ pub(in crate::machines) struct SlideAxis {
     pub rapid: f64,
     /// Angle of the positive direction above the horizontal, degrees.
     pub rise: f64,
+    /// Whether it cuts only in its negative direction.
+    pub cuts_downhill: bool,
 }
 
 impl ServoSlide {
@@ -101,6 +105,7 @@ impl ServoSlide {
             // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
             ramp: (of.ramp.0 / 1e3).max(1.0 / of.ramp.1),
             feed_force: of.feed_force,
+            cuts_downhill: axis.cuts_downhill,
         }
     }
 
@@ -126,9 +131,13 @@ impl ServoSlide {
         self.steady() + acceleration
     }
 
-    /// Torque in the cut at its feed, Nm: force of the cut, friction and weight.
+    /// Torque in the cut at its feed, Nm: force of the cut, friction and weight. The other force of the cut, on a slide that stands, counts
+    /// like that against the feed.
     pub(super) fn cut_torque(&self) -> f64 {
-        self.steady() + self.slide.torque(self.feed_force)
+        match self.cuts_downhill {
+            true => self.slide.downhill(self.feed_force).abs(),
+            false => self.steady() + self.slide.torque(self.feed_force),
+        }
     }
 
     /// Torque (Nm) that the limits leave the motor for a short time at rapid traverse.
@@ -139,6 +148,11 @@ impl ServoSlide {
     /// Torque (Nm) that the limits leave the motor continuously at the low speed of a feed.
     pub(super) fn cut_torque_limit(&self) -> f64 {
         self.limits.effective * self.motor.stall
+    }
+
+    /// Torque (Nm) that the limits leave the motor for holding a weight.
+    pub(super) fn hold_torque_limit(&self) -> f64 {
+        WEIGHT_SHARE * self.site_share * self.motor.stall
     }
 
     /// Seconds of the shortest ramp to rapid traverse; infinite where friction and weight take all torque.
@@ -163,6 +177,7 @@ impl ServoSlide {
             strikes: Strikes::default(),
             taut: 0.0,
             cut: Some(self.slide.torque(self.feed_force)),
+            lasting: Some(self.cut_torque()),
             // Wheels or a belt of the lathe itself.
             gear: None,
             fitted: Fitted { motor: self.motor, limits: self.limits },

@@ -1,5 +1,6 @@
 //! Drives that the turning spindle is sized by: its motor behind inverter and gear, and its speed against the limit of the chuck.
 
+use super::params::Path;
 use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::inertia;
@@ -84,10 +85,20 @@ impl HasSlides for TurningSpindle {
             ServoSlide::new(
                 &p.slide_x,
                 x,
-                SlideAxis { at: self.cross(), rapid: p.rapid_x, rise: p.bed_angle },
+                SlideAxis {
+                    at: self.cross(),
+                    rapid: p.rapid_x,
+                    rise: p.bed_angle,
+                    cuts_downhill: p.path == Path::Facing,
+                },
                 machine,
             ),
-            ServoSlide::new(&p.slide_z, z, SlideAxis { at: self.along(), rapid: p.rapid_z, rise: 0.0 }, machine),
+            ServoSlide::new(
+                &p.slide_z,
+                z,
+                SlideAxis { at: self.along(), rapid: p.rapid_z, rise: 0.0, cuts_downhill: false },
+                machine,
+            ),
         ]
     }
 }

@@ -10,7 +10,7 @@ use crate::drives::duty::{Motion, OperatingPoint, ResistorLoad, Work, with_pause
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Phase, Regeneration, effective, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits, Status};
-use crate::drives::servo::{Acceptance, Duty, Reason, Servo, Shares};
+use crate::drives::servo::{Acceptance, Duty, Reason, Servo, Shares, WEIGHT_SHARE};
 use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields, SpindleRun};
@@ -413,6 +413,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let resistor = amplifier.zip(back).and_then(|(of, (asked, own))| resistor(of, asked, own, catalogue, control));
     let has_resistor = resistor.as_ref().is_some_and(|resistor| resistor.part.is_some());
     let refused = refused
+        .or_else(|| too_weak_for_long(&motor, axis, &limits))
         .or_else(|| (!follows(part, control)).then(|| (Rank::Role, msg!("size.refused-role"))))
         .or_else(|| too_warm(&motor, &limits, (duty.effective, asked.mean_speed)))
         .or_else(|| {
@@ -511,6 +512,17 @@ fn refused_by(
             (Rank::Inertia, msg!("size.refused-inertia", ratio = ratio, limit = limit))
         }
     }
+}
+
+/// Whether the torque of a long cut, or of a weight, exceeds what the motor may give continuously.
+fn too_weak_for_long(motor: &Servo, axis: &DrivenAxis, limits: &Acceptance) -> Option<(Rank, Message)> {
+    let most = limits.effective * motor.stall;
+    if let Some(torque) = axis.lasting.filter(|torque| *torque > most) {
+        return Some((Rank::Effective, msg!("size.refused-long-cut", torque = (torque, 3), limit = (most, 3))));
+    }
+    let most = WEIGHT_SHARE * axis.site_share * motor.stall;
+    let too_heavy = || msg!("size.refused-weight", torque = (axis.weight, 3), limit = (most, 3));
+    (axis.weight > most).then(|| (Rank::Effective, too_heavy()))
 }
 
 /// Whether the effective torque (Nm) exceeds the continuous torque at the mean speed (r/min): a point of the data sheet's chart.

@@ -151,12 +151,39 @@ fn feed_that_the_drive_holds_is_offered_to_the_last_digit() {
 }
 
 #[test]
+fn strikes_heat_a_drive_more_than_their_mean() {
+    // Few inserts strike hard and seldom: the mean is half of what the drive gives for long, the effective torque above it.
+    let entries = [
+        ("shape", "own"),
+        ("inserts", "3"),
+        ("sides", "6"),
+        ("across-flats", "40"),
+        ("stock-diameter", "50"),
+        ("length", "60"),
+        ("overhang", "10"),
+        ("relief", "15"),
+        ("flatness", "0.8"),
+        ("greatest-distance", "200"),
+        ("tool-power", "2.78"),
+    ];
+    let lathe = project(&entries);
+    let [peak, mean, effective] =
+        ["tool-torque", "tool-torque-mean", "tool-torque-effective"].map(|id| row(&lathe, id));
+    near(effective.value, (peak.value * mean.value).sqrt(), 1e-12);
+    let limit = effective.limit.unwrap().value();
+    assert!(mean.value < 0.6 * limit && effective.value > limit, "{} {limit}", mean.value);
+    assert_eq!(effective.verdict, Verdict::Warn);
+    let after = lathe.with_entries(&effective.advice[0].sets).unwrap();
+    assert_eq!(row(&after, "tool-torque-effective").verdict, Verdict::Ok);
+}
+
+#[test]
 fn slow_drive_lacks_power_above_its_base_speed() {
     // The cut at 400 r/min is far above a base speed of 40 r/min: torque falls with the speed, power stays.
     let weak = project(&[("tool-power", "0.05"), ("tool-base", "40"), ("drive-peak", "600")]);
-    let [mean, power] = ["tool-torque-mean", "tool-power"].map(|id| row(&weak, id));
-    assert_eq!([mean.verdict, power.verdict], [Verdict::Fail, Verdict::Fail]);
-    near(mean.limit.unwrap().value(), 9549.3 * 0.05 * 0.9 / 400.0, 1e-4);
+    let [mean, effective, power] = ["tool-torque-mean", "tool-torque-effective", "tool-power"].map(|id| row(&weak, id));
+    assert_eq!([effective.verdict, power.verdict], [Verdict::Fail, Verdict::Fail]);
+    near(effective.limit.unwrap().value(), 9549.3 * 0.05 * 0.9 / 400.0, 1e-4);
     near(power.limit.unwrap().value(), 0.045, 1e-9);
     near(power.value, mean.value * 400.0 / 9549.3, 1e-4);
 }

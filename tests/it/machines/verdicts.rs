@@ -245,6 +245,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("slides.cut-too-hard", "a deed: less depth, or another motor"),
     ("slides.inertia-ratio", "a deed: another screw, belt or motor"),
     ("slides.no-ramp", "a deed: another motor"),
+    ("slides.weight-too-heavy", "a deed: another screw or motor, or a counterweight"),
     ("turning.few-volts-alone", "a deed: a spindle with gear stages"),
     ("turning.friction-stalls", "a deed: less friction, or another motor"),
     ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),

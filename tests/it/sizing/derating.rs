@@ -164,7 +164,7 @@ fn site_share_lowers_limits_in_the_long_run_alone() {
         (
             "polygon-lathe",
             "site-share",
-            &["tool-torque-mean", "work-torque-mean", "tool-power", "work-power"],
+            &["tool-torque-effective", "work-torque-effective", "tool-power", "work-power"],
             &["tool-torque", "work-torque", "tool-run-up", "work-run-up"],
         ),
         ("ribbon-line", "unwinder-site-share", &["unwinder-torque"], &["x-peak-torque", "y-peak-torque"]),

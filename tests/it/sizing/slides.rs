@@ -119,3 +119,56 @@ fn weak_motors_fail_with_a_remedy() {
         assert_eq!(found.advice[0].sets.first().map(|set| set.0), field, "{id}");
     }
 }
+
+#[test]
+fn weight_helps_a_cut_downhill() {
+    // More force than weight.
+    let entries = |angle| [("bed-angle", angle), ("path", "facing"), ("feed-force", "200")];
+    let bed = |angle| lathe("turning-spindle", "gsk-980tdc", &entries(angle));
+    let [flat, slant] = ["0", "45"].map(|angle| result(&bed(angle), "x-cut-torque").value);
+    let weight = 100.0 * 9.806_65 * math::sin(45_f64.to_radians()) * 0.005 / (2.0 * std::f64::consts::PI);
+    assert!((flat - slant - weight / 0.9).abs() < 1e-9, "{flat} {slant}");
+    // Along the work X stands: its motor holds the weight against the cut.
+    let along =
+        lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", "45"), ("path", "turning"), ("feed-force", "200")]);
+    assert!(result(&along, "x-cut-torque").value > flat);
+}
+
+#[test]
+fn motor_holds_a_weight_with_a_reserve() {
+    let bed = |mass: &str| {
+        lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", "90"), ("slide-mass-x", mass), ("lead-x", "10")])
+    };
+    let held = |mass: &str| result(&bed(mass), "x-hold-torque");
+    // 190 kg · g · 10 mm / 2π = 2.965 Nm of 0.6 · 4.8 Nm.
+    assert!((held("190").value - 2.965).abs() < 1e-3);
+    assert!((held("190").limit.unwrap().value() - 2.88).abs() < 1e-12);
+    assert_eq!([held("190").verdict, held("180").verdict], [Verdict::Fail, Verdict::Ok]);
+    let flat = lathe("turning-spindle", "gsk-980tdc", &[]);
+    assert!(flat.design().readouts.iter().all(|row| row.id != "x-hold-torque"));
+}
+
+#[test]
+fn motor_that_the_list_passes_passes_in_the_form() {
+    for name in LATHES {
+        for control in machines::find(name).unwrap().controls() {
+            for entries in [&[][..], &[("cutting-force", "4000"), ("bed-angle", "60"), ("material", "none")]] {
+                let entries = if name == "turning-spindle" { entries } else { &entries[..0] };
+                let project = lathe(name, control, entries);
+                let sizing = sized(&project);
+                for id in ["x", "z"] {
+                    let passing = axis(&sizing, id).candidates.iter().filter(|of| of.refusal.is_none());
+                    for motor in passing.filter(|of| !of.entries.is_empty()).take(4) {
+                        let fitted = project.with_entries(&motor.entries).unwrap();
+                        for row in ["motor-speed", "cut-torque", "peak-torque"] {
+                            let row = result(&fitted, &format!("{id}-{row}"));
+                            let about =
+                                format!("{name} on {control}: {}, {} of {:?}", motor.part.model, row.value, row.limit);
+                            assert_ne!(row.verdict, Verdict::Fail, "{} {about}", row.id);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
