@@ -1,7 +1,8 @@
 //! The way of the cutter through its passes, each motion once: programs and times are made from it.
 //!
-//! No rapid is inside the stock. At the end of the bar a pass begins in front of the face. Behind it the insert goes down into the stock at
-//! feed, from its clearance over the stock, where all of it is behind the near end of the polygon; from the far end it comes out at feed.
+//! No rapid is inside the stock. A polygon at the end of the bar is cut from in front of the face. For a polygon further along the bar the
+//! insert goes down into the stock at feed, from its clearance over the stock, where all of it is behind the near end of the polygon; from
+//! the far end it comes out at feed.
 
 use super::params::Params;
 use crate::math;
@@ -34,7 +35,7 @@ pub(super) enum PassStep {
 const LONGEST: f64 = 9_999.0;
 
 impl Params {
-    /// The polygon begins behind the face: there is stock on both of its sides.
+    /// The polygon begins at a distance from the face: there is stock at both of its ends.
     pub(super) fn is_behind_face(&self) -> bool {
         self.from_face > 0.0
     }

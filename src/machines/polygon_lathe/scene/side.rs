@@ -110,7 +110,7 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout, half: f64) 
     });
 }
 
-/// The corners of a twisted polygon as they would run; those on the near side of the part.
+/// The corners of a twisted polygon along the bar, on the near side of the part.
 fn twist(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let (p, derived) = (&lathe.p, &lathe.d);
     let (scale, face) = (layout.side, layout.face);
