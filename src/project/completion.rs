@@ -61,9 +61,9 @@ const FEW: u32 = 8;
 enum Typed {
     /// A comment, or a number that nothing proposes.
     Nothing,
-    /// Number or label behind a jump.
+    /// Number or label as the target of a jump.
     Target,
-    /// Number of a program behind P of a call.
+    /// Number of a program in P of a call.
     Called,
     /// A word or its beginning.
     Word,
@@ -125,7 +125,7 @@ fn typed(line: &str, control: &Control) -> (Typed, usize) {
     }
 }
 
-/// Whether a line has a code that calls the program behind P.
+/// Whether a line has a code that calls the program with the number in P.
 fn calls(line: &str, pieces: &[(Span, TokenKind)], control: &Control) -> bool {
     let calls = |code: Code| matches!(code, Code::SubCall | Code::MacroCall | Code::MacroModal | Code::MacroModalBlock);
     let codes = pieces.iter().filter(|(_, kind)| *kind == TokenKind::Code);

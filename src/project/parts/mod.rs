@@ -1,4 +1,4 @@
-//! Tables of parts: the catalogue that is shipped, and what people add to it, as CSV or JSON.
+//! Tables of parts: the shipped catalogue, and parts added by the user, as CSV or JSON.
 
 pub mod columns;
 
@@ -63,7 +63,7 @@ pub fn goes_with(part: &Part, control: &Control) -> bool {
         || part.evidence.grade == PartGrade::Entered
 }
 
-/// Whether an axis that a control commands may have this part: not where its series positions by itself beside that control.
+/// Whether this part can be used for an axis that a control commands; false for a series that positions by itself beside that control.
 pub fn follows(part: &Part, control: &Control) -> bool {
     let row = control.drives.iter().find(|row| row.series == part.series);
     goes_with(part, control) && row.is_none_or(|row| row.role == DriveRole::Axis)
