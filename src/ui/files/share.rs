@@ -21,7 +21,7 @@ pub(super) fn linked() -> Option<Loaded> {
     is_link(&fragment).then(|| Project::from_link(&fragment))
 }
 
-/// Takes the link off the address once its project is stored: a reload shows what became of the project since.
+/// Removes the link from the address once its project is stored, so that a reload shows the project as changed since.
 pub(super) fn forget_link() {
     if is_link(&dom::address().1) {
         dom::forget_fragment();

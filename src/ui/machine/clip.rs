@@ -52,7 +52,7 @@ pub(super) async fn record(page: Page, progress: RwSignal<Option<f64>>) -> Optio
     }
     let begin = dom::now();
     let mut whole = false;
-    // Ends early where the user breaks off, or the page is gone.
+    // Ends early if the user cancels, or the page is gone.
     while let Some(Some(_)) = progress.try_get_untracked() {
         let part = (dom::now() - begin) / (1000.0 * SECONDS);
         if part >= 1.0 {
