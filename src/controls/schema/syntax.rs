@@ -19,7 +19,7 @@ pub enum ArcTangent {
     OfOne,
     /// Two: `ATAN[y]/[x]`.
     OfTwo,
-    /// One or two: `ATAN[y/x]`, `ATAN[y]/[x]`, `ATAN[y,x]`.
+    /// One or two numbers: `ATAN[y/x]`, `ATAN[y]/[x]`, `ATAN[y,x]`.
     OfOneOrTwo,
 }
 

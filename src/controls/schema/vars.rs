@@ -1,4 +1,4 @@
-//! Ranges of variables: what they hold, how long, and who may write them.
+//! Ranges of variables: contents, lifetime, and write access.
 
 use super::table::{Key, digits, range_ends};
 use super::{Address, Group};
