@@ -1,4 +1,4 @@
-//! Writing programs: output of the builder, its reading back to an equal deck, and input that must not make reading or writing fail.
+//! Writing programs: output of the builder, parsing it back to an equal deck, and input for which parsing and writing must not fail.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ fn e60() -> &'static Control {
     find("mitsubishi-e60").unwrap()
 }
 
-/// The text of a built program with findings of the emitter behind it.
+/// The text of a built program, followed by findings of the emitter.
 #[track_caller]
 fn check(write: impl FnOnce(&mut Builder), expected: Expect) {
     let mut b = Builder::new();

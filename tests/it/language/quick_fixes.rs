@@ -1,4 +1,4 @@
-//! Common slips: the finding of each control, and the fix that makes a program of the text.
+//! Common mistakes: the finding of each control, and the fix that makes the text a valid program.
 
 use std::rc::Rc;
 

@@ -75,7 +75,7 @@ fn said(planner: &Planner<Interp>) -> Vec<&'static str> {
     planner.diagnostics().iter().map(|found| found.message.id).collect()
 }
 
-/// When the block behind a sequence number begins.
+/// Time (s) at which the block with a sequence number begins.
 fn begins(planner: &Planner<Interp>, number: &str) -> f64 {
     let source = &planner.program().parsed().files().0[0].text;
     let at = source.find(&format!("\n{number} ")).unwrap() as u32 + 1;
@@ -401,7 +401,7 @@ fn late_gear_raises_the_gsk_ladder_alarm() {
 
 #[test]
 fn m05_beside_motion_acts_by_the_control() {
-    // The page on the 802D has it behind the motion, the other manuals before it; on the TDc it is a bit of the PLC.
+    // The page on the 802D puts M5 after the motion, the other manuals before it; on the TDc a bit of the PLC decides.
     for (control, setting, stands) in [
         ("sinumerik-802d", "before", true),
         ("sinumerik-802d", "end", false),
