@@ -1,7 +1,7 @@
 //! The way of the cutter through its passes, each motion once: programs and times are made from it.
 //!
 //! No rapid is inside the stock. A polygon at the end of the bar is cut from in front of the face. For a polygon further along the bar the
-//! insert goes down into the stock at feed, from its clearance over the stock, where all of it is behind the near end of the polygon; from
+//! insert goes down into the stock at feed, from its clearance over the stock, where all of it is beyond the near end of the polygon; from
 //! the far end it comes out at feed.
 
 use super::params::Params;
@@ -57,7 +57,7 @@ impl Params {
         jaws && self.start_x >= self.clear_diameter() && self.start_z >= self.clearance
     }
 
-    /// Z position (mm) at which a pass goes to its depth: in front of the face, or with the insert's far edge its width behind the near
+    /// Z position (mm) at which a pass goes to its depth: in front of the face, or with the insert's far edge its width beyond the near
     /// end.
     pub(super) fn approach(&self) -> f64 {
         if self.is_behind_face() { -self.from_face - self.insert_width } else { self.clearance }

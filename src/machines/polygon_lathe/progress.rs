@@ -1,8 +1,8 @@
 //! Progress of the part: passes done, position of the present one, and the outline of the stock at its face.
 //!
-//! Holds for any program: a pass is the slide in the stock, behind its face and within its diameter. The outline is cut again for every
-//! frame from the angles of the two axes at the start of the pass, so that a phase error or a wrong start angle shows. It is a polar grid,
-//! for the eye; measured values come from the exact section.
+//! Holds for any program: a pass is a stay of the slide in the stock, beyond its face and within its diameter. The outline is cut again for
+//! every frame from the angles of the two axes at the start of the pass, so that a phase error or a wrong start angle shows. It is a polar
+//! grid, for the eye; measured values come from the exact section.
 
 use super::program;
 use super::resolved::{PolygonLathe, TOOL, WORK};

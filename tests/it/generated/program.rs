@@ -221,7 +221,7 @@ impl<'a> Writer<'a> {
         self.out.push_str("%\n");
     }
 
-    /// A block as it may be written: with a number, a comment, in small letters, behind `/`, with spaces or without.
+    /// A block as it may be written: with a number, a comment, in small letters, after `/`, with spaces or without.
     fn line(&mut self, text: &str) {
         self.blocks += 1;
         if self.dice.rarely(8) {

@@ -181,7 +181,7 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, layout: &Layout, progress: &Pr
     closed(points, (0.0, SIDE.1), 1.0)
 }
 
-/// Outline and edges of a polygon from above, with the work turned by `angle` radians: of `size` across flats, between two depths behind
+/// Outline and edges of a polygon from above, with the work turned by `angle` radians: of `size` across flats, between two distances from
 /// the face in mm.
 pub(in super::super) fn edges(
     lathe: &PolygonLathe,
