@@ -172,7 +172,7 @@ impl Proposals<'_> {
         let deck = self.parsed.deck();
         let Some(text) = self.parsed.files().get(self.file).map(|file| file.text.as_str()) else { return Vec::new() };
         let blocks = self.here().map_or(&[][..], |program| deck.blocks_of(program));
-        // On a control whose blocks have names, a switch says whether a jump can go to a block number.
+        // On a control whose blocks have names, a switch decides whether a jump can go to a block number.
         let named = self.control().syntax.names().is_some();
         let by_number = !named || self.parsed.dialect().reading.number_jumps;
         let letter = if named { "N" } else { "" };

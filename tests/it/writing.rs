@@ -349,7 +349,7 @@ fn tokens_of_each_line_match() {
     assert!(kinds("knd-k2000t").contains(&TokenKind::Error));
 }
 
-/// Formulas; `lacking` also with what some control lacks and what takes its place with more brackets.
+/// Formulas; with `lacking` also operators that some control lacks and that are rewritten with more brackets.
 fn formula(lacking: bool) -> impl Strategy<Value = Formula> {
     let number = (-999_999_999_999_i64..1_000_000_000_000, 0..10_u8, any::<bool>())
         .prop_map(|(mantissa, scale, point)| Formula::Number(Dec { mantissa, scale, point: point || scale > 0 }));

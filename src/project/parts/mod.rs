@@ -22,8 +22,8 @@ use crate::text::Diagnostic;
 /// Bytes of a table at most.
 pub const MAX_BYTES: usize = 4 << 20;
 
-/// Reads a table of parts: JSON where the name of the file or its first character says so, else CSV. Total: any text gives the parts
-/// that are sound, and findings with their places; a row with an error is left out.
+/// Reads a table of parts: JSON by the extension of the file or the first character of the text, otherwise CSV. Total: any text gives the
+/// parts that are sound, and findings with their places; a row with an error is left out.
 pub fn read(text: &str, name: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     if text.len() > MAX_BYTES {
         let message = msg!("parts.too-large", size = (text.len() >> 20) as u32, most = (MAX_BYTES >> 20) as u32);

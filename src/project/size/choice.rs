@@ -336,7 +336,7 @@ fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     if timeline.end() > 0.0 { turning / (timeline.end() + pause) } else { 0.0 }
 }
 
-/// Share of the time of a part, with the pause after it, in which an axis is loaded; none if the machine does not say when it works. The
+/// Share of the time of a part, with the pause after it, in which an axis is loaded; none if the machine does not report when it works. The
 /// first motion of `asked` is that of the present run.
 fn share_loaded(of: &SizingRuns, asked: &Asked, pause: f64) -> Option<f64> {
     of.present.works.as_ref()?;

@@ -149,7 +149,7 @@ fn mark_worst(rows: &mut [EnvelopeRow]) {
 }
 
 impl EnvelopeRow {
-    /// Whether it says that a contact of the machine holds the program at the event.
+    /// Whether the row reports that a contact of the machine holds the program at the event.
     pub(super) fn is_hold(&self) -> bool {
         self.id == HOLD
     }

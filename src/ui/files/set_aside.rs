@@ -98,7 +98,7 @@ pub(super) fn keep(text: &str, reason: SetAsideReason, id: Option<&str>) -> bool
     kept
 }
 
-/// Whether a project is an example as the gallery has it.
+/// Whether a project equals an example of the gallery.
 pub(super) fn is_untouched(project: &Project) -> bool {
     let example = project.present_example();
     example.map(|example| Project::example(project.machine, project.control, example)).as_ref() == Some(project)

@@ -206,7 +206,7 @@ mod tests {
         bench
     }
 
-    /// Puts a fragment into the address and opens what it has.
+    /// Puts a fragment into the address and opens its project.
     async fn opened(bench: &ViewBench, fragment: &str) {
         window().location().set_hash(fragment).unwrap();
         open(bench.page);

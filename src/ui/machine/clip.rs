@@ -17,7 +17,7 @@ const FINE: f64 = 1.5;
 /// Format, and its ending.
 const KIND: &str = "video/webm";
 
-/// Whether the browser records what is drawn.
+/// Whether the browser can record a canvas.
 pub(super) fn is_possible() -> bool {
     let global = js_sys::global();
     let has = |object: &JsValue, name: &str| js_sys::Reflect::has(object, &name.into()).unwrap_or(false);

@@ -1,4 +1,4 @@
-//! The editor of a program file and its difference to what the form writes, both loaded when first asked for.
+//! The editor of a program file and its difference to the form's program, both loaded when first opened.
 
 use std::cell::Cell;
 use std::time::Duration;

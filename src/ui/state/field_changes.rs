@@ -23,7 +23,7 @@ impl FieldChanges {
         }
     }
 
-    /// Reruns what follows the fields that differ between two projects; of different machines, all fields.
+    /// Reruns effects and memos that follow a field that differs between two projects; for different machines, every field.
     pub(super) fn notify(self, before: &Project, after: &Project) {
         let differs = |id: &str| {
             before.machine.id() != after.machine.id()

@@ -192,7 +192,7 @@ fn feed_per_revolution_follows_the_unwinder_everywhere() {
         assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{}", control.id);
         assert_eq!(planner.starved(), 0);
         let now = |t: f64| planner.timeline().at(t);
-        // K ribbon a turn, whatever the knob says and the motor slips; F is read in steps of 0.001.
+        // K of ribbon per turn at any position of the knob and any slip of the motor; F is read in steps of 0.001.
         for (from, to) in [(3.0, 3.9), (6.0, 7.9), (10.0, 11.9)] {
             let pulled = now(to).axes[0].position - now(from).axes[0].position;
             let turns = now(to).spindle.turns - now(from).spindle.turns;

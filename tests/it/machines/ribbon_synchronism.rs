@@ -94,7 +94,7 @@ fn locked_knob_stays_at_100_percent_in_automatic() {
         assert!(!said(&locked, "ribbon.knob-left"));
         // By hand the knob acts.
         assert!((speeds(&locked, 15.1).0 - 120.0).abs() < 1e-9, "{}", control.id);
-        // Left free, it turns the unwinder alone, and the run says so.
+        // A free knob turns the unwinder alone, and the run reports it.
         let free = over_time(&line(control.id, &[("knob-use", "free")]), vec![turned()]);
         let (spindle, x) = speeds(&free, 11.0);
         assert!((spindle - 960.0).abs() < 1e-9 && (x - K * 800.0).abs() < 0.5, "{} {spindle} {x}", control.id);

@@ -244,7 +244,7 @@ fn shifted_work_zero_under_surface_speed_is_a_finding() {
     assert_eq!(told, ["motion.off-centre"]);
     // The control takes 30 mm for the diameter where the tool is at 40 mm.
     close(rpm, 1000.0 * 100.0 / (math::PI * 30.0), 1e-6);
-    // A small offset is a remark; a setting of the control says which is small.
+    // A small offset is a remark; a setting of the control defines small.
     assert_eq!(shifted("G96 S100 F.1\nATRANS X.02 Z5\nG1 X30").0, ["motion.small-offset"]);
     assert_eq!(
         shifted("G96 S100 F.1\nATRANS X.2\nATRANS X.02\nG1 X30").0,

@@ -297,7 +297,7 @@ fn control_without_a_current_motor_shows_the_demand() {
             assert!(lists.into_iter().any(|sheet| sheet.rows[0].cells.contains(&told)), "{control}: {told}");
         }
     }
-    // Rows of the bill whose status is not known say what to do.
+    // Rows of the bill with an unknown status have an instruction for the order.
     let sizing = sized(&Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap());
     let cells: Vec<String> = sizing.bill_sheet().rows.into_iter().flat_map(|row| row.cells).collect();
     assert!(cells.iter().any(|cell| cell.contains("not known to be in production")), "{cells:?}");

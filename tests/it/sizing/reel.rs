@@ -97,7 +97,7 @@ fn results_of_the_reel_follow_the_formulas() {
     let length = PI * 0.35 / 0.0008;
     same("length", value("reel-length"), length, 1e-12);
     same("time", value("reel-time"), length * 60e3 / value("line-speed"), 1e-12);
-    // The sensor leaves what the stop takes: v · t_r / 2 at 1480 r/min through 50 : 1 on 100.5 mm, over 2 s.
+    // The sensor leaves as much ribbon as the stop takes: v · t_r / 2 at 1480 r/min through 50 : 1 on 100.5 mm, over 2 s.
     let left = PI * 100.5 / 50.0 * 1480.0 / 60.0;
     assert_eq!(value("reel-products"), ((length * 1e3 - left) / value("product-length")).floor());
     // π / 32 · ρ · b · (D⁴ - d⁴)

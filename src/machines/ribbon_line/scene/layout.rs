@@ -17,7 +17,7 @@ pub(crate) const ROLLER: f64 = 50.0;
 pub(crate) const PRINT_ROLLER: f64 = 60.0;
 /// Radius of a full supply reel beside which everything has its plain size at least, mm.
 const REEL: f64 = 224.0;
-/// Radius of the core of the take-up reel, as which hubs are drawn, and of that reel at the start, for the plain size, mm.
+/// Radii for the plain size, mm: of the core of the take-up reel, which is also the size of hubs, and of that reel at the start.
 pub(crate) const CORE: f64 = 34.0;
 pub(crate) const TAKE_UP: f64 = 66.0;
 /// Greatest take-up reel for the plain size, mm.
