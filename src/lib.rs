@@ -7,7 +7,7 @@
 //! ```
 //!
 //! A **control** understands an **NC** program; the **interp**reter turns it into **canon**ical commands; **motion** turns
-//! commands into a **timeline** of a **machine** built from **drives**; **view**s show it; the **project** is the one door;
+//! commands into a **timeline** of a **machine** built from **drives**; **view**s show it; the **project** is the interface to all of them;
 //! the **ui** and the command line are thin shells.
 //!
 //! Only [`nc::parse`] makes a [`nc::Parsed`], and the interpreter takes nothing else: a generated program reaches the animation

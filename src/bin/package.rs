@@ -4,7 +4,7 @@ use macroline::project::package::{self, EarlyRefusal, StepAnswers};
 use macroline::text::catalog::{self, Language};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Speaks a language; the answer where there is no such language.
+/// Selects a language; returns the refusal if there is no such language.
 fn speak(code: &str) -> Option<String> {
     match Language::of_code(code) {
         Some(language) => {
@@ -27,7 +27,7 @@ pub fn most() -> u32 {
     package::MAX_REQUEST
 }
 
-/// The answer to a request that cannot be handed over: `too-large`, `freed`, `broken`, or else it is not JSON.
+/// The answer to a request that cannot be passed on: `too-large`, `freed`, `broken`; any other reason means that it is not JSON.
 #[wasm_bindgen]
 pub fn refusal(language: &str, why: &str, text: &str) -> String {
     let unasked = match why {
@@ -59,7 +59,7 @@ impl StepSession {
         StepSession { language, steps, first }
     }
 
-    /// The first stop, or why there is no session.
+    /// The first stop, or the reason why there is no session.
     pub fn first(&mut self) -> String {
         core::mem::take(&mut self.first)
     }

@@ -30,8 +30,8 @@ impl AxisBlock {
         }
     }
 
-    /// Lag of the axis in mm at the end of its command: a first-order servo of gain K behind the trapezoid of
-    /// [`AxisBlock::duration`], in its three steps. Source: sizing facts, section 4, F3 (there checked against an integration).
+    /// Lag of the axis in mm at the end of its command: a first-order servo of gain K follows the trapezoid of [`AxisBlock::duration`],
+    /// computed in its three parts. Source: sizing facts, section 4, F3 (there checked against an integration).
     pub fn lag_at_end(&self) -> f64 {
         let (t, tau, gain) = (self.interpolation, self.time_constant, self.position_gain);
         let (flank, flat, peak) = (t.min(tau), (tau - t).abs(), self.peak_speed());

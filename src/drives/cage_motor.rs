@@ -1,4 +1,4 @@
-//! Standard cage induction motors at an inverter: poles, the highest speed that rotor and bearings bear, cooling by their own fan.
+//! Standard cage induction motors on an inverter: poles, the highest speed that rotor and bearings bear, cooling by their own fan.
 
 use crate::math;
 

@@ -51,7 +51,8 @@ pub fn across_web(inertia: f64, own: f64, seen: f64) -> f64 {
     inertia * ratio * ratio
 }
 
-/// Moment of inertia behind a gear, reduced to the motor shaft: `J / i²`, with i = motor speed / load speed. Source: sizing facts 2.1.
+/// Moment of inertia at the output of a gear, reduced to the motor shaft: `J / i²`, with i = motor speed / load speed. Source: sizing facts
+/// 2.1.
 pub fn through_gear(inertia: f64, ratio: f64) -> f64 {
     inertia / (ratio * ratio)
 }

@@ -1,6 +1,6 @@
 //! Load of a motor, reduced to its shaft: torque of a ramp, of a cycle, and the returned energy. Newton metres, kg m², rad/s, seconds.
 
-/// A load behind its gear.
+/// A load driven through a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
     /// Moment of inertia at the shaft without the rotor, kg m².
@@ -58,8 +58,8 @@ pub fn power(torque: f64, speed: f64) -> f64 {
     torque * speed
 }
 
-/// Steady torque in Nm at the shaft of a motor for `torque` Nm behind a gear: `T / (i η)`; `T η / i` if the load drives the motor. Source:
-/// sizing facts 2.2, checked as B7, C6 and D1.
+/// Steady torque in Nm at the shaft of a motor for `torque` Nm at the output of a gear: `T / (i η)`; `T η / i` if the load drives the
+/// motor. Source: sizing facts 2.2, checked as B7, C6 and D1.
 pub fn through_gear(torque: f64, ratio: f64, efficiency: f64) -> f64 {
     if torque < 0.0 { torque * efficiency / ratio } else { torque / (ratio * efficiency) }
 }

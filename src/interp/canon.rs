@@ -137,12 +137,12 @@ pub enum Canon {
     },
     /// An M code for the PLC; the program waits for FIN.
     Auxiliary {
-        /// The number behind M.
+        /// Number of the M code.
         code: u32,
     },
     /// A tool code (T) for the PLC; the program waits for FIN.
     Tool {
-        /// The number behind T.
+        /// Number of the T code.
         code: u32,
     },
     /// Value of a macro output variable, written to the PLC.

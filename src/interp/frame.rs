@@ -19,7 +19,7 @@ pub(super) struct CallFrame {
     pub(super) again: u32,
     /// Arguments of a macro; a subprogram has none and shares its caller's locals.
     pub(super) arguments: Option<CallArguments>,
-    /// Called by a code: within the program codes call no program.
+    /// Called by a code: codes in this program call no further program.
     pub(super) by_code: bool,
 }
 

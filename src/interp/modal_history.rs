@@ -27,7 +27,7 @@ impl ModalHistory {
         self.0.push_back(Rc::new(modal.clone()));
     }
 
-    /// Modal state of the command with this many commands waiting behind it; the oldest kept if it is dropped.
+    /// Modal state of the command that has this many commands waiting after it; the oldest state kept if its own is dropped.
     pub(super) fn behind(&self, waiting: usize) -> Option<&Modal> {
         let at = self.0.len().checked_sub(1)?.saturating_sub(waiting);
         self.0.get(at).map(Rc::as_ref)

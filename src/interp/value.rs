@@ -61,7 +61,7 @@ impl RunState {
         }
     }
 
-    /// Whether a number without a decimal point behind this address counts command increments.
+    /// Whether a number without a decimal point after this address counts command increments.
     #[inline]
     fn counts_increments(&self, cx: &BlockContext, letter: Address, dec: Dec) -> bool {
         !dec.point && !cx.shared.rules.numbers.whole_units && cx.shared.units.increment_letters.contains(letter)
@@ -102,7 +102,7 @@ impl RunState {
         Ok(value.map(|value| if round { value.round() } else { cut(value) }))
     }
 
-    /// Warns about a number with decimals behind an integer address.
+    /// Warns about a number with decimals after an integer address.
     #[inline]
     fn note_cut(&self, cx: &mut BlockContext, block: &Block, word: &Word) {
         if let WordValue::Number(dec @ Dec { scale: 1.., .. }) = word.value

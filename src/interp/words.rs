@@ -95,7 +95,7 @@ impl RunState {
             let letter = word.letter;
             // Words of a second spindle, and words that are not simulated.
             let spindles = matches!(letter, Address::M | Address::S | Address::Spos | Address::Lims);
-            // G74 and G75 ignore the value behind an axis: X1=0.
+            // G74 and G75 ignore the value of an axis word: X1=0.
             if let (Some(Code::GoTo(_)), Some((axis, _))) = (codes.special, cx.shared.index.axis(letter)) {
                 values.mask |= 1 << axis;
                 continue;

@@ -13,7 +13,7 @@ pub trait World {
     fn position(&mut self, axis: usize) -> f64;
     /// Whether optional block skip number 1 to 9 is switched on.
     fn block_skip(&mut self, number: u8) -> bool;
-    /// Number of commands waiting behind the executing one, without commands that act when read; `None` if the machine is at rest with all
+    /// Number of commands waiting after the executing one, without commands that act when read; `None` if the machine is at rest with all
     /// commands done.
     fn waiting(&mut self) -> Option<usize> {
         None

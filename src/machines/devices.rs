@@ -81,7 +81,7 @@ impl BillItem {
     }
 }
 
-/// A device that a machine asks for: what it has to do.
+/// A device that a machine needs, with its requirements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AskedDevice {
     /// Its item.

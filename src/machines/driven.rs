@@ -1,4 +1,4 @@
-//! Drives that a machine is sized by: motors behind its axes, the drive behind its inverter, and quantities checked during operation.
+//! Drives that a machine is sized by: the servo motors of its axes, the motor on its inverter, and quantities checked during operation.
 
 use crate::drives::duty::{CutSpan, Motion, OperatingPoint, Strikes, Turn};
 use crate::drives::load::{Load, Move, Phase};
@@ -27,9 +27,10 @@ pub struct DrivenAxis {
     pub weight: f64,
     /// Its interrupted cut.
     pub strikes: Strikes,
-    /// Greatest torque (Nm) at steady speed that the load of a run does not have: a web pulled taut after a start. 0 without one.
+    /// Greatest additional torque (Nm) at steady speed that no planned run shows: a web pulled taut after a start. 0 without one.
     pub taut: f64,
-    /// Torque (Nm) of the cut while the machine works, besides the steady torque of the load; none where that torque is the one of the work.
+    /// Torque (Nm) of the cut while the machine works, besides the steady torque of the load; none if the load's torque already includes
+    /// the work.
     pub cut: Option<f64>,
     /// Torque (Nm) that the whole cut may ask without a pause, with friction and weight; none where no cut adds to the load.
     pub lasting: Option<f64>,
@@ -103,7 +104,7 @@ macro_rules! motor_fields {
 }
 pub(super) use motor_fields;
 
-/// Ids of the fields of a motor behind an inverter in a form.
+/// Ids of a form's fields for a motor on an inverter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct InductionFields {
     /// Maker and model, as text.
@@ -118,7 +119,7 @@ pub struct InductionFields {
     pub rated_speed: &'static str,
 }
 
-/// Frequency and speed of a motor behind an inverter at the full analog signal.
+/// Frequency and speed of a motor on an inverter at the full analog signal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FullSignal {
     /// Frequency, Hz.
@@ -145,7 +146,7 @@ pub struct FormGear {
 }
 
 impl FormGear {
-    /// The motion of its output while its input makes these turns.
+    /// Motion of the output shaft while the input shaft makes these turns.
     pub fn behind(&self, input: &[Turn]) -> Motion {
         let slower = |turn: &Turn| Turn { from: turn.from / self.ratio, to: turn.to / self.ratio, ..*turn };
         Motion::new(input.iter().map(slower), self.output, self.hold)
@@ -164,14 +165,14 @@ pub struct GearFields {
     pub backlash: Option<&'static str>,
 }
 
-/// A motor of a machine as its form describes it: by figures, whether or not the form names it too.
+/// A motor of a machine as its form describes it, by figures; the form may also name maker and model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FormMotor {
     /// Id of its drive, that of [`DrivenAxis`] or [`InverterDrive`].
     pub drive: &'static str,
     /// Catalog id of the name of its drive.
     pub name: &'static str,
-    /// Whether an inverter drives it; else a servo amplifier.
+    /// Whether an inverter feeds the motor; otherwise a servo amplifier does.
     pub behind_inverter: bool,
     /// Its figures: catalog id of the name, field of the form.
     pub figures: &'static [(&'static str, &'static str)],
@@ -217,7 +218,7 @@ pub struct ProductSize {
     pub size: f64,
 }
 
-/// Demand on the motor behind the inverter.
+/// Demand on the motor on the inverter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InverterDrive {
     /// Id, for instance `unwinder`.
@@ -244,7 +245,7 @@ pub struct InverterDrive {
     pub rotor: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
-    /// Its frequency and speed at the full analog signal; none where the machine does not command it in the open.
+    /// Its frequency and speed at the full analog signal; none if its speed is not commanded in an open loop.
     pub full: Option<FullSignal>,
     /// Lowest speed (r/min) at which its own fan has to cool it; none where another fan does, or nothing is known.
     pub cooled_at: Option<f64>,
@@ -253,12 +254,12 @@ pub struct InverterDrive {
 }
 
 impl InverterDrive {
-    /// The motion of the motor's shaft in a part of a run; that of a main spindle without its cut.
+    /// Motion of the motor's shaft in a part of a run; for a main spindle without the torque of its cut.
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {
         Motion::new(turns(stretches, self.turn), self.turned, 0.0)
     }
 
-    /// The turns of the motor's shaft in run-up, work and stop, and where the ramps do not count in the work alone.
+    /// Turns of the motor's shaft in run-up, work and stop; without a cycle of ramps, in the work alone.
     pub fn turns(&self) -> Vec<Turn> {
         let speed = self.speed.abs() * RPM;
         let steady = |t: f64, seconds: f64| Turn { t, seconds, from: speed, to: speed };
@@ -273,7 +274,7 @@ impl InverterDrive {
     }
 }
 
-/// Run-up and stop of a drive behind an inverter, with its work between them.
+/// Run-up and stop of a motor on an inverter, with its work between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InverterCycle {
     /// Load of the ramps, at the motor's shaft and without the rotor.
@@ -319,7 +320,7 @@ impl SpindleRun {
         if idle.share > cut.share { idle } else { cut }
     }
 
-    /// The same point of a run without stock: that of its ramps.
+    /// The operating point with the largest fraction in a run without stock, where only the ramps load the motor.
     pub fn worst_point_idle(&self, motor: &MotorCurve, rotor: f64) -> OperatingPoint {
         self.under(&self.idle, motor, rotor)
     }
@@ -346,7 +347,7 @@ pub struct SpindleEncoder {
 /// Braking torque (% of the rated one) that an inverter takes back without a brake resistor. Source: turning spindle facts, 5.
 pub const WITHOUT_RESISTOR: f64 = 20.0;
 
-/// Braking of a motor behind an inverter with more torque than the inverter takes back without a brake resistor.
+/// Braking of a motor on an inverter with more torque than the inverter takes back without a brake resistor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResistorDemand {
     /// Catalog id of the name of its drive.
@@ -404,7 +405,7 @@ pub struct Gauge {
     pub limit: Option<Limit>,
     /// Field of the form with the limit, if there is one.
     pub field: Option<&'static str>,
-    /// The worst value: the least under a least limit, else the greatest, of either sign where the limit is for both.
+    /// The worst value: the smallest for a lower limit, otherwise the largest; by magnitude if the limit applies to both signs.
     pub value: f64,
 }
 
@@ -416,7 +417,7 @@ impl<M> GaugeRow<M> {
     }
 }
 
-/// Axes of work and tool that a power failure leaves to coast to rest, each by itself.
+/// Axes of work and tool that coast to rest at a power failure, each at its own rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoastedAxes {
     /// Time (s) until both are at rest.

@@ -1,4 +1,4 @@
-//! Named examples of a machine, as data: what differs from the defaults of its form, and the faults that it shows.
+//! Named examples of a machine, as data: entries that differ from the defaults of the form, and the verdicts that fail.
 
 /// A named example. The first one of a machine starts a new project: no verdict of it fails on any control of the machine.
 #[derive(Debug)]

@@ -52,7 +52,7 @@ pub struct Field<P: 'static> {
     pub help: &'static str,
     /// Symbol or variable, for instance `#107`, or empty.
     pub symbol: &'static str,
-    /// One of the few that define the product: shown first, and always in a program's header.
+    /// A field that defines the product: shown first, and always in a program's header.
     pub essential: bool,
     /// A fact of the machine (measured, from a data sheet or assumed), not a choice of the engineer.
     pub fact: bool,
@@ -94,7 +94,7 @@ pub enum FieldKind<P: 'static> {
         /// Writes it.
         set: fn(&mut P, bool),
     },
-    /// One of a few.
+    /// One of several options.
     Choice {
         /// `(id, catalog id of the label)`; the first is the default.
         options: &'static [(&'static str, &'static str)],

@@ -179,7 +179,7 @@ impl Default for PanelSetup {
 pub trait Prepared: Send + Sync {
     /// Results with verdicts, and the machine's own findings.
     fn results(&self) -> Design;
-    /// What the machine does at these results, in a sentence that opens its report; none where it does not work.
+    /// Opening sentence of the report: the machine's work with these results; none if the machine does not work.
     fn summary(&self) -> Option<Message> {
         None
     }
@@ -227,11 +227,11 @@ pub trait Prepared: Send + Sync {
     fn spindle_speed(&self, now: &Snapshot) -> f64 {
         now.spindle.actual
     }
-    /// Catalog id of the first contact with the work, after that contact: `first dot`.
+    /// Catalog id of the name of the first contact with the work, `first dot`; none before that contact.
     fn contact(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<&'static str> {
         None
     }
-    /// What the machine does to the work at a moment: `Cutting, pass 2 / 4`; none while it does nothing to it.
+    /// Present operation on the work, for instance `Cutting, pass 2 / 4`; none between operations.
     fn activity(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<Message> {
         None
     }
@@ -243,7 +243,7 @@ pub trait Prepared: Send + Sync {
     fn driven_axes(&self) -> Vec<DrivenAxis> {
         Vec::new()
     }
-    /// The drive behind the inverter, for the sizing; none if there is none, or if its demand is unknown.
+    /// The motor on the inverter, for the sizing; none if the machine has none, or if its demand is unknown.
     fn inverter_drive(&self) -> Option<InverterDrive> {
         None
     }
@@ -260,7 +260,7 @@ pub trait Prepared: Send + Sync {
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None
     }
-    /// The devices that the form asks for, and what they have to do: those of its options, and sensors with a known place.
+    /// Devices that the form's options need, and sensors with a known place, with their requirements.
     fn devices(&self) -> Vec<AskedDevice> {
         Vec::new()
     }

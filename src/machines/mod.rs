@@ -1,4 +1,4 @@
-//! The applications: each machine is a form, formulas, rules, a program, a PLC and a scene.
+//! The machines: each is a form, formulas, rules, a program, a PLC and a scene.
 
 pub mod form;
 

@@ -193,7 +193,7 @@ fn open_switch(row: &Switch, set: &str) -> String {
     headed(label, format!("{chosen} ({})", options.iter().map(name).collect::<Vec<_>>().join(" | ")))
 }
 
-/// Ranges of variables as words; those that touch are one.
+/// Ranges of variables as words; adjacent ranges are merged.
 fn ranges(control: &Control, rows: impl Iterator<Item = (u32, u32)>) -> Vec<String> {
     let mut all: Vec<(u32, u32)> = Vec::new();
     for (first, last) in rows {

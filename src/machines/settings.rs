@@ -23,7 +23,7 @@ pub fn read(text: &str) -> Option<Found> {
 
 /// Settings found in the comments of a program of one of these machines.
 pub fn read_among(machines: &[&dyn AnyMachine], text: &str) -> Option<Found> {
-    // In round brackets, or behind a semicolon up to the end of the line.
+    // Comments are in round brackets, or from a semicolon to the end of the line.
     let mut comments = text.split(['(', ';']).skip(1).filter_map(|tail| tail.split([')', '\n']).next());
     let id = comments.find_map(|comment| {
         let mut words = comment.split_whitespace();

@@ -62,7 +62,7 @@ pub fn parameters(control: &Control, axes: &AxisUnits, values: Vec<(ParamRole, A
     }
 }
 
-/// Registers between PLC and control: who writes, who reads, what for.
+/// Registers between PLC and control: writer, reader and purpose.
 pub fn interface(rows: Vec<Row>) -> Sheet {
     Sheet {
         id: "interface",

@@ -1,4 +1,4 @@
-//! The site of the drives: the share of its ratings that a maker leaves a motor there, and what is open beyond the data sheets.
+//! The site of the drives: the share of its ratings that a maker leaves a motor there, and the open points of a site beyond the data sheets.
 
 use super::form::Field;
 use super::form::rows::{Member, number};

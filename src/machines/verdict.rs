@@ -22,7 +22,7 @@ pub struct ReadoutRow<M> {
     pub formula: &'static str,
     /// Source of the formula.
     pub cite: Citation,
-    /// One of the few results above the drawing.
+    /// Whether the result is one of the headline results above the drawing.
     pub headline: bool,
     /// The value.
     pub value: fn(&M) -> f64,

@@ -52,7 +52,8 @@ pub fn tool(control: &Control, number: u32) -> Vec<NewWord> {
     vec![word(Address::T, if lathe { 101 * number } else { number })]
 }
 
-/// Jumps to an alarm while the tool is not clear of the work: below a value of X, or behind the face. `place` has the variables of both positions.
+/// Jumps to an alarm while the tool is not clear of the work: below a value of X, or at a negative Z (past the face). `place` has the
+/// variables of both positions.
 pub fn stays_clear(b: &mut Builder, (across, along): (u32, u32), clear: impl Fn() -> Formula, target: u32) {
     b.if_goto(v(across).lt(clear()), target);
     b.if_goto(v(along).lt(0), target);

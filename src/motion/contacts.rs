@@ -13,7 +13,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let state = self.program_state();
         let plc = &mut self.s.plc;
         let (changed, wait) = plc.program.follow(t, state, &self.out.timeline);
-        // Not a number is read again soon.
+        // A NaN counts as the least time.
         plc.next_reading = t + if wait > BETWEEN.0 { wait.min(BETWEEN.1) } else { BETWEEN.0 };
         if changed {
             self.scan(t);

@@ -60,8 +60,8 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
-    /// A run from the last checkpoint not after `t` (s), planned anew with its own later events. Its timeline begins there. It keeps the
-    /// same records as this run, without copying the earlier part.
+    /// A second run from the last checkpoint not after `t` (s), where its timeline begins. Operator events added to it leave this run as it
+    /// is. It keeps the same records as this run, without copying the earlier part.
     pub fn branch(&self, t: f64) -> Planner<P> {
         Planner { keep: self.keep, ..self.fork(t, u64::MAX) }
     }

@@ -5,7 +5,7 @@
 //! * **Reading ahead.** Each block costs the control its block time; at most `preread` blocks are read and not yet begun. Macro
 //!   statements, inputs, `#3004` and macro outputs act when they are read, so a knob acts as late as on the machine. M00, M01, M02,
 //!   M30 and messages stop the reading until they are executed.
-//! * **Axes.** A path of constant feed, slowed as a whole where an axis would exceed its clamp; behind it acceleration "linear by time
+//! * **Axes.** A path of constant feed, slowed as a whole where an axis would exceed its clamp; then acceleration "linear by time
 //!   constant" (a moving average per axis) and the lag of the position loop. G64 begins a block when the unfiltered path of the one
 //!   before ends; G61 and G09 wait until the command rests and the axes are in position; a rapid waits until the command rests.
 //!   Dwell and S, M and T codes wait until the command rests. A block that is not ready in time lets the axes stop.
@@ -13,7 +13,7 @@
 //!   program) count diameters then; plant, feeds, clamps, timeline and snapshots count the travel of the slide.
 //! * **In step with the spindle.** Feed per revolution and threads follow the actual speed, in steps of 10 ms while it changes; at
 //!   standstill they wait. Override and hold do not act on a thread. Under constant surface speed the spindle follows the diameter of a
-//!   cut at its commanded position behind acceleration: its command is computed every 10 ms, more often where the diameter changes fast
+//!   cut at its commanded position after acceleration: its command is computed every 10 ms, more often where the diameter changes fast
 //!   or a limit begins, and is linear in between. In a rapid it has the speed of the rapid's end, or waits for the next cut.
 //! * **Spindle.** S times override within its limits; the snapshot shows the active limit. The inverter follows in a straight ramp, with
 //!   slip. Override acts at once. The PLC shifts gears: it receives the wanted stage and reports the engaged one. Positioning runs beside

@@ -144,7 +144,7 @@ impl ActiveMove {
         }
     }
 
-    /// Runs with a path speed in mm/s from time `t` on.
+    /// Sets the path speed (mm/s) from time `t` (s) on.
     pub(super) fn set_speed(&mut self, t: f64, speed: f64) {
         self.done = (self.done + self.speed * (t - self.since)).min(self.length);
         self.since = t;

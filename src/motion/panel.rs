@@ -147,7 +147,8 @@ impl Panel {
         at
     }
 
-    /// Adds an event of the operator at the panel, and returns its index. A knob that is turned on at the same time stands where it was left.
+    /// Adds an event of the operator at the panel, and returns its index. A further turn of the same knob at the same time replaces the
+    /// earlier one.
     pub fn act(&mut self, event: Event) -> usize {
         let event = event.in_range();
         let same = |other: &Event| {

@@ -1,7 +1,7 @@
 //! The commanded path before acceleration, and the filtered positions by acceleration and servo lag in closed form.
 //!
 //! The path `U(t)` is a list of segments of constant feed. Acceleration "linear by time constant" is a moving average over the time
-//! constant `τ` of each axis behind the interpolator (`reference/sizing.md` section 4):
+//! constant `τ` of each axis after the interpolator (`reference/sizing.md` section 4):
 //!
 //! ```text
 //! P(t) = 1/τ ∫ U(t-s) ds = U(t) - ∫ u(t-s) (1 - s/τ) ds        s from 0 to τ, u = dU/dt
@@ -16,7 +16,7 @@
 //! ```
 //!
 //! Each of these is a sum over the segments of a time window, so an axis at rest is exactly at its commanded position. The last integral is
-//! cut off `TAIL / K` behind `τ`, which neglects exp(-TAIL) = 2e-9 of the earlier motion.
+//! cut off at the age `τ + TAIL / K`, which neglects exp(-TAIL) = 2e-9 of the earlier motion.
 
 use super::plant::AxisPlant;
 use super::snapshot::AxisState;
@@ -211,7 +211,7 @@ impl Path {
         place
     }
 
-    /// Distance of the axis behind the unfiltered path: `∫ u(t-s) H(s) ds`.
+    /// Lag of the axis behind the unfiltered path: `∫ u(t-s) H(s) ds`.
     fn missing(&self, segments: &[Segment], k: usize, t: f64, tau: f64, gain: f64) -> f64 {
         let mut missing = 0.0;
         let mut tail = 1.0;

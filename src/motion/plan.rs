@@ -83,7 +83,7 @@ impl<P: RunningProgram> Planner<P> {
         self.state.plc.io.stops.hold
     }
 
-    /// What the PLC tells about its hold of the program at the end of the planned part.
+    /// Message of the PLC about its hold of the program at the end of the planned part.
     pub fn plc_hold(&self) -> Option<&Message> {
         self.state.plc.hold.as_ref()
     }
@@ -169,7 +169,7 @@ impl<P: RunningProgram> Planner<P> {
     }
 
     /// Adds an operator event at any time, also in the planned part. The timeline before it stays; later calls of
-    /// [`advance`](Planner::advance) plan the rest anew, as if the event had been there from the beginning.
+    /// [`advance`](Planner::advance) plan the rest again, as if the event had been there from the beginning.
     pub fn event(&mut self, mut event: Event) {
         if self.keep == Retention::Log {
             event.t = event.t.max(self.state.now);
@@ -179,8 +179,8 @@ impl<P: RunningProgram> Planner<P> {
         self.forget_from(t);
     }
 
-    /// Replaces the operator events. The timeline before the earliest difference stays; the rest is planned anew, as if the events had been
-    /// there from the beginning. Returns false and changes nothing if only the log is kept, because a log cannot be undone.
+    /// Replaces the operator events. The timeline before the earliest difference stays; the rest is planned again, as if the events had
+    /// been there from the beginning. Returns false and changes nothing if only the log is kept, because a log cannot be undone.
     pub fn replace_panel(&mut self, panel: Panel) -> bool {
         let Some(t) = self.panel.differs_from(&panel) else { return true };
         if self.keep == Retention::Log {

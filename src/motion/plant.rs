@@ -194,7 +194,7 @@ pub struct Plant {
     pub preread: u8,
     /// In-position width for exact stop in mm.
     pub in_position: f64,
-    /// Radius in mm of the round work behind Z0. Cuts into it with the spindle at rest, and returns to the program's reference point
-    /// through it, are reported; 0 if unknown.
+    /// Radius in mm of the round work, which lies at negative Z. Cuts into it with the spindle at rest, and returns to the program's
+    /// reference point through it, are reported; 0 if unknown.
     pub stock: f64,
 }

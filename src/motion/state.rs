@@ -116,7 +116,7 @@ pub(super) struct PlcState {
     pub(super) follows: bool,
     pub(super) next_reading: f64,
     pub(super) io: Io,
-    /// What the PLC tells about its hold of the program, as long as it lasts.
+    /// Message of the PLC about its hold of the program, as long as the hold lasts.
     pub(super) hold: Option<Message>,
     /// Macro inputs as last recorded.
     pub(super) shown: BTreeMap<u32, f64>,
@@ -219,7 +219,7 @@ impl<P> SimState<P> {
         self.clock.total + self.clock.since.map_or(0.0, |since| t - since)
     }
 
-    /// Number of commands waiting behind the executing one; `None` if all are done.
+    /// Number of commands waiting after the executing one; `None` if all are done.
     pub(super) fn waiting(&self) -> Option<usize> {
         let idle = self.reader.queue.is_empty() && matches!(self.exec, Exec::Idle);
         (!idle).then_some(self.reader.queue.len())

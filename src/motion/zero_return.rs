@@ -51,8 +51,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.put_segment(t);
     }
 
-    /// Whether a straight move (mm) passes through the round work behind Z0. Moves out of the work, away from the centre and towards the
-    /// face, are allowed.
+    /// Whether a straight move (mm) passes through the round work, which lies at negative Z. Moves out of the work, away from the centre
+    /// and towards the face, are allowed.
     fn enters_work(&self, from: [f64; AXES], to: [f64; AXES]) -> bool {
         let along = |letter: Address| {
             let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));

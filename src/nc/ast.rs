@@ -46,13 +46,13 @@ pub struct Deck {
 pub struct Program {
     /// File that contains it.
     pub file: FileId,
-    /// Number behind `O`, or in a name such as `L9100`; 0 without one.
+    /// Number after `O`, or in a name such as `L9100`; 0 without one.
     pub number: u32,
     /// Name, in a language with names.
     pub name: Option<TextId>,
     /// Marked as a subprogram by its name.
     pub sub: bool,
-    /// Comment behind the number.
+    /// Comment after the program number.
     pub title: Option<TextId>,
     /// Place of the program number.
     pub span: Span,
@@ -79,7 +79,7 @@ pub struct Block {
     pub label: Option<TextId>,
     /// Optional block skip: 0 none, 1 `/` or `/1`, 2 `/2` ….
     pub skip: u8,
-    /// Main block: its number is written behind `:` instead of N.
+    /// Main block: its number is written after `:` instead of `N`.
     pub main: bool,
 }
 
@@ -297,11 +297,11 @@ pub struct Word {
     pub index: Option<u8>,
     /// Dimensioning of the value.
     pub form: Dimensioning,
-    /// Value behind the letter.
+    /// Value of the word.
     pub value: WordValue,
 }
 
-/// Value behind an address letter.
+/// Value after an address letter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WordValue {
     /// A number.

@@ -57,7 +57,7 @@ pub fn real(value: f64, decimals: u8) -> Formula {
 }
 
 impl From<i32> for Formula {
-    /// A whole number without a point. Behind an axis letter it counts command units; use [`real`] there.
+    /// A whole number without a point. After an axis letter it counts command increments; use [`real`] there.
     fn from(value: i32) -> Formula {
         Formula::Number(Dec::int(value.into()))
     }
@@ -232,7 +232,7 @@ impl Builder {
         self
     }
 
-    /// Puts the next block behind an optional block skip, 1 to 9.
+    /// Gives the next block an optional block skip, 1 to 9.
     pub fn skip(&mut self, switch: u8) -> &mut Builder {
         self.skip = switch.clamp(1, 9);
         self
@@ -331,7 +331,7 @@ impl Builder {
         self.push(Stmt::Empty).note(text)
     }
 
-    /// A comment behind the last block.
+    /// Adds a comment to the last block.
     pub fn note(&mut self, text: &str) -> &mut Builder {
         let comment = self.text(text);
         if let Some(block) = self.deck.blocks.last_mut() {

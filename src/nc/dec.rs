@@ -7,7 +7,7 @@ use core::fmt;
 pub struct Dec {
     /// All digits as one signed integer.
     pub mantissa: i64,
-    /// Decimals behind the point, 0 to 18.
+    /// Digits after the point, 0 to 18.
     pub scale: u8,
     /// The point is written.
     pub point: bool,

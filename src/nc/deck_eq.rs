@@ -100,7 +100,7 @@ impl Deck {
     }
 }
 
-/// Whether a block has text. A block without text is not written, and so not read again.
+/// Whether a block has text. A block without text is not written, so it is missing when the text is parsed.
 fn says_something(block: &Block) -> bool {
     block.stmt != Stmt::Empty
         || block.number.is_some()

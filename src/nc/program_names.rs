@@ -10,7 +10,7 @@ pub(in crate::nc) struct ProgramNames<'a> {
     names: Vec<(&'a str, u32)>,
 }
 
-/// The first program of a key, in a sorted list.
+/// Index of the first program with a key, in a sorted list.
 fn first<K: Ord + Copy>(list: &[(K, u32)], key: K) -> Option<u32> {
     let at = list.partition_point(|row| row.0 < key);
     list.get(at).filter(|row| row.0 == key).map(|row| row.1)

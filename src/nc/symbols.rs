@@ -419,7 +419,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Index of the program with the number behind P; repeats may precede the number.
+    /// Index of the program with the number in P; repeats may precede the number.
     fn program_of(&self, word: &Word, sub: bool) -> Option<u32> {
         let WordValue::Number(number) = word.value else { return None };
         let number = number.to_f64();

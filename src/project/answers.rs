@@ -8,7 +8,7 @@ use super::file_findings::{FileFindings, Sources, list_json};
 use super::size::{Sizing, size};
 use super::{Project, list, origins};
 
-/// Results of a project with limits and verdicts, origins of its values and diagnostics; `file` has those about its file.
+/// Results of a project with limits and verdicts, origins of its values and diagnostics; `file` has the diagnostics about its file.
 pub fn design(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>) {
     let design = project.design();
     let mut told = origins::json(project);

@@ -16,7 +16,7 @@ use crate::view::{Column, Readout, Sheet, SheetKind, Verdict};
 /// Greatest part by which a fact is off.
 const OFF: f64 = 0.1;
 
-/// Draws that a person waits for.
+/// Number of draws on the page, few enough for the user to wait for.
 pub const DRAWS: u32 = 10_000;
 
 /// Default seed.
@@ -43,7 +43,7 @@ pub fn chance(project: &Project, draws: u32, seed: u64) -> Chance {
     chance_telling(project, draws, seed, &mut |_| ())
 }
 
-/// Draws between two reports of how far they are.
+/// Number of draws between two reports of progress.
 const TOLD: u32 = 500;
 
 /// Draws machines and reports the share done, 0 to 1.

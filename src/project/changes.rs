@@ -21,8 +21,8 @@ pub fn changes_in_words(before: &Project, after: &Project) -> String {
     }
 }
 
-/// Lists the differences between two projects, a phrase for each. A change of the machine is the only difference listed, because the
-/// entries are others. An entry that only one of the two has follows from another difference and is left out.
+/// Lists the differences between two projects, a phrase for each. If the machine has changed, only that is listed, because two machines
+/// have different entries. An entry that only one of the projects has is left out, because it follows from another difference.
 pub fn changes(before: &Project, after: &Project) -> Vec<String> {
     if before.machine.id() != after.machine.id() {
         return vec![sentence(&msg!("changes.machine", machine = words(after.machine.name())))];

@@ -1,4 +1,4 @@
-//! Findings about a program: of the parser, alarms that any run raises, warnings, and those of a run.
+//! Findings about a program: from the parser, the pre-check, the warnings and a run.
 
 use std::rc::Rc;
 
@@ -31,8 +31,8 @@ fn beyond(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnosti
     found
 }
 
-/// The findings of reading a program and of its run as one list. Of the run those facts that reading has not reported; an alarm of the run
-/// replaces a warning about its block.
+/// The findings of reading a program and of its run as one list. A finding of the run is left out if reading has reported the same fact. An
+/// alarm of the run replaces a warning about its block.
 pub fn with_run(mut read: Vec<Diagnostic>, run: &[Diagnostic]) -> Vec<Diagnostic> {
     let new: Vec<&Diagnostic> = run.iter().filter(|found| reported(&read, found).is_none()).collect();
     let alarms = run.iter().filter(|found| found.severity == Severity::Error).filter_map(|found| found.place);
@@ -43,8 +43,8 @@ pub fn with_run(mut read: Vec<Diagnostic>, run: &[Diagnostic]) -> Vec<Diagnostic
     read
 }
 
-/// Turns errors in blocks that a run did not reach into warnings: the control has not met them. Errors that the run has raised, and those
-/// about a whole file, stay.
+/// Turns errors in blocks that a run did not reach into warnings: the control has not read them. Errors that the run has raised, and errors
+/// about a whole file, stay errors.
 pub fn not_reached(found: &mut [Diagnostic], parsed: &Parsed, run: &[Diagnostic]) {
     let deck = parsed.deck();
     for finding in found.iter_mut().filter(|finding| finding.severity == Severity::Error) {
@@ -74,12 +74,12 @@ pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diag
     read.iter().find(|known| match (known.kind, run.kind) {
         (DiagnosticKind::ShortBlocks, DiagnosticKind::Starved) => file(known) == file(run),
         _ if run.place.is_none() || known.place != run.place || !known.shows_alarm_of(run) => false,
-        // The values of a message may differ: they are those of one pass.
+        // Values in the message may differ, because the run reports the values of one pass of a loop.
         _ => run.severity == Severity::Error && run.alarm.is_some() || known.message.is_same_sentence(&run.message),
     })
 }
 
-/// Fixes that are made together. A fix of a warning changes the effect of a program, so each of them is a decision of its own.
+/// Choice of fixes that are applied together. A fix of a warning changes the effect of a program, so each has to be decided separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FixChoice {
     /// Fixes of errors that have one fix, so that there is no choice.
@@ -98,12 +98,12 @@ pub fn fixes(found: &[Diagnostic], choice: FixChoice) -> impl Iterator<Item = &F
     })
 }
 
-/// Readings of a program at most, until its fixes are made: a fix that meets another one waits for the next reading.
+/// Maximum number of times that a program is parsed to apply fixes. A fix that touches another one waits for the next time.
 const READINGS: usize = 8;
 
 impl Project {
-    /// Makes the fixes of these findings in the program's files, then those that parsing finds anew; returns the files and the number of
-    /// fixes.
+    /// Applies the fixes of these findings to the program's files, then the fixes of findings from parsing the result. Returns the files
+    /// and the number of fixes.
     pub fn mended(&self, files: &Files, found: &[Diagnostic], choice: FixChoice) -> (Files, usize) {
         let (mut files, mut count) = nc::fix_all(files, fixes(found, choice));
         for _ in 1..READINGS {

@@ -61,9 +61,9 @@ const FEW: u32 = 8;
 enum Typed {
     /// A comment, or a number that nothing proposes.
     Nothing,
-    /// Number or label behind a jump.
+    /// Number or label as the target of a jump.
     Target,
-    /// Number of a program behind P of a call.
+    /// Number of a program in P of a call.
     Called,
     /// A word or its beginning.
     Word,
@@ -125,7 +125,7 @@ fn typed(line: &str, control: &Control) -> (Typed, usize) {
     }
 }
 
-/// Whether a line has a code that calls the program behind P.
+/// Whether a line has a code that calls the program with the number in P.
 fn calls(line: &str, pieces: &[(Span, TokenKind)], control: &Control) -> bool {
     let calls = |code: Code| matches!(code, Code::SubCall | Code::MacroCall | Code::MacroModal | Code::MacroModalBlock);
     let codes = pieces.iter().filter(|(_, kind)| *kind == TokenKind::Code);
@@ -172,7 +172,7 @@ impl Proposals<'_> {
         let deck = self.parsed.deck();
         let Some(text) = self.parsed.files().get(self.file).map(|file| file.text.as_str()) else { return Vec::new() };
         let blocks = self.here().map_or(&[][..], |program| deck.blocks_of(program));
-        // On a control whose blocks have names, a switch says whether a jump can go to a block number.
+        // On a control whose blocks have names, a switch decides whether a jump can go to a block number.
         let named = self.control().syntax.names().is_some();
         let by_number = !named || self.parsed.dialect().reading.number_jumps;
         let letter = if named { "N" } else { "" };

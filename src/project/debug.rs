@@ -29,7 +29,7 @@ pub enum Goal {
     Block(u64),
 }
 
-/// A fork starts at least this many blocks before its target, so that `back` finds the block before, over comments too.
+/// A fork starts at least this many blocks before its target, so that `back` finds the preceding block even across comments.
 const LEAD: u64 = 200;
 
 /// Steps through a run.
@@ -51,7 +51,7 @@ struct Walk {
     goal: Goal,
     /// Earliest time (s) for a stop.
     from: f64,
-    /// Call depth at the first block behind `from`.
+    /// Call depth at the first block after `from`.
     depth: Option<usize>,
     /// The block in front of which the run has stopped.
     here: Option<Here>,
@@ -80,7 +80,7 @@ impl Walk {
         let idle = block.stmt == Stmt::Empty && block.number.is_none();
         let here = Here { number: number(interp), place };
         let leaves = self.leaving.take() == Some(here);
-        // Before the start of the walk.
+        // Before the time or block from which stops count.
         let early = t < self.from || matches!(self.goal, Goal::Block(to) if here.number < to);
         if !leaves && !early {
             let depth = *self.depth.get_or_insert(interp.depth());

@@ -1,4 +1,4 @@
-//! The bytes of a file as text: UTF-8, UTF-16, GBK where the control has it, or bytes that are none of these, with the way back to the offsets of the file.
+//! The bytes of a file as text: UTF-8, UTF-16, GBK if the control uses it, or unknown bytes; and the conversion of text offsets back to file offsets.
 
 use super::encode::from_gbk;
 use crate::text::Message;
@@ -49,7 +49,7 @@ pub struct Decoded {
     pub other: Option<Message>,
     /// The bytes, where the encoding is unknown.
     bytes: Vec<u8>,
-    /// Offsets in the text and in the file of each piece behind which they differ; empty where they are the same.
+    /// Pairs of an offset in the text and in the file, one after each piece whose length differs; empty if all offsets are equal.
     pieces: Vec<(u32, u32)>,
 }
 

@@ -9,8 +9,8 @@ use crate::view::Readout;
 
 /// Ids of the fields by the id of each result that they change, in the order of the form.
 ///
-/// Each field that is shown on the control takes another value: a number 1.1 of it, or 0.9 where it is at its limit, a flag the other state, a
-/// choice each other option; a number of 0 one step. A field counts where value, limit or verdict of the result differ afterwards.
+/// Each field that is shown on the control takes another value: a number 1.1 times its value (0.9 at its limit, one step from 0), a flag
+/// the other state, a choice each other option. A field counts if value, limit or verdict of the result differ afterwards.
 pub fn fields_by_result(project: &Project) -> BTreeMap<&'static str, Vec<&'static str>> {
     let prepared = project.prepared();
     let before = prepared.results().readouts;

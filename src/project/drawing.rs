@@ -7,10 +7,10 @@ use crate::motion::{Budget, Retention};
 use crate::text::catalog::words;
 use crate::view::{Pose, Scene, svg};
 
-/// Blocks that are run at most on the way to the moment.
+/// Maximum number of blocks run to reach the moment.
 const BLOCKS: u64 = 10_000_000;
 
-/// Longest run (s) of which the middle is sought.
+/// Longest part of a run (s) whose middle is drawn.
 const LONGEST: f64 = 3600.0;
 
 /// The scene of a project and its pose at machine time `at` (s), or at the end of a run that is shorter.
@@ -35,8 +35,8 @@ fn drawn(project: &Project, until: f64, moment: impl FnOnce(f64) -> f64) -> (Sce
     (machine.scene(), pose)
 }
 
-/// The drawing with which the page begins, the default machine before its start, as SVG for the page. It is in the page's HTML
-/// (`style/still.svg`), so that it is seen before the module is loaded.
+/// First drawing of the page: the default machine before its start, as SVG. The page's HTML contains it (`style/still.svg`), so that it is
+/// visible before the module is loaded.
 pub fn still() -> Option<String> {
     let project = Project::of(ALL.first()?.id(), None)?;
     let (scene, pose) = at(&project, 0.0);

@@ -1,4 +1,4 @@
-//! Projects from the named examples of a machine, and the example that a project still is.
+//! Projects from the named examples of a machine, and the example that an unchanged project equals.
 
 use super::Project;
 use crate::controls::{self, Control};

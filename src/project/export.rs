@@ -22,7 +22,7 @@ pub const REPORT: &str = "report.html";
 pub struct ExportOptions<'a> {
     /// Findings about the programs, as [`Project::advice`] gives them: for diagnostics and report.
     pub advice: &'a [Diagnostic],
-    /// Date in the title block, as its reader writes dates; may be empty.
+    /// Date in the title block, in the reader's date format; may be empty.
     pub date: &'a str,
     /// Sizing for the report; without one the report has none.
     pub sizing: Option<&'a Sizing>,
@@ -56,7 +56,7 @@ fn same_names(files: &[File]) -> Vec<Diagnostic> {
 }
 
 impl Export {
-    /// Name and bytes of each file, as they leave: programs as the control reads them, all else in UTF-8.
+    /// Name and bytes of each exported file: programs in the control's encoding, all others in UTF-8.
     pub fn bytes(&self) -> impl Iterator<Item = (&str, Vec<u8>)> {
         let (programs, own) = self.programs;
         self.files.iter().enumerate().map(move |(at, file)| {
@@ -77,7 +77,7 @@ impl Project {
         self.export_with(&self.written(), &ExportOptions::default())
     }
 
-    /// The files for the machine, with the programs as they are already written.
+    /// The files for the machine, with programs that are already written.
     pub fn export_with(&self, written: &Written, options: &ExportOptions) -> Export {
         let (prepared, design) = (self.prepared(), self.design());
         let mut found = written.diagnostics.clone();

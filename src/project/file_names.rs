@@ -2,8 +2,8 @@
 
 use super::Project;
 
-/// Bytes of the name of a project, and of its revision, in the name of a file: with what stands between and behind them at most 120. Our choice:
-/// file systems take 255, and the folders above need room in a path too.
+/// Maximum bytes of a project's name, and of its revision, in a file name, which then has at most 120 bytes. Our choice: file systems allow
+/// 255, and a path also contains the folders.
 const NAME_BYTES: usize = 76;
 const REVISION_BYTES: usize = 30;
 

@@ -1,4 +1,4 @@
-//! Findings about a project file, each at its place, not more than a person reads.
+//! Findings about a project file, each at its place, up to a number that a person can read.
 
 use std::collections::BTreeSet;
 

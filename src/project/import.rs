@@ -103,7 +103,7 @@ fn is_text(text: &str) -> bool {
     !text.contains('\0')
 }
 
-/// The form that a program of macroline carries, as a project.
+/// Project from the form settings in the comments of a program that macroline wrote.
 pub fn restored(text: &str) -> Option<Project> {
     let found = settings::read(text)?;
     let (machine, control) = (machines::find(found.machine)?, controls::find(found.control)?);
@@ -117,7 +117,7 @@ pub fn restored(text: &str) -> Option<Project> {
 fn restored_beside(present: &Project, text: &str) -> Option<Project> {
     let mut project = restored(text)?;
     project.name.clone_from(&present.name);
-    // No program of the form has other characters in anything but comments.
+    // A program written from the form has non-ASCII characters only in comments.
     project.comments = if text.is_ascii() { Language::English } else { Language::Chinese };
     if present.control.id == project.control.id {
         project.switches.clone_from(&present.switches);
@@ -153,7 +153,7 @@ fn differing(project: &Project, given: &Files) -> Option<Files> {
             .first()
             .map(|p| p.number)
     };
-    // Line ends and the version of macroline are no edits.
+    // Different line ends and another version of macroline do not count as edits.
     let lines = |text: &str| -> Vec<String> {
         text.lines()
             .filter(|line| !line.contains("WRITTEN BY MACROLINE"))

@@ -117,7 +117,7 @@ pub(super) fn place(text: &str, part: &str) -> Option<Place> {
     (end <= text.len()).then(|| at(start, end))
 }
 
-/// The place that an error of serde names: one character.
+/// The character at the line and column of an error of serde.
 pub(super) fn error_place(text: &str, error: &serde_json::Error) -> Place {
     let line = LineIndex::new(text).start(error.line().max(1) as u32) as usize;
     let mut start = (line + error.column().saturating_sub(1)).min(text.len());
@@ -132,7 +132,7 @@ fn at(start: usize, end: usize) -> Place {
     Place { file: FileId::default(), span: Span::new(start as u32, end as u32) }
 }
 
-/// The words of an error of serde in the language that is spoken, without the place.
+/// Text of an error of serde in the language in use, without the place.
 pub(super) fn reason(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());

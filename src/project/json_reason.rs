@@ -25,7 +25,7 @@ const SYNTAX: [(&str, &str); 16] = [
     ("recursion limit exceeded", "project.json.too-deep"),
 ];
 
-/// Our words for what serde says, without the place; its own where it is of another kind.
+/// Our sentence for a message of serde, without the place; serde's own text for an unknown message.
 pub(super) fn reason(said: &str) -> String {
     let known = SYNTAX.iter().find(|(text, _)| *text == said).map(|(_, id)| words(id).to_owned());
     known.or_else(|| marks(said)).or_else(|| shape(said)).unwrap_or_else(|| said.to_owned())

@@ -102,7 +102,7 @@ pub fn verdict_word(verdict: Verdict) -> &'static str {
     }
 }
 
-/// A verdict in a word of the language that is spoken.
+/// A verdict as a word of the language in use.
 pub fn verdict_text(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => words("project.verdict.none"),

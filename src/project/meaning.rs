@@ -133,7 +133,7 @@ impl<'a> Words<'a> {
         Some((span, self.meaning(span.of(line), Table::Program)?))
     }
 
-    /// The line beside an item of an outline: the meaning of a variable, else the title of the program or the text of the block.
+    /// Text beside an item of an outline: the meaning of a variable, the title of a program or the text of a block.
     pub fn line(&self, item: &OutlineItem) -> String {
         let says = match item.symbol {
             Symbol::Program(_) | Symbol::Block(_) => None,

@@ -1,4 +1,4 @@
-//! The one door: a project in, a run out. Page and command line use nothing else to compute.
+//! The interface to all computation: a project in, a run out. Page and command line compute with nothing else.
 
 mod json;
 
@@ -105,7 +105,7 @@ use crate::view::report::TitleBlock;
 /// Input of a run, and contents of the project file except for the id.
 #[derive(Clone)]
 pub struct Project {
-    /// Identity among the projects that a browser keeps; no part of the file, and no difference between two projects.
+    /// Identity among the projects that a browser keeps. It is not part of the file, and is ignored when projects are compared.
     pub id: Option<String>,
     /// Name given by the user; may be empty.
     pub name: String,
@@ -138,7 +138,7 @@ pub struct Project {
 
 impl PartialEq for Project {
     fn eq(&self, other: &Project) -> bool {
-        // Every part is named, so that the compiler asks about a new one: an edit that is no difference is lost to undo and store.
+        // Every field is named, so that the compiler reports a new one: an edit in a field that is not compared is lost to undo and store.
         let Project {
             id: _,
             memo: _,
@@ -202,7 +202,7 @@ impl Project {
         ControlContext { control: self.control, switches: &self.switches }
     }
 
-    /// Takes the project to another control: the values stay, the settings of open points as far as that control has them.
+    /// Moves the project to another control: the values stay, and settings of open points stay if that control has them.
     pub fn move_to(&mut self, control: &'static Control) {
         let needed = self.machine.defaults(control).switches;
         let takes = |id: &str, setting: &str| control.switch(id).is_some_and(|row| row.takes(setting));
@@ -245,7 +245,7 @@ impl Project {
         Project { id, ..self }
     }
 
-    /// Adds parts to the catalogue of the project. One of the same maker and model takes the place of the earlier one.
+    /// Adds parts to the catalogue of the project. A part of the same maker and model replaces the earlier one.
     pub fn add_parts(&mut self, parts: Vec<Part>) {
         self.parts.retain(|known| !parts.iter().any(|part| part.is(known)));
         self.parts.extend(parts);

@@ -188,7 +188,7 @@ pub fn in_steps(t: f64, step: f64) -> f64 {
     math::clamp(t, 0.0, f64::MAX)
 }
 
-/// One added, removed, moved or changed action in words; `None` where more has changed.
+/// An added, removed, moved or changed action in words; `None` if more than one action has changed.
 pub(super) fn change_in_words(before: &Panel, after: &Panel, control: &Control) -> Option<String> {
     let (before, after) = (before.events(), after.events());
     let begin = before.iter().zip(after).take_while(|(one, other)| one == other).count();

@@ -5,7 +5,7 @@ use super::run::{Run, RunOptions, of_project};
 use crate::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
 use crate::view::{Advice, Verdict};
 
-/// Budget of a trial run: programs that calculate and wait longer than that before they move anything are taken for good.
+/// Budget of a trial run. A program that calculates or waits longer before anything moves counts as working.
 const TRIAL: Budget = Budget { blocks: 100_000, seconds: 60.0 };
 
 /// Steps of the planner between two looks at the log.
@@ -38,7 +38,7 @@ pub fn remedy(project: &Project) -> Option<Advice> {
     runs.next().cloned()
 }
 
-/// Whether cycle start, at the end of a run that stopped, only leads back to the same stop with nothing moved.
+/// Whether cycle start after a stopped run leads to the same stop again without any motion.
 pub fn comes_back(run: &Run) -> bool {
     let end = run.timeline().end();
     let stop = run.timeline().at(end);

@@ -15,7 +15,7 @@ use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span, hea
 /// Writes diagnostics about a set of files. It reads each file's lines once.
 pub struct Renderer<'f> {
     files: &'f Files,
-    /// Names that are shown in place of the files' own.
+    /// Names shown instead of the names of the files.
     names: &'f [String],
     /// The files as they were read from a disk; files beyond these are UTF-8.
     read: &'f [Decoded],
@@ -45,7 +45,7 @@ impl<'f> Renderer<'f> {
         self.read.get(usize::from(id.0)).map_or(Some(at), |file| file.offset(at))
     }
 
-    /// The fixes that can be made in the files on the disk: their places are there, and they copy no byte that is no text.
+    /// The fixes that can be made in the files on the disk: their places exist there, and they copy only text.
     fn fixes<'d>(&self, diagnostic: &'d Diagnostic) -> impl Iterator<Item = &'d Fix> {
         let made = |(place, text): &(Place, String)| {
             let ends = [place.span.start, place.span.end];
@@ -56,7 +56,7 @@ impl<'f> Renderer<'f> {
     }
 
     /// Severity with the alarm, or with the id that silences it, and the sentence; then file:line:column, the line itself with the place
-    /// marked, the hints, and the lines as each fix would have them.
+    /// marked, the hints, and the lines after each fix.
     pub fn text(&self, diagnostic: &Diagnostic) -> String {
         let fixes: Vec<&Fix> = self.fixes(diagnostic).collect();
         let mended: Vec<_> = fixes.iter().map(|fix| self.mended(fix)).collect();
@@ -105,7 +105,7 @@ impl<'f> Renderer<'f> {
         Some(format!("{gap}--> {file}:{line}:{column}\n{gap} |\n{line:width$} | {text}\n{gap} | {left}{marks}\n"))
     }
 
-    /// The lines that a fix touches, as they would be, and the number of the first; `None` where it reaches through the file.
+    /// The lines after a fix that it changes, and the number of the first; `None` if it changes too much of the file.
     fn mended(&self, fix: &Fix) -> Option<(u32, Vec<String>)> {
         let place = fix.edits.first()?.0;
         let text = self.files.get(place.file)?.text.as_str();
@@ -199,7 +199,7 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
     headed(severity.to_owned() + &tag, sentence(&diagnostic.message))
 }
 
-/// How many there are of each severity: `2 errors, 1 warning`.
+/// Number of diagnostics of each severity: `2 errors, 1 warning`.
 pub fn summary(diagnostics: &[Diagnostic]) -> String {
     let count = |severity| diagnostics.iter().filter(|d| d.severity == severity).count() as u32;
     let counts = [
@@ -232,7 +232,7 @@ struct Shown {
 }
 
 impl Shown {
-    /// A line, of which `length` characters from the character `at` on are marked.
+    /// A line with `length` characters marked from the character `at` on.
     fn new(line: &str, at: usize, length: usize) -> Shown {
         let long = line.chars().nth(SHOWN).is_some();
         let skipped = if long { at.saturating_sub(SHOWN / 4) } else { 0 };

@@ -1,4 +1,4 @@
-//! The report of a project: what machine and control say, a run of the programs, and their checksums.
+//! The report of a project: the parts of machine and control, a run of the programs, and their checksums.
 
 use super::Project;
 use super::checksum::crc32;

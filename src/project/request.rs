@@ -13,7 +13,7 @@ use crate::msg;
 use crate::nc;
 use crate::text::{Diagnostic, Message, catalog, listed};
 
-/// Why a request is not carried out.
+/// Reason for refusing a request.
 pub enum Refused {
     /// A choice is wrong.
     Choice(Message),
@@ -53,7 +53,7 @@ impl Choices {
         }
     }
 
-    /// Switches of a control with the chosen ones set anew.
+    /// Switches of a control with the chosen settings.
     pub fn switched(&self, mut switches: Switches, control: &Control) -> Result<Switches, Message> {
         for (id, value) in &self.switches {
             let (id, value) = (id.as_str(), value.as_str());
@@ -79,7 +79,7 @@ pub fn control(id: &str) -> Result<&'static Control, Message> {
     })
 }
 
-/// Refuses more files than places can tell apart.
+/// Refuses more files than a [`Place`](crate::text::Place) can number.
 pub fn few_files(count: usize) -> Result<(), Message> {
     let most = usize::from(u16::MAX);
     if count > most { Err(msg!("request.too-many-files", count = count as u32, most = most as u32)) } else { Ok(()) }

@@ -24,7 +24,7 @@ pub struct Flip {
     pub factor: f64,
 }
 
-/// The results of a machine, and what becomes of them when an assumed fact changes by a tenth.
+/// The results of a machine, and the results after each assumed fact is changed by a tenth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivity {
     /// The results with the entries of the form.
@@ -91,7 +91,7 @@ impl TriedFact {
         for (factor, after) in &self.after {
             let found = before.iter().filter_map(|old| {
                 let to = after.iter().find(|new| new.id == old.id)?.verdict;
-                // Some rules judge a result only where it does not hold: no verdict is as good as ok.
+                // Some rules judge a result only if it does not hold, so a result without verdict counts as ok.
                 let flips = to.max(Verdict::Ok) != old.verdict.max(Verdict::Ok);
                 let flip = Flip { field: self.field, readout: old.id, from: old.verdict, to, factor: *factor };
                 flips.then_some(flip)
@@ -115,7 +115,7 @@ pub(super) fn changed(project: &Project, field: &FieldInfo, factor: f64) -> Opti
     };
     let rounded = |number: f64| number_text(math::clamp(number, min, max), decimals).parse::<f64>().ok();
     let mut changed = rounded(value * factor)?;
-    // One off a count of one is no error of measurement.
+    // A whole number above one changes by at least one. A count of one is not changed: it cannot be miscounted by one.
     if decimals == 0 && changed == value && value.abs() > 1.0 {
         changed = rounded(value + (factor - 1.0).signum())?;
     }

@@ -33,7 +33,7 @@ impl SessionStop {
 
 /// Steps through a run by commands.
 pub struct Session {
-    /// The run that stepping starts from, in front of the stepped one.
+    /// The main run, from whose checkpoints the stepped run is forked.
     main: Run,
     debugger: Debugger,
     /// The breakpoints.

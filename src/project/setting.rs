@@ -20,7 +20,7 @@ impl Setting {
         Setting::new(name, value.trim().parse().ok()?)
     }
 
-    /// A variable or an input by its name; `None` where it has none, or its value is no number.
+    /// A variable or an input by its name; `None` if the name is empty or the value is not a number.
     pub fn new(name: &str, value: f64) -> Option<Setting> {
         let name = name.trim().to_ascii_uppercase();
         (value.is_finite() && !name.is_empty()).then_some(Setting { name, value })

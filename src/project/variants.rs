@@ -13,7 +13,7 @@ use crate::text::number::Fixed;
 use crate::view::{ComparedRow, Comparison, Readout, VariantCell, Verdict};
 
 impl Project {
-    /// The first capital letter that names no variant.
+    /// The first capital letter that is not the name of a variant.
     pub fn free_variant_name(&self) -> String {
         let free = |name: &String| self.variants.iter().all(|variant| variant.name != *name);
         ('A'..='Z').map(String::from).find(free).unwrap_or_default()
@@ -76,14 +76,14 @@ impl Project {
 /// Id, name, unit and cell of a row.
 pub(super) type Listed = (&'static str, String, &'static str, VariantCell);
 
-/// Compares projects, each with its name. Machines may differ: what only some have has no cell for the others.
+/// Compares projects, each with its name. Machines may differ: a row that a project does not have leaves its cell empty.
 pub fn compare(variants: &[(String, Project)]) -> Comparison {
     let each =
         |list: fn(&Project) -> Vec<Listed>| variants.iter().map(|(_, project)| list(project)).collect::<Vec<_>>();
     let mut entries = side_by_side(&each(entries));
     let mut switches = side_by_side(&each(switches));
     entries.retain(|row| row.differs);
-    // A switch that one control alone has, or that has its default, is that control's own: only chosen settings are listed.
+    // Only chosen settings are listed: not switches that only one control has, nor switches at their default.
     switches.retain(|row| row.differs && variants.iter().any(|(_, project)| is_chosen(project, row.id)));
     let cells: Vec<_> =
         variants.iter().map(|(_, project)| Some((project.control.name.to_owned(), Verdict::None))).collect();

@@ -1,4 +1,4 @@
-//! Enums that know the list of their variants.
+//! Enums with a constant list of their variants.
 
 /// Defines an enum together with the list of its variants.
 macro_rules! with_all {

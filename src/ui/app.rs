@@ -42,8 +42,8 @@ pub struct Beginning {
 }
 
 impl Beginning {
-    /// Reads the browser's store, writes the program and begins its run, each in a turn of its own, then calls `then`. It gets `None` only
-    /// if no machine has a control; a test of the library holds that each has one.
+    /// Reads the browser's store, writes the program and begins its run, each in a turn of its own, then calls `then`. `then` gets `None`
+    /// only if no machine has a control, which a test of the library excludes.
     pub fn in_turns(then: impl FnOnce(Option<Beginning>) + 'static) {
         let visit = store::load();
         let Some(project) = visit.project else { return then(None) };
@@ -83,7 +83,7 @@ fn name_browser_tab(page: Page) {
     Effect::new(move |_| document().set_title(&sentence(&msg!("page.browser-title", name = name.get()))));
 }
 
-/// Everything on the page, in place of the still in its HTML.
+/// Everything on the page, in place of the first drawing in its HTML.
 #[component]
 fn Screen() -> impl IntoView {
     let page = Page::here();
@@ -136,7 +136,7 @@ const TABS: [(Tab, &str, &str); 7] = [
     (Tab::Plc, "tab-plc", "page.plc"),
 ];
 
-/// Whether the machine has something for a tab.
+/// Whether the machine has contents for a tab.
 fn is_there(page: Page, tab: Tab) -> bool {
     page.machine.track();
     tab != Tab::Explore || page.project.with_untracked(|project| project.machine.info().explores)
@@ -244,7 +244,7 @@ mod tests {
     }
 
     async fn app_of_the_last_visit() -> ViewBench {
-        // Nothing can be waited for until something was mounted, and this may be the first test.
+        // The test bench can wait only after a first mount, and this may be the first test.
         drop(mount_project(project(), || ()).await);
         let begun = Rc::new(RefCell::new(None));
         let take = Rc::clone(&begun);

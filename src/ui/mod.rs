@@ -35,8 +35,8 @@ pub use app::embed::{Embedded, EmbeddedApp};
 pub use app::{App, Beginning};
 pub use worker::server::work;
 
-/// Opens the page with the sentences of its language ([`catalog::speak`]) in place of the still in its HTML: whole, or
-/// as its address asks for it in another page. A panic is reported in its place.
+/// Opens the page with the sentences of its language ([`catalog::speak`]) in place of the first drawing in its HTML: the whole page, or the
+/// embedded one if the address requests it. A panic is reported in its place.
 pub fn open(sentences: String) {
     catalog::speak(sentences.leak());
     std::panic::set_hook(Box::new(|panic| {

@@ -37,7 +37,7 @@ pub(crate) fn project() -> Project {
     Project::of_form(machine, crate::controls::find(machine.controls()[0]).unwrap())
 }
 
-/// The project that a visitor meets.
+/// The project of a first visit.
 pub(crate) fn first_project() -> Project {
     Project::of(crate::machines::ALL[0].id(), None).unwrap()
 }

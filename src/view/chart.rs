@@ -40,7 +40,7 @@ pub struct Chart {
     pub x_unit: &'static str,
     /// The lines.
     pub series: Vec<Series>,
-    /// The limits; those far from the lines are not drawn.
+    /// The limits; limits far from the lines are not drawn.
     pub limits: Vec<ChartLimit>,
 }
 

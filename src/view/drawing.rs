@@ -41,7 +41,7 @@ struct Leader {
     node: usize,
     /// Lowest and highest start along the edge of the text, and the height of that edge.
     from: (f64, f64, f64),
-    /// Start behind the name, where every start along the edge is covered.
+    /// Start after the end of the name, for use if every start along the edge is covered.
     beside: Option<(f64, f64)>,
     /// The part.
     to: (f64, f64),
@@ -234,7 +234,7 @@ impl Drawing {
         (node.label > 0 && node.group == 0).then_some((node.label, area))
     }
 
-    /// Leads hairlines around the texts of other labels. A hairline without a clear start along its own text, or behind its name, is omitted.
+    /// Leads hairlines around the texts of other labels. A hairline without a clear start along its own text or after its name is omitted.
     fn lead_around(&mut self) {
         let boxes: Vec<(u16, [f64; 4])> = self.nodes.iter().filter_map(|node| self.text_box(node)).collect();
         for Leader { node, from: (left, right, y), beside, to } in core::mem::take(&mut self.leaders) {

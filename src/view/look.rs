@@ -15,7 +15,7 @@ pub enum Paint {
     Dim,
     /// Accent colour: cutting edges, lenses, arrows.
     Accent,
-    /// Page behind the drawing.
+    /// The page around and behind the drawing.
     Page,
     /// A value beyond its limit.
     Bad,

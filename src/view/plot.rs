@@ -26,7 +26,7 @@ const SIZE: (u32, u32) = (1000, 200);
 const FINE: u32 = 8;
 /// Maximum grid lines.
 const GRID: (usize, usize) = (8, 4);
-/// Percent of the height below which a figure stands on its grid line; others lie in their lines.
+/// Percent of the height below which a figure is above its grid line; other figures are centred on their lines.
 const FLOOR: f64 = 8.0;
 /// Colour of grid lines; chart lines have `(tone, 0, 0)`. The backend turns them into classes.
 const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
@@ -226,7 +226,7 @@ impl DrawingBackend for SvgBackend<'_> {
     type ErrorType = Infallible;
 
     fn get_size(&self) -> (u32, u32) {
-        // One more, because both edges belong to the frame.
+        // One more than the steps, because both edges belong to the frame.
         (SIZE.0 * FINE + 1, SIZE.1 * FINE + 1)
     }
 

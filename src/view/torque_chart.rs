@@ -21,7 +21,7 @@ pub struct OperatingLine {
     pub t: f64,
     /// Total duration in the run, s.
     pub seconds: f64,
-    /// It belongs to the run with the knob at its end, not to the shown run.
+    /// The line belongs to the run with the knob at its highest position, not to the shown run.
     pub is_at_knob_end: bool,
 }
 
@@ -45,7 +45,7 @@ const MARGINS: (f64, f64, f64, f64) = (44.0, 14.0, 16.0, 34.0);
 /// Maximum grid lines, across and up.
 const GRID: (usize, usize) = (5, 5);
 
-/// Shares of the run from which on a line counts as lasting, and as passing.
+/// Shares of the run's time above which a line counts as long-lasting, and as short.
 const LASTING: f64 = 0.1;
 const PASSING: f64 = 0.01;
 
@@ -63,7 +63,7 @@ pub struct TorqueWords<'a> {
     pub effective: &'a str,
     /// Text before the time of an operating line.
     pub at: &'a str,
-    /// Position of the knob in the run with the knob at its end.
+    /// Position of the knob, for lines of the run with the knob at its highest position.
     pub knob: &'a str,
 }
 

@@ -24,7 +24,7 @@ fn text(path: &Path) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// The paper's example with the exact π and some values changed, as a file.
+/// A project file: the paper's example with the exact π and some changed values.
 #[track_caller]
 fn project(folder: &Path, values: Json) -> String {
     let out = macroline(&["new", "ribbon-line", "--example", "paper"]);
@@ -336,7 +336,7 @@ fn continue_answers_stops_and_messages_of_the_program() {
     assert_eq!(waits["variables"].get("#100"), None);
     let goes_on = run(&[&path, "--control", "mitsubishi-e60", "--continue"], 0);
     assert_eq!((&goes_on["ended"], &goes_on["variables"]["#100"]), (&json!("program-end"), &json!(7.0)));
-    // A program that stops for ever ends at its budget.
+    // A program that stops again after every cycle start ends at its budget.
     std::fs::write(&path, "N10 R1=1\nLB1: M0\nGOTOB LB1\nM30\n").unwrap();
     let endless = run(&[&path, "--control", "sinumerik-802d", "--continue", "--blocks", "5000"], 3);
     assert_eq!(endless["ended"], "blocks");
@@ -375,7 +375,7 @@ fn run_json_reports_gear_angle_and_speed_limits() {
     }
 }
 
-/// Eight bytes a block that stayed would be too many.
+/// The memory limit leaves no room for a log: even eight bytes kept per block would exceed it.
 #[cfg(unix)]
 #[test]
 fn run_prints_its_log_while_it_runs() {

@@ -1,4 +1,4 @@
-//! The language of the command line's texts: chosen by option or locale, complete in each, without a trace in what programs read.
+//! The language of the command line's texts: chosen by option or locale, complete in each language, and absent from output for programs.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ fn folder(name: &str) -> PathBuf {
     path
 }
 
-/// Runs the program with `--language zh` behind the arguments.
+/// Runs the program with `--language zh` after the arguments.
 fn chinese(folder: &Path, args: &[&str]) -> Output {
     command::macroline().current_dir(folder).args(args).args(["--language", "zh"]).output().unwrap()
 }
@@ -158,7 +158,7 @@ fn wrong_usage_is_told_in_chinese() {
     }
 }
 
-// The reader of JSON and the system word the reason behind the colon; it stays as they have it.
+// The reason after the colon is worded by serde or the system, and stays in their language.
 #[test]
 fn broken_json_is_told_in_chinese() {
     let folder = folder("json");
@@ -214,7 +214,7 @@ fn locale_chooses_the_language_unless_the_option_does() {
     }
 }
 
-/// The keys of a JSON value with their values, but for texts with Chinese or English words.
+/// The keys of a JSON value with their values, except texts with Chinese or English words.
 fn neutral(json: &Json, path: &str, out: &mut Vec<String>) {
     match json {
         Json::Object(rows) => rows.iter().for_each(|(key, value)| neutral(value, &format!("{path}.{key}"), out)),

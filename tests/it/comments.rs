@@ -54,7 +54,7 @@ fn chinese_projects(encoding: &str) -> Vec<Project> {
     allowed.map(|project| in_chinese(project, encoding)).collect()
 }
 
-/// Comments and titles that are no message to the operator.
+/// Comments and titles, without messages to the operator.
 fn comments_of(parsed: &Parsed) -> Vec<String> {
     let deck = parsed.deck();
     let blocks = deck.blocks.iter().filter(|block| !nc::is_message(deck, parsed.control(), block));

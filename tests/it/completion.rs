@@ -8,7 +8,7 @@ use macroline::project::completion::{self, Completion, ProposalKind};
 use macroline::project::meaning::Words;
 use macroline::text::{FileId, Span};
 
-/// Proposals at a bar in the text, which is no part of the program.
+/// Proposals at the `|` in the text, which is removed from the program.
 #[track_caller]
 fn at(id: &str, text: &str) -> Completion {
     let (control, switches) = (controls::find(id).unwrap(), Switches::default());
@@ -30,7 +30,7 @@ fn codes_are_those_of_the_control_with_their_meaning() {
     let linear = &e60.proposals[1];
     let row = controls::find("mitsubishi-e60").unwrap().code(controls::CodeId::g(1)).unwrap();
     assert_eq!((linear.kind, linear.meaning.as_ref().unwrap().cite), (ProposalKind::Code, Some(row.cite)));
-    // A lathe without G90 as absolute dimensions has another row for it, the E60 has no G32.
+    // G32 is thread cutting on a lathe whose G90 is not absolute dimensions; the E60 has no G32.
     assert!(texts(&at("gsk-980tdc", "O1\nG3|\n")).contains(&"G32"));
     assert!(!texts(&at("mitsubishi-e60", "O1\nG3|\n")).contains(&"G32"));
     assert_eq!(texts(&at("mitsubishi-e60", "O1\nX1 M0|\n"))[..2], ["M00", "M01"]);

@@ -98,7 +98,7 @@ fn every_alarm_kind_has_one_row_or_a_wider_one() {
 #[test]
 fn control_ids_are_unique_and_found() {
     for control in ALL {
-        // A law finds control names in the code by the parts of the ids: a letter alone would be found everywhere.
+        // A test finds control names in the code by the parts of the ids, so a part of one letter would match everywhere.
         assert!(
             control.id.split('-').all(|part| part.len() >= 2),
             "{}: id parts have at least 2 characters",

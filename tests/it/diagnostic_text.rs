@@ -1,4 +1,4 @@
-//! Diagnostics as a terminal shows them: the line, the place under it, the way out, and how many there are.
+//! Diagnostics as a terminal shows them: the line, the marked place, the fix, and the number of diagnostics.
 
 use expect_test::{Expect, expect};
 use macroline::controls;
@@ -208,7 +208,7 @@ fn clean_program_prints_nothing_to_say() {
     );
 }
 
-/// A tape has a leader, and whatever its punch left behind the end: the control reads neither.
+/// A tape has a leader, and may have text after the end of the record; the control reads neither.
 #[test]
 fn text_outside_the_record_is_one_finding() {
     check(

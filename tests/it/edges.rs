@@ -85,7 +85,7 @@ fn folder_that_cannot_be_made_leaves_nothing() {
     );
 }
 
-/// A limit of file sizes ends the export behind its first files.
+/// A limit of file sizes ends the export after its first files.
 #[cfg(unix)]
 #[test]
 fn failure_within_an_export_takes_all_of_it_back() {
@@ -116,7 +116,7 @@ fn read_only_folder_stays_as_it_was() {
     fs::set_permissions(&out, fs::Permissions::from_mode(0o555)).unwrap();
     let done = macroline(&["export", text(&project), "--out", text(&out)]);
     fs::set_permissions(&out, fs::Permissions::from_mode(0o755)).unwrap();
-    // Root writes into every folder.
+    // For root the folder is writable, so there is nothing to check.
     if done.status.code() != Some(0) {
         assert_eq!(done.status.code(), Some(1), "{}", said(&done));
         assert_eq!(contents(&out), before);
@@ -124,7 +124,7 @@ fn read_only_folder_stays_as_it_was() {
 }
 
 #[cfg(unix)]
-/// A program in place of a browser.
+/// A shell script in place of a browser.
 #[cfg(unix)]
 fn browser(folder: &Path, script: &str) -> String {
     use std::os::unix::fs::PermissionsExt;
@@ -134,7 +134,7 @@ fn browser(folder: &Path, script: &str) -> String {
     text(&path).to_owned()
 }
 
-/// Prints by the option that names the PDF.
+/// Script that writes the PDF to the path in its option, like a browser.
 #[cfg(unix)]
 const PRINTS: &str =
     r#"for word; do case "$word" in --print-to-pdf=*) printf %s %PDF-1.4 > "${word#--print-to-pdf=}";; esac; done"#;
@@ -257,7 +257,7 @@ fn closed_and_full_outputs_end_without_a_panic() {
         let silent = shell(&format!("\"$0\" {command} 2> /dev/full > /dev/null"), text(&project));
         assert!(matches!(silent.status.code(), Some(0 | 1)), "{command}");
     }
-    // The files of the export are whole although their list could not be printed.
+    // All files of the export are written although their list could not be printed.
     assert!(contents(&out).iter().any(|(name, text)| name == "O9100.nc" && text.ends_with("%\n")));
 }
 
@@ -468,7 +468,7 @@ fn processor(path: &Path, command: &str) -> f64 {
     of_children.split_whitespace().map(seconds).sum()
 }
 
-/// Four times the size may take six times the processor time, besides that of a start; a quadratic path takes sixteen times.
+/// Four times the size may take six times the processor time, start-up excluded; a quadratic algorithm would take sixteen times.
 #[cfg(unix)]
 #[test]
 fn large_projects_take_no_quadratic_time() {
@@ -552,7 +552,7 @@ fn large_faulty_programs_take_no_quadratic_time() {
 #[test]
 fn large_good_programs_take_no_quadratic_time() {
     let folder = folder("large-good-programs");
-    // Four digits of a block number: it begins again from 1.
+    // Block numbers have four digits, so they restart from 1.
     let number = |at: usize| at % 9999 + 1;
     let assigned = |at: usize| format!("N{}#100=#101+{at}\n", number(at));
     let jumps = |at: usize| format!("N{}IF[#100EQ{at}]GOTO{}\n", number(at), number(at));

@@ -1,4 +1,4 @@
-//! Laws on generated programs: macros run like their plain blocks; parse, emit and run keep their promises.
+//! Laws on generated programs: macros run like the equal plain blocks; parse, emit and run are total.
 
 mod dice;
 mod flat;
@@ -53,7 +53,7 @@ fn plant(control: &Control) -> Plant {
     }
 }
 
-/// Planned to its end or for ten minutes, with a hand that answers stops and turns the knob.
+/// Plans a run to its end or for ten minutes, with an operator who continues after stops and turns the knob.
 fn planned<P: RunningProgram>(control: &Control, program: P) -> Planner<P> {
     let knob = Event { t: 2.3, action: Action::FeedOverride(80.0) };
     let mut planner = Planner::new(Setup {
@@ -147,7 +147,7 @@ proptest! {
     }
 }
 
-/// How often each kind of command comes in programs of this control, and how many of them end as programs do.
+/// Number of commands of each kind in generated programs of this control, and number of programs that end normally.
 fn kinds(control: &'static Control, programs: u32) -> (BTreeMap<String, u32>, u32) {
     let (mut kinds, mut ended, mut state) = (BTreeMap::new(), 0, 1_u64);
     let mut byte = || {

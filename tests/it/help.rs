@@ -1,4 +1,4 @@
-//! Help: everything that a person can ask about has an entry, every link leads somewhere, and search finds numbers and words of both languages.
+//! Help: every row, field and term has an entry, every link has a target, and search finds numbers and words of both languages.
 
 use std::collections::BTreeSet;
 use std::process::Output;
@@ -38,7 +38,7 @@ fn ribbon() -> Help {
     on(controls::find("mitsubishi-e60").unwrap())
 }
 
-/// Speaks a language for the time of a test's part.
+/// Runs a part of a test in a language.
 fn speaking<T>(language: Language, part: impl FnOnce() -> T) -> T {
     catalog::speak(language.sentences());
     let done = part();

@@ -195,7 +195,7 @@ fn control_is_that_of_the_folder_or_of_the_settings() {
     let mut client = Client::start(&[]);
     client.open(&uri, text);
     assert!(lathe(&mut client, &uri));
-    // In another folder no file names the control: the one remark says how to.
+    // In another folder no file names the control; the only remark explains how to name it.
     let other = "file:///nowhere/O1.nc";
     let found = client.open(other, text);
     assert!(found[0]["message"].as_str().unwrap().contains("--control") && found[1] == Json::Null, "{found}");

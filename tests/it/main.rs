@@ -1,4 +1,4 @@
-//! The native tests, one binary: a test states a feature, and says in its failure what to do.
+//! The native tests, one binary: a test states a feature, and its failure tells the developer what to do.
 #![allow(clippy::unwrap_used, clippy::string_slice, reason = "a test stops at a fault")]
 
 mod changes;

@@ -37,7 +37,7 @@ proptest! {
         let value = value / math::pow(10.0, f64::from(shift));
         let text = number_text(value, decimals);
         let read = number::read(&text).unwrap();
-        // Half of the last decimal, and the resolution of a double.
+        // Tolerance: half of the last decimal, plus the resolution of a double.
         let off = 0.5 * math::pow(10.0, -f64::from(decimals)) + 4.0 * f64::EPSILON * value.abs();
         prop_assert!((read - value).abs() <= off, "{value:?} as {text}");
         let behind = text.split_once('.').map_or("1", |(_, behind)| behind);

@@ -1,4 +1,4 @@
-//! The package's door: it answers like the command line, and answers any text.
+//! The interface of the package: it answers like the command line, and answers any text.
 
 use macroline::project::Project;
 use macroline::project::package::{StepAnswers, answer};

@@ -130,7 +130,7 @@ impl Run {
         self.planner.timeline().at(t)
     }
 
-    /// State after everything has come to rest.
+    /// Machine state after axes and spindle have come to rest.
     fn end(&self) -> Snapshot {
         self.at(self.planner.timeline().end())
     }

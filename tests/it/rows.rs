@@ -1,7 +1,7 @@
 //! Rows that contradict each other or their family: a wrong row that compiles still fails here.
 //!
 //! A misspelled switch or option needs no test: rows name them by type. That each option acts is held by `programs/options_act.rs`. Each law
-//! is a function over one control, so that a second test can plant a mistake and see it found.
+//! is a function over one control, so that a second test can plant a mistake and check that it is found.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! SARIF: findings that code hosts show beside the lines, with fixes that mend them.
+//! SARIF: findings that code hosts show beside the lines, with their fixes.
 
 use std::path::Path;
 use std::process::Output;

@@ -98,7 +98,7 @@ fn file_that_is_no_project_is_an_error() {
     );
 }
 
-/// A project of the ribbon line with these lines behind its head.
+/// A project file of the ribbon line with these lines after its first members.
 fn with(lines: &str) -> String {
     format!("{{\n  \"version\": 1,\n  \"machine\": \"ribbon-line\",\n  \"control\": \"mitsubishi-e60\",\n{lines}\n}}\n")
 }
@@ -623,7 +623,7 @@ fn files_that_do_not_go_together_are_all_refused() {
         (vec![program.clone(), file("b.json", "{")], "project.not-json"),
         (vec![program.clone(), file("a.png", "\0PNG")], "project.not-a-text"),
         (vec![json, file("O1.nc", &"G".repeat(MAX_PROGRAM + 1))], "project.program-too-large"),
-        // One that is none of them replaces nothing.
+        // A file of another kind replaces nothing.
         (vec![file("prog.exe", "MZ\0\0")], "project.not-a-text"),
         (vec![file("O1.nc", "\u{feff} \n")], "project.empty-file"),
         (vec![file("a.json", "null")], "project.no-project-file"),

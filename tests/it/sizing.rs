@@ -331,7 +331,7 @@ fn dots() -> Vec<(&'static str, f64)> {
     ]
 }
 
-/// Seconds after the end of the interpolation until a block behind an exponential filter is within `width` millimetres of its end:
+/// Seconds after the end of the interpolation until a block after an exponential filter is within `width` millimetres of its end:
 /// `τ ln(F τ (1 - e^(-T / τ)) / w)`.
 fn exponential_tail(block: &AxisBlock, width: f64) -> f64 {
     let tau = block.time_constant;
@@ -528,8 +528,8 @@ fn closed_forms_agree_with_the_sum_over_a_move() {
     same("returned", load::returned(phases[2], of.speed), back, 1e-4);
 }
 
-/// The scalars of the oracle that are results of the paper's example, with its π exact: the oracle has no other. Exact stops and block times
-/// (F6, F12) are left out: they assume X alone and four macro blocks, where the line has two axes and a program of its own.
+/// The scalars of the oracle that are results of the paper's example, with exact π, because the oracle has no other π. Exact stops and
+/// block times (F6, F12) are left out: they assume X alone and four macro blocks, where the line has two axes and a program of its own.
 const READOUTS: [(&str, &str, f64); 36] = [
     ("A2", "line-speed", 1.0),
     ("A3", "y-stroke", 1.0),

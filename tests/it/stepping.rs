@@ -34,7 +34,7 @@ fn bench_with(files: &Files, switches: &Switches, panel: Panel) -> Run {
     run::of_programs(Rc::new(nc::parse_with(files, e60(), switches)), None, panel, &begin)
 }
 
-/// Answers to a script of commands, each command behind a `>`.
+/// Answers to a script of commands, each command after a `>`.
 fn talk(console: &mut Console, script: &str) -> String {
     let mut out = String::new();
     for line in script.lines() {
@@ -150,7 +150,7 @@ fn ribbon(seconds: f64) -> Run {
     main
 }
 
-/// All that can be seen of a run at some moments.
+/// Observable state of a run at some moments.
 fn seen(run: &Run, from: f64, to: f64) -> Vec<String> {
     let at = |k: u32| from + (to - from) * f64::from(k) / 100.0;
     (0..=100).map(|k| format!("{:?}", run.timeline().at(at(k)))).collect()
@@ -206,7 +206,7 @@ fn stepping_back_restores_the_state() {
         assert_eq!(arrive(&mut debugger, &mut points), Stop::Reached);
         assert_eq!(look(&debugger), *there);
     }
-    // At the very beginning there is nothing behind.
+    // At the very beginning there is no block to step back to.
     let mut first = Debugger::new(&main, 0.0, Goal::Into);
     arrive(&mut first, &mut points);
     assert!(!first.back(&main));

@@ -26,7 +26,7 @@ impl Read {
         Read { parsed, symbols }
     }
 
-    /// The symbol under a bar in the text, which is no part of the program.
+    /// The symbol at the `|` in the text, which is removed from the program.
     #[track_caller]
     fn at(control: &str, text: &str) -> (Read, Option<Symbol>) {
         let byte = text.find('|').unwrap();

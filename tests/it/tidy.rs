@@ -1,4 +1,4 @@
-//! The laws of the house (src/README.md) that can be read from the sources, one test each.
+//! The laws of src/README.md that can be checked in the sources, one test each.
 
 pub(crate) mod catalog;
 mod citations;
@@ -19,7 +19,7 @@ use source::{Source, TokenKind};
 const ORDER: [&str; 11] =
     ["math", "text", "drives", "controls", "nc", "interp", "motion", "view", "machines", "project", "ui"];
 
-/// Fails with every place that breaks a law, and with the way to mend it.
+/// Fails with every place that breaks a law, and with the instruction to correct it.
 #[track_caller]
 fn hold(law: &str, mend: &str, broken: Vec<String>) {
     assert!(broken.is_empty(), "\n{law}\nTo mend: {mend}\n  {}\n", broken.join("\n  "));
@@ -119,7 +119,7 @@ fn library_declares_its_modules_in_order() {
 
 #[test]
 fn web_crates_are_named_only_in_ui() {
-    // The doors of the page's two modules and of the package, which JavaScript opens.
+    // The entry points of the page's two modules and of the package, which JavaScript calls.
     let doors = ["src/lib.rs", "src/main.rs", "src/bin/worker.rs", "src/bin/package.rs"];
     let outside = sources().filter(|source| !doors.contains(&source.path.as_str()) && source.room() != Some("ui"));
     let web = ["leptos", "web_sys", "js_sys", "wasm_bindgen", "wasm_bindgen_futures", "gloo"];
@@ -258,7 +258,7 @@ fn libm_is_named_only_in_math() {
 
 #[test]
 fn core_has_no_panicking_calls() {
-    // The const row builders of the controls stop the compiler.
+    // The controls are left out, because the panics of their const row builders stop the compiler.
     let outside = core().filter(|source| source.room() != Some("controls"));
     let macros = ["panic", "unreachable", "assert", "assert_eq", "assert_ne"].map(|name| format!("{name} !"));
     let calls = ["unwrap", "expect", "unwrap_err", "expect_err"].map(|name| format!(". {name} ("));
@@ -449,7 +449,7 @@ fn functions_and_structs_stay_within_their_size() {
     hold("A function has at most 100 lines, a struct at most 20 fields.", mend, broken);
 }
 
-/// The map in `src/README.md`: every file with its first sentence. `UPDATE_EXPECT=1` writes it anew.
+/// The map in `src/README.md`: every file with its first line. `UPDATE_EXPECT=1` writes the map again.
 #[test]
 fn map_lists_every_file_with_its_first_sentence() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/README.md");

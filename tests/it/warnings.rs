@@ -335,7 +335,7 @@ fn unreachable_blocks_are_a_warning() {
 
 #[test]
 fn required_ends_and_computed_jumps_give_no_warning() {
-    // The end that every program needs, behind an alarm.
+    // The end that every program needs, after an alarm.
     E60.quiet("O1\nIF[#1033 EQ 1]GOTO9\nM30\nN9 #3000=1(NO)\nM30");
     E60.quiet("O1\n#1=2\nGOTO[#1*10]\nN10 X1.\nM30\nN20 X2.\nM30");
     // Returns, calls and switches name the label.

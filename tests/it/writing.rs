@@ -1,4 +1,4 @@
-//! Writing programs: output of the builder, its reading back to an equal deck, and input that must not make reading or writing fail.
+//! Writing programs: output of the builder, parsing it back to an equal deck, and input for which parsing and writing must not fail.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ fn e60() -> &'static Control {
     find("mitsubishi-e60").unwrap()
 }
 
-/// The text of a built program with findings of the emitter behind it.
+/// The text of a built program, followed by findings of the emitter.
 #[track_caller]
 fn check(write: impl FnOnce(&mut Builder), expected: Expect) {
     let mut b = Builder::new();
@@ -349,7 +349,7 @@ fn tokens_of_each_line_match() {
     assert!(kinds("knd-k2000t").contains(&TokenKind::Error));
 }
 
-/// Formulas; `lacking` also with what some control lacks and what takes its place with more brackets.
+/// Formulas; with `lacking` also operators that some control lacks and that are rewritten with more brackets.
 fn formula(lacking: bool) -> impl Strategy<Value = Formula> {
     let number = (-999_999_999_999_i64..1_000_000_000_000, 0..10_u8, any::<bool>())
         .prop_map(|(mantissa, scale, point)| Formula::Number(Dec { mantissa, scale, point: point || scale > 0 }));

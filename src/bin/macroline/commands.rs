@@ -1,4 +1,4 @@
-//! The commands but for `run` and `step`.
+//! All commands except `run` and `step`.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -89,7 +89,7 @@ impl Command {
     }
 }
 
-/// The control that is asked for.
+/// The control with this id, if one is given; an error for an unknown id.
 fn control(id: Option<&str>) -> Result<Option<&'static Control>, Failure> {
     id.map(request::control).transpose().map_err(|message| Failure::usage(&message))
 }
@@ -181,7 +181,7 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
     verdict(&all)
 }
 
-/// `pdf` asks for the report on a paper, printed by a browser if it names one.
+/// `pdf` requests the report as PDF on this paper size, printed by the named browser if there is one.
 fn export(path: &Path, folder: &Path, date: &str, pdf: Option<(Paper, Option<&Path>)>) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };

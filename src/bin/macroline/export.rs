@@ -12,7 +12,7 @@ use macroline::text::catalog::sentence;
 
 use crate::language::failed;
 
-/// Why an export failed, and the path that it failed at.
+/// Sentence about a failed export, with the path concerned.
 type Failed = String;
 
 /// Name and bytes of a file.
@@ -30,7 +30,7 @@ pub(crate) fn write(folder: &Path, files: &[NamedBytes]) -> Result<(), Failed> {
         done
     });
     if done.is_err() {
-        // Only folders that this export made, and only while they are empty.
+        // Removes only folders that this export created, and only if they are empty.
         for folder in made.iter().rev() {
             let _ = fs::remove_dir(folder);
         }
@@ -83,11 +83,11 @@ fn lock(folder: &Path) -> Result<fs::File, Failed> {
 struct Change<'f> {
     folder: &'f Path,
     files: &'f [NamedBytes<'f>],
-    /// Files that were written under their temporary names, from the first on.
+    /// Number of files written under their temporary names, counted from the first.
     temporary: usize,
-    /// Files that were in the way, by index: they are kept under other temporary names.
+    /// Indices of files that already existed; they are kept under other temporary names.
     kept: Vec<usize>,
-    /// Files that are in their places, by index.
+    /// Indices of files that have their final names.
     placed: Vec<usize>,
 }
 
@@ -124,7 +124,7 @@ impl Change<'_> {
             self.placed.push(at);
         }
         for at in &self.kept {
-            // The export is whole; a file that does not go away is no reason to take it back.
+            // The export is complete; an old file that cannot be removed is no reason to undo it.
             let _ = fs::remove_file(self.hidden(*at, "old"));
         }
         Ok(())

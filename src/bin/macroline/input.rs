@@ -30,7 +30,7 @@ fn name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// A file of text in UTF-8 or UTF-16, read by a function that returns its findings.
+/// Reads a JSON file in UTF-8 or UTF-16; `from` turns its text into a value and findings.
 fn json<T>(path: &Path, from: impl Fn(&str) -> (Option<T>, Vec<Diagnostic>)) -> Result<FileRead<T>, Failure> {
     let decoded = read(path)?;
     let (made, list) = if let Some(other) = &decoded.other {
@@ -48,7 +48,7 @@ fn json<T>(path: &Path, from: impl Fn(&str) -> (Option<T>, Vec<Diagnostic>)) -> 
     Ok((made, FileFindings { sources: Sources { files, names: Vec::new(), read: vec![decoded] }, list }))
 }
 
-/// A project file; no project where its findings say why.
+/// Reads a project file; without a project if its findings are errors.
 pub(crate) fn project(path: &Path) -> Result<FileRead<Project>, Failure> {
     json(path, |text| {
         let loaded = Project::from_json(text);

@@ -1,7 +1,7 @@
 //! The language of the command line's texts: known before clap reads the arguments, because clap's help and errors are texts too.
 //!
-//! clap writes its help and its errors in English. Another language has the texts of its help by their English in its catalog, and a sentence for
-//! each kind of error.
+//! clap writes its help and its errors in English. The catalog of another language has the English texts of the help as keys, and a
+//! sentence for each kind of error.
 
 use std::ffi::OsString;
 use std::io;
@@ -58,7 +58,7 @@ fn chosen(arguments: impl Iterator<Item = OsString>) -> Option<Language> {
     Language::of_code(&code)
 }
 
-/// The language of the system's texts; English where there is no file of it.
+/// The language of the operating system; English if there is no catalog of it.
 fn of_system() -> Language {
     of_locale(&sys_locale::get_locale().unwrap_or_default()).unwrap_or(Language::English)
 }
@@ -85,7 +85,7 @@ fn translated(mut command: Command) -> Command {
     command_in_words(command)
 }
 
-/// A text of the help by its English.
+/// Translation of a text of the help, by its English text.
 fn help_words(english: impl ToString) -> &'static str {
     words(english.to_string().leak())
 }
@@ -95,7 +95,7 @@ fn without_heading(usage: &str) -> &str {
     usage.trim().trim_start_matches("Usage:").trim_start()
 }
 
-/// Puts the texts of a command, its arguments and its subcommands in the chosen language.
+/// Translates the texts of a command, its arguments and its subcommands.
 fn command_in_words(mut command: Command) -> Command {
     let usage = command.render_usage().to_string();
     let usage = ["[OPTIONS]", "<COMMAND>", "[COMMAND]"]
@@ -120,7 +120,7 @@ fn command_in_words(mut command: Command) -> Command {
     command.override_usage(usage).help_template(template)
 }
 
-/// An argument with its help, which also tells its default and its possible values.
+/// An argument with translated help, to which its default and its possible values are added.
 fn argument_in_words(argument: Arg) -> Arg {
     let mut told = match argument.get_id().as_str() {
         "help" => words("Print help").to_owned(),

@@ -1,4 +1,4 @@
-//! The command line: the same door as the page, for engineers and for tests.
+//! The command line, for engineers and for tests; it uses the same interface of `project` as the page.
 //!
 //! Exit status: 0, 1 when there is an error, 2 for wrong usage. Diagnostics go to standard error as text, or into the JSON.
 

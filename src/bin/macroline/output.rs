@@ -1,4 +1,4 @@
-//! Everything that the command line prints: text without characters that a terminal obeys, JSON as data.
+//! Output of the command line: text without characters that a terminal interprets, and JSON as data.
 
 use std::io::{self, BufWriter, StdoutLock, Write};
 use std::process::ExitCode;
@@ -14,7 +14,7 @@ use serde_json::{Value as Json, json};
 
 use crate::args::Format;
 
-/// Why a command ends before its end.
+/// Reason why a command stops early.
 pub(crate) enum Failure {
     /// Wrong usage: exit 2.
     Usage(String),
@@ -22,16 +22,16 @@ pub(crate) enum Failure {
     Outside(String),
     /// Errors have been printed: exit 1.
     Told,
-    /// A run that its budget of blocks or seconds ended, as is printed: exit 3.
+    /// The budget of blocks or seconds ended the run, which is already reported: exit 3.
     Exhausted,
-    /// A run that waits for the operator, as is printed: exit 4.
+    /// The run waits for the operator, which is already reported: exit 4.
     Waits,
-    /// The reader of the output has gone away: a quiet end.
+    /// The reader of the output has closed it: end without a message.
     Closed,
 }
 
 impl Failure {
-    /// Wrong usage, as a sentence tells it.
+    /// Wrong usage, with this message.
     pub(crate) fn usage(message: &Message) -> Failure {
         Failure::Usage(sentence(message))
     }
@@ -103,7 +103,7 @@ pub(crate) fn print_json(json: &Json) -> Result<(), Failure> {
     out.flush()
 }
 
-/// Fails where there is an error.
+/// Fails if one of the diagnostics is an error.
 pub(crate) fn verdict(all: &[FileFindings]) -> Result<(), Failure> {
     if has_errors(all) { Err(Failure::Told) } else { Ok(()) }
 }
@@ -135,7 +135,7 @@ pub(crate) fn refuse(all: &[FileFindings], format: impl Into<Format>) -> Failure
     print_diagnostics(format.into(), all).err().unwrap_or(Failure::Told)
 }
 
-/// Prints why a request is not carried out.
+/// Prints the reason for which a request is refused.
 pub(crate) fn refused(why: Refused, format: impl Into<Format>) -> Failure {
     match why {
         Refused::Choice(message) => Failure::usage(&message),

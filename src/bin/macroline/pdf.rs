@@ -1,4 +1,4 @@
-//! The report as PDF, printed by an installed browser: the paper is the one that the page prints.
+//! The report as PDF, printed by an installed browser: on the same paper size that the page uses.
 
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
@@ -31,7 +31,7 @@ const BROWSERS: [&str; 10] = [
     r"C:\Program Files (x86)\Microsoft\Edge\Application\msedge.exe",
 ];
 
-/// A report takes about two seconds; a browser that waits for something would wait for ever.
+/// Time limit for the browser. A report takes about two seconds; a browser that hangs would otherwise block for ever.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// Prints an HTML document without links to other files. `browser` is a program; without it the first one installed.

@@ -30,7 +30,7 @@ fn ready(args: &RunArgs, keep: Retention, json: bool) -> Result<ReadyRun, Failur
     request.ready().map_err(|why| refused(why, json))
 }
 
-/// Runs to the end; prints the log where it is `wanted`.
+/// Runs to the end; prints the log if it is requested.
 pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> Result<(), Failure> {
     let ready = ready(args, Retention::Log, json)?;
     let mut out = Printer::new();

@@ -43,8 +43,8 @@ pub const FIELD_BUS: [DriveSystem; 2] = DriveSystem::auxiliary(["ctrlX MC20", "c
 pub const INVERTERS: [DriveSystem; 3] =
     DriveSystem::axes(["FREQROL-E800 3AC 200 V", "FREQROL-E800 3AC 400 V", "FREQROL-E800 1AC 200 V"], JUDGED);
 
-/// Induction motors behind an inverter.
+/// Induction motors on an inverter.
 pub const INDUCTION: [DriveSystem; 3] = DriveSystem::axes(["MT3 IE3 2-pole", "MT3 IE3 4-pole", "IE3 4-pole"], JUDGED);
 
-/// Drive systems for an analog spindle: inverters, and induction motors behind them.
+/// Drive systems for an analog spindle: inverters, and induction motors fed by them.
 pub const ANALOG_SPINDLE: &[DriveSystem] = joined![DriveSystem: &INVERTERS, &INDUCTION];

@@ -1,4 +1,4 @@
-//! Rows of the 0i-MF: rows of FANUC mills; those known only from memory are under its own citation.
+//! Rows of the 0i-MF: rows of FANUC mills. Rows known only from memory have a citation of their own.
 
 use crate::controls::base::fanuc;
 use crate::controls::options::*;

@@ -8,7 +8,7 @@ use crate::text::{Citation, Grade};
 
 const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40: parameter #1078", Grade::Sister);
 
-/// Decimal points behind variables in the paper's listing, which the control cannot read for other reasons too.
+/// Decimal points after variables in the paper's listing, which the control cannot read for other reasons too.
 const LISTING: Citation = Citation::new("ribbon dot-printing paper, E60, against MELDAS usage", Grade::Open);
 
 /// Functions introduced with the M700; the E60 is assumed to lack them.

@@ -95,7 +95,7 @@ pub enum Alarm {
     NoNumber,
     /// More digits than the address allows.
     Digits,
-    /// A decimal point behind an address that allows none.
+    /// A decimal point after an address that allows none.
     PointNotAllowed,
     /// The same address twice in a block.
     AddressTwice,
@@ -181,7 +181,7 @@ pub enum Alarm {
     SpeedLimitRange,
     /// A thread without a lead.
     NoLead,
-    /// The lead of a thread behind the address of another axis.
+    /// The lead of a thread is given by the address of another axis.
     LeadAxis,
     /// The shortest way to an angle (DC) for a linear axis. Only some controls have this alarm.
     ShortestWay,

@@ -56,7 +56,7 @@ pub(crate) struct ReadingRules {
     pub(crate) digits: usize,
     /// GOTOF and GOTOB take block numbers.
     pub(crate) number_jumps: bool,
-    /// A point behind a variable is ignored, not an alarm.
+    /// A point after a variable is ignored, not an alarm.
     pub(crate) variable_point: bool,
     /// A block may hold several assignments.
     pub(crate) assignments: bool,
@@ -64,7 +64,7 @@ pub(crate) struct ReadingRules {
     pub(crate) if_then: bool,
     /// `MOD` is read, not an alarm.
     pub(crate) modulo: bool,
-    /// A formula behind an address needs brackets.
+    /// A formula after an address needs brackets.
     pub(crate) enclosed: bool,
     /// Ranges of fitted common variables; empty if all are fitted.
     pub(crate) fitted: &'static [(u32, u32)],

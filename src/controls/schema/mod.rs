@@ -1,4 +1,4 @@
-//! The types of the tables: what a control can state about itself, each row with source and grade.
+//! The types of the tables: the facts that describe a control, each row with source and grade.
 
 pub mod table;
 

@@ -156,17 +156,17 @@ switches! {
         argument_point: ArgumentPoint = "argument-point" { AsWritten = "as-written", Increments = "increments" }
         /// Unit of a value that a program writes to a tool or work offset.
         offset_values: OffsetValues = "offset-values" { AsWritten = "as-written", Increments = "increments" }
-        /// Reading of a decimal point behind a variable, `X#107.`.
+        /// Reading of a decimal point after a variable, `X#107.`.
         point_behind_variable: PointBehindVariable = "point-behind-variable" { Alarm = "alarm", Ignored = "ignored" }
         /// Maximum assignments in a block.
         assignments: Assignments = "assignments" { One = "one", Several = "several" }
-        /// Brackets around a formula behind an address, `X#100+10`.
+        /// Brackets around a formula after an address, `X#100+10`.
         word_formula: WordFormula = "word-formula" { AsIs = "as-is", InBrackets = "in-brackets" }
         /// Whether `IF [ ] THEN` is read.
         if_then: IfThen = "if-then" { Alarm = "alarm", Read = "read" }
         /// Whether `MOD` is read.
         modulo: Modulo = "modulo" { Alarm = "alarm", Read = "read" }
-        /// Rounding step of `ROUND` behind an address, `X[ROUND[#1]]`.
+        /// Rounding step of `ROUND` after an address, `X[ROUND[#1]]`.
         round_in_word: RoundInWord = "round-in-word" { WholeNumber = "whole-number", AddressStep = "address-step" }
         /// Maximum digits of a number.
         number_digits: NumberDigits = "number-digits" { Twelve = "12", Eight = "8" }

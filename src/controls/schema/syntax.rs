@@ -19,7 +19,7 @@ pub enum ArcTangent {
     OfOne,
     /// Two: `ATAN[y]/[x]`.
     OfTwo,
-    /// One or two: `ATAN[y/x]`, `ATAN[y]/[x]`, `ATAN[y,x]`.
+    /// One or two numbers: `ATAN[y/x]`, `ATAN[y]/[x]`, `ATAN[y,x]`.
     OfOneOrTwo,
 }
 
@@ -74,7 +74,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Index in [`Names::codes`] of a name in capitals; the number behind a cycle name is ignored.
+    /// Index in [`Names::codes`] of a name in capitals; the number at the end of a cycle name is ignored.
     pub fn code(&self, name: &str) -> Option<usize> {
         let family = name.trim_end_matches(|c: char| c.is_ascii_digit());
         let name = if family == self.cycle && family.len() < name.len() { family } else { name };
@@ -147,13 +147,13 @@ pub struct Syntax {
     pub addresses: AddressSet,
     /// Addresses of integer words.
     pub integer_addresses: AddressSet,
-    /// A decimal point behind an integer address is an alarm; otherwise the decimals are dropped.
+    /// A decimal point after an integer address is an alarm; otherwise the decimals are dropped.
     pub point_alarm: bool,
     /// Addresses whose words without a decimal point count increments.
     pub increment_addresses: AddressSet,
     /// Addresses that insert a corner after a straight line or an arc, with the kind of corner. The simulation ignores them.
     pub corners: &'static [(Address, &'static str)],
-    /// Addresses allowed behind a comma; the simulation ignores them.
+    /// Addresses allowed after a comma; the simulation ignores them.
     pub comma_addresses: AddressSet,
     /// Extension of a program file, without the dot.
     pub extension: &'static str,

@@ -1,4 +1,4 @@
-//! Ranges of variables: what they hold, how long, and who may write them.
+//! Ranges of variables: contents, lifetime, and write access.
 
 use super::table::{Key, digits, range_ends};
 use super::{Address, Group};
@@ -124,7 +124,7 @@ pub struct VarRange {
     pub last: u32,
     /// Meaning of the range.
     pub kind: VarKind,
-    /// PLC device behind the first variable, for instance `R74`, or empty.
+    /// PLC device that the first variable reads or writes, for instance `R74`; empty for none.
     pub device: &'static str,
     /// Short description.
     pub text: Phrase,

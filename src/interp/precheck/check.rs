@@ -43,7 +43,7 @@ impl World for Listener<'_> {
 /// State of the check, block by block.
 pub(super) struct Precheck<'a> {
     pub(super) cx: BlockContext<'a>,
-    /// Warnings recorded since the last take.
+    /// Warnings recorded since they were last taken.
     pub(super) heard: &'a RefCell<Vec<Diagnostic>>,
     /// State of a run that reads blocks in the order of the text without executing them.
     pub(super) state: RunState,

@@ -14,7 +14,7 @@ fn matters(row: &CodeDef) -> bool {
         || matches!(row.code, FeedPerMinute | FeedPerRevolution | Inch | Metric | SurfaceSpeed | SurfaceSpeedOff)
 }
 
-/// The part of a modal state that [`matters`].
+/// The part of a modal state that changes the meaning of words; see [`matters`].
 fn key(modal: &Modal) -> ([bool; 5], u8) {
     let words = match modal.motion {
         _ if modal.unmoved.any() => 0,

@@ -12,7 +12,7 @@ use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 /// Alarms of executing a block of words that do not depend on the run.
 const ACTS: [Alarm; 15] = [
-    // Sequence number behind H; P of a return is a block number of the calling program.
+    // Sequence number in H; P of a return is a block number of the calling program.
     Alarm::NoSequence,
     // Only with a constant P.
     Alarm::JumpNumber,

@@ -86,7 +86,7 @@ pub const fn flag<P>(id: &'static str, (get, set): Member<P, bool>) -> Field<P> 
     Field::new(id, FieldKind::Flag { default: false, get, set })
 }
 
-/// One of a few options.
+/// A choice between options.
 pub const fn choice<P>(id: &'static str, (options, (get, set)): ChoiceMember<P>) -> Field<P> {
     Field::new(id, FieldKind::Choice { options, get, set })
 }
@@ -141,7 +141,7 @@ impl<P> Field<P> {
         self
     }
 
-    /// One of the few that define the product: shown first, always kept in a program's header.
+    /// Marks a field that defines the product: shown first, and always in a program's header.
     pub const fn essential(mut self) -> Field<P> {
         self.essential = true;
         self

@@ -16,7 +16,7 @@ impl FieldInfo {
         }
     }
 
-    /// Unit that is shown; empty for what has none.
+    /// Unit that is shown; empty for a field without unit.
     pub fn unit(&self) -> &'static str {
         units::unit(self.metric().0)
     }

@@ -6,16 +6,16 @@ use crate::controls::SpindleRules;
 use crate::controls::interface::SignalRole;
 use crate::machines::stops::{Interruption, SpindleReaction};
 
-/// The program is begun and not at its end.
+/// A program has started and has not ended.
 pub const STARTED: Bit = Bit::Relay("started");
 /// A program has started and is not running: hold, M00, alarm.
 pub const INTERRUPTED: Bit = Bit::Relay("interrupted");
 /// M, S or T has to wait.
 pub const BUSY: Bit = Bit::Relay("busy");
-/// One scan behind the end of the program.
+/// On for one scan after the end of the program.
 const ENDED: Bit = Bit::Relay("ended");
 
-/// A machine's wishes for its spindle.
+/// Requirements of a machine for its spindle.
 #[derive(Clone, Copy)]
 pub struct SpindleWishes<'a> {
     /// Reaction of the spindle to each interruption.
@@ -48,14 +48,14 @@ impl Book<'_> {
         );
     }
 
-    /// Begun program and interruption.
+    /// Relays for a started program and for its interruption.
     pub fn program_state(&mut self) {
         let reset = self.reset();
         let (running, idle) = (Bit::Signal(SignalRole::Running), Bit::Signal(SignalRole::Idle));
         let over = if self.has(SignalRole::Idle) {
             off(idle)
         } else {
-            // M30 falls before "running" does, which would start the latch again.
+            // M30 goes off before "running" does; without this relay "running" would set the latch again.
             let (ending, end) = (Bit::Relay("ending"), Bit::Signal(SignalRole::ProgramEnd));
             self.coil(ending, vec![vec![on(end)], vec![on(ending), on(running)]], "plc.rung.ending");
             off(ending)
@@ -83,7 +83,7 @@ impl Book<'_> {
         let enabled = Bit::Input(MachineContact::InverterEnabled);
         let has_enable = wishes.holds.contains(&MachineContact::InverterEnabled);
         let mut fault = vec![vec![off(ready)]];
-        // Cycle start after a mere hold would move the axes without the spindle.
+        // If the lost enable only held the program, cycle start would move the axes without the spindle.
         fault.extend(has_enable.then(|| vec![off(enabled), on(STARTED)]));
         self.coil(Bit::Output(MachineOutput::InverterAlarm), fault, "plc.rung.inverter-alarm");
         self.hold_program(ready, wishes.holds);

@@ -181,7 +181,7 @@ pub enum RungAction {
     },
 }
 
-/// M functions that one decoding instruction tells apart.
+/// Number of M functions that one decoding instruction distinguishes.
 pub const DECODED: u32 = 8;
 
 /// A rung.

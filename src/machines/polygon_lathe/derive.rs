@@ -87,8 +87,9 @@ impl Params {
         (0.5 * (self.stock_diameter - self.across_flats) - self.allowance).max(0.0)
     }
 
-    /// How far the tips go into the stock, mm: `(stock - AF) / 2`. The body of the cutter, `h` behind the tips, touches stock beside the polygon
-    /// where that is more than `h`. Source: mechanics, with the distance of the axes a = AF/2 + r and a body of the radius r - h.
+    /// How far the tips go into the stock, mm: `(stock - AF) / 2`. The body of the cutter, `h` behind the tips, touches stock beside the
+    /// polygon if this reach is more than `h`. Source: mechanics, with the distance of the axes a = AF/2 + r and a body of the radius r -
+    /// h.
     fn reach(&self) -> f64 {
         (0.5 * (self.stock_diameter - self.across_flats)).max(0.0)
     }
@@ -135,7 +136,7 @@ impl Params {
     }
 
     /// Phase of the tool ahead of the work at speed, degrees of the tool: `6 n_tool · ((τ_w/2 + 1/K_w) - (τ_t/2 + 1/K_t))`, with time
-    /// constants τ [s] and gains K [1/s] of work and tool. Source: servo lag behind linear acceleration.
+    /// constants τ [s] and gains K [1/s] of work and tool. Source: servo lag after linear acceleration.
     pub(super) fn phase(&self) -> f64 {
         let lag = |ms: f64, gain: f64| 0.5 * ms / 1000.0 + 1.0 / gain;
         let early = lag(self.work_time_constant, self.work_gain) - lag(self.tool_time_constant, self.tool_gain);

@@ -24,7 +24,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
         let rated = drive.motor.torque(0.0) / (gear * efficiency);
         let at_motor = |asked| through_gear(lathe.demand(spindle, asked).0, gear, efficiency);
         let (mean, peak) = (at_motor(Asked::Mean), at_motor(Asked::Peak));
-        // The form has torque and inertia behind the gear, with the rotor; its torque has the losses of the gear already.
+        // The form has torque and inertia at the output of the gear, rotor included; its torque already includes the losses of the gear.
         let motor = Servo {
             rated,
             stall: rated,

@@ -52,7 +52,7 @@ fn errors_of(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     found
 }
 
-/// Greatest speed of the spindle that turns the bar, r/min: that of the control's bench, for the form says nothing of it.
+/// Greatest speed of the spindle that turns the bar, r/min: the speed of the control's test bench, because the form has no field for it.
 fn spindle_top(lathe: &PolygonLathe) -> f64 {
     lathe.control.bench.speed_clamp
 }

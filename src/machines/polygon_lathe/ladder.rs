@@ -1,7 +1,8 @@
 //! The PMC program of the paper's figure 5, reconstructed from the signals in its text; the picture is lost.
 //!
-//! The paper names channels and their signals, but not the instructions that turn an axis to an angle or at a speed. Those are a named block
-//! (`AXIS6`, `AXIS7`: tool and work) with its interface: the rungs ask it, and read whether it is done or stands.
+//! The paper names channels and their signals, but not the instructions that turn an axis to an angle or at a speed. Those are a named
+//! block (`AXIS6`, `AXIS7`: tool and work) with its interface: the rungs request a motion, and read whether it is finished or the axis is
+//! at rest.
 
 use super::program::{
     AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,

@@ -98,7 +98,7 @@ impl Params {
         all
     }
 
-    /// A spindle with its motor behind the gear of its axis.
+    /// A spindle, driven by its motor through the gear of its axis.
     pub(super) fn drive(&self, spindle: Spindle) -> SpindleDrive {
         let (kilowatts, base, ratio, speed) = match spindle {
             Spindle::Work => {

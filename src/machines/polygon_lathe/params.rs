@@ -28,9 +28,9 @@ options! {
 options! {
     /// Drives of work and tool at emergency stop.
     pub(crate) enum Emergency {
-        /// They stay on until both are at rest.
+        /// The drives stay on until work and tool are at rest.
         Held = "held" "polygon.emergency.held",
-        /// They are off at once.
+        /// The drives are switched off at once.
         Off = "off" "polygon.emergency.off",
     }
 }
@@ -51,7 +51,7 @@ pub(crate) struct Further {
     pub work_start: f64,
     pub tool_start: f64,
     pub tool: f64,
-    /// 0: that of the first polygon's cutter.
+    /// 0: the tip radius of the first polygon's cutter.
     pub tip_radius: f64,
 }
 
@@ -250,7 +250,7 @@ impl Params {
         self.has_third(control) && self.further[1].shape == Shape::Own
     }
 
-    /// A polygon begins behind the face.
+    /// A polygon begins at a distance from the face, so that the insert goes down into the stock.
     fn goes_down(&self, _: &Control) -> bool {
         self.is_behind_face() || self.further[0].on
     }

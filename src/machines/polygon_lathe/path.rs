@@ -1,7 +1,8 @@
 //! The way of the cutter through its passes, each motion once: programs and times are made from it.
 //!
-//! No rapid is inside the stock. At the end of the bar a pass begins in front of the face. Behind it the insert goes down into the stock at
-//! feed, from its clearance over the stock, where all of it is behind the near end of the polygon; from the far end it comes out at feed.
+//! No rapid is inside the stock. A polygon at the end of the bar is cut from in front of the face. For a polygon further along the bar the
+//! insert goes down into the stock at feed, from its clearance over the stock, where all of it is beyond the near end of the polygon; from
+//! the far end it comes out at feed.
 
 use super::params::Params;
 use crate::math;
@@ -34,7 +35,7 @@ pub(super) enum PassStep {
 const LONGEST: f64 = 9_999.0;
 
 impl Params {
-    /// The polygon begins behind the face: there is stock on both of its sides.
+    /// The polygon begins at a distance from the face: there is stock at both of its ends.
     pub(super) fn is_behind_face(&self) -> bool {
         self.from_face > 0.0
     }
@@ -56,7 +57,7 @@ impl Params {
         jaws && self.start_x >= self.clear_diameter() && self.start_z >= self.clearance
     }
 
-    /// Z position (mm) at which a pass goes to its depth: in front of the face, or with the insert's far edge its width behind the near
+    /// Z position (mm) at which a pass goes to its depth: in front of the face, or with the insert's far edge its width beyond the near
     /// end.
     pub(super) fn approach(&self) -> f64 {
         if self.is_behind_face() { -self.from_face - self.insert_width } else { self.clearance }

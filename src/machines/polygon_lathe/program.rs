@@ -148,7 +148,7 @@ pub(super) fn slot(lathe: &PolygonLathe, slot: &Slot) -> Vec<(Vec<NewWord>, &'st
     all
 }
 
-/// Writes the blocks of a slot, with the checks behind each tool.
+/// Writes the blocks of a slot, with the checks after each tool change.
 fn write_slot(b: &mut Builder, lathe: &PolygonLathe, at: usize, place: Option<(u32, u32)>) {
     let Some(slot) = lathe.p.slots.get(at).filter(|slot| slot.on) else { return };
     for (words, note) in self::slot(lathe, slot) {
@@ -163,7 +163,7 @@ fn write_slot(b: &mut Builder, lathe: &PolygonLathe, at: usize, place: Option<(u
     }
 }
 
-/// O3000.
+/// Writes O3000, which turns the part.
 fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let p = &lathe.p;
     let [on, off] = codes(lathe).map(|code| code.unwrap_or(0));

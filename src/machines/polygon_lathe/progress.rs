@@ -1,8 +1,8 @@
 //! Progress of the part: passes done, position of the present one, and the outline of the stock at its face.
 //!
-//! Holds for any program: a pass is the slide in the stock, behind its face and within its diameter. The outline is cut again for every
-//! frame from the angles of the two axes at the start of the pass, so that a phase error or a wrong start angle shows. It is a polar grid,
-//! for the eye; measured values come from the exact section.
+//! Holds for any program: a pass is a stay of the slide in the stock, beyond its face and within its diameter. The outline is cut again for
+//! every frame from the angles of the two axes at the start of the pass, so that a phase error or a wrong start angle shows. It is a polar
+//! grid, for the eye; measured values come from the exact section.
 
 use super::program;
 use super::resolved::{PolygonLathe, TOOL, WORK};
@@ -92,14 +92,14 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
     progress
 }
 
-/// When the slide is in the stock with the tool turning: from when to when, up to a time.
+/// Spans (s) up to a time in which the slide is in the stock with the tool turning.
 pub(super) fn cuts(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<(f64, f64)> {
     let visits = run.visits([(lathe.cross(), 0.5 * lathe.p.stock_diameter), (lathe.along(), 0.0)], until);
     let of_tool = visits.iter().filter(|visit| run.at(visit.begin).pmc[TOOL].feed != 0.0);
     of_tool.map(|visit| (visit.begin, visit.end)).collect()
 }
 
-/// The polygon that is being turned, from 0: that of the newest pass, or a later one as soon as the program has begun with it.
+/// Index (from 0) of the polygon being turned: the polygon of the newest pass, or the next one as soon as the program has begun with it.
 pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, progress: &Progress) -> usize {
     let holds = |lathe: &PolygonLathe, at: f64| (lathe.p.from_face..=lathe.p.far_end()).contains(&at);
     let cut = progress.now().and_then(|pass| lathe.polygons().position(|lathe| holds(lathe, pass.middle())));

@@ -1,4 +1,4 @@
-//! The results of all polygons of a part: all of the first, and of each other one those that are its own.
+//! Results of all polygons of a part: all results of the first polygon, and the results of each other one that are not shared.
 
 use super::further::field;
 use super::readouts::ROWS;
@@ -35,10 +35,10 @@ pub(super) fn ids(at: usize) -> Vec<&'static str> {
     RESULTS.iter().filter_map(|(_, others)| others.get(at)).map(|(id, _)| *id).collect()
 }
 
-/// The result that becomes an angle to the first polygon.
+/// The result that, for a further polygon, is its angle to the first polygon.
 const ANGLE: &str = "orientation";
 
-/// An advice about the first polygon as one about another: the form carries it out where all fields have their like there.
+/// Rewrites an advice about the first polygon for another one. The form can carry it out if every field has a counterpart there.
 fn advice(advice: Advice, at: usize) -> Advice {
     let sets: Option<Vec<(&'static str, String)>> =
         advice.sets.iter().map(|(id, text)| Some((field(id, at)?, text.clone()))).collect();

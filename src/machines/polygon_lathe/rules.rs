@@ -137,7 +137,7 @@ enum Fault {
     Hollow,
 }
 
-/// The fact of a fault, with the remedy at the first fault: one choice of cutter mends them all.
+/// The fact of a fault, with the remedy at the first fault: one choice of cutter corrects all of them.
 fn mended(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
     let PolygonLathe { p, d, .. } = lathe;
     let mut advice = vec![Advice::from(fact)];
@@ -195,7 +195,7 @@ fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
     )
 }
 
-/// Hollow sides. They can be crowned in their middle all the same: then the curvature is no reason.
+/// Hollow sides. Sides may be hollow although their middle is crowned; then the curvature is not the cause.
 fn hollow(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let limit = (d.curvature < 0.0).then_some(AtLeast(0.0));
@@ -391,7 +391,7 @@ fn insert_turn(lathe: &PolygonLathe) -> Option<Judgement> {
     }
 }
 
-/// The code has no word for a lead.
+/// The twist cannot be corrected by the program: the code has no word for a lead.
 fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     if p.lead == 0.0 {

@@ -74,10 +74,10 @@ impl Slot {
         if self.pitch > 0.0 { (1..=cuts).flat_map(one).collect() } else { Vec::new() }
     }
 
-    /// Way (mm) in front of the thread in which the slide comes from rest within the share a of its speed V = S P / 60 [mm/s], behind linear
-    /// acceleration over τ [s] and a position loop of gain K [1/s]: `t = τ + ln((1 - e^(-Kτ)) / (Kτ a)) / K`,
-    /// `δ = V (t - τ/2 - (1 - a) / K)`. On a ramp so long that the lag is below a on it: `t = τ (1 - a) + 1/K`,
-    /// `δ = V (t²/2 - t/K + 1/K²) / τ`. Source: polygon turning facts 3.10.
+    /// Way (mm) in front of the thread in which the slide comes from rest within the share a of its speed V = S P / 60 [mm/s], after linear
+    /// acceleration over τ [s] and a position loop of gain K [1/s]: `t = τ + ln((1 - e^(-Kτ)) / (Kτ a)) / K`, `δ = V (t - τ/2 - (1 - a) /
+    /// K)`. On a ramp so long that the lag is below a on it: `t = τ (1 - a) + 1/K`, `δ = V (t²/2 - t/K + 1/K²) / τ`. Source: polygon
+    /// turning facts 3.10.
     pub(super) fn run_in(&self, p: &Params) -> f64 {
         let (ramp, gain, speed) = (p.time_constant / 1000.0, p.position_gain, self.speed * self.pitch / 60.0);
         // Share of the speed that is missing at the end of the ramp.

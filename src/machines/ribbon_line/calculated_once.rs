@@ -4,7 +4,7 @@ use super::params::{Params, Variant};
 use crate::msg;
 use crate::view::Advice;
 
-/// An advice to calculate the published listing before its loop, where its passes are in time then: by the milliseconds that they need.
+/// An advice to calculate the published listing before its loop, if its passes then take no longer than the control has time for.
 pub(super) fn calculated_once(p: &Params, in_time: impl Fn(f64) -> bool) -> Option<Advice> {
     let needed = Params { variant: Variant::Precomputed, ..p.clone() }.pass_needed() * 1000.0;
     let advice = Advice::from(msg!("ribbon.precomputed-in-time", needed = (needed, 1)));

@@ -89,7 +89,7 @@ impl Cam {
         self.axis.load.accelerating(self.axis.motor.rotor, self.turn, 1.0)
     }
 
-    /// Fastest surface speed, m/s: that of the contact, or that of the correction.
+    /// Fastest surface speed, m/s: in the contact or in the correction, whichever is greater.
     fn fastest(&self) -> f64 {
         self.correction.speed.max(self.correction.peak_speed(self.law).abs())
     }
@@ -104,7 +104,8 @@ impl Cam {
         self.inertia() * self.correction.peak_acceleration(self.law) + self.axis.load.torque
     }
 
-    /// The most that a start takes whose ramp ends in a correction, Nm: both accelerations add up, `a + v_max / τ`. Source: sizing facts 3.3.
+    /// Greatest torque of a start whose ramp ends in a correction, Nm: both accelerations add up, `a + v_max / τ`. Source: sizing facts
+    /// 3.3.
     pub(super) fn start_torque(&self) -> f64 {
         self.peak_torque() + self.inertia() * self.fastest() / self.axis.ramp
     }
@@ -144,7 +145,7 @@ impl Cam {
         60e3 * holds
     }
 
-    /// Torque that the greatest one leaves a motor up to its rated speed for accelerations, over inertia: m/s² of the roller's surface.
+    /// Acceleration of the roller's surface, m/s², by the peak torque that the steady torque leaves up to rated speed, over inertia.
     fn left(&self) -> f64 {
         let most = self.axis.limits.peak * self.axis.motor.peak;
         (most - self.axis.load.torque).max(0.0) / self.inertia()
@@ -214,7 +215,7 @@ impl Cam {
         block::response(period, self.time_constant, self.position_gain)
     }
 
-    /// Smear that is left with short blocks, mm: that of the constant ratio, less the share of the correction that the axis follows.
+    /// Remaining smear with short blocks, mm: the smear of the constant ratio, less the share of the correction that the axis follows.
     /// Source: sizing facts 3.5.
     pub(super) fn smear_of_blocks(&self) -> f64 {
         (1.0 - self.followed()) * self.smear
@@ -227,7 +228,7 @@ const CAM: Citation = Citation::new("sizing facts 3.3", Grade::Inferred);
 /// Source of the rules of short blocks.
 const BLOCKS: Citation = Citation::new("sizing facts 3.5", Grade::Inferred);
 
-/// Rows in the order they are shown, behind those of the drives, where a law is chosen.
+/// Rows in the order they are shown, after the rows of the drives; only if a law is chosen.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {

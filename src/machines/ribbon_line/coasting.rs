@@ -47,14 +47,14 @@ fn laid_behind_the_last_move(line: &RibbonLine) -> f64 {
     laid_beside(line, &line.fast, (rest, stop), lag)
 }
 
-/// The end of a product with the knob at its end: exact stops have all of it in the time of a block.
+/// The end of a product with the knob at its end. All values are 0 with exact stops, whose block time includes them.
 #[derive(Default)]
 struct EndOfMove {
     /// Time (s) in which both axes come to rest.
     rest: f64,
     /// Time (s) in which X stops.
     stop: f64,
-    /// Lag (mm) of X before.
+    /// Lag (mm) of X before the stop.
     lag: f64,
 }
 

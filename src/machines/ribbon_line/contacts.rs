@@ -73,8 +73,9 @@ impl RibbonContacts {
         BY_MOVERS.into_iter().zip(self.closed)
     }
 
-    /// Reads the contacts at `t` (s); returns the time (s) within which no further limit is reached. At a cycle start the operator has done as the
-    /// table of stops says: a new product begins with a loop that is taken up and a full reel, and a reel at its end is replaced.
+    /// Reads the contacts at `t` (s); returns the time (s) within which no further limit is reached. At a cycle start the operator is
+    /// assumed to have acted as in the table of stops: a new product begins with a loop that is taken up and a full reel, and a reel at its
+    /// end is replaced.
     pub(super) fn read(&mut self, t: f64, program: ProgramState, machine: &Timeline) -> f64 {
         let unwound = self.per_turn * machine.turns(t);
         let laid = unwound - machine.actual(self.pull, t);

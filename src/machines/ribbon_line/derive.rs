@@ -1,6 +1,6 @@
 //! The formulas of the ribbon line, each once: results that need no run.
 //!
-//! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
+//! Lengths in mm, speeds in mm/min unless noted otherwise, times in seconds. The equations (1) to (4) are the paper's.
 
 use super::params::{FeedForm, Job, KnobUse, Params, PathMode, PiForm, Rest, Variant, Wait, YUnit};
 use crate::controls::AnalogOutput;
@@ -43,7 +43,7 @@ pub(super) struct Derived {
     /// Time the control needs for a pass while the knob is turned, s; infinite if it never completes one.
     pub block_needed_turned: f64,
     pub override_delay: f64,
-    /// Share (0 to 1) of its speed that X keeps on the average; exact stops and starved blocks take the rest.
+    /// Mean speed of X as a share (0 to 1) of its programmed speed; exact stops and starved blocks take the rest.
     pub speed_kept: f64,
     /// A block with exact stop.
     pub stop_time: f64,
@@ -210,7 +210,7 @@ impl Params {
         if self.dancer { (0.0, 0.0) } else { (motor.error(speed), loaded.error(speed)) }
     }
 
-    /// Share of its time that the control is left with while the knob is turned at [`KNOB_RATE`], 0 where it has none left:
+    /// Share (0 to 1) of the control's time that remains while the knob is turned at [`KNOB_RATE`]; 0 if none remains:
     /// `1 - rate / step · blocks · macro time`.
     fn share_while_turned(&self) -> f64 {
         let steps = KNOB_RATE / self.knob_step.percent();
@@ -591,7 +591,7 @@ impl Slack {
         }
     }
 
-    /// Capacity (mm) that takes up whatever one product may lay down, with one interruption in it:
+    /// Loop capacity (mm) for all ribbon that one product with one interruption may lay down:
     /// `C ≥ |start| + |run| + |stop| + interruption`. The signs differ, and an operator may interrupt at any moment, so that the sizes
     /// add up. An emergency stop ends the product in the place of the stop, and lays what a hold lays, less than a stop: M5 waits
     /// until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.

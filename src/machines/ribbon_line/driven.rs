@@ -1,5 +1,4 @@
-//! Drives that the ribbon line is sized by: the motors of pull and print roller, the unwinder behind its inverter, and loop and tension of
-//! the web.
+//! Drives that the ribbon line is sized by: motors of pull roller, print roller and unwinder, and loop and tension of the web.
 
 use super::mechanics::{ServoAxis, unwinder_load};
 use super::pose::LineState;
@@ -91,8 +90,8 @@ fn is_geared(ratio: f64) -> bool {
     ratio != 1.0
 }
 
-/// The unwinder's gear unit. The inertia behind it is that of the form, which has the rotor too: more than its teeth are asked, never less. A
-/// ribbon pulled taut drives the press roller forwards, against brake and friction.
+/// The unwinder's gear unit. The inertia at its output is the form's, which includes the rotor, so that the demand on its teeth is
+/// overestimated, never underestimated. A ribbon pulled taut drives the press roller forwards, against brake and friction.
 fn unwinder_gear(line: &RibbonLine) -> FormGear {
     let pulled = line.mechanics.tautest * line.p.press_roller_diameter / 2e3 - line.mechanics.unwound;
     let ratio = line.p.reduction_ratio;
@@ -199,7 +198,7 @@ pub(super) fn stretch(line: &RibbonLine) -> f64 {
     left.max(0.0) * p.web.span / per_strain
 }
 
-/// Tension of the web in N: that of the brake, and with an empty loop that of the length that is missing.
+/// Tension of the web in N: by the brake, and with an empty loop also by the stretch for the missing length.
 fn tension(line: &RibbonLine, now: &Snapshot) -> f64 {
     let (p, slack) = (&line.p, LineState::new(line, now).slack);
     let missing = (-slack).max(0.0) / p.web.span;

@@ -1,5 +1,4 @@
-//! The ladder of the ribbon line: the paper's figure 1 (the knob to override and macro input), the unwinder, its stop with the axes, the
-//! contacts of loop, reel and inverter, and the wait of the axes at the restart.
+//! The ladder of the ribbon line: the knob (the paper's figure 1), the unwinder, its stops and restart, and the contacts that hold the program.
 
 use super::contacts::{CONTACTS, HOLDING};
 use super::derive::FIN_DELAY;
@@ -94,7 +93,7 @@ fn run_up(book: &mut Book) {
     let [m3, m4] = [3, 4].map(|code| book.function(code));
     let (settled, speed) = (Bit::Timer("settled"), Bit::Input(MachineContact::AtSpeed));
     let mut waits = Vec::new();
-    // Not on the wait itself, which would fall with its own timer and begin anew.
+    // The timer does not start on BUSY here: BUSY would drop out with its own timer and start again.
     let mut begun = vec![vec![on(BUSY)]];
     if book.has(SignalRole::Finished) {
         // The codes stay until FIN.
@@ -111,7 +110,7 @@ fn run_up(book: &mut Book) {
     book.timer("settled", FIN_DELAY, begun, "ribbon.ladder.settle");
 }
 
-/// At cycle start after an interruption the unwinder runs up first, and the axes wait for it as they do behind M3.
+/// At cycle start after an interruption the unwinder runs up first, and the axes wait for it as they do after M3.
 fn restart(book: &mut Book, line: &RibbonLine) {
     let reset = book.reset();
     let (waited, speed) = (Bit::Timer("waited"), Bit::Input(MachineContact::AtSpeed));

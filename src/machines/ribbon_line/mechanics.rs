@@ -1,4 +1,4 @@
-//! Mechanics of the ribbon line's drives: the loads at the shafts of their motors, and what start, run and stop of a product ask of them.
+//! Mechanics of the ribbon line's drives: the loads at the shafts of their motors, and the demand of start, run and stop of a product.
 
 use super::derive::Derived;
 use super::params::{Params, PathMode};
@@ -168,7 +168,7 @@ fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Opti
     found.cycle().is_finite().then_some(found)
 }
 
-/// Mean speed in r/min of a repeated move, with the pause behind the run that it is part of.
+/// Mean speed in r/min of a repeated move, including the pause after the run (s) that it is part of.
 fn mean_speed(of: &Move, run: f64, pause: f64) -> f64 {
     let running = of.speed * (of.ramp + of.run) / of.cycle() / RPM;
     running * run / (run + counted_pause(run, pause))

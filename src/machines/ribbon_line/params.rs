@@ -124,7 +124,7 @@ options! {
 options! {
     /// How the program waits for the spindle before the ribbon is pulled.
     pub(crate) enum Wait {
-        /// A dwell behind M3.
+        /// A dwell after M3.
         Dwell = "dwell" "ribbon.wait.dwell",
         /// The PLC answers M3 when the spindle is at speed.
         Fin = "fin" "ribbon.wait.fin",
@@ -148,7 +148,7 @@ options! {
         ReadyMade = "ready-made" "ribbon.variant.ready-made",
         /// The paper's listing with its numbers, corrected.
         Published = "published" "ribbon.variant.published",
-        /// The same, with the listing's calculation before the loop instead of in each pass.
+        /// The corrected listing, with its calculation before the loop instead of in each pass.
         Precomputed = "precomputed" "ribbon.variant.precomputed",
     }
 }

@@ -8,13 +8,13 @@ use crate::controls::Code;
 use crate::machines::writing;
 use crate::nc::build::{Builder, Formula, NewWord, g, real, v};
 
-/// Distance of the nearest head from the ribbon, in heads; where positions are not told, 1 from the start of a product to its end.
+/// Distance of the nearest head from the ribbon, in heads; if the program cannot read positions, 1 from the start of a product to its end.
 pub(super) const PHASE: u32 = 138;
 
 /// Number of the alarm after a product that was broken off.
 pub(super) const ALARM: u32 = 23;
 
-/// Distance (in heads) up to which the first block takes the rest of the phase along; beyond it the roller is turned.
+/// Distance (in heads) up to which the first block also makes up the phase; beyond it the roller is turned first.
 const SMALL: f64 = 0.002;
 
 /// Variable of the print roller's position, if the control has one.
@@ -38,7 +38,7 @@ pub(super) fn check(b: &mut Builder, line: &RibbonLine) {
 /// travel. A product begins here.
 ///
 /// With the position y in heads and its distance `e = y - ROUND(y)` from the nearest head, the way on to the next head is
-/// `ROUND(e + 0.49) - e`: 1 - e behind a head, -e before it.
+/// `ROUND(e + 0.49) - e`: 1 - e if the ribbon is past a head, -e if it is before one.
 pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl FnOnce(Formula) -> NewWord) {
     let axis = line.p.print_axis.address();
     let Some(position) = position(line) else {
@@ -70,7 +70,7 @@ pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
     b.assign(PHASE, 0).note("THE PRODUCT IS WHOLE");
 }
 
-/// The alarm, behind the end of the program.
+/// Writes the alarm after the end of the program.
 pub(super) fn alarm(b: &mut Builder, line: &RibbonLine) {
     if is_told(line) {
         return;

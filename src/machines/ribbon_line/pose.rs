@@ -119,7 +119,7 @@ fn seen(step: f64) -> f64 {
     Frame::seen(step.abs(), SEEN)
 }
 
-/// Rollers below the ribbon turn with the clock, those above against it; a motor turns as its gear says.
+/// Rollers below the ribbon turn clockwise, rollers above it counter-clockwise; a motor turns by its gear ratio.
 fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose: &mut Pose) {
     let p = &line.p;
     let pinch = 1.0 / scene::layout::PINCH;

@@ -140,7 +140,7 @@ fn codes(line: &RibbonLine, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWo
     writing::codes(line.control, wanted)
 }
 
-/// A word that moves an axis by `by`: its incremental address, or its own under G91.
+/// A word that moves an axis by `by`: with the incremental address, or with the axis address under G91.
 fn travel(line: &RibbonLine, axis: usize, by: Formula) -> NewWord {
     let row = line.control.axes.get(axis);
     let own = row.map_or(Address::X, |row| row.letter);
@@ -199,12 +199,12 @@ fn presets(line: &RibbonLine) -> bool {
     line.p.endless == Endless::Shift
 }
 
-/// A head to the ribbon, before the product begins.
+/// Brings a head to the ribbon before the product begins.
 fn to_head(b: &mut Builder, line: &RibbonLine, next: u32) {
     phase::to_head(b, line, next, |by| travel(line, line.print(), by));
 }
 
-/// Here is zero: the coordinates, which only grow, are taken back.
+/// Sets the present position to zero, because the coordinates otherwise only grow.
 fn preset(b: &mut Builder, line: &RibbonLine, number: u32) {
     if !presets(line) {
         return;
@@ -260,7 +260,7 @@ fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
 fn compute(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - COMPUTE");
     writing::guards(b, &entries(line));
-    // Copied before it is used: what changes from here on differs from its copy and is computed again.
+    // Entries are copied before use, so that an entry changed later differs from its copy and is computed again.
     for (at, (watched, copy)) in (20..).zip(WATCHED) {
         b.n(at).assign(copy, v(watched));
     }
@@ -278,7 +278,7 @@ fn compute(b: &mut Builder, line: &RibbonLine) {
     b.n(47).words(codes(line, [Code::SubEnd]));
     writing::alarms(b, line.control, &entries(line));
     feed_alarm(b, line);
-    // Behind the end: read by people, never by a running line.
+    // The header is after the program end: people read it, a running line never does.
     header(b, line);
 }
 
@@ -324,7 +324,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(13).if_goto(v(125).ge(v(128)), 15);
     b.n(14).assign(128, v(125)).note("LAST BLOCK IS SHORTER");
     if is_length(line) {
-        // By the pitch before, of which O9100 has a copy: the length stays when the pitch changes.
+        // Computed with the old pitch, of which O9100 has a copy, so that the length stays when the pitch changes.
         b.n(15).assign(LENGTH_LEFT, v(LEFT) * v(PITCH_COPY) + v(LAST)).note("LENGTH LEFT");
         b.call(COMPUTE, None);
         pitches_left(b, line, v(LENGTH_LEFT));
@@ -338,8 +338,8 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.n(21).goto(15);
     b.n(30).while_do(v(125).ge(v(128)), 2);
-    // One block sees to the knob and three entries, another to the rest: a pass has seven macro blocks, and no block is too long for a screen; this one
-    // without its number.
+    // One block watches the knob and three entries, another one the other entries, so that a pass has seven macro blocks. Each block fits a
+    // screen, this one without its number.
     let (first, second) = WATCHED.split_at(3);
     let with_knob: Vec<_> = core::iter::once((line.input(), KNOB)).chain(first.iter().copied()).collect();
     if line.p.knob_is_locked() {
@@ -366,7 +366,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     length_alarms(b, line);
 }
 
-/// Pitches left of a length, as the rule for its rest has them, and the length of a shorter last one.
+/// Writes the pitches left of a length by the rule for its remainder, and the length of a shorter last pitch.
 fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) {
     let pitches = || length.clone() / v(107);
     let whole = match line.p.rest {
@@ -393,7 +393,7 @@ fn last_pitch(b: &mut Builder, line: &RibbonLine) {
     b.words(move_block(line, pull_words(line, v(LAST))));
 }
 
-/// Alarms about the length, behind the end of the program.
+/// Writes the alarms about the length after the end of the program.
 fn length_alarms(b: &mut Builder, line: &RibbonLine) {
     if !is_length(line) {
         return;
@@ -547,7 +547,7 @@ fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
         b.n(30).while_do(v(LEFT).gt(0), 1);
         b.n(31);
         if is_length(line) {
-            // By the pitch before, of which O9100 has a copy: the length stays when the pitch changes.
+            // Computed with the old pitch, of which O9100 has a copy, so that the length stays when the pitch changes.
             b.assign(LENGTH_LEFT, v(LEFT) * v(PITCH_COPY) + v(LAST)).note("LENGTH LEFT");
             b.call(COMPUTE, None);
             pitches_left(b, line, v(LENGTH_LEFT));

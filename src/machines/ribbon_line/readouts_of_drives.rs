@@ -6,7 +6,7 @@ use crate::drives::web;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
-/// Rows in the order they are shown, behind those of the line.
+/// Rows in the order they are shown, after the rows of the line.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {

@@ -30,11 +30,11 @@ pub(crate) struct RibbonLine {
     pub(super) p: Params,
     /// The results of the formulas.
     pub(super) d: Derived,
-    /// Results of the formulas with the knob at its end; those at standstill if the line stands still.
+    /// Results of the formulas with the override knob at its highest position; the present ones if the line is at rest.
     pub(super) fast: Derived,
-    /// Results of the formulas with the knob at its slow end, where the line still runs there; else the present ones.
+    /// Results of the formulas with the override knob at its lowest position, if the line runs there; otherwise the present ones.
     pub(super) slow: Derived,
-    /// Mechanics of the drives, and the same with the knob at its end.
+    /// Mechanics of the drives, and the same with the knob at its highest position.
     pub(super) mechanics: Mechanics,
     pub(super) fast_mechanics: Mechanics,
     pub(super) control: &'static Control,
@@ -78,7 +78,7 @@ impl RibbonLine {
         over_knob(p, self.dialect.spindle().knob, &self.control.analog_output)
     }
 
-    /// The results at that position of the knob at which one of them is greatest.
+    /// The results at the position of the knob at which the quantity `of` is greatest.
     pub(super) fn worst(&self, of: fn(&Derived) -> f64) -> &Derived {
         [&self.fast, &self.slow]
             .into_iter()
@@ -133,7 +133,7 @@ impl RibbonLine {
         self.p.y_unit == YUnit::Degrees
     }
 
-    /// Coordinates roll over: those of the pull axis and of the print roller. One that counts degrees turns anyway.
+    /// Whether the coordinates of the pull axis and of the print roller roll over. The print roller's always do if they count degrees.
     pub(super) fn rolls_over(&self) -> [bool; 2] {
         let rolls = self.p.endless == Endless::RollOver;
         [rolls, rolls || self.degrees()]
@@ -187,7 +187,7 @@ impl RibbonLine {
 }
 
 /// Results of the formulas with the knob as it is, at its fast and at its slow end. A locked knob has no other end, a line at standstill
-/// neither; a slow end at 0 % is standstill, and the present results stand for it.
+/// neither; at a slow end of 0 % the line is at rest, and the present results are used.
 fn over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
     let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, output);
     let now = Derived::new(p, output);

@@ -22,7 +22,7 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let (part, mm) = of.greatest();
-    // To what share the greatest part shrinks for the tolerance; half where the others leave it almost nothing.
+    // Share to which the greatest part has to shrink for the tolerance; half if the other parts leave it almost nothing.
     let room = match part {
         ErrorSource::Lag | ErrorSource::Strain => p.dot_tolerance - (of.total() - mm),
         _ => {

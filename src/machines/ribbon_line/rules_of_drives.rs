@@ -34,7 +34,7 @@ const GRIP: f64 = 50.0;
 /// the slip. Engineering choice.
 const LOAD: f64 = 5.0;
 
-/// Short-time torque of a motor behind an inverter as a share of its rated one. Source: parts, FREQROL-E800, 150 % for 60 s.
+/// Short-time torque of a motor on an inverter as a share of its rated torque. Source: parts, FREQROL-E800, 150 % for 60 s.
 pub(super) const SHORT_TIME: f64 = 1.5;
 
 /// Longest time constant of the form, ms.
@@ -61,7 +61,7 @@ fn peak(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
             [Advice::from(msg!("ribbon.peak-torque-motor", torque = (end.duty.peak / end.limits.peak, 2)))],
         );
     }
-    // Both axes must have the same ramp: their ratio is wrong in every ramp else.
+    // Both axes must have the same ramp, otherwise their ratio is wrong on every ramp.
     let set = up(FIELDS, "time-constant-x", ramp);
     let milliseconds: f64 = set.1.parse().unwrap_or(ramp);
     let both = [set.clone(), ("time-constant-y", set.1)];
@@ -172,7 +172,7 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
         let set = [("unwinder-forced-cooling", "true".to_owned())];
         advice.push(Advice::from(said).setting(msg!("advice.forced-cooling"), set));
     }
-    // The brake that the motor's torque leaves behind gear and friction.
+    // The reel brake that the motor's torque leaves after gear losses and friction.
     let at_roller = most * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
     let brake = at_roller / (p.press_roller_diameter / 2e3);
     let weaker = Advice::from(msg!("ribbon.unwinder-torque", torque = (torque, 2), limit = (most, 2)));

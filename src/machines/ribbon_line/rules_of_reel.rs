@@ -1,4 +1,4 @@
-//! The results about the supply reel with their rules: ribbon on it, and what start and stop ask of ribbon and brake while its diameter changes.
+//! The results about the supply reel with their rules: ribbon on it, and the demand of start and stop on ribbon and brake while its diameter changes.
 
 use super::contacts::left_at_reel_end;
 use super::mechanics::{unwinder_load, unwinder_torque};
@@ -149,7 +149,7 @@ fn with_ramp(seconds: f64, said: Advice) -> Advice {
     said.setting(msg!("advice.set-ramp", time = set.1.as_str()), [set])
 }
 
-/// Whether the brake slows the reel down as fast as the unwinder stops: the reel runs on into slack ribbon else.
+/// Whether the brake slows the reel down as fast as the unwinder stops: otherwise the reel runs on and the ribbon goes slack.
 fn holds(line: &RibbonLine) -> Option<Judgement> {
     let (p, brake) = (&line.p, line.p.unwinding.brake);
     let (ramp, coasting) = (ramp_pull(p), coasting_pull(line));

@@ -1,5 +1,4 @@
-//! Hold, alarm, reset, emergency stop, inverter fault and the contacts of the ribbon line: the unwinder stops with the axes, or it fills the
-//! loop.
+//! Interruptions of the ribbon line, from hold to inverter fault: the unwinder stops with the axes, or it fills the loop.
 
 use super::coasting;
 use super::contacts::{CONTACTS, left_at_reel_end};
@@ -34,7 +33,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         true => msg!("ribbon.stops.start-in-step"),
         false => msg!("ribbon.stops.start"),
     };
-    // After a product that was broken off a head has to be at the ribbon again.
+    // After a broken-off product a head has to be brought to the ribbon again.
     let told = phase::is_told(line);
     let variable = line.control.variable(phase::PHASE);
     let anew = |told_so: fn(&str) -> Message, by_hand: fn(&str, &str) -> Message| match told {

@@ -13,7 +13,7 @@ use crate::motion::Mover;
 
 /// A lathe with a slide across its work and one along it.
 pub(in crate::machines) trait HasSlides: Machine {
-    /// The slides: that of X, that of Z.
+    /// The slide of X, then the slide of Z.
     fn slides(&self) -> [ServoSlide; 2];
 }
 
@@ -37,7 +37,7 @@ pub(in crate::machines) struct ServoSlide {
     pub cuts_downhill: bool,
 }
 
-/// What the slides of a machine have in common.
+/// Data common to the slides of a machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::machines) struct SlideMachine {
     /// Efficiency of screw and gear, %.
@@ -50,7 +50,7 @@ pub(in crate::machines) struct SlideMachine {
     pub feed_force: f64,
 }
 
-/// The axis of a slide, as far as neither its form nor its screw says it.
+/// Data of a slide's axis that are neither in its form nor given by its screw.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::machines) struct SlideAxis {
     /// Index of its axis on the control.

@@ -36,7 +36,7 @@ impl Held {
     fn within(&self, rpm: f64) -> (f64, Bound) {
         let (rpm, bound) = self.limits.hold(rpm);
         let most = self.limits.machine;
-        // An override behind the limits passes all but that of the machine.
+        // An override that acts after the limits may exceed all of them except the machine's.
         let bound = if bound == Bound::None && rpm * self.behind > most { Bound::Machine } else { bound };
         let rpm = (rpm * self.behind).min(most);
         if rpm > self.top { (self.top, if bound == Bound::Gear { bound } else { Bound::Output }) } else { (rpm, bound) }

@@ -1,4 +1,4 @@
-//! Drives that the turning spindle is sized by: its motor behind inverter and gear, and its speed against the limit of the chuck.
+//! Drives that the turning spindle is sized by: its motor on the inverter with its gear, and its speed against the limit of the chuck.
 
 use super::params::Path;
 use super::resolved::TurningSpindle;
@@ -23,7 +23,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         name: NAME,
         torque: through_gear(d.torque, gear, p.efficiency / 100.0),
         speed: d.speed_largest * gear,
-        // The inverter is set for it at 10 V, whatever the program asks.
+        // The inverter is set to give this speed at 10 V, whatever the program commands.
         top_speed: p.motor_top,
         site_share: p.site_share / 100.0,
         brake: 0.0,

@@ -28,7 +28,7 @@ options! {
     pub(crate) enum SpeedMode {
         /// Constant surface speed: r/min by the diameter.
         Surface = "surface" "turning.speed-mode.surface",
-        /// Constant r/min: that of the stock's diameter.
+        /// Constant r/min, calculated from the stock's diameter.
         Fixed = "fixed" "turning.speed-mode.fixed",
     }
 }

@@ -78,7 +78,7 @@ pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
     LadderPlc::new(ladder(lathe), wiring, lathe.control)
 }
 
-/// Speed (r/min) up to which the gears of each stage may shift: that at the shift voltage and a tenth above it.
+/// Speed (r/min) up to which the gears of each stage may shift: 1.1 times the speed at the shift voltage.
 fn shift_speeds(lathe: &TurningSpindle) -> [f64; STAGES] {
     let output = &lathe.control.analog_output;
     let mut all = [0.0; STAGES];

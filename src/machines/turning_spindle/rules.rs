@@ -137,7 +137,7 @@ fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
     ok(None)
 }
 
-/// A gear that meshes longer than the PLC waits.
+/// The time of a gear to mesh, against the time that the PLC waits for it.
 fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, .. } = lathe;
     let shift = gear_times(lathe);

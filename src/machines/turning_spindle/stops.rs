@@ -1,5 +1,4 @@
-//! Hold, alarm, reset, emergency stop and inverter fault of the lathe: the spindle turns on while the tool is in the cut, until the
-//! operator ends the program.
+//! Interruptions of the lathe: the spindle turns on while the tool is in the cut, until the operator ends the program.
 
 use super::resolved::TurningSpindle;
 use super::run_up;

@@ -23,7 +23,7 @@ impl Reader<'_> {
         }
         self.variables();
         let opened = opened || self.control.syntax.percent == Percent::End;
-        // Behind comments alone a `%` opens the record.
+        // A `%` after comments alone opens the record.
         let begun = closed || !self.only_comments();
         if begun && !(opened && closed) && self.control.syntax.percent != Percent::Head {
             self.percent(opened, closed);

@@ -200,7 +200,7 @@ impl Check<'_> {
         let line = behind.find('\n').unwrap_or(behind.len());
         let newline = line_end(self.text);
         let tail = behind.get(..line).unwrap_or("");
-        // A `;` may end the block, and another program begin behind it.
+        // A `;` may end the block, and another program may begin after it in the same line.
         let more = tail.trim_ascii_start().strip_prefix(';').is_some_and(|rest| !rest.trim_ascii().is_empty());
         let at = match more && self.control.syntax.names().is_none() {
             true => span.end,

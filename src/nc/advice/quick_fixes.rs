@@ -140,7 +140,7 @@ impl Reader<'_> {
         failure
     }
 
-    /// Reports and skips `=` behind an address, which these controls do not have.
+    /// Reports and skips `=` after an address, which these controls do not have.
     pub(in crate::nc) fn equals_in_word(&mut self) {
         let at = self.cursor.at;
         while self.skip() == b'=' {
@@ -150,7 +150,7 @@ impl Reader<'_> {
         self.slip(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
     }
 
-    /// Whether a letter O directly behind an address stands for 0; it is read as 0.
+    /// Whether a letter O directly after an address is a mistyped 0; it is read as 0.
     pub(in crate::nc) fn zero_behind_letter(&mut self, start: usize) -> bool {
         let at = core::mem::replace(&mut self.cursor.at, start);
         let other = self.keyword_ahead() || prose(self.cursor.line.get(start..).unwrap_or_default());
@@ -176,7 +176,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads an exponent `EX-3` behind a number that starts at `start`, if present; the result has at most 18 digits.
+    /// Reads an exponent `EX-3` after a number that starts at `start`, if present; the result has at most 18 digits.
     #[cold]
     pub(in crate::nc) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
         if !self.cursor.ahead("EX") {

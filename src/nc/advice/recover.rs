@@ -1,6 +1,6 @@
 //! Blocks that do not parse: known mistakes, each reported once with its fix.
 //!
-//! Tried in this order: a comment with brackets in it; an unbracketed comment or one behind `//`, alone or after a complete block; round
+//! Tried in this order: a comment with brackets in it; an unbracketed comment or one after `//`, alone or after a complete block; round
 //! brackets for arithmetic; else the failure as the control meets it. In each case the block is bad: the control would stop there.
 
 use crate::controls::Alarm;

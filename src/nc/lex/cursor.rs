@@ -24,7 +24,7 @@ pub(in crate::nc) struct Digits {
     pub(in crate::nc) length: usize,
     /// More digits than `value` can hold.
     pub(in crate::nc) full: bool,
-    /// The byte behind the number; 0 at the end.
+    /// The byte after the number; 0 at the end.
     pub(in crate::nc) behind: u8,
 }
 

@@ -155,7 +155,7 @@ impl Facts {
         }
     }
 
-    /// Records a sequence number behind P of a return or H of a call.
+    /// Records the sequence number in P of a return or in H of a call.
     fn entry(&mut self, program: u32, number: Option<Option<u32>>) {
         match number {
             Some(Some(label)) => drop(self.entries.insert((program, label))),

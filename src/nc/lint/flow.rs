@@ -138,7 +138,7 @@ impl<'a> Flow<'a> {
     /// Reports repeated sequence numbers that are jump targets.
     pub(super) fn twice(&self, lint: &mut Lint, facts: &Facts) {
         if self.control.syntax.names().is_some() {
-            // Jumps there have a direction.
+            // In a language with labels each jump has a direction, so that a repeated number is no mistake.
             return;
         }
         let twice = || self.numbers.windows(2).filter(|pair| pair[0].0 == pair[1].0);

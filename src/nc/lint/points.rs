@@ -19,7 +19,7 @@ const DELIBERATE: u64 = 10_000;
 /// Size (increments) from which a dwell without a point is intended.
 const DELIBERATE_DWELL: u64 = 100;
 
-/// Numbers of one kind behind one letter, without a decimal point.
+/// Numbers of one kind after one letter, without a decimal point.
 struct Pointless {
     kind: u32,
     letter: Address,

@@ -226,7 +226,7 @@ impl Vars<'_> {
                     let (place, variable) = lint.written(block, lint.part(block, id));
                     lint.warn(place, msg!("lint.kept-as-scratch", variable, meaning = row.text));
                 }
-                // Safeguards switched off and never on again.
+                // Safeguards that the programs switch off and never switch on again.
                 VarKind::SuppressSingleBlock | VarKind::SuppressOverride if !ends && var.nonzero && block != NONE => {
                     let (place, variable) = lint.written(block, lint.part(block, id));
                     lint.warn(place, msg!("lint.suppression-stays", variable));
@@ -264,7 +264,7 @@ impl Vars<'_> {
             let (block, id) = var.read;
             let argument = ARGUMENT.iter().position(|&number| u32::from(number) == var.number);
             let letter = LETTERS.get(argument.unwrap_or(0)).copied().unwrap_or(Address::A);
-            // Subprogram calls with words that look like arguments.
+            // Whether a subprogram call has a word with this letter, which only a macro call passes as an argument.
             let lost = || {
                 let subs = facts.calls.iter().filter(|call| !call.with_locals);
                 let mut here = subs.filter(|call| self.group[call.to as usize] as usize == group);

@@ -30,7 +30,7 @@ pub(super) enum ValueKind {
     Entered,
     /// Decimals, exactly as written or entered.
     Decimals,
-    /// Results of a calculation with digits behind the point.
+    /// Results of a calculation, with digits after the point.
     Calculated,
 }
 

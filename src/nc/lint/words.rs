@@ -131,7 +131,7 @@ impl Lint<'_> {
     /// Reports the second word of an address in a block.
     #[cold]
     fn word_again(&mut self, at: u32, block: &Block, words: &[Word], overwritten: AddressSet) {
-        // In front of a skip in the middle of the block the repetition may be intended.
+        // A block with a `/` in its middle may repeat a word on purpose.
         if self.again >= AGAIN || words.iter().any(|word| word.letter == Address::Skip) {
             return;
         }

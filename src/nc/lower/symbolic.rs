@@ -3,7 +3,7 @@
 //! | rewrite | where | becomes |
 //! |---|---|---|
 //! | `texts` | foreign characters in comments, quotes in messages | `?`, `'` |
-//! | `programs` | a program without a name; the comment behind its number | `L9100`, `MPF1`; a comment of its own |
+//! | `programs` | a program without a name; the comment after its number | `L9100`, `MPF1`; a comment of its own |
 //! | `points` | the point of a whole number | the number without it |
 //! | `jumps` | loops, jumps to block numbers | jumps to labels |
 //! | `no_names` | calls by name, messages, statements without a form there | `M98`, a comment |
@@ -291,7 +291,7 @@ fn numbered(blocks: &[Block]) -> BTreeMap<i64, Vec<usize>> {
     numbers
 }
 
-/// Turns the comment behind a program's number into a block.
+/// Turns the comment after a program's number into a block.
 fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
     if deck.programs.iter().all(|program| program.title.is_none()) {
         return;

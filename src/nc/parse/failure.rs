@@ -26,7 +26,7 @@ pub(in crate::nc) enum IgnoredFeature {
     /// An external input or output statement, by its index.
     Statement(usize),
     Address(Address),
-    /// An address behind a comma.
+    /// An address after a comma.
     Comma(Address),
 }
 

@@ -113,7 +113,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// Warns about text behind a `%` in its line, which the control skips.
+    /// Warns about text after a `%` in the same line, which the control skips.
     pub(in crate::nc) fn behind_percent(&mut self, from: usize, to: usize) {
         let (from, to) = self.trimmed(from, to);
         if from < to && self.file.text.as_bytes().get(from) != Some(&b'(') {
@@ -291,7 +291,7 @@ impl<'a> Reader<'a> {
         self.control.syntax.program_letters.first().map_or('O', |&letter| letter as char).to_string()
     }
 
-    /// The comment behind a program number.
+    /// The comment after a program number.
     pub(in crate::nc) fn title(&mut self) -> Option<(&'a str, Span)> {
         self.cursor.blank();
         let rest = self.cursor.rest();

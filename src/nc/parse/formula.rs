@@ -1,4 +1,4 @@
-//! Expressions: in macro statements and behind addresses.
+//! Expressions in macro statements and after addresses.
 
 use crate::controls::syntax::{ArcTangent, Function};
 use crate::controls::vars::is_fitted;
@@ -37,7 +37,7 @@ const OTHER_NAMES: [(&str, &str); 7] = [
 ];
 
 impl Reader<'_> {
-    /// Reads this word if it follows.
+    /// Reads this word if it is at the cursor.
     pub(in crate::nc) fn take(&mut self, word: &str) -> bool {
         let ahead = self.cursor.ahead(word);
         if ahead {
@@ -69,7 +69,7 @@ impl Reader<'_> {
         Ok(ExprId(self.deck.exprs.len() as u32 - 1))
     }
 
-    /// Reads an expression. Behind an address (`word`) a `/` before a letter is a block skip, not a division.
+    /// Reads an expression. After an address (`word`) a `/` before a letter is a block skip, not a division.
     pub(in crate::nc) fn formula(&mut self, word: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.term(word)?;
@@ -138,7 +138,7 @@ impl Reader<'_> {
     /// Whether the `/` at the cursor precedes a word: a block skip inside a block.
     pub(in crate::nc) fn skip_mark_ahead(&self) -> bool {
         let mut rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
-        // `/2 Z1.` behind a blank: skip switch 2.
+        // `/2 Z1.` after a blank: skip switch 2.
         if let [b'1'..=b'9', b' ', ..] = rest
             && self.cursor.at > 0
             && self.cursor.line.get(self.cursor.at - 1) == Some(&b' ')
@@ -293,7 +293,7 @@ impl Reader<'_> {
         self.part(Expr::Call(function, inner), start)
     }
 
-    /// Reads `[left,right]` behind the name of a function of two numbers; the cursor is at the bracket, closed by `close`.
+    /// Reads `[left,right]` after the name of a function of two numbers; the cursor is at the bracket, closed by `close`.
     pub(in crate::nc) fn two_arguments(&mut self, op: Op, close: u8, start: usize) -> Read<ExprId> {
         let name = String::from_utf8_lossy(self.cursor.line.get(start..self.cursor.at).unwrap_or_default())
             .trim()
@@ -322,8 +322,8 @@ impl Reader<'_> {
         rest.trim_ascii_start().first() == Some(&b'[')
     }
 
-    /// Whether an operator that wants a value stands before a place of the line. `-` and `/` also stand before remarks, but in languages
-    /// with names.
+    /// Whether the text before a byte of the line ends in an operator that needs a right operand. `-` and `/` count only in languages with
+    /// names; in others they may introduce an unbracketed comment.
     fn behind_operator(&self, at: usize) -> bool {
         match self.cursor.line.get(..at).unwrap_or_default().trim_ascii_end().last() {
             Some(b'=' | b'+' | b'*' | b'(' | b'[' | b',') => true,

@@ -1,7 +1,7 @@
 //! Text to tree as on the control: one pass over the bytes, never an `Err`, never a panic.
 //!
 //! ```text
-//! file   := [lead] '%' EOB { program } '%'        lead, and text behind a '%' up to its EOB, is skipped
+//! file   := [lead] '%' EOB { program } '%'        lead, and text after a '%' up to its EOB, is skipped
 //! program:= [ O uint [comment] ] { block EOB }    a file may hold several programs
 //! block  := [ '/' [digit] ] [ N uint ] ( macro | words )
 //! macro  := var '=' expr

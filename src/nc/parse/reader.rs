@@ -82,7 +82,7 @@ pub(in crate::nc) struct BlockParts {
     pub(in crate::nc) number: Option<u32>,
     pub(in crate::nc) number_at: Extent,
     pub(in crate::nc) skip_switch: u8,
-    /// The number is written behind `:`.
+    /// The block number is written after `:`.
     pub(in crate::nc) main: bool,
     pub(in crate::nc) comment: Option<TextId>,
     pub(in crate::nc) label: Option<TextId>,

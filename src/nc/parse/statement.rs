@@ -88,7 +88,7 @@ impl Reader<'_> {
         Some(word)
     }
 
-    /// Reads the rest of a statement behind `IF`.
+    /// Reads the rest of a statement after `IF`.
     fn if_statement(&mut self, start: usize) -> Read<Stmt> {
         let cond = self.condition(Alarm::IfSentence, "IF")?;
         self.no_other_condition(Alarm::IfSentence)?;
@@ -138,7 +138,7 @@ impl Reader<'_> {
         Ok(stmt)
     }
 
-    /// Reads the sequence number behind `GOTO`.
+    /// Reads the sequence number after `GOTO`.
     fn target(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
         let byte = self.skip();
@@ -203,7 +203,7 @@ impl Reader<'_> {
             return Err(lost);
         }
         if self.keyword_ahead() {
-            // The bracket can only belong here.
+            // A keyword follows, so the missing bracket belongs in front of it.
             let to = self.ended_at();
             let finding = self.finding(Alarm::BracketPair, open.at, open.at + 1, msg!("nc.unclosed-square"));
             self.replace(Alarm::BracketPair, finding, to, to, "]");
@@ -285,7 +285,7 @@ impl Reader<'_> {
         failure
     }
 
-    /// Reads the number behind `DO` or `END`; the keyword starts at `head`. Returns the number and the bytes of both.
+    /// Reads the number after `DO` or `END`; the keyword starts at `head`. Returns the number and the bytes of both.
     fn label(&mut self, keyword: &str, head: usize) -> Read<(u16, Extent)> {
         let start = self.cursor.at;
         self.skip();
@@ -381,7 +381,7 @@ impl Reader<'_> {
         rest.iter().find(|b| !b.is_ascii_digit() && **b != b' ') == Some(&b'=') || rest.first() == Some(&b'[')
     }
 
-    /// Reports text other than comments behind a macro statement.
+    /// Reports text other than comments after a macro statement.
     fn end_of_macro(&mut self) -> Read<()> {
         loop {
             let byte = self.skip();

@@ -264,7 +264,7 @@ impl<'a> Reader<'a> {
     fn between_words(&mut self, byte: u8, first: usize) -> Read<()> {
         let start = self.cursor.at;
         match byte {
-            // Directly behind a sequence number `/` cannot be a division.
+            // Directly after a sequence number `/` cannot be a division.
             b'/' if self.skip_mark_ahead()
                 || self.deck.words.len() == first && matches!(self.cursor.line.get(start + 1), Some(b'1'..=b'9')) =>
             {
@@ -304,7 +304,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Reads the value behind an address letter.
+    /// Reads the value after an address letter.
     #[inline]
     fn value(&mut self, start: usize, letter: Address) -> Read<WordValue> {
         let mut next = self.skip();
@@ -368,7 +368,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Checks that a formula behind an address, from `from` on, is in brackets.
+    /// Checks that a formula after an address, from `from` on, is in brackets.
     #[cold]
     fn check_enclosed(&mut self, value: ExprId, from: usize) {
         if !matches!(self.deck.expr(value), Expr::Binary(op, ..) if !matches!(op, Op::Atan | Op::Power)) {
@@ -387,7 +387,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Handles text behind an address letter that starts no value.
+    /// Handles text after an address letter that starts no value.
     #[cold]
     fn no_value(&mut self, start: usize, letter: Address, next: u8) -> Read<WordValue> {
         match next {

@@ -1,4 +1,4 @@
-//! Tree to text in a language with names: headers, labels, `=` behind addresses, comparisons as the weakest operators.
+//! Tree to text in a language with names: headers, labels, `=` after addresses, comparisons as the weakest operators.
 
 use super::Writer;
 use crate::controls::Address;
@@ -13,7 +13,7 @@ impl Writer<'_> {
         self.text.push_str(&format!("%_N_{name}_{ending}{eol};$PATH=/_N_{ending}_DIR{eol}"));
     }
 
-    /// Writes a block behind its number.
+    /// Writes label and statement of a block, after its number.
     pub(super) fn named_block(&mut self, block: &Block) {
         if block.label.is_some() {
             self.text.push_str(self.deck.text(block.label));

@@ -45,7 +45,7 @@ pub struct HelpEntry {
     pub id: String,
     /// Kind.
     pub kind: HelpKind,
-    /// The thing as control or form writes it: `P62`, `#107`; empty where it has a title alone.
+    /// The subject in the spelling of control or form: `P62`, `#107`; empty if it only has a title.
     pub word: String,
     /// Title.
     pub title: String,
@@ -81,7 +81,7 @@ pub struct HelpSection {
 /// A page.
 #[derive(Debug, Clone)]
 pub struct HelpPage {
-    /// Id: that of a machine or control, or `terms` or `programs`.
+    /// Id: the id of a machine or control, or `terms` or `programs`.
     pub id: &'static str,
     /// Title.
     pub title: String,

@@ -40,7 +40,7 @@ fn loading(control: &Control, texts: &Texts) -> HelpSection {
     section
 }
 
-/// Kinds of alarms that only those controls raise that have a row for them: another control goes on.
+/// Kinds of alarms raised only by controls that have a row for them; other controls continue.
 const ONLY_BY_ROW: &[Alarm] = &[
     Alarm::LabelTwice,
     Alarm::MessageBlocks,

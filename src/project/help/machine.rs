@@ -56,7 +56,7 @@ fn variables(project: &Project, texts: &Texts) -> HelpSection {
     section
 }
 
-/// The variable that a field has as its symbol.
+/// Number of the variable that is the symbol of a field.
 fn variable(field: &FieldInfo) -> Option<u32> {
     field.symbol.strip_prefix('#')?.parse().ok()
 }

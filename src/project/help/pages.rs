@@ -34,7 +34,7 @@ fn control_of(machine: &dyn AnyMachine, present: &'static Control) -> &'static C
     id.and_then(|id| controls::find(id)).unwrap_or(present)
 }
 
-/// The drawing of a machine with its numbered parts, as a new project has it, as a picture of its own.
+/// The drawing of a machine in a new project, with numbered parts, as a standalone picture.
 pub fn drawing(machine: &'static dyn AnyMachine, control: &'static Control, theme: Theme) -> String {
     let project = Project::new(machine, control);
     let (scene, pose) = crate::project::drawing::at(&project, 0.0);

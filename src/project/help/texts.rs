@@ -1,5 +1,5 @@
-//! Texts of help that come from no row: manuals of machines and controls, causes of alarms, terms. They are files of their own, which the
-//! page loads with its first help.
+//! Texts of help that come from no row of a table: manuals of machines and controls, causes of alarms, terms.
+//! The page loads their files when help is first opened.
 
 use crate::text::catalog::{self, Language};
 

@@ -45,7 +45,7 @@ pub(super) fn error(message: &Message) -> Json {
     json!({ "error": sentence(message), "diagnostics": [] })
 }
 
-/// Why a request is not carried out: the first error of the files, with all their diagnostics.
+/// Answer to a refused request: the first error of the files, with all their diagnostics.
 pub(super) fn refused(why: &Refused) -> Json {
     match why {
         Refused::Choice(message) => error(message),

@@ -48,7 +48,7 @@ pub struct StepAnswers {
 }
 
 impl StepAnswers {
-    /// Begins a session; the answer is its first stop with the diagnostics of reading. No session where the answer says why.
+    /// Begins a session; the answer is its first stop with the diagnostics of reading. `None` if the answer is an error.
     pub fn new(request: &str) -> (Option<StepAnswers>, String) {
         match StepAnswers::begun(request) {
             Ok((steps, answer)) => (Some(steps), answer.to_string()),

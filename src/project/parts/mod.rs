@@ -1,4 +1,4 @@
-//! Tables of parts: the catalogue that is shipped, and what people add to it, as CSV or JSON.
+//! Tables of parts: the shipped catalogue, and parts added by the user, as CSV or JSON.
 
 pub mod columns;
 
@@ -22,8 +22,8 @@ use crate::text::Diagnostic;
 /// Bytes of a table at most.
 pub const MAX_BYTES: usize = 4 << 20;
 
-/// Reads a table of parts: JSON where the name of the file or its first character says so, else CSV. Total: any text gives the parts
-/// that are sound, and findings with their places; a row with an error is left out.
+/// Reads a table of parts: JSON by the extension of the file or the first character of the text, otherwise CSV. Total: any text gives the
+/// parts that are sound, and findings with their places; a row with an error is left out.
 pub fn read(text: &str, name: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     if text.len() > MAX_BYTES {
         let message = msg!("parts.too-large", size = (text.len() >> 20) as u32, most = (MAX_BYTES >> 20) as u32);
@@ -63,7 +63,7 @@ pub fn goes_with(part: &Part, control: &Control) -> bool {
         || part.evidence.grade == PartGrade::Entered
 }
 
-/// Whether an axis that a control commands may have this part: not where its series positions by itself beside that control.
+/// Whether this part can be used for an axis that a control commands; false for a series that positions by itself beside that control.
 pub fn follows(part: &Part, control: &Control) -> bool {
     let row = control.drives.iter().find(|row| row.series == part.series);
     goes_with(part, control) && row.is_none_or(|row| row.role == DriveRole::Axis)

@@ -25,7 +25,7 @@ const PAIRED: usize = 200;
 /// Largest number of a cell.
 const LARGEST: f64 = 1e12;
 
-/// Between the models of the column `fits`.
+/// Separator of the models in the column `fits`.
 pub(super) const PAIRS: char = '|';
 
 /// A cell that is not empty: its column, its text, and the part of the table that it was read from.
@@ -58,7 +58,7 @@ impl<'t> Rows<'t> {
         Rows { found: Findings::new(text), decimals, parts: Vec::new(), known: BTreeSet::new(), left_out: 0 }
     }
 
-    /// Takes a row with its part of the text. One with an error is left out.
+    /// Adds the part of a row, with the row's text. A row with an error is left out.
     pub(super) fn add(&mut self, cells: &[Cell<'t>], source: &'t str, sound: bool) {
         let part = self.part(cells, source, sound);
         match part {
@@ -132,7 +132,7 @@ impl<'t> Rows<'t> {
         sound.then_some(Part { maker, series, model, status: status.flatten(), ratings, fits, evidence })
     }
 
-    /// The text of a cell: one line, not too long, and nothing that a spreadsheet takes as a formula.
+    /// The text of a cell: one line, within `most` characters, and not a formula for a spreadsheet.
     fn text(&mut self, cell: &Cell<'t>, most: usize) -> Option<String> {
         let plain: String = cell.text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         let plain = plain.trim();
@@ -147,7 +147,7 @@ impl<'t> Rows<'t> {
         Some(plain.to_owned())
     }
 
-    /// One of the words that a column allows.
+    /// The value of a cell by the words that its column allows.
     fn word<T: Copy>(&mut self, cell: &Cell<'t>, words: &[(&'static str, T)]) -> Option<T> {
         let plain = cell.text.trim().to_lowercase().replace(['-', '_'], " ");
         let word = words.iter().find(|(word, _)| *word == plain).map(|(_, means)| *means);

@@ -67,7 +67,7 @@ fn delimiter(text: &str) -> (u8, &str) {
         return (said, rest);
     }
     let count = |delimiter: u8| first.bytes().filter(|byte| *byte == delimiter).count();
-    // Of equal counts the comma: a head of one column has none of them.
+    // At equal counts the comma is taken; a head of one column has no separator.
     let delimiter = [b'\t', b';', b','].into_iter().max_by_key(|delimiter| count(*delimiter)).unwrap_or(b',');
     (delimiter, text)
 }

@@ -1,4 +1,4 @@
-//! Diagnostics as SARIF 2.1.0 of OASIS, which code hosts and editors show beside the lines that they are about.
+//! Diagnostics as SARIF 2.1.0 (OASIS), which code hosts and editors show beside the lines concerned.
 
 use std::collections::BTreeMap;
 
@@ -71,9 +71,9 @@ fn markdown(text: &str) -> String {
 }
 
 impl Renderer<'_> {
-    /// The diagnostic as a result: the alarm leads its sentence, hints and the field follow it; each fix that can be made in the file is one of
-    /// its own. Lines and columns count from 1, the end stands behind the last character. What has no place stands at the first line, for code
-    /// hosts refuse a result without one.
+    /// The diagnostic as a result: its message is the alarm, the sentence, the hints and the field; each fix that can be made in the file
+    /// is separate. Lines and columns count from 1; the end column is after the last character. A diagnostic without a place is put at the
+    /// first line, because code hosts refuse a result without one.
     pub fn sarif(&self, diagnostic: &Diagnostic) -> Json {
         let said = sentence(&diagnostic.message);
         let alarm = diagnostic.alarm.iter().map(|alarm| format!("[{alarm}]"));

@@ -14,9 +14,9 @@ use crate::text::{Diagnostic, listed};
 /// Begin of the fragment.
 const EMBED: &str = "embed";
 
-/// The project that the fragment of a page inside another one asks for (`docs/embedding.md`): behind `embed`, each after `&`, a link, or the ids of
-/// a machine and of a control. A wrong language or system of units, which the page takes from the address before this is read (`boot.js`), is a warning.
-/// `None` where the fragment asks for no such page. Total, as [`Project::from_link`].
+/// Project for a page that is embedded in another one, from its address fragment (`docs/embedding.md`): `embed`, then, each after `&`, a
+/// link, or the ids of a machine and of a control. An unknown language or system of units is a warning; `boot.js` has already applied a
+/// known one. `None` if the fragment does not begin with `embed`. Total, like [`Project::from_link`].
 pub fn embedded(fragment: &str) -> Option<Loaded> {
     let mut parts = fragment.split('&');
     if parts.next() != Some(EMBED) {
@@ -39,13 +39,13 @@ pub fn embedded(fragment: &str) -> Option<Loaded> {
     Some(loaded)
 }
 
-/// A part of the address that asks for nothing.
+/// Warning about an unknown part of the address.
 fn unknown_wish(part: &str) -> Diagnostic {
     let known = listed(["machine=", "control=", "lang=", "lengths="].map(str::to_owned));
     Diagnostic::warning(msg!("project.embed-wish", wish = clip(part), known))
 }
 
-/// A language that the page does not have: its code without a region, as the page reads it.
+/// Warning about a language that the page does not have. The code counts without its region, as in the page.
 fn unknown_language(code: &str) -> Option<Diagnostic> {
     let language = code.split('-').next().unwrap_or_default();
     let languages = || listed(Language::ALL.map(|known| format!("lang={}", known.code())));
@@ -54,7 +54,7 @@ fn unknown_language(code: &str) -> Option<Diagnostic> {
         .then(|| Diagnostic::warning(msg!("project.embed-language", languages = languages())))
 }
 
-/// A system of units that the page does not have.
+/// Warning about a system of units that the page does not have.
 fn unknown_lengths(id: &str) -> Option<Diagnostic> {
     let lengths = || listed(Lengths::ALL.map(|known| format!("lengths={}", known.id())));
     Lengths::of_id(id).is_none().then(|| Diagnostic::warning(msg!("project.embed-lengths", lengths = lengths())))
@@ -67,7 +67,7 @@ fn of_ids(machine: Option<&str>, control: Option<&str>) -> Loaded {
         Ok(project) => Loaded { project: Some(project), diagnostics: Vec::new() },
         Err(unknown) => {
             let known = listed(unknown.known);
-            // On another control the machine is still the one that was asked for.
+            // If only the control is unknown, the requested machine is kept.
             let (project, message) = if unknown.kind == NameKind::Control {
                 (Project::named(machine, None, None).ok(), msg!("project.embed-control", controls = known))
             } else {

@@ -43,15 +43,15 @@ pub fn steps_to_json<'t>(
     serde_json::to_string(&StepsV1 { version: VERSION, past, future, past_ids, future_ids }).unwrap_or_default()
 }
 
-/// Reads the steps: those before and after the present project. A step that does not read ends its list, as the steps behind it would skip
-/// it; any other text gives no step.
+/// Reads the steps before and after the present project. An unreadable step ends its list, because the steps beyond it do not follow on the
+/// ones before it. Any other text gives no step.
 pub fn steps_from_json(text: &str) -> (Vec<Project>, Vec<Project>) {
     let steps = (text.len() <= MAX_BYTES).then(|| serde_json::from_str::<StepsV1>(text).ok()).flatten();
     let Some(steps) = steps.filter(|steps| steps.version == VERSION) else { return (Vec::new(), Vec::new()) };
     (read(&steps.past, &steps.past_ids), read(&steps.future, &steps.future_ids))
 }
 
-/// The newest steps of a list, up to the first that is no project. Ids that are not one for each step are left out.
+/// The newest steps of a list, up to the first that is no project. Ids are dropped unless there is one for each step.
 fn read(texts: &[Cow<str>], ids: &[Cow<str>]) -> Vec<Project> {
     let id = |at: usize| {
         ids.get(at).filter(|id| ids.len() == texts.len() && !id.is_empty()).map(|id| id.clone().into_owned())

@@ -50,7 +50,7 @@ impl Project {
         Ok(link)
     }
 
-    /// Reads the fragment of a link. Total: any text gives a project, or says why it gives none.
+    /// Reads the fragment of a link. Total: any text gives a project, or a diagnostic with the reason for none.
     pub fn from_link(fragment: &str) -> Loaded {
         let mut loaded = match unpacked(fragment) {
             Ok(file) => Project::from_json(&file),
@@ -88,13 +88,13 @@ fn unpacked(fragment: &str) -> Result<String, Message> {
     file.ok_or_else(|| msg!("project.link-broken"))
 }
 
-/// The file in the data behind a prefix.
+/// The file in the data after a prefix.
 fn file_of(data: &str, unpack: impl FnOnce(&[u8]) -> Option<Vec<u8>>) -> Option<String> {
     let packed = URL_SAFE_NO_PAD.decode(data).ok()?;
     String::from_utf8(unpack(&packed)?).ok()
 }
 
-/// The bytes of a deflate stream behind its checksum.
+/// The bytes of a deflate stream that follows its checksum.
 fn inflated(packed: &[u8]) -> Option<Vec<u8>> {
     let (check_sum, deflated) = packed.split_first_chunk()?;
     let is_whole = crc32(deflated) == u32::from_be_bytes(*check_sum);

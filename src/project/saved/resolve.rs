@@ -81,7 +81,7 @@ fn control_of(machine: &dyn AnyMachine, id: &Located) -> Option<&'static Control
     id.as_str().filter(|id| machine.controls().contains(id)).and_then(controls::find)
 }
 
-/// The variants. One without a name of its own, or on a control that the machine does not go with, is left out.
+/// Reads the variants. A variant without a unique name, or on a control that the machine cannot have, is left out.
 fn variants<'t>(saved: &[VariantV1<'t>], machine: &'static dyn AnyMachine, found: &mut Findings<'t>) -> Vec<Variant> {
     let mut variants: Vec<Variant> = Vec::new();
     for row in saved {

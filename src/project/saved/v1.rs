@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::project::json::{JsonMembers, Located};
 
-/// A project file of version 1. Keys that have no default here are missed later, with a sentence of their own.
+/// A project file of version 1. Keys without a default here are reported later if missing, each with a sentence of its own.
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ProjectV1<'t> {

@@ -127,7 +127,7 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
     devices
 }
 
-/// The brake resistor of an inverter: the demand, for no inverter of the catalogue has its own.
+/// The brake resistor of an inverter, as a demand, because no inverter of the catalogue has one.
 fn resistor(asked: &ResistorDemand) -> BillRow {
     let (power, energy, percent) = ((asked.power(), 1), (asked.greatest(), 0), (asked.percent, 0));
     let count = asked.energies.len() as f64;

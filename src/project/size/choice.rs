@@ -36,7 +36,7 @@ const ALIKE: f64 = 1e3;
 /// Greatest length of a motor's name in a form, characters.
 const NAME: usize = 40;
 
-/// An axis or drive with what its motor is asked, and the motors that are to be had.
+/// An axis or drive with the demand on its motor, and the available motors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizedAxis {
     /// Id, for instance `x`.
@@ -57,7 +57,7 @@ pub struct SizedAxis {
     pub ampere_per_torque: Option<f64>,
     /// Demand on a motor to be bought.
     pub asked: MotorDemand,
-    /// Demand of the run on the form's motor; none for a drive behind an inverter.
+    /// Demand of the run on the form's motor; none for a motor on an inverter.
     pub work: Option<Work>,
     /// Position (%) of the knob in the run with the knob at its end, if there is such a run.
     pub knob: Option<f64>,
@@ -75,8 +75,7 @@ impl SizedAxis {
         self.candidates.iter().filter(|candidate| candidate.refusal.is_none())
     }
 
-    /// Sentence with the demand where no motor of the catalogue passes that its maker is known to make, or none of them has an amplifier; none
-    /// where one does.
+    /// Sentence with the demand if no motor in production passes, or no passing one has an amplifier; none otherwise.
     pub fn shortage(&self) -> Option<Message> {
         let is_current = |of: &&Candidate| of.part.status == Some(Status::Current);
         let MotorDemand { peak, effective, speed } = self.asked;
@@ -256,7 +255,7 @@ impl Asked {
     }
 }
 
-/// The axes and the drive behind the inverter with their motors.
+/// The axes and the motor on the inverter, each with its candidates.
 pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRuns) -> Vec<SizedAxis> {
     let runs = [Some(&of.present), of.fast.as_ref()].into_iter().flatten();
     let runs: Vec<&WholeRun> = runs.collect();
@@ -290,7 +289,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     let behind = prepared.inverter_drive().map(|drive| {
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
-        // With the knob at its end a cut at constant surface speed asks more power.
+        // With the knob at its highest position a cut at constant surface speed needs more power.
         let spindles = runs.iter().filter_map(|whole| whole.spindle(prepared));
         let spindles: Vec<SpindleRun> =
             spindles.map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle }).collect();
@@ -321,7 +320,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     servo.chain(behind).collect()
 }
 
-/// Demand on the motor of a drive behind an inverter.
+/// Demand on a motor on an inverter.
 fn asked_behind(drive: &InverterDrive, spindles: &[SpindleRun]) -> MotorDemand {
     let ramps = drive.cycle.iter().flat_map(|cycle| cycle.ramps(None)).map(|ramp| ramp.torque.abs());
     let of_run = spindles.iter().map(|spindle| spindle.worst_point(&spindle.motor, spindle.rotor).torque);
@@ -337,7 +336,7 @@ fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     if timeline.end() > 0.0 { turning / (timeline.end() + pause) } else { 0.0 }
 }
 
-/// Share of the time of a part, with the pause after it, in which an axis is loaded; none if the machine does not say when it works. The
+/// Share of the time of a part, with the pause after it, in which an axis is loaded; none if the machine does not report when it works. The
 /// first motion of `asked` is that of the present run.
 fn share_loaded(of: &SizingRuns, asked: &Asked, pause: f64) -> Option<f64> {
     of.present.works.as_ref()?;
@@ -605,8 +604,8 @@ pub(super) fn name(part: &Part) -> String {
     part.name().chars().take(NAME).collect()
 }
 
-/// Entries of the form with a motor behind the inverter, of a rated torque (Nm) and a rated speed (r/min); none if the form has no fields for
-/// it. The speed at the full signal stays: a motor with other poles needs another frequency for it.
+/// Entries of the form for a motor on the inverter, with its rated torque (Nm) and rated speed (r/min); none if the form has no fields for
+/// them. The speed at the full signal stays, so a motor with another number of poles gets another frequency.
 fn induction_entries(
     part: &Part,
     drive: &InverterDrive,
@@ -623,7 +622,7 @@ fn induction_entries(
     ])
 }
 
-/// Refusal of the form's motor behind the inverter, if the form has the frequency of a motor with other poles.
+/// Refusal of the form's motor on the inverter, if the form's frequency belongs to a motor with another number of poles.
 fn other_poles(part: &Part, drive: &InverterDrive, rated_speed: f64, project: &Project) -> Option<(Rank, Message)> {
     let (fields, full) = drive.fields.zip(drive.full)?;
     let (turns, asked) = (no_load_speed(rated_speed, full.frequency), full.no_load);
@@ -631,11 +630,11 @@ fn other_poles(part: &Part, drive: &InverterDrive, rated_speed: f64, project: &P
     is_off.then(|| (Rank::Speed, msg!("size.refused-poles", speed = (turns, 0), asked = (asked, 0))))
 }
 
-/// Greatest relative difference of two speeds of motors with equal poles.
+/// Greatest relative difference between the speeds of two motors with the same number of poles.
 const OTHER_POLES: f64 = 0.2;
 
-/// A motor behind the inverter: torque up to its rated speed, power above, both as far as its site leaves them; in run-up and stop their
-/// short-time share, and over both with the work between them the continuous torque.
+/// Judges a motor on the inverter, derated for its site: its torque up to rated speed and its power above, its short-time torque in run-up
+/// and stop, and its continuous torque over run-up, work and stop.
 fn induction(
     part: &Part,
     drive: &InverterDrive,

@@ -149,7 +149,7 @@ fn mark_worst(rows: &mut [EnvelopeRow]) {
 }
 
 impl EnvelopeRow {
-    /// Whether it says that a contact of the machine holds the program at the event.
+    /// Whether the row reports that a contact of the machine holds the program at the event.
     pub(super) fn is_hold(&self) -> bool {
         self.id == HOLD
     }
@@ -381,7 +381,7 @@ fn coasted(rest: CoastedAxes) -> Vec<EnvelopeRow> {
     vec![gauged(event, &rest.gauge), time(event, rest.seconds)]
 }
 
-/// Whether the spindle is still slowing down at the end (s) at which a plan was cut.
+/// Whether the spindle has not come to rest at the end (s) at which a plan was cut.
 fn coasts_on(run: &Run, end: f64) -> bool {
     let speed = |t: f64| run.timeline().at(t).spindle.actual.abs();
     speed(end + SPAN) < speed(end)

@@ -68,7 +68,7 @@ pub(super) fn of_axis(axis: &DrivenAxis, motions: &[Motion], catalogue: &[&Part]
     Some(sized(gear, duties.reduce(GearDuty::max).unwrap_or_default(), catalogue))
 }
 
-/// The gear unit of the drive behind the inverter; none without one.
+/// The gear unit of the motor on the inverter; none without one.
 pub(super) fn of_inverter(drive: &InverterDrive, catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = drive.gear.as_ref()?;
     Some(sized(gear, GearDuty::new(&gear.behind(&drive.turns()), gear.ratio), catalogue))

@@ -62,7 +62,7 @@ impl Cycle {
     }
 }
 
-/// Energy of all motors over a part, including the one behind the inverter.
+/// Energy of all motors over a part, including the one on the inverter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PartEnergy {
     /// Energy that the motors deliver at their shafts, J.
@@ -119,7 +119,7 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
     part();
     let envelope = envelope::envelope(project, &runs, &mut part);
     let holding_limits = if envelope.iter().any(EnvelopeRow::is_hold) {
-        // A hold ends the growth of the loop: the limit that would hold is that of runs without contacts.
+        // A hold stops the loop from growing, so the limit that would suffice is taken from runs without contacts.
         let free = SizingRuns::without_contacts(project, written);
         envelope::holding_limits(project, &envelope::envelope(project, &free, &mut || ()))
     } else {

@@ -11,7 +11,7 @@ use crate::project::program::Written;
 use crate::project::run::{Run, RunOptions, of_project};
 use crate::text::Message;
 
-/// Budget of a run: blocks, and seconds of machine time. A longer run is sized as far as it came, and the sizing says so.
+/// Budget of a run: blocks, and seconds of machine time. A longer run is sized up to there, and the sizing reports the cut.
 const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
 
 /// Lowest position (%) of the knob in a run: at 0 % nothing moves.

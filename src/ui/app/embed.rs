@@ -29,8 +29,8 @@ impl Embedded {
         embedded(&dom::address().1).is_some()
     }
 
-    /// Reads the address, writes the program and begins its run, each in a turn of its own, and then does `then`: with nothing only where no
-    /// machine has a control. An address that names no project has the first machine's.
+    /// Reads the address, writes the program and begins its run, each in a turn of its own, then calls `then`, which gets `None` only if no
+    /// machine has a control. An address that names no project shows the first machine.
     pub fn in_turns(then: impl FnOnce(Option<Embedded>) + 'static) {
         let asked = embedded(&dom::address().1);
         let notice =
@@ -66,7 +66,7 @@ pub fn EmbeddedApp(
     }
 }
 
-/// Begins anew when the page around asks for something else: a browser does not load a page again for another fragment.
+/// Reloads the page when the page around it changes the fragment: a browser does not load a page again for another fragment.
 fn begin_anew_at_another_address(page: Page) {
     let shown = dom::address().1;
     dom::hear("hashchange", move |_| {
@@ -81,7 +81,7 @@ fn begin_anew_at_another_address(page: Page) {
 #[component]
 fn Open() -> impl IntoView {
     let page = Page::here();
-    // A project that came by a link fits into a link with three other values; a longer one leaves the address out.
+    // A project that came by a link also fits one after three values have changed. If it does not fit, the element has no address.
     let link = move || page.project.with(|project| project.to_link().ok());
     let address = move || link().map(|fragment| format!("{}#{fragment}", dom::address().0));
     view! { <a href=address target="_blank" rel="noopener">{t("page.embed-open")}</a> }
@@ -102,7 +102,7 @@ mod tests {
     /// The page that an address asks for, in a browser that remembers nothing.
     async fn embedded_by(fragment: &str) -> ViewBench {
         dom::storage().unwrap().clear().unwrap();
-        // Nothing can be waited for until something was mounted, and this may be the first test.
+        // The test bench can wait only after a first mount, and this may be the first test.
         drop(mount_project(project(), || ()).await);
         window().location().set_hash(fragment).unwrap();
         assert!(Embedded::is_asked_for());

@@ -1,10 +1,10 @@
-//! A call after a delay, of which only the last one counts.
+//! A delayed call; a later call replaces the one that waits.
 
 use std::time::Duration;
 
 use leptos::prelude::*;
 
-/// A delayed call: another one takes its place, and none comes once the component that has it is gone. A handle: copies share the call.
+/// A delayed call. Another call replaces it, and it is dropped with the component that owns it. A handle: copies share the call.
 #[derive(Clone, Copy)]
 pub(crate) struct Delayed(StoredValue<Option<TimeoutHandle>>);
 
@@ -16,7 +16,7 @@ impl Delayed {
         delayed
     }
 
-    /// Does something after a delay, in place of what waits.
+    /// Calls `work` after a delay, in place of the call that waits.
     pub(crate) fn call(self, work: impl FnOnce() + 'static, delay: Duration) {
         self.cancel();
         self.0.set_value(set_timeout_with_handle(work, delay).ok());

@@ -82,7 +82,7 @@ pub(crate) fn soon(act: impl FnOnce() + 'static) {
     });
 }
 
-/// The page's own store in this browser.
+/// The local storage of the page in this browser.
 pub(crate) fn storage() -> Option<Storage> {
     web_sys::window()?.local_storage().ok().flatten()
 }
@@ -98,7 +98,7 @@ pub(crate) fn stored_keys() -> Vec<String> {
     (0..storage.length().unwrap_or(0)).filter_map(|at| storage.key(at).ok().flatten()).collect()
 }
 
-/// Keeps a text in the store; false where there is no room or no store.
+/// Keeps a text in the store; false if there is no room or no store.
 pub(crate) fn store(key: &str, text: &str) -> bool {
     storage().is_some_and(|storage| storage.set_item(key, text).is_ok())
 }
@@ -110,7 +110,7 @@ pub(crate) fn forget(key: &str) {
     }
 }
 
-/// An id that nothing else in this browser has: the time in milliseconds and a number by chance.
+/// An id that is unique in this browser: the time in milliseconds and a random number.
 pub(crate) fn fresh_id() -> String {
     format!("{:x}{:08x}", js_sys::Date::now() as u64, (js_sys::Math::random() * 4_294_967_296.0) as u64)
 }
@@ -131,10 +131,10 @@ pub(crate) fn download(name: &str, kind: &str, bytes: &[u8]) {
     set_timeout(move || drop(Url::revoke_object_url(&url)), std::time::Duration::from_secs(20));
 }
 
-/// Puts a text on the clipboard, then does `then` with whether the browser allowed it.
+/// Copies a text to the clipboard, then calls `then` with whether the browser allowed it.
 pub(crate) fn copy(text: &str, then: impl FnOnce(bool) + 'static) {
     let clipboard = window().navigator().clipboard();
-    // A page that did not come by HTTPS has none.
+    // A page that was not loaded by HTTPS has no clipboard.
     if clipboard.is_undefined() {
         return then(false);
     }
@@ -169,7 +169,7 @@ pub(crate) fn address() -> (String, String) {
     }
 }
 
-/// Takes the fragment off the address of the page.
+/// Removes the fragment from the address of the page.
 pub(crate) fn forget_fragment() {
     let (page, _) = address();
     if let Ok(history) = window().history() {
@@ -178,7 +178,8 @@ pub(crate) fn forget_fragment() {
     }
 }
 
-/// Whether the browser may install the page: it has a manifest where it is several files (scripts/one_file.mjs), and the browser keeps files for it.
+/// Whether the browser may install the page: it has a manifest (missing in the one-file page of scripts/one_file.mjs), and the browser
+/// supports service workers.
 pub(crate) fn is_installable() -> bool {
     let keeps =
         js_sys::Reflect::get(&window().navigator(), &"serviceWorker".into()).is_ok_and(|keeper| keeper.is_object());
@@ -197,7 +198,7 @@ pub(crate) fn is_dark() -> bool {
     chosen == "dark" || chosen.is_empty() && prefers("(prefers-color-scheme: dark)")
 }
 
-/// The text of bytes in GBK, where all of them are; the browser has the table.
+/// Decodes GBK with the browser's table; `None` unless all bytes are valid.
 pub(crate) fn gbk(bytes: &JsValue) -> Option<String> {
     let options = web_sys::TextDecoderOptions::new();
     options.set_fatal(true);
@@ -205,12 +206,12 @@ pub(crate) fn gbk(bytes: &JsValue) -> Option<String> {
     decoder.decode_with_buffer_source(bytes.unchecked_ref()).ok()
 }
 
-/// Opens the browser's dialog for printing; there is nothing to be done where it has none.
+/// Opens the browser's dialog for printing; a missing dialog is ignored.
 pub(crate) fn print() {
     let _ = window().print();
 }
 
-/// Sets an attribute; there is nothing to be done where the browser refuses.
+/// Sets an attribute; a refusal of the browser is ignored.
 pub(crate) fn set(element: &Element, name: &str, value: &str) {
     let _ = element.set_attribute(name, value);
 }
@@ -228,7 +229,7 @@ pub(crate) fn go_to_field(id: &str) {
     if let Some(input) = by_id(id) {
         return show_field(&input);
     }
-    // Its group builds it when it is opened.
+    // The group of the field builds the field when it is opened.
     let Ok(Some(group)) = document().query_selector(&format!("details[data-fields~='{id}']")) else { return };
     set(&group, "open", "");
     if let Ok(toggled) = Event::new("toggle") {
@@ -298,13 +299,13 @@ pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
     document().get_element_by_id(id)?.dyn_into().ok()
 }
 
-/// Acts at each event of a kind, anywhere on the page. A paste is heard before the element that it goes to.
+/// Calls `act` at each event of a kind, anywhere on the page. For a paste, before the element that it goes to.
 pub(crate) fn hear(event: &str, act: impl Fn(Event) + 'static) {
     let act = Closure::<dyn Fn(Event)>::new(act).into_js_value();
     let _ = window().add_event_listener_with_callback_and_bool(event, act.unchecked_ref(), event == "paste");
 }
 
-/// Acts whenever the browser has given an element a size, the first time included: its size can be read then without another layout.
+/// Calls `act` whenever the browser has given an element a size, also the first time. The size can be read then without another layout.
 pub(crate) fn on_resize(element: &Element, act: impl Fn() + 'static) {
     let act = Closure::<dyn Fn()>::new(act).into_js_value();
     if let Ok(observer) = ResizeObserver::new(act.unchecked_ref()) {
@@ -333,7 +334,7 @@ pub(crate) fn told(error: &JsValue) -> String {
     }
 }
 
-/// The name of a JavaScript error, such as `QuotaExceededError`; empty where it is none.
+/// The name of a JavaScript error, such as `QuotaExceededError`; empty if the value is not an error.
 pub(crate) fn error_name(error: &JsValue) -> String {
     property(error, "name").unwrap_or_default()
 }

@@ -12,7 +12,7 @@ thread_local! {
     static WAITING: RefCell<VecDeque<Work>> = const { RefCell::new(VecDeque::new()) };
 }
 
-/// Does something in a task of its own, after everything that waits already.
+/// Runs `work` in a task of its own, after all work that already waits.
 pub(crate) fn in_turn(work: impl FnOnce() + 'static) {
     let waiting = WAITING.with_borrow_mut(|waiting| {
         waiting.push_back(Box::new(work));
@@ -23,7 +23,7 @@ pub(crate) fn in_turn(work: impl FnOnce() + 'static) {
     }
 }
 
-/// Runs the first piece of work. It stays in the queue meanwhile, so that work it adds comes after the others.
+/// Runs the first piece of work. It stays in the queue while it runs, so that work it adds comes after the work that waits.
 fn next() {
     let work =
         WAITING.with_borrow_mut(|waiting| waiting.front_mut().map(|first| core::mem::replace(first, Box::new(|| ()))));
@@ -39,7 +39,7 @@ fn next() {
     }
 }
 
-/// Does something once nothing else waits.
+/// Runs `work` once no other work waits.
 pub(crate) fn at_last(work: impl FnOnce() + 'static) {
     in_turn(move || {
         let alone = WAITING.with_borrow(|waiting| waiting.len() == 1);

@@ -70,7 +70,7 @@ fn reasons(page: Page, export: &Export) -> Vec<Reason> {
     found
 }
 
-/// The dialog of the export: the files, or why nothing is exported.
+/// The dialog of the export: the files, or the reasons why nothing is exported.
 #[component]
 pub(crate) fn ExportDialog() -> impl IntoView {
     let (page, worker) = (Page::here(), Client::here());
@@ -81,7 +81,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
             return;
         }
         page.view.exporting.set(false);
-        // The programs of this moment, which are those that run; the documents are about the same project.
+        // The export has the programs of this moment, the ones that the page runs; the documents are about the same project.
         let written = page.program.written.get_untracked();
         let take = move |response: Option<Response>| {
             let Some(Response::Export(documents)) = response else {
@@ -120,7 +120,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
 /// Reads and writes an entry of the title block.
 type Entry = fn(&mut TitleBlock) -> &mut String;
 
-/// The entries of the report's title block, which are saved with the project. A change makes the documents anew.
+/// The entries of the report's title block, which are saved with the project. A change makes the documents again.
 #[component]
 fn TitleBlockFields() -> impl IntoView {
     let page = Page::here();
@@ -230,7 +230,7 @@ fn save_all(page: Page, files: Arc<[NamedBytes]>) {
     });
 }
 
-/// Shows a document in a tab of its own and prints it; tells where the browser allows neither.
+/// Shows a document in a tab of its own and prints it; a notice if the browser allows neither.
 fn show(page: Page, html: &str) {
     let Some(tab) = window().open_with_url_and_target("", "_blank").ok().flatten() else {
         return page.notices.notify(Tone::Warn, t("page.no-tab").to_owned());

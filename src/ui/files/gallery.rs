@@ -267,7 +267,7 @@ mod tests {
         assert_eq!((told.tone, faults.len() >= everywhere().count()), (Tone::Warn, true));
         let said = crate::msg!("page.example-fails", example = t(paper.name), count = faults.len() as u32);
         assert_eq!(told.text, sentence(&said));
-        // The tab of the results names them.
+        // The tab of the results lists the failed verdicts.
         let design = bench.page.results.design.get_untracked();
         let fails =
             |id: &str| design.readouts.iter().any(|readout| readout.id == id && readout.verdict == Verdict::Fail);

@@ -1,4 +1,4 @@
-//! Large programs: read and checked in a worker, so that the page never waits; shown by their first lines.
+//! Large programs: read and checked in a worker, so that the page never waits. The dialog shows their first lines.
 
 use std::rc::Rc;
 
@@ -26,11 +26,11 @@ pub(super) enum Source {
 struct Check {
     /// Name of the text.
     name: String,
-    /// Bytes read, and bytes in all. All are read when the check itself runs.
+    /// Bytes read, and total bytes; equal while the check itself runs.
     progress: (f64, f64),
     /// The findings, at the end of the check.
     report: Option<TextReport>,
-    /// The worker that checks; it ends with this.
+    /// The worker that checks; it ends when this is dropped.
     worker: Rc<Running>,
 }
 
@@ -108,7 +108,7 @@ pub(crate) fn LargeFileDialog() -> impl IntoView {
         (read, all) if read < all => t("page.reading"),
         _ => t("page.checking"),
     };
-    // Without a value the bar says that it goes on, but not how far it is.
+    // Without a value the bar shows activity, but no progress.
     let fill = move || match part() {
         (read, all) if read < all => Some(number_text(read / all, 3)),
         _ => None,

@@ -1,4 +1,4 @@
-//! The latest project of the shelf, offered at the start where the browser's other store had no room for it.
+//! The latest project of the shelf, offered at the start if the browser's other store had no room for it.
 
 use leptos::prelude::*;
 use wasm_bindgen_futures::spawn_local;
@@ -15,7 +15,7 @@ use crate::ui::words::{Tone, sentence, t};
 /// may be allowed where that is denied.
 pub(super) fn offer(page: Page) {
     spawn_local(async move {
-        // A shelf that does not answer has nothing to offer; the next change tells why.
+        // If the shelf does not answer, nothing is offered; the next change of the project reports the reason.
         let states = shelf::states().await.unwrap_or_default();
         let projects = states.into_iter().filter(|state| state.of.is_empty() && state.note.is_empty());
         let Some(latest) = projects.max_by(|a, b| a.at.total_cmp(&b.at)) else { return };

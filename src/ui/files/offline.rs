@@ -13,8 +13,8 @@ use crate::ui::words::{Tone, t};
 /// The module beside the page that talks to the service worker.
 const MODULE: &str = "offline.js";
 
-/// Has the browser keep the files of the page, and announces newer ones. Not every browser and not every place allows it, and the page works as
-/// well without.
+/// Makes the browser keep the files of the page, and announces newer ones. Some browsers and hosts do not allow it; the page works without
+/// it too.
 pub(crate) fn keep(page: Page) {
     if !dom::is_installable() {
         return;
@@ -31,7 +31,7 @@ pub(crate) fn keep(page: Page) {
     });
 }
 
-/// Goes over to the newer build, which loads the page again.
+/// Switches to the newer build, which reloads the page.
 fn take() {
     leptos::task::spawn_local(async {
         if let Ok(module) = script::load(MODULE).await {
@@ -40,7 +40,7 @@ fn take() {
     });
 }
 
-/// Tells that a newer build is there. Nothing of the project is lost when it is taken: where the browser has no room, it is not.
+/// Announces a newer build. It is taken only after the project is stored, so that nothing is lost.
 fn announce(page: Page, take: fn()) {
     let act = move |()| match store::store_before_reload(page) {
         true => take(),
@@ -65,7 +65,7 @@ mod tests {
         static TAKEN: Cell<u32> = const { Cell::new(0) };
     }
 
-    /// A page whose offer is there, with a changed project that is not stored yet.
+    /// A page that offers a newer build, with a changed project that is not stored yet.
     async fn announced(kept: Kept) -> ViewBench {
         TAKEN.set(0);
         let bench = mount(|| ()).await;

@@ -23,7 +23,7 @@ use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::BEFORE_PROGRAM;
 
-/// Bytes above which a text is not taken into the page but read aside.
+/// Bytes above which a text is checked in a worker instead of taken into the page.
 const BIG: f64 = MAX_PROGRAM as f64;
 
 /// Bytes of the largest project that is read: [`MAX_PROGRAM`] as JSON with every character escaped, and room for the form.
@@ -31,7 +31,7 @@ const PROJECT: f64 = 8.0 * BIG;
 
 /// Takes files that a person opened, dropped or pasted: all of them or none.
 fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
-    // A project may be larger than a program: what macroline saved it opens.
+    // A project may be larger than a program, because macroline opens every file that it saved.
     let is_project = |file: &File| file.name().to_ascii_lowercase().ends_with(".json") && file.size() <= PROJECT;
     if let Some(big) = files.iter().find(|file| file.size() > BIG && !is_project(file)) {
         if files.len() == 1 {
@@ -98,7 +98,7 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
     true
 }
 
-/// Puts a project in the place of the present one and shows its first program.
+/// Replaces the present project and shows the first program of the new one.
 pub(super) fn show(page: Page, project: Project) {
     page.view.file.set(0);
     page.view.tab.set(Tab::Program);
@@ -136,7 +136,7 @@ pub(crate) fn listen(page: Page, large: LargeFile, worker: Client) {
             transferred(page, (large, worker), &data);
         }
     });
-    // Before any text field gets it: a paste of many megabytes must not go into one.
+    // Handled before any text field, because many megabytes must not be pasted into one.
     dom::hear("paste", move |event| {
         let Some(data) = event.unchecked_ref::<ClipboardEvent>().clipboard_data() else { return };
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
@@ -203,7 +203,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn project_larger_than_a_program_is_opened() {
-        // Its program is as long as one may be. As JSON each line feed is two characters.
+        // The longest program allowed. In JSON each line feed takes two characters.
         let line = "N1 G04 X1.\n";
         let mut order = project();
         order.name = "Order 8".to_owned();

@@ -1,4 +1,4 @@
-//! Parts that a person brings as a table, CSV or JSON: the worker reads it, and its sound rows are kept with the project.
+//! Parts from a table opened by the user, CSV or JSON: the worker reads it, and its valid rows are kept with the project.
 
 use leptos::prelude::*;
 
@@ -11,7 +11,7 @@ use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{ReadParts, Request, Response};
 
-/// Findings about a table that are told one by one.
+/// Maximum findings about a table that are listed one by one.
 const TOLD: usize = 4;
 
 /// Adds the parts of a table to the project, as one step of the history, and reports the faulty rows.
@@ -34,7 +34,7 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
         page.notices.announce(sentence(&msg!("page.parts-added", count = added)));
     };
     let request = Request::Parts(table.name.clone(), table.text.clone());
-    // The answer may come at once, and changes the project.
+    // Read before the request, because an immediate answer changes the project.
     let project = page.project.get_untracked();
     worker.ask(&project, request, show);
 }

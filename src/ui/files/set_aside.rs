@@ -3,7 +3,7 @@
 use crate::project::Project;
 use crate::ui::dom;
 
-/// Begin of the keys; behind it the time in ms, the reason, and the id of the project where it has one.
+/// Prefix of the keys, followed by the time in ms, the reason, and the id of the project if it has one.
 const KEYS: &str = "macroline.aside.";
 
 /// Key in the browser's store under which earlier versions kept one unreadable state.
@@ -12,7 +12,7 @@ const OLD: &str = "macroline.set-aside";
 /// States that are kept.
 const MOST: usize = 8;
 
-/// Name of the file in which a state is handed out that does not read.
+/// Name of the file in which an unreadable state is offered to the user.
 pub(super) const FILE: &str = "macroline-set-aside.txt";
 
 /// Why a state was set aside.
@@ -27,11 +27,11 @@ pub(super) enum SetAsideReason {
 }
 
 impl SetAsideReason {
-    /// The reason of a word in a key.
+    /// The reason by its word in a key.
     fn of(word: &str) -> Option<SetAsideReason> {
         match word {
             "unread" => Some(SetAsideReason::Unread),
-            // Words that the page had until November 2026 too.
+            // Includes the words that the page used until November 2026.
             "opened" | "new" | "link" => Some(SetAsideReason::Replaced),
             "other-tab" => Some(SetAsideReason::OtherTab),
             _ => None,
@@ -98,7 +98,7 @@ pub(super) fn keep(text: &str, reason: SetAsideReason, id: Option<&str>) -> bool
     kept
 }
 
-/// Whether a project is an example as the gallery has it.
+/// Whether a project equals an example of the gallery.
 pub(super) fn is_untouched(project: &Project) -> bool {
     let example = project.present_example();
     example.map(|example| Project::example(project.machine, project.control, example)).as_ref() == Some(project)

@@ -21,7 +21,7 @@ pub(super) fn linked() -> Option<Loaded> {
     is_link(&fragment).then(|| Project::from_link(&fragment))
 }
 
-/// Takes the link off the address once its project is stored: a reload shows what became of the project since.
+/// Removes the link from the address once its project is stored, so that a reload shows the project as changed since.
 pub(super) fn forget_link() {
     if is_link(&dom::address().1) {
         dom::forget_fragment();
@@ -206,7 +206,7 @@ mod tests {
         bench
     }
 
-    /// Puts a fragment into the address and opens what it has.
+    /// Puts a fragment into the address and opens its project.
     async fn opened(bench: &ViewBench, fragment: &str) {
         window().location().set_hash(fragment).unwrap();
         open(bench.page);

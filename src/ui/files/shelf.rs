@@ -63,8 +63,8 @@ pub(super) fn present(page: Page) -> ShelfState {
     })
 }
 
-/// Puts the present project on the shelf; an untouched example only if its id is there already. A tab that watches another one puts
-/// nothing.
+/// Puts the present project on the shelf; an untouched example only if its id is there already. A tab that watches another one puts nothing
+/// on the shelf.
 pub(super) async fn keep_present(page: Page) -> Result<(), String> {
     if page.view.kept.try_get_untracked().is_none_or(|kept| kept == Kept::Elsewhere) {
         return Ok(());
@@ -147,7 +147,7 @@ pub(super) fn leave(page: Page, before: &Project) {
     take_in_soon(page);
 }
 
-/// Moves the states in the background: after one was set aside, and those that the last visit left.
+/// Moves the states in the background: after one was set aside, and at the start for states left from the last visit.
 pub(super) fn take_in_soon(page: Page) {
     if set_aside::list().iter().all(|state| state.reason == SetAsideReason::Unread) {
         return;

@@ -32,8 +32,8 @@ const STEPS: &str = "macroline.steps";
 /// What this tab carries over a reload where the store refuses the project.
 const CARRIED: [&str; 3] = [PROJECT, ID, STEPS];
 
-/// Key of the place that has the latest state of the project: [`IN_STORE`] or [`ON_SHELF`]. The words are of one length, so that a full store
-/// takes one for the other.
+/// Key of the place that has the latest state of the project: [`IN_STORE`] or [`ON_SHELF`]. Both words have the same length, so that a full
+/// store can replace one by the other.
 const PLACE: &str = "macroline.place";
 
 /// This store has the latest state.
@@ -177,11 +177,11 @@ fn refused() -> Kept {
 }
 
 thread_local! {
-    /// Whether the user has been told that the store refuses the project.
+    /// Whether the refusal of the store has been reported to the user.
     static REFUSED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Stores the project in the room of its steps; they stay if that does not help.
+/// Stores the project in the space of its steps, which stay if the space does not suffice.
 fn make_room(text: &str) -> bool {
     let Some(steps) = dom::stored(STEPS) else { return false };
     dom::forget(STEPS);
@@ -276,7 +276,8 @@ fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValu
     }
 }
 
-/// Whether this store has the latest state of the project. Without a word of the last visit it is new, full or denied: new if it takes one.
+/// Whether this store has the latest state of the project. Without a word from the last visit the store is new, full or denied; it is new
+/// if it accepts a word.
 fn has_latest() -> bool {
     match dom::stored(PLACE) {
         Some(place) => place == IN_STORE,
@@ -386,7 +387,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     dom::hear("visibilitychange", move |_| hide());
 }
 
-/// The page closes: the next tab may take over, and what was changed in a tab that only watches is set aside, for it is stored nowhere else.
+/// The page closes: the next tab may take over. Changes in a tab that only watches are set aside, because they are stored nowhere else.
 fn close(page: Page, known: [StoredValue<Option<Project>, LocalStorage>; 2]) {
     match page.view.kept.try_get_untracked() {
         Some(Kept::Elsewhere) => {
@@ -423,7 +424,7 @@ mod tests {
         until(move || page.view.kept.get_untracked() == Kept::Yes).await;
     }
 
-    /// Another tab stores or says something.
+    /// Simulates another tab that stores a value or sends a message.
     async fn other_tab(key: &str, value: &str) {
         let members = [("key", key.into()), ("newValue", value.into())];
         window().dispatch_event(&event("StorageEvent", "storage", &members)).unwrap();
@@ -506,7 +507,7 @@ mod tests {
             } else {
                 dom::forget(PLACE);
             }
-            // The project would take their room.
+            // With steps in the store the project would be stored in their space.
             dom::forget(STEPS);
             fill();
             bench.page.edit("name", |project| project.name = "Order 7 ".repeat(12));

@@ -44,7 +44,7 @@ pub(super) struct Drag {
     page: Page,
     info: Arc<FieldInfo>,
     pull: StoredValue<Option<Pull>>,
-    /// A pull has just ended: its click does nothing else.
+    /// A pull has just ended, so its click is ignored.
     ended: StoredValue<bool>,
 }
 

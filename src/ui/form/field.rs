@@ -1,4 +1,4 @@
-//! One field of the form: the entry stays as typed, and the project gets it when it reads as a value.
+//! One field of the form: the entry stays as typed, and the project gets it if it is a valid value.
 
 use std::sync::Arc;
 
@@ -157,7 +157,7 @@ fn TypedInput(
         }
         reread
     });
-    // The value before this entry: what begins as a number and turns out to be none (`12e2`) has changed nothing.
+    // The value before this entry, restored if the entry begins as a number and turns out to be none (`12e2`).
     let before: StoredValue<Option<Value>> = StoredValue::new(None);
     let valued = Arc::clone(&info);
     let enter = move || before.set_value(Some(untrack(|| value_of(page, &valued))));

@@ -1,4 +1,4 @@
-//! The form: product fields in front, the machine's data folded behind them in groups.
+//! The form: product fields first, then the machine's data in folded groups.
 
 mod drag;
 
@@ -40,7 +40,7 @@ fn groups(fields: &[FieldInfo]) -> Vec<(&'static str, Vec<FieldInfo>)> {
 pub(crate) fn Form() -> impl IntoView {
     let page = Page::here();
     let rows = move || {
-        // Another machine has another form; other values of the same machine do not.
+        // Only another machine changes the form; other values of the same machine do not.
         page.machine.track();
         let fields = page.project.with_untracked(|project| project.machine.fields());
         let product = fields.iter().filter(|field| field.essential).cloned();
@@ -117,7 +117,7 @@ fn MachineData(
     }
 }
 
-/// A group of fields, which are built when it is first opened: most of them are never looked at, and the page is there sooner.
+/// A group of fields, which are built when the group is first opened. Most groups are never opened, so the page appears sooner.
 #[component]
 fn Group(
     /// Catalog id of its name.

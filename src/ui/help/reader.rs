@@ -1,4 +1,4 @@
-//! Search in help, and its pages one at a time with the way back. The worker makes both.
+//! Search in help, and its pages one at a time with the way back. The worker makes results and pages.
 
 use leptos::html;
 use leptos::prelude::*;

@@ -8,7 +8,7 @@ use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
 use crate::ui::words::t;
 
-/// Key in the browser's store that says that help was opened once, so that the tour is no longer offered.
+/// Key in the browser's store, set when help was opened once: the tour is no longer offered then.
 const SEEN: &str = "macroline.tour";
 
 /// Attribute of the page for a user who has not opened help yet.

@@ -46,7 +46,7 @@ struct State {
     /// The mark that is dragged, and the time (s) that it would have.
     moving: RwSignal<Option<(usize, f64)>>,
     pull: StoredValue<Option<Pull>>,
-    /// A pull has just ended: its click does nothing else.
+    /// A pull has just ended, so its click is ignored.
     ended: StoredValue<bool>,
 }
 
@@ -224,7 +224,7 @@ impl State {
         let step = time_step((to - from) / STEPS) * if event.shift_key() { 10.0 } else { 1.0 };
         let by = |steps: f64| {
             if let Some(event) = event_at(self.page, at) {
-                // Behind the end of the run the plan follows.
+                // A mark may be moved beyond the end of the run; the plan is extended.
                 self.put(at, in_steps(event.t + steps * step, step), "operator");
             }
         };

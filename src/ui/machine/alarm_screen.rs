@@ -80,7 +80,7 @@ fn of_hold(meaning: String, place: Option<Place>) -> Told {
 }
 
 fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
-    // With the words of the finding at its place in the program.
+    // Uses the sentence of the finding at the place of the alarm in the program.
     let known = page.program.findings.with(|found| reported(found, alarm).cloned());
     let alarm = known.as_ref().unwrap_or(alarm);
     let own = match alarm.message.value("text") {
@@ -116,7 +116,7 @@ fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
     page.results.variables.get().into_iter().filter(|(number, ..)| names(*number)).map(row).collect()
 }
 
-/// The screen; nothing while there is nothing to say.
+/// The screen; empty while there is no alarm and no message.
 #[component]
 pub(super) fn AlarmScreen() -> impl IntoView {
     let page = Page::here();

@@ -19,7 +19,7 @@ pub(super) async fn onto(canvas: &HtmlCanvasElement, svg: &str, fine: f64) -> Op
     image.set_src(&format!("data:image/svg+xml,{}", js_sys::encode_uri_component(svg)));
     JsFuture::from(image.decode()).await.ok()?;
     let [width, height] = [image.natural_width(), image.natural_height()].map(|size| (f64::from(size) * fine).round());
-    // A canvas that gets a size is empty.
+    // Setting the size of a canvas clears it.
     if f64::from(canvas.width()) != width || f64::from(canvas.height()) != height {
         canvas.set_width(width as u32);
         canvas.set_height(height as u32);

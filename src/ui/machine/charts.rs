@@ -32,7 +32,7 @@ impl Charts {
     }
 
     /// Shows a moment: draws the chart after a change of plan or axis (some times a second) or of the choice, moves the cursor, and writes
-    /// the values some times a second. Returns whether the charts were computed anew.
+    /// the values some times a second. Returns whether the charts were computed again.
     pub(super) fn frame(&mut self, host: &Element, moment: &RunMoment, chosen: usize) -> bool {
         let changed = moment.slow && (self.axis != moment.axis || self.plans != Some(moment.plans));
         if changed {
@@ -107,7 +107,7 @@ impl Charts {
     }
 }
 
-/// The first point of a line at a time or after it; the last point behind its end.
+/// The first point of a line at a time or after it; beyond its end the last point.
 fn point_at(line: &Series, seconds: f64) -> Option<(f64, f64)> {
     let at = line.points.partition_point(|point| point.0 < seconds).min(line.points.len().saturating_sub(1));
     line.points.get(at).copied()

@@ -17,7 +17,7 @@ const FINE: f64 = 1.5;
 /// Format, and its ending.
 const KIND: &str = "video/webm";
 
-/// Whether the browser records what is drawn.
+/// Whether the browser can record a canvas.
 pub(super) fn is_possible() -> bool {
     let global = js_sys::global();
     let has = |object: &JsValue, name: &str| js_sys::Reflect::has(object, &name.into()).unwrap_or(false);
@@ -52,7 +52,7 @@ pub(super) async fn record(page: Page, progress: RwSignal<Option<f64>>) -> Optio
     }
     let begin = dom::now();
     let mut whole = false;
-    // Ends early where the user breaks off, or the page is gone.
+    // Ends early if the user cancels, or the page is gone.
     while let Some(Some(_)) = progress.try_get_untracked() {
         let part = (dom::now() - begin) / (1000.0 * SECONDS);
         if part >= 1.0 {

@@ -156,7 +156,7 @@ fn Sides(
     }
 }
 
-/// The name over a side; a list to choose from where there are more than two to compare.
+/// The name over a side; a list to choose from if there are more than two projects.
 #[component]
 fn Caption(
     /// The two projects.
@@ -203,7 +203,7 @@ fn Motion(
         let made = projects.iter().zip([&left, &right]).map(|(project, host)| Side::new(project, host)).collect();
         sides.set_value(made);
         plan(sides, head, end, show);
-        // Once the dialog has its size.
+        // Drawn only after the dialog has its size.
         dom::soon(move || {
             sides.try_with_value(|sides| {
                 for (side, host) in sides.iter().zip([&left, &right]) {

@@ -97,7 +97,7 @@ pub(crate) fn Film() -> impl IntoView {
 fn WindowChoice() -> impl IntoView {
     let player = Page::here().player;
     let label = |seconds: f64| if seconds > 0.0 { filled("# s", &[seconds]) } else { t("page.all").to_owned() };
-    // While a part is zoomed in, the list says so, and “all” is a choice again.
+    // While a part is zoomed in, the list shows that, and “all” is a choice again.
     let options = move || {
         let zoomed = player.zoom.get().is_some().then(|| (ZOOMED.to_owned(), t("page.zoomed").to_owned()));
         let windows = WINDOWS.map(|seconds| (number_text(seconds, 6), label(seconds)));

@@ -46,13 +46,13 @@ impl FittedDrawing {
         fitted
     }
 
-    /// Takes a new drawing, which is in the room already.
+    /// Takes a new drawing, which is already in its container.
     pub(super) fn take(self, drawn: Drawn) {
         self.drawn.set_value(Some(drawn));
         self.refit();
     }
 
-    /// Fits the labels anew in the next frame.
+    /// Fits the labels again in the next frame.
     pub(super) fn refit(self) {
         // The page may be gone.
         let _ = self.due.try_set_value(true);
@@ -69,7 +69,7 @@ impl FittedDrawing {
         match (is_due, longer) {
             // The first fit runs before the page is painted, and measures after everything else is written.
             (true, _) => dom::soon(move || self.fit()),
-            // Not in the same task, for the browser lays out the page once more for it.
+            // Fitted in another task, because it makes the browser lay out the page once more.
             (false, Some(true)) => in_turn(move || self.fit()),
             _ => {}
         }

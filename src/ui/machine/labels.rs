@@ -75,7 +75,7 @@ fn seen_in(label: &Label, lens: Area) -> usize {
     (0..label.lines.len()).take_while(is_within).count()
 }
 
-/// Places the labels: those in lenses keep their place, then follow labels with hairlines, then the others. A label without room loses
+/// Places the labels: labels in lenses keep their place; then come labels with hairlines, then the others. A label without room loses
 /// lines from its end, the name last.
 fn placed(labels: &[Label], frame: Area) -> Vec<Fate> {
     let mut taken: Vec<Area> = Vec::new();

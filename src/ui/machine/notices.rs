@@ -1,4 +1,4 @@
-//! Messages over the lower edge of the stage: they move no control.
+//! Messages over the lower edge of the stage, so that no control of the page moves.
 
 use leptos::prelude::*;
 

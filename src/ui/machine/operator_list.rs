@@ -1,4 +1,4 @@
-//! The operator's actions as a list: one added at the play head, rows to edit, files of them.
+//! The operator's actions as a list: adding one at the play head, editing rows, saving and opening files.
 
 use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;

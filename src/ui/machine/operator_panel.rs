@@ -155,7 +155,7 @@ fn Presses() -> impl IntoView {
         },
     );
     let is_single = move || single.get() != 0.0;
-    // Whether it has one is a matter of the machine and its control, not of the values.
+    // Whether there is an inverter depends on the machine and its control, not on the values.
     let has_inverter = Memo::new(move |_| {
         page.machine.track();
         page.control.track();
@@ -206,7 +206,7 @@ fn Presses() -> impl IntoView {
     }
 }
 
-/// Program zero return on controls that have it, the effect of the last action, and the way to forget all of them.
+/// Program zero return on controls that have it, the effect of the last action, and the button that removes all actions.
 #[component]
 fn Told() -> impl IntoView {
     let page = Page::here();

@@ -229,7 +229,7 @@ impl RowList {
         }
     }
 
-    /// The first row that is built, and the one behind the last.
+    /// The first row that is built, and the row after the last one.
     pub(super) fn built(self) -> (usize, usize) {
         let first = self.first.get().min(self.count.get().saturating_sub(BUILT));
         (first, (first + BUILT).min(self.count.get()))
@@ -258,7 +258,7 @@ impl RowList {
         self.wrong.set(None);
         let input: HtmlInputElement = event_target(typed);
         if column == "time" {
-            // The key or press that confirmed the entry first moves the focus: the rows move afterwards.
+            // The key or press that confirmed the entry moves the focus first; the rows move after that.
             set_timeout(move || self.move_row(at, &present, event, &input), Duration::ZERO);
         } else if change(self.page, at, event, "").is_some() {
             self.write(at, column, &input);

@@ -27,7 +27,7 @@ pub(super) fn SavePicture() -> impl IntoView {
         clip.set(Some(0.0));
         wasm_bindgen_futures::spawn_local(async move {
             let bytes = clip::record(page, clip).await;
-            // The user may have broken it off; the page may be gone.
+            // The user may have cancelled the recording, or the page may be gone.
             let wanted = clip.try_get_untracked().flatten().is_some();
             let _ = clip.try_set(None);
             match bytes {
@@ -142,7 +142,7 @@ mod tests {
         let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30\" height=\"20\"/>";
         let bytes = png(svg).await.unwrap();
         assert_eq!(bytes[..8], SIGNATURE);
-        // Width and height stand at the begin of the first chunk.
+        // Width and height are at the start of the first chunk.
         assert_eq!((bytes[16..20].to_vec(), bytes[20..24].to_vec()), (vec![0, 0, 0, 60], vec![0, 0, 0, 40]));
         assert!(png("<svg").await.is_none(), "a drawing that the browser cannot read");
     }

@@ -19,7 +19,7 @@ pub(super) struct Drawn {
     picture: Option<HtmlElement>,
     view: [f64; 4],
     unit: f64,
-    /// Whether the drawing may be wider than its room, for it has places to go to.
+    /// Whether the drawing may be wider than its container; it then has places to go to.
     pans: bool,
     /// Start of the names of the scene's own gradients.
     alt: &'static str,
@@ -76,7 +76,7 @@ impl Drawn {
             groups,
             parts,
             picture: dom::all(host, ".scene").into_iter().next().map(JsCast::unchecked_into),
-            // Rounded as in the SVG, because boot.js lays out the still by that.
+            // Rounded as in the SVG, because boot.js lays out the first drawing by that.
             view: scene.view.map(|length| (100.0 * length).round() / 100.0),
             unit: scene.unit,
             pans: scene.unit > 0.0 && !scene.stations.is_empty(),
@@ -115,8 +115,8 @@ impl Drawn {
         room.set_scroll_left(left as i32);
     }
 
-    /// Moves the parts; parts that have not moved are not touched. Says whether a text has become longer than any before in its place, so that
-    /// the labels are to be fitted again.
+    /// Moves the parts; parts that have not moved are not touched. Returns whether a text has become longer than all earlier ones in its
+    /// place, so that the labels have to be fitted again.
     pub(super) fn pose(&mut self, pose: &Pose) -> bool {
         let (mut text, mut longer) = (String::new(), false);
         for place in &pose.placements {

@@ -26,7 +26,7 @@ pub(crate) fn Stage() -> impl IntoView {
     let section: NodeRef<html::Section> = NodeRef::new();
     let fitted = FittedDrawing::new(page);
     let (host, pans) = (fitted.host, fitted.pans);
-    // The still is this drawing, which replaces it in place.
+    // The first drawing in the HTML is this drawing, which replaces it in place.
     let still = StoredValue::new_local(StillDrawing::take());
     Effect::new(move |shown: Option<Shown>| {
         let shown = shown.unwrap_or_default();
@@ -100,7 +100,7 @@ fn open_field(event: MouseEvent) {
     }
 }
 
-/// Words and weight of the state: the machine's, as long as the film shows it in motion; while the program runs, what it does to the work.
+/// Words and weight of the state: of the machine while the film shows it in motion; while the program runs, the operation on the work.
 fn shown_state(page: Page) -> (String, Tone) {
     let player = page.player;
     let (mode, begun) = player.now.with(|now| (now.mode, now.t > 0.0));
@@ -168,7 +168,7 @@ fn mark_causes(page: Page, host: NodeRef<html::Div>) {
     });
 }
 
-/// Why the run is over, at its end; alarms and messages of the program have a screen of their own.
+/// The reason why the run is over, at its end; alarms and messages of the program have a screen of their own.
 fn why(page: Page) -> String {
     let (at, (planned, _)) = (page.player.now.with(|now| now.t), page.player.planned.get());
     match page.player.ended.get().filter(|_| at >= planned) {

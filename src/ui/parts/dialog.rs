@@ -53,7 +53,7 @@ pub(crate) fn DialogButton(
     id: &'static str,
     /// Catalog id of its name.
     label: &'static str,
-    /// Catalog id of what is said about the dialog.
+    /// Catalog id of the sentence about the dialog.
     about: &'static str,
     /// Whether the dialog is open.
     open: RwSignal<bool>,

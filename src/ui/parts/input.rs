@@ -18,7 +18,7 @@ pub(crate) fn filled_part(value: f64, (low, high): (f64, f64)) -> String {
     filled("#%", &[math::clamp(part, 0.0, 1.0) * 100.0])
 }
 
-/// A field that hands out its text at Enter, and is then empty again if the text was taken.
+/// A field that passes its text on at Enter, and is cleared if the text was accepted.
 #[component]
 pub(crate) fn EntryField(
     /// Placeholder and accessible name.
@@ -37,7 +37,7 @@ pub(crate) fn EntryField(
     view! { <input type="text" placeholder=words aria-label=words on:keydown=enter /> }
 }
 
-/// A check mark with words behind it.
+/// A check mark followed by words.
 #[component]
 pub(crate) fn CheckMark(
     /// The words.

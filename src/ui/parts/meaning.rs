@@ -84,7 +84,7 @@ fn of_editor(project: &Project, editor: &Element, point: Option<(f64, f64)>) -> 
     let line: Array = line.ok()?.dyn_into().ok()?;
     let (text, at, start) = (line.get(0).as_string()?, line.get(1).as_f64()?, line.get(2).as_f64()?);
     let at = utf16::byte(&text, at as u32);
-    // The cursor belongs to the word before it, too.
+    // A cursor directly after a word belongs to that word too.
     let found = meaning::at(project, &text, at);
     let before = || meaning::at(project, &text, at.checked_sub(1)?);
     let (span, meaning) = found.or_else(|| before().filter(|_| point.is_none()))?;
@@ -109,7 +109,7 @@ fn at_point(project: &Project, target: &Element, (x, y): (f64, f64)) -> Option<W
     Some(Word::at(meaning?, &area))
 }
 
-/// All words of a list that are in the window: those of the listing's cursor or running line, or of the whole sheet.
+/// All words of a list that are in the window: of the listing's cursor or running line, or of the whole sheet.
 fn of_list(project: &Project, list: &Element) -> Vec<Word> {
     let line = ["[data-l].cursor code", "[data-l][aria-current] code", "[data-l] code"];
     match line.iter().find_map(|line| dom::all(list, line).into_iter().next()) {
@@ -284,7 +284,7 @@ pub(crate) fn MeaningPopover() -> impl IntoView {
             Some(_) => frame.show_popover(),
             None => frame.hide_popover(),
         };
-        // Its size is known when its words are there.
+        // The size of the popover is known once its words are in it.
         dom::soon(move || word.iter().for_each(|word| place(&frame, word)));
     });
     view! {
@@ -440,7 +440,7 @@ mod tests {
             }
             editor.dispatch_event(&event("Event", "means", &[])).unwrap();
         };
-        // On a word, and behind it.
+        // On a word, and directly after it.
         for (at, expected) in [(5, "G1"), (8, "X#110"), (13, "#110"), (0, "N35"), (3, "N35")] {
             tell(at);
             settled().await;

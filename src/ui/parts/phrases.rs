@@ -30,7 +30,7 @@ const PHRASES: [(&str, &str); 21] = [
     ("replaced match on line $", "page.replaced-on-line"),
 ];
 
-/// All of them, as the library takes them.
+/// All phrases as an object for the library.
 pub(crate) fn phrases() -> JsValue {
     let all = object([]);
     PHRASES.iter().for_each(|(english, id)| set(&all, english, &t(id).into()));

@@ -60,13 +60,13 @@ pub(crate) fn fit(picture: &HtmlElement, [_, _, width, height]: [f64; 4], most: 
     }
 }
 
-/// The still of the page's HTML: the drawing of a fresh project before its start, seen until the page is there. A handle: copies share its
+/// The first drawing in the page's HTML: a fresh project before its start, visible until the page is built. A handle: copies share its
 /// state.
 #[derive(Clone, Copy)]
 pub(crate) struct StillDrawing(StoredValue<Option<Element>, LocalStorage>);
 
 impl StillDrawing {
-    /// Takes the still out of the page, and hands it to every component below. There is none where the store has a project.
+    /// Takes the first drawing out of the page, and provides it to every component below. There is none if the store has a project.
     pub(crate) fn provide() {
         let still = dom::by_id("still");
         let drawing = still.as_ref().and_then(|still| dom::all(still, ".scene").into_iter().next());

@@ -32,7 +32,7 @@ pub(crate) fn SheetView(
     let (page, worker) = (Page::here(), Client::here());
     let shown = RwSignal::new(format!("<p class=\"lead\">{}</p>", t("page.reading")));
     let answered = RwSignal::new(false);
-    // The sheets are those of the project before its last change.
+    // The sheets are outdated: they show the project before its last change.
     let outdated = RwSignal::new(true);
     // Progress of the answer, and the number of its request; none without a request.
     let far = RwSignal::new(None::<f64>);
@@ -63,7 +63,7 @@ pub(crate) fn SheetView(
     };
     let delayed = Delayed::new();
     let cancel = move |_| {
-        // A request that is still to be sent would undo the cancelling.
+        // A request that waits for its delay would undo the cancelling.
         delayed.cancel();
         worker.cancel(asked.get_value());
         far.set(None);

@@ -7,7 +7,7 @@ use crate::ui::state::Page;
 use crate::ui::words::{Tone, figure, four_digits, limit_sign, limit_text, sentence, t, verdict_words};
 use crate::view::{Advice, Readout};
 
-/// The advice of a result, or the whole figure.
+/// Tooltip of a result: its advice, or its figure in full.
 fn title(readout: &Readout) -> String {
     let advice = readout.advice.first().map(|advice| sentence(&advice.message));
     advice.unwrap_or_else(|| format!("{} {}", figure(readout.value, readout.decimals), readout.unit))
@@ -72,7 +72,7 @@ pub(crate) fn VerdictLines(
     let own = move |id: &str| readouts.with(|readouts| readouts.iter().find(|readout| readout.id == id).cloned());
     let line = move |first: Readout| {
         let id = first.id;
-        // A result that has gone keeps its last value until its line is removed.
+        // A result that no longer exists keeps its last value until its line is removed.
         let readout =
             Memo::new(move |last: Option<&Readout>| own(id).or_else(|| last.cloned()).unwrap_or_else(|| first.clone()));
         view! { <VerdictLine readout=readout /> }

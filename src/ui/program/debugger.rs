@@ -18,7 +18,7 @@ fn is_used(walk: &Walk) -> bool {
     walk.at_stop || walk.going || !walk.watches.is_empty() || !walk.points.list().is_empty()
 }
 
-/// The commands as buttons, and a field for the condition of the breakpoint at the cursor; shown while one steps.
+/// The commands as buttons, and a field for the condition of the breakpoint at the cursor; shown while stepping.
 #[component]
 pub(super) fn DebuggerBar() -> impl IntoView {
     let page = Page::here();
@@ -50,7 +50,7 @@ pub(super) fn DebuggerBar() -> impl IntoView {
     }
 }
 
-/// A row about the stop: a name, lines about it.
+/// A row about the stop: a name, and its text lines.
 type Row = (String, String);
 
 /// The state at the stop, as rows.
@@ -140,7 +140,7 @@ fn points(walk: &Walk, written: &Written) -> Vec<(u32, Row)> {
     walk.points.list().iter().map(row).collect()
 }
 
-/// The state at the stop: why it has stopped, changes, call levels, breakpoints, watches.
+/// The state at the stop: reason of the stop, changes, call levels, breakpoints, watches.
 #[component]
 pub(super) fn Seen() -> impl IntoView {
     let page = Page::here();

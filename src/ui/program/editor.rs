@@ -1,4 +1,4 @@
-//! The editor of a program file and its difference to what the form writes, both loaded when first asked for.
+//! The editor of a program file and its difference to the form's program, both loaded when first opened.
 
 use std::cell::Cell;
 use std::time::Duration;
@@ -157,7 +157,7 @@ pub(super) fn Editor() -> impl IntoView {
         if let Some(Some(editor)) = handle.try_get_value().filter(|_| !is_typed(page, at)) {
             let _ = call(&editor, "show", &[&at.into(), &page.program.text(at).into()]);
             let _ = call(&editor, "points", &[&points::lines(page, at, &breakpoints)]);
-            // Until the review of a text is there, the marks of the text before it stay.
+            // The marks of the earlier text stay until the new text is reviewed.
             if !pending {
                 let _ = call(&editor, "mark", &[&findings(page, at)]);
             }

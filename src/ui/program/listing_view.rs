@@ -85,7 +85,7 @@ pub(super) fn Listing(
     let seek = move || {
         let Some(place) = page.view.sought.get() else { return };
         if place.file != untrack(file) {
-            // The lines of that file come first.
+            // Another file is chosen first; then this effect runs again.
             return page.view.file.set(place.file.0 as usize);
         }
         let found = rows.with_value(|rows| {

@@ -42,7 +42,7 @@ const NUMBER: f64 = 46.0;
 pub(crate) fn ProgramTab() -> impl IntoView {
     let page = Page::here();
     let follow = RwSignal::new(true);
-    // While the listing follows the run, it shows the file of the running block; at a stop of the debugger that of the next block.
+    // While the listing follows the run, it shows the file of the running block, or of the next block at a stop of the debugger.
     let followed = Memo::new(move |_| page.player.walk.with(Walk::place).or(page.player.running.get()));
     Effect::new(move |_| {
         if let Some(place) = followed.get()
@@ -221,7 +221,7 @@ fn ViewToggle(
     }
 }
 
-/// The bar of an edited program: which text counts, the differences, and the way back to the form's program.
+/// The bar of an edited program: which text runs, the differences, and the way back to the form's program.
 #[component]
 fn Detached() -> impl IntoView {
     let page = Page::here();
@@ -263,7 +263,7 @@ fn Silenced() -> impl IntoView {
     }
 }
 
-/// A double click on a line: the machine when its block runs next. The first click has set the cursor.
+/// A double click on a line shows the machine when the block of the line runs next. The first click has set the cursor.
 fn show_line(page: Page, event: &MouseEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     if target.is_some_and(|target| target.closest("[data-l]").is_ok_and(|row| row.is_some())) {

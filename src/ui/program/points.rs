@@ -9,7 +9,7 @@ use crate::ui::dom::script::table;
 use crate::ui::state::{Page, stepping};
 use crate::ui::words::sentence;
 
-/// Places and conditions of the breakpoints. The debugger changes with every frame of a run, they do not.
+/// Places and conditions of the breakpoints. The debugger changes with every frame of a run, the breakpoints do not.
 pub(super) fn all(page: Page) -> Memo<Vec<(Place, String)>> {
     Memo::new(move |_| {
         page.player.walk.with(|walk| {
@@ -27,7 +27,7 @@ pub(super) fn lines(page: Page, file: usize, all: &[(Place, String)]) -> JsValue
     table(here().map(|(place, condition)| vec![lines.line_of(place.span.start).into(), condition.into()]))
 }
 
-/// The function that sets a breakpoint at a line of the chosen file or removes it, and says which it was.
+/// The function for the editor that sets or removes a breakpoint at a line of the chosen file, and returns which of both it did.
 pub(super) fn turn(page: Page) -> JsValue {
     let turn = move |line: JsValue| {
         page.take_typed();

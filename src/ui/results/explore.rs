@@ -32,7 +32,7 @@ fn prepared(project: &Project, draft: Option<&Values>) -> Arc<PreparedMachine> {
 #[component]
 pub(crate) fn ExploreTab() -> impl IntoView {
     let page = Page::here();
-    // Dragged and not yet in the form.
+    // Values that are dragged and not yet in the form.
     let draft = RwSignal::new_local(None::<Values>);
     let seen = RwSignal::new_local(Explorer::default());
     let readouts = RwSignal::new_local(Vec::<Readout>::new());

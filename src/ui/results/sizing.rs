@@ -1,5 +1,5 @@
-//! Sizing: motors, operating envelope, limits and bill of materials, from runs of the program in the worker. A click on a motor takes it into the form, one on a chart goes to
-//! that moment.
+//! Sizing: motors, operating envelope, limits and bill of materials, from runs of the program in the worker.
+//! A click on a motor takes it into the form; a click on a chart goes to that moment.
 
 use std::time::Duration;
 

@@ -38,7 +38,7 @@ pub(super) fn Variants() -> impl IntoView {
     Effect::new(move |_| {
         page.project.with(|project| {
             let present = head_of(&project.variants);
-            // Rows with other columns would be misread, and the text of the field belonged to another list of names.
+            // Rows with other columns would be misread, and the text in the field belongs to the former list of names.
             if head.with_untracked(|head| *head != present) {
                 put(head, present);
                 put(rows, String::new());
@@ -54,7 +54,7 @@ pub(super) fn Variants() -> impl IntoView {
             delayed.call(ask, REST);
         }
     });
-    // Whether the name is that of a variant, and whether there is room for it.
+    // Whether a variant has the typed name, and whether another variant can be kept.
     let known = Signal::derive(move || typed.with(|typed| page.project.with(|project| is_known(project, typed))));
     let blocked =
         Signal::derive(move || !known.get() && page.project.with(|project| project.variants.len() >= MAX_VARIANTS));
@@ -176,7 +176,7 @@ fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
     } else if let Some(at) = place("data-remove") {
         page.edit("", |project| project.drop_variant(at));
         page.notices.announce(t("page.variant-removed"));
-        // The button that had the focus is gone.
+        // The pressed button, which had the focus, no longer exists.
         if let Some(field) = dom::by_id(NAME) {
             let _ = field.focus();
         }

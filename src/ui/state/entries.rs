@@ -1,4 +1,4 @@
-//! Entries of the form that do not read as values.
+//! Entries of the form that are not valid values.
 
 use leptos::prelude::*;
 
@@ -27,7 +27,7 @@ impl Entries {
         });
     }
 
-    /// Notes that the field has a right value; a wrong text gives way to it.
+    /// Records that the field has a valid value, which replaces an invalid text.
     pub(crate) fn accept(self, id: &'static str) {
         if self.invalid.with_untracked(|invalid| of_field(invalid, id).is_some()) {
             self.invalid.update(|invalid| invalid.retain(|other| other.field != Some(id)));

@@ -1,4 +1,4 @@
-//! Changes of a project field by field: an edit reruns only what shows the changed ones.
+//! Changes of a project field by field: an edit reruns only effects and memos that follow the changed fields.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use leptos::prelude::*;
 
 use crate::project::Project;
 
-/// A trigger per field of the form that somebody follows. A handle: copies share its state.
+/// A trigger for each field of the form that an effect or memo follows. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct FieldChanges(StoredValue<BTreeMap<&'static str, ArcTrigger>>);
 
@@ -23,7 +23,7 @@ impl FieldChanges {
         }
     }
 
-    /// Reruns what follows the fields that differ between two projects; of different machines, all fields.
+    /// Reruns effects and memos that follow a field that differs between two projects; for different machines, every field.
     pub(super) fn notify(self, before: &Project, after: &Project) {
         let differs = |id: &str| {
             before.machine.id() != after.machine.id()

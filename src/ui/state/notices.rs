@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use crate::ui::words::Tone;
 
-/// A button of a notice: catalog id of its words, and what it does.
+/// A button of a notice: catalog id of its words, and its action.
 pub(crate) type NoticeAction = (&'static str, Callback<()>);
 
 /// A message that stays until it is dismissed.

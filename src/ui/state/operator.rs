@@ -19,7 +19,7 @@ const EFFECT: f64 = 1.0;
 /// Parts of a second that the clock shows.
 const CLOCK: f64 = 1e4;
 
-/// Does an action at the play head and says what it changes: compares the run a little later with and without it.
+/// Applies an action at the play head and reports its effect, by comparing the run a little later with and without it.
 pub(crate) fn act(page: Page, action: Action) {
     dom::mark("knob-turned");
     let player = page.player;
@@ -130,7 +130,7 @@ pub(crate) fn standing<T: Copy>(events: &[Event], at: f64, first: T, of: impl Fn
     events.iter().rev().filter(|event| event.t <= at).find_map(|event| of(&event.action)).unwrap_or(first)
 }
 
-/// Names and values that an action may change, at a time: variables, feeds, spindle, and where asked for the places of the axes.
+/// Names and values at a time that an action may change: variables, feeds, spindle, and positions of the axes if `places`.
 fn watched(page: Page, t: f64, places: bool) -> Vec<(String, String)> {
     let (rows, control) =
         (page.results.variables.get_untracked(), page.project.with_untracked(|project| project.control));

@@ -64,7 +64,7 @@ pub(crate) struct Page {
     pub program: ProgramFiles,
     /// Changes of the project, field by field.
     pub field_changes: FieldChanges,
-    /// Entries of the form that do not read as values.
+    /// Entries of the form that are not valid values.
     pub entries: Entries,
     /// The run.
     pub player: Player,
@@ -119,7 +119,7 @@ impl Page {
             put(page.program.silenced, page.project.with(|project| silence(&mut found, &project.silenced)));
             put(page.program.findings, found);
         });
-        // A film that stops at once would restart many times a second; it resumes when the run moves again.
+        // The film is paused, because a run that stops at once would restart many times a second. It resumes when the run moves again.
         Effect::new(move |waits: Option<bool>| {
             let waits = waits == Some(true);
             if page.outlook.stopped.with(Option::is_some) {
@@ -268,7 +268,7 @@ impl Page {
 
     /// Shows a place of the program: in the editor where that is open, else in the listing.
     pub(crate) fn show_place(self, place: Place) {
-        // A run that goes on would show its own file at once.
+        // Playback is paused, because a running film would switch back to the file of the running block.
         self.player.playing.set(false);
         if self.view.program.get_untracked() == ProgramView::Difference {
             self.view.program.set(ProgramView::Listing);
@@ -442,7 +442,7 @@ impl Page {
         });
     }
 
-    /// Fields that are wrong: entries that do not read as values, and values that the machine or its control cannot have.
+    /// Invalid fields: entries that are not values, and values that the machine or its control cannot have.
     pub(crate) fn wrong_fields(self) -> Vec<Diagnostic> {
         let mut found = self.entries.invalid.get();
         self.results.errors.with(|errors| {
@@ -455,7 +455,7 @@ impl Page {
         found
     }
 
-    /// Whether an invalid entry makes the results outdated. An impossible value has results of its own.
+    /// Whether an invalid entry makes the results outdated. A value that the machine cannot have still has results of its own.
     pub(crate) fn is_stale(self) -> bool {
         self.entries.invalid.with(|invalid| !invalid.is_empty())
     }

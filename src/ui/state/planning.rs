@@ -116,7 +116,7 @@ impl Player {
         }
     }
 
-    /// After a change of the run: walks again to the block before which the debugger waited.
+    /// After a change of the run: steps again to the block before which the debugger had stopped.
     pub(super) fn replanned(self) {
         let planned = self.planned.get_untracked().0;
         self.state.update_value(|state| state.expected = planned.max(state.expected));
@@ -142,7 +142,7 @@ impl Player {
         self.plan(t, SLICE);
     }
 
-    /// Plans up to a time, but only for some milliseconds; says whether there is more to plan.
+    /// Plans up to a time, but only for some milliseconds; returns whether there is more to plan.
     fn plan(self, until: f64, budget: f64) -> bool {
         let advanced = self.advance_plan(until, budget);
         self.state.update_value(|state| {

@@ -1,5 +1,5 @@
 //! The run at the play head: transport, time axis, and the moment that painters get in each frame.
-//! Not reactive, except for the few signals at its edge.
+//! Its state is not reactive, except for a few signals.
 
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ pub(crate) struct RunMoment<'a> {
     pub plans: u32,
 }
 
-/// Writes the moment into the page, past the signals: there are 60 a second.
+/// Writes the moment into the page without signals, because there are 60 moments a second.
 type Painter = Box<dyn FnMut(&RunMoment)>;
 
 /// The run of the page. A handle: copies share its state.
@@ -70,7 +70,7 @@ pub(crate) struct Player {
     pub option: RwSignal<bool>,
     /// The machine at the play head, some times a second.
     pub now: RwSignal<Snapshot>,
-    /// What the machine does to the work at the play head, some times a second.
+    /// Operation on the work at the play head; updated some times a second.
     pub activity: RwSignal<Option<Message>>,
     /// The message of the program on the control's screen, at the play head.
     pub message: RwSignal<Option<String>>,
@@ -78,13 +78,13 @@ pub(crate) struct Player {
     pub running: RwSignal<Option<Place>>,
     /// Seconds that are planned, and whether the run is over there.
     pub planned: RwSignal<(f64, bool)>,
-    /// Why the run is over, where the plan has reached its end.
+    /// Reason why the run is over, once the plan has reached its end.
     pub ended: RwSignal<Option<RunEnd>, LocalStorage>,
     /// Seconds shown by film and charts; 0 is the whole plan.
     pub window: RwSignal<f64>,
     /// Part of the run that film and charts show in place of `window`, as chosen at a position of the play head.
     pub zoom: RwSignal<Option<Zoom>>,
-    /// Counts the plans, for what asks the planner itself.
+    /// Counts the plans, for code that reads the planner directly.
     pub plans: RwSignal<u32>,
     /// The effect of the last action of the operator, as a sentence.
     pub changed: RwSignal<String>,
@@ -252,7 +252,7 @@ impl Player {
         }
     }
 
-    /// Does an action of the operator at the play head.
+    /// Applies an action of the operator at the play head.
     pub(crate) fn act(self, action: Action) -> Event {
         let event = Event { t: self.head(), action };
         self.state.update_value(|state| {
@@ -269,7 +269,7 @@ impl Player {
     pub(crate) fn variable(self, control: &Control, number: u32) -> (Option<f64>, bool) {
         self.plans.track();
         let t = self.now.with(|now| now.t);
-        // At a stop the block that is read at this very time is not read yet.
+        // At a stop the block to be read at this exact time has not been read.
         let stopped = self.walk.with(|walk| {
             let debugger = walk.stopped()?;
             let changed = debugger.changes().iter().any(|change| change.what == What::Variable(number));
@@ -385,7 +385,7 @@ impl Player {
         })
     }
 
-    /// Moves the play head by the time since the last frame; says how many seconds are planned ahead of it.
+    /// Moves the play head by the time since the last frame; returns the seconds planned ahead of it.
     fn advance(self, stamp: f64) -> f64 {
         let speed = self.speed_now();
         let from = self.head();

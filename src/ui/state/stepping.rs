@@ -1,4 +1,4 @@
-//! The debugger of the page: its own walk through the run, in slices; the play head is set to its stops.
+//! The debugger of the page: a stepped run beside the shown one, in slices; the play head is set to its stops.
 
 use std::fmt::Write;
 use std::time::Duration;
@@ -16,14 +16,14 @@ use crate::text::{Place, headed};
 use crate::ui::dom::tab_entry::{remember, remembered};
 use crate::ui::words::{Tone, end_words, sentence_with_hints, t};
 
-/// Milliseconds of walking in one slice.
+/// Milliseconds of stepping in one slice.
 const SLICE: f64 = 8.0;
 
-/// Milliseconds of walking within a frame.
+/// Milliseconds of stepping within a frame.
 const IN_FRAME: f64 = 3.0;
 
 impl Player {
-    /// Drops the walk; returns whether there was one.
+    /// Ends stepping; returns whether the debugger was in use.
     pub(crate) fn walk_away(self) -> bool {
         let stood = self.walk.update_untracked(|walk| {
             walk.debugger = None;
@@ -35,7 +35,7 @@ impl Player {
         stood
     }
 
-    /// Walks to a goal: from its present block, or from the play head.
+    /// Steps to a goal: from the block of the last stop, or from the play head.
     pub(crate) fn walk_to(self, goal: Goal) {
         self.playing.set(false);
         self.set_goal(self.head(), goal);
@@ -49,7 +49,7 @@ impl Player {
         });
     }
 
-    /// Walks back by a block. Every key of the debugger is one that is known: true.
+    /// Steps back by a block. Always returns true, like the other commands of a key.
     pub(crate) fn walk_back(self) -> bool {
         let back = self.walk.update_untracked(|walk| {
             let debugger = walk.debugger.as_mut().filter(|_| walk.at_stop)?;
@@ -61,7 +61,7 @@ impl Player {
         true
     }
 
-    /// Stops a walk under way and keeps its place.
+    /// Stops the stepping under way and keeps its place.
     pub(crate) fn walk_stop(self) -> bool {
         if self.walk.with_untracked(|walk| walk.going) {
             self.arrive(Stop::Reached);
@@ -87,7 +87,7 @@ impl Player {
         }
     }
 
-    /// Sets the play head to the stop of the walk.
+    /// Sets the play head to the stop of the debugger.
     fn arrive(self, stop: Stop) {
         put(self.playing, false);
         self.walk.update(|walk| {
@@ -106,7 +106,7 @@ impl Player {
         self.set_head(self.walk.with_untracked(Walk::t));
     }
 
-    /// End of the play head's way while it plays: at most the next breakpoint.
+    /// Time up to which the play head may move while it plays: at most the next breakpoint.
     pub(crate) fn play_to(self, from: f64, to: f64) -> f64 {
         let (idle, going) = self.walk.with_untracked(|walk| (walk.points.list().is_empty(), walk.going));
         if idle || going {
@@ -145,7 +145,7 @@ pub(crate) const COMMANDS: [(&str, &str, &str); 8] = [
     ("b", "●", "page.walk-point"),
 ];
 
-/// Does the command of a key; whether the key has one.
+/// Carries out the command of a key; returns whether the key has one.
 pub(crate) fn press(page: Page, key: &str) -> bool {
     let player = page.player;
     let goal = match key {

@@ -31,7 +31,7 @@ pub(crate) enum ProgramView {
     Listing,
     /// The editor.
     Editor,
-    /// The lines beside those of the form's program.
+    /// The lines of the edited program beside the form's program.
     Difference,
 }
 

@@ -45,7 +45,7 @@ impl Walk {
         self.debugger.as_ref().map_or(0.0, Debugger::t)
     }
 
-    /// Walks up to `until` seconds for at most `budget` milliseconds; the reason where it stops before.
+    /// Steps up to `until` (s) for at most `budget` milliseconds; returns the reason if it stops earlier.
     pub(crate) fn advance(&mut self, until: f64, budget: f64) -> Option<Stop> {
         let begun = dom::now();
         let debugger = self.debugger.as_mut()?;

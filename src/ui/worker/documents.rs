@@ -54,7 +54,8 @@ pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
     Sheets { sizing, ..Sheets::default() }
 }
 
-/// The rows in which the present settings and the variants of a project differ, under titles; what differs from the present is marked.
+/// The rows in which the present settings and the variants of a project differ, under titles; cells that differ from the present ones are
+/// marked.
 pub(in crate::ui) fn variants(project: &Project) -> String {
     project.compared_variants(t("variants.now")).map(|comparison| differences(&comparison)).unwrap_or_default()
 }
@@ -150,7 +151,7 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     // Columns without a value are left out.
     let some = |at: &usize| sheet.rows.iter().any(|row| row.cells.get(*at).is_some_and(|cell| !cell.is_empty()));
     let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
-    // In a narrow layout, prose behind many columns goes below them: see `.stacked`.
+    // In a narrow layout, prose after many columns goes below them: see `.stacked`.
     let prose = matches!(sheet.columns.last(), Some(Column::Prose(_))) && shown.len() > 3;
     // In a narrow layout, sentences in several columns go below one another, each with its head: see `.told`.
     let is_bill = sheet.kind == SheetKind::Bill;

@@ -52,7 +52,7 @@ impl Lines<'_> {
         Some((name, lines.line(&file.text, line).trim().to_owned()))
     }
 
-    /// A row of a list of uses, with what the program does there.
+    /// A row of a list of uses, with the role of the symbol there.
     fn row(&self, found: &Occurrence) -> Option<NamedPlace> {
         let (name, text) = self.words(found.place)?;
         let role = t(match found.role {
@@ -134,7 +134,7 @@ mod tests {
         of(Files(files))
     }
 
-    /// The place behind a text of a file.
+    /// The place directly after a text in a file.
     fn behind(project: &Project, file: u16, text: &str) -> Caret {
         let all = &project.edited.as_ref().unwrap().0[usize::from(file)].text;
         Caret { file, units: utf16::units(all, (all.find(text).unwrap() + text.len()) as u32) }

@@ -42,7 +42,8 @@ fn with<T>(project: &Project, texts: &Texts, ask: impl FnOnce(&Help) -> T) -> T 
     })
 }
 
-/// The page with an id: that of a page, section or entry; else that of the present machine. `dark` is the theme of its drawing.
+/// The page with this id, or with a section or entry of this id; otherwise the page of the present machine. `dark` is the theme of its
+/// drawing.
 pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, dark: bool) -> HelpPageHtml {
     with(project, texts, |help| {
         let own = help.pages.iter().find(|page| page.id == id);
@@ -106,7 +107,8 @@ fn write(out: &mut String, page: &HelpPage, dark: bool) {
     }
 }
 
-/// The drawing with its numbered parts. It is a picture of its own: its gradients have the names of those on the page. Paper is never dark.
+/// The drawing with its numbered parts. It is a separate picture, because its gradients have the same names as gradients on the page.
+/// Printed pages are never dark.
 fn parts(out: &mut String, page: &HelpPage, section: &HelpSection, dark: bool) {
     let Some(machine) = machines::find(page.id) else { return };
     let mut picture = |theme, class| {

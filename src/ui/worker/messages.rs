@@ -42,7 +42,7 @@ pub(crate) enum Request {
     Shelf(Shelf),
     /// Pictures of the examples of all machines, dark or not.
     Gallery(bool),
-    /// Documents that leave with the programs.
+    /// Documents that are exported with the programs.
     Export,
     /// The page of help with an id, its drawing dark or not.
     Help(String, bool),

@@ -95,7 +95,7 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
             Request::Outline => Response::Places(editor::outline(&project)),
             Request::Check(blob) => {
                 let page = page.clone();
-                // Not Leptos' own: that waits for a mounted page.
+                // Leptos' own `spawn_local` waits for a mounted page.
                 return wasm_bindgen_futures::spawn_local(async move {
                     let text = read(&blob, &page, number).await;
                     send(&page, &Reply::Answer(number, Response::Check(check(text, &project))));

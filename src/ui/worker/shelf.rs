@@ -13,7 +13,7 @@ use crate::ui::words::{day, t};
 /// Version of the states that this page reads.
 const VERSION: f64 = 1.0;
 
-/// Greatest number of pictures: those of the projects kept last.
+/// Greatest number of pictures; the projects kept last have them.
 const PICTURES: usize = 40;
 
 /// Notes of versions that the page has kept by itself, with the catalog ids of their sentences.

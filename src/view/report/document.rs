@@ -84,7 +84,7 @@ pub struct PrintedProgram {
 pub struct RunReport {
     /// The drawing at one time of the run, SVG.
     pub drawing: String,
-    /// That time, seconds from the start.
+    /// The time of the drawing, in seconds from the start.
     pub drawn_at: f64,
     /// Cycle time and figures derived from it; empty if the run does not reach the end of the program.
     pub figures: Vec<Figure>,
@@ -119,7 +119,7 @@ pub struct Report {
     pub inputs: Vec<Input>,
     /// The parts list, in the order of the item numbers in the drawing.
     pub parts: Vec<ListedPart>,
-    /// What the machine does, in a sentence; none where it does not work.
+    /// Sentence about the work of the machine; none if the machine does not work.
     pub summary: Option<Message>,
     /// Results with verdicts.
     pub readouts: Vec<Readout>,

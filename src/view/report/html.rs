@@ -494,7 +494,7 @@ fn first_rows(report: &Report) -> Vec<&Readout> {
     rows
 }
 
-/// What the machine does, or its headline figures where it does not work.
+/// Sentence about the work of the machine, or its headline figures if it does not work.
 fn work(report: &Report) -> Message {
     let figure = |readout: &Readout| {
         let value = four_digits(readout.value, readout.decimals);
@@ -506,7 +506,7 @@ fn work(report: &Report) -> Message {
     })
 }
 
-/// Conclusion: what the machine does, the time of a part, and whether the verdicts hold.
+/// Conclusion: the work of the machine, the time of a part, and whether the verdicts hold.
 fn conclusion(report: &Report) -> String {
     let cycle = match &report.run.figures[..] {
         [time, parts] => {

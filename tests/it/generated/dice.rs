@@ -1,6 +1,6 @@
 //! Choices made from bytes: few bytes make a small program, other bytes another one.
 
-/// Dice from bytes, one for each throw; without bytes left, every throw is 0.
+/// A source of choices from bytes, one byte for each; 0 when no byte is left.
 pub(crate) struct Dice<'a>(pub(crate) &'a [u8]);
 
 impl Dice<'_> {
@@ -22,7 +22,7 @@ impl Dice<'_> {
         (high | usize::from(self.byte())) % n.max(1)
     }
 
-    /// True in `n` of 256 throws, and false when the bytes are out.
+    /// True for `n` of 256 byte values; false when no byte is left.
     pub(crate) fn rarely(&mut self, n: u8) -> bool {
         self.byte() >= 255 - n.min(254)
     }

@@ -16,7 +16,7 @@ use super::program::g;
 /// Record of one block.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Ran {
-    /// The block waited for the machine at rest.
+    /// The block waited until the machine was at rest.
     pub(crate) waited: bool,
     /// The block costs the time of a macro block.
     pub(crate) is_macro: bool,
@@ -156,7 +156,7 @@ impl Writer {
                     self.position = to.position;
                     String::new()
                 }
-                // A limit of the speed tells the position along with it.
+                // A speed limit (G50 S) presets the present position too, so no block is written for the preset.
                 Canon::Preset { to } if limited && self.stands(to) => String::new(),
                 Canon::Rapid { to } if rapids == 2 => self.go(&self.g(Code::ReferenceReturn), to, false),
                 canon => self.command(canon),
@@ -166,7 +166,7 @@ impl Writer {
         let _ = writeln!(self.out, "{}", words.join(" "));
     }
 
-    /// Whether the work position is this already.
+    /// Whether the work position already equals this one.
     fn stands(&self, to: &Target) -> bool {
         (0..AXES).all(|k| to.mask & 1 << k == 0 || to.position[k] == self.position[k] - self.zero[k])
     }

@@ -63,7 +63,7 @@ fn told(parsed: &Parsed, findings: &[Diagnostic], text: &str) {
 fn corrected((parsed, finding): (&Parsed, &Diagnostic), fix: &Fix, again: &Parsed) {
     let [old, new] = [parsed, again].map(|parsed| parsed.files().0[0].text.as_str());
     let shown = || format!("{fix:?} of {finding:?}\n{old}\n--- becomes ---\n{new}");
-    // The place of a byte of the old text in the new one; behind the edits that end there, if `after`.
+    // The place of a byte of the old text in the new one; after the edits that end there, if `after`.
     let moved = |at: u32, after: bool| {
         let before = fix.edits.iter().filter(|(place, _)| place.span.end < at || place.span.end == at && after);
         let longer = |(place, text): &(Place, String)| text.len() as i64 - i64::from(place.span.end - place.span.start);
@@ -77,7 +77,7 @@ fn corrected((parsed, finding): (&Parsed, &Diagnostic), fix: &Fix, again: &Parse
                 && starts.contains(&i64::from(place.start))
                 && place.of(new) == span.of(old)
         };
-        // Behind a sign that is dropped there may be another one.
+        // A dropped sign may be followed by another one.
         let count =
             |parsed: &Parsed| parsed.diagnostics().iter().filter(|other| other.message == finding.message).count();
         let stays = again.diagnostics().iter().any(|other| same(&other)) && count(again) >= count(parsed);

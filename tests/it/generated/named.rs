@@ -242,7 +242,7 @@ impl<'a> Writer<'a> {
                 ]);
                 self.line(text);
                 if text == "M5" || text == "S0 M4" {
-                    // Without the spindle turning again, a feed per revolution would wait for ever.
+                    // Starts the spindle again; otherwise a feed per revolution would wait for ever.
                     self.line("S500 M3");
                 }
             }

@@ -16,7 +16,7 @@ pub(crate) struct Arc {
 }
 
 impl Arc {
-    /// One in some of these planes.
+    /// An arc in one of these planes.
     pub(crate) fn of(dice: &mut Dice, planes: &[Plane]) -> Arc {
         let (plane, first, second) = dice.pick(planes);
         let clockwise = dice.rarely(128);

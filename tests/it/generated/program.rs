@@ -1,4 +1,4 @@
-//! Programs that a control takes, made from dice: variables, conditions, loops, jumps, calls, motions, coordinate systems, codes.
+//! Programs that a control accepts, generated from bytes: variables, conditions, loops, jumps, calls, motions, coordinate systems, codes.
 //!
 //! Most of them run to their end, some into an alarm; all of them end.
 
@@ -42,7 +42,7 @@ pub(crate) fn program(control: &'static Control, bytes: &[u8]) -> String {
 /// Comments, some with the words of statements.
 const REMARKS: [&str; 6] = ["NOTE", "END OF COUNT", "LOAD DONE", "END1 DO2", "M98 P2 CALLS", "GOTO THE END"];
 
-/// A program with some of it cut out, doubled, or with words of the control strewn in.
+/// A generated program with parts removed or doubled, or with words of the control inserted.
 pub(crate) fn broken(control: &'static Control, bytes: &[u8]) -> String {
     let (how, what) = bytes.split_at(bytes.len() / 3);
     let mut text: Vec<char> = program(control, what).chars().collect();
@@ -184,7 +184,8 @@ struct Writer<'a> {
     level: u8,
     /// An arc is in force.
     round: bool,
-    /// The program has surface speeds, and then no coordinate systems: nothing written out in plain blocks moves a zero without a word.
+    /// The program has surface speeds, and then no coordinate systems, because no plain block can move the zero of constant surface speed
+    /// without a word.
     surface: bool,
 }
 
@@ -220,7 +221,7 @@ impl<'a> Writer<'a> {
         self.out.push_str("%\n");
     }
 
-    /// A block as it may be written: with a number, a comment, in small letters, behind `/`, with spaces or without.
+    /// A block as it may be written: with a number, a comment, in small letters, after `/`, with spaces or without.
     fn line(&mut self, text: &str) {
         self.blocks += 1;
         if self.dice.rarely(8) {
@@ -266,7 +267,7 @@ impl<'a> Writer<'a> {
                 let text = self.dice.pick(&words);
                 self.line(text);
                 if text == "M05" || text == "S0 M04" {
-                    // Without the spindle turning again, a feed per revolution would wait for ever.
+                    // Starts the spindle again; otherwise a feed per revolution would wait for ever.
                     self.line("S500 M03");
                 }
             }
@@ -636,7 +637,7 @@ impl<'a> Writer<'a> {
         self.line(&(text + feed));
     }
 
-    /// Something for the PLC or the operator.
+    /// Writes a block with output for the PLC or the operator.
     fn output(&mut self) {
         use VarKind::{ExchangeWord, Kept, OutputBit, OutputWord, StopMessage, SuppressOverride, SuppressSingleBlock};
         let wanted = |kind| {
@@ -653,7 +654,7 @@ impl<'a> Writer<'a> {
         self.line(&format!("#{}={value}{text}", row.first));
     }
 
-    /// Something that the control keeps.
+    /// Writes a block that reads state kept by the control.
     fn reading(&mut self) {
         use VarKind::{
             BlockEnd, ExecutingCode, ExecutingWord, InputBit, InputWord, Kept, MachinePosition, ModalCode, ModalWord,

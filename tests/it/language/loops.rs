@@ -4,7 +4,7 @@ use expect_test::expect;
 
 use super::check_block;
 
-/// One of them hides nothing else, and its partner is not to blame.
+/// An unreadable loop block hides no other loop, and no finding blames its partner.
 #[test]
 fn unreadable_loop_block_hides_no_other_loop() {
     check_block(
@@ -101,6 +101,6 @@ fn second_comparison_in_a_condition_is_an_error() {
         1:8 error P33 A comparison is allowed only once, directly inside the brackets of IF or WHILE.
     "#]],
     );
-    // Bit by bit of the values that are compared.
+    // AND is bitwise here: it joins numbers, not comparisons.
     check_block("IF[#1 AND 1 EQ 1]GOTO5\nN5", expect![[""]]);
 }

@@ -343,7 +343,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
         = ;move to the start
     "#]],
     );
-    // A word in place of a value is no remark: without it the operator had no value.
+    // A word in place of a value is not taken for a comment, because the operator would lack its value.
     for (block, at) in [("R1=XYZ", "1:4"), ("R1=2+XYZ", "1:6"), ("IF R1==XYZ GOTOF L1", "1:8"), ("R1=2-XYZ", "1:6")] {
         let parsed = parse(&Files::one("A.MPF", format!("{block}\nM30\n")), control());
         assert_eq!(
@@ -382,7 +382,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
         1:3 error 12080 ATAN2 takes two numbers with a comma between them.
     "#]],
     );
-    // One finding: taken apart, the block has no other.
+    // There is one finding only; once the block is divided, it has no other.
     check(
         "G4 G1 F1",
         expect![[r#"
@@ -612,7 +612,7 @@ fn tokens_of_a_named_line_match() {
     expect![[r#"/=Operator N10=Sequence MARK1=Sequence :=Operator IF=Keyword (=Operator R1=Variable +=Operator 1=Number )=Operator >=Operator ==Operator 2.5=Number GOTOF=Keyword NEXT=Address G1=Code X=Address ==Operator IC=Address (=Operator -=Operator R2=Variable )=Operator LIMS=Address ==Operator 30=Number DIAMON=Code MSG=Keyword (=Operator "a;b"=Comment )=Operator ;note=Comment"#]].assert_eq(&text.join(" "));
 }
 
-/// The place where a block gets too long is between characters, also beside one of two bytes.
+/// The place at which a block becomes too long is a character boundary, also beside a character of two bytes.
 #[test]
 fn long_msg_text_is_a_finding() {
     check(

@@ -1,4 +1,4 @@
-//! Common slips: the finding of each control, and the fix that makes a program of the text.
+//! Common mistakes: the finding of each control, and the fix that makes the text a valid program.
 
 use std::rc::Rc;
 
@@ -51,7 +51,7 @@ fn check(block: &str, expected: Expect) {
     expected.assert_eq(&lines.map(|(head, out)| head + &out).collect::<String>());
 }
 
-/// A line in front of the alarm, the alarm, and what follows.
+/// The part of a line before the alarm, the alarm, and the rest.
 fn parts(line: &str) -> (&str, &str, &str) {
     let Some((place, rest)) = line.split_once(" error ") else { return (line, "", "") };
     let (alarm, rest) = rest.split_once(' ').unwrap();

@@ -1,4 +1,4 @@
-//! Slips of the keyboard and damaged files: the sentence that helps, and its fix.
+//! Typing mistakes and damaged files: the finding of each, and its fix.
 
 use expect_test::{Expect, expect};
 use macroline::controls::find;

@@ -1,4 +1,4 @@
-//! A client of the language server for tests: one message after the other.
+//! A client of the language server for tests, which handles one message at a time.
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -176,7 +176,7 @@ impl Client {
         self.diagnostics(uri)
     }
 
-    /// Closes a file, whose diagnostics go.
+    /// Closes a file; the server then removes its diagnostics.
     #[track_caller]
     pub(super) fn close(&mut self, uri: &str) {
         self.waiting.clear();

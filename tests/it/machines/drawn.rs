@@ -85,7 +85,7 @@ pub(super) fn texts(scene: &Scene, pose: &Pose) -> Vec<TextBox> {
     boxes
 }
 
-/// Texts that lie on each other or leave the view.
+/// Texts that overlap or leave the view.
 pub(super) fn crowded(scene: &Scene, pose: &Pose) -> Vec<String> {
     let texts = texts(scene, pose);
     let [left, top, width, height] = scene.view;
@@ -103,7 +103,7 @@ pub(super) fn crowded(scene: &Scene, pose: &Pose) -> Vec<String> {
     faults
 }
 
-/// Numbers of a pose that the scene does not have, and paths that are none.
+/// Node and group numbers of a pose that the scene lacks, and invalid paths.
 pub(super) fn lost(scene: &Scene, pose: &Pose) -> Vec<String> {
     let mut faults = Vec::new();
     let ids: Vec<u16> = scene.nodes.iter().filter_map(|node| node.id).collect();
@@ -211,7 +211,7 @@ fn every_label_of_the_examples_leads_to_its_part() {
     }
 }
 
-/// The page shows it before its module is loaded. `UPDATE_EXPECT=1` draws it anew.
+/// The page shows this drawing before its module is loaded. `UPDATE_EXPECT=1` draws it again.
 #[test]
 fn still_in_the_page_is_what_the_code_draws() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("style/still.svg");

@@ -1,4 +1,4 @@
-//! Named examples: a first meeting without a red verdict, and the papers' own examples with the faults that they name.
+//! Named examples: the first one without a failed verdict, and the papers' own with the faults that they name.
 
 use std::collections::BTreeSet;
 
@@ -86,7 +86,7 @@ fn examples_run_to_their_end_unless_f_is_beyond_the_range() {
             let end = end_of_run(&project);
             let failed = verdicts(&project, Verdict::Fail);
             let place = format!("{} {} on {}: {end:?}", machine.id(), example.id, control.id);
-            // Late blocks and slip fill the loop that is assumed for the published line: its sensor holds the program.
+            // Late blocks and slip fill the assumed loop of the published line, so its sensor holds the program.
             let held = (example.id, control.id) == ("paper", "sinumerik-808d");
             assert!(!held || failed.contains("loop-needed") && failed.contains("slack-rate"), "{place}: {failed:?}");
             assert_eq!(end == RunEnd::ProgramEnd, !held && !failed.contains("vector-feed"), "{place}");

@@ -238,7 +238,7 @@ proptest! {
             for (random, pause) in &steps {
                 ms += pause;
                 let t = f64::from(ms) / 1000.0;
-                // Most inputs stay unchanged, so that latches and timers have time to act.
+                // Most inputs stay unchanged from scan to scan, so that latches and timers have time to act.
                 for (at, (bit, device)) in (0u32..).zip(&bits) {
                     if random.rotate_left(3 * at) % 4 == 0 {
                         let on = random.rotate_left(5 * at + 1) % 2 == 0;

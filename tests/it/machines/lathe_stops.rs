@@ -1,4 +1,4 @@
-//! Turning spindle and polygon lathe interrupted: hold, single block, alarm, reset, emergency stop, as their tables say.
+//! Turning spindle and polygon lathe react to hold, single block, alarm, reset and emergency stop as in their tables.
 
 use macroline::machines;
 use macroline::motion::{Action, Event, Snapshot};

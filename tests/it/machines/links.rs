@@ -1,4 +1,4 @@
-//! Links: a project survives the way through the fragment of an address, and a link that was changed on its way opens nothing.
+//! Links: a project is equal after it was a fragment of an address, and a corrupted link opens nothing.
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
@@ -32,7 +32,7 @@ fn check(link: &str, expect: Expect) {
     expect.assert_eq(&said(link));
 }
 
-/// What a person enters beside the form.
+/// Entries of the user besides the form.
 #[derive(Debug)]
 struct Entries {
     names: [String; 3],
@@ -270,7 +270,7 @@ fn replaced(mut bytes: Vec<u8>, changes: &[(prop::sample::Index, Option<u8>)]) -
     bytes
 }
 
-/// A hostile link has a right checksum. It gives a project that can be kept and linked, or says why it gives none.
+/// A hostile link has a right checksum. It gives a project that can be stored and linked, or a diagnostic with the reason for none.
 #[test]
 fn ten_thousand_forged_links_give_a_whole_project_or_none() {
     let byte = prop_oneof![6 => prop::option::of(prop::num::u8::ANY), 4 => prop::sample::select(&b"0123456789-e.,:\"{}[]n"[..]).prop_map(Some)];
@@ -281,7 +281,7 @@ fn ten_thousand_forged_links_give_a_whole_project_or_none() {
     for file in files.iter().cycle().take(10_000) {
         let changes = changes.new_tree(&mut dice).unwrap().current();
         let deflated = |file: &[u8]| miniz_oxide::deflate::compress_to_vec(file, 1);
-        // Every fourth is changed under the compression's feet.
+        // In every fourth link the compressed bytes are changed.
         forged += 1;
         let link = match forged % 4 {
             0 => link_around(&replaced(deflated(file), &changes)),
@@ -345,7 +345,7 @@ fn embedded_page_says_which_languages_and_units_there_are() {
 #[test]
 fn embedded_page_says_what_its_address_does_not_name() {
     assert!(embedded_by("embed&machine=loom").unwrap().starts_with("The address names no machine that is known."));
-    // A wrong control leaves the machine that was asked for, an unknown wish leaves all.
+    // A wrong control keeps the requested machine; an unknown part of the address changes nothing.
     for (wishes, shown, said) in [
         ("machine=polygon-lathe&control=mitsubishi-e60", "polygon-lathe knd-k2000t", "Possible: knd-k2000t."),
         ("machine=turning-spindle&control=", "turning-spindle gsk-980tdc", "mitsubishi-e60."),

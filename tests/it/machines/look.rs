@@ -65,7 +65,7 @@ fn every_line_of_a_chart_has_a_colour_on_screen_and_paper() {
     }
 }
 
-/// A lamp in a group that a slide carries, behind a round window.
+/// A lamp in a group on a slide, visible through a round window.
 fn nested() -> Scene {
     let mut drawing = Drawing::new(0.5);
     let window = Shape::Circle { x: 0.0, y: 0.0, r: 9.0 };

@@ -188,7 +188,7 @@ fn tool_keeps_its_ratio_through_every_speed_change() {
             turned += 1;
             let off = (t.position + 71.125) - q / d * (w.position - 33.3);
             assert!(off.abs() / 360.0 < 1e-9, "{work}:{tool} at {}: {off}", now.t);
-            // Behind the servos only once the way to the start angles has died away.
+            // The actual angles have this lag only after the motion to the start angles has settled.
             if now.t < begun + 1.0 {
                 continue;
             }
@@ -198,7 +198,7 @@ fn tool_keeps_its_ratio_through_every_speed_change() {
         assert!(turned > 8000);
         let speed = timeline.at(2.9).pmc[WORK].feed / 360.0;
         assert!((speed - 60.0 * d * if override_acts { 1.2 } else { 1.0 }).abs() < 1e-9, "{speed}");
-        // Hold does not stop axes that the PMC turns.
+        // Feed hold does not stop axes that the PMC turns.
         let held = timeline.at(3.65);
         assert!(held.mode == Mode::Hold && held.axes[1].feed == 0.0 && held.pmc[WORK].feed != 0.0);
     }
@@ -360,7 +360,7 @@ fn feed_into_standing_work_is_one_finding_at_its_block() {
     let on = "G512B200D1Q2\n";
     let cut = "G0X22.\nG1Z-10.F200.\n";
     let out = "G0X29.\nZ2.\n";
-    // Before G512, and behind G502.
+    // Before G512, and after G502.
     assert_eq!(said(&format!("{cut}{out}{on}{cut}{out}G502\n")), [begin + 7]);
     let behind = format!("{on}{cut}{out}G502\n");
     assert_eq!(said(&format!("{behind}{cut}{out}")), [begin + behind.len() as u32 + 7]);
@@ -402,10 +402,10 @@ fn g502_in_the_cut_waits_for_the_slide_and_stops_in_ratio() {
     assert!(moments[stands..].iter().any(|now| now.axes[0].position > 19.0));
 }
 
-/// Processor time of this thread in s, in steps of 0.01; 0 where the system does not tell.
+/// Processor time of this thread in s, in steps of 0.01; 0 if the system does not report it.
 fn processor_seconds() -> f64 {
     let Ok(stat) = std::fs::read_to_string("/proc/thread-self/stat") else { return 0.0 };
-    // Fields 14 and 15, user and system time in ticks, counted behind the name in brackets, which is field 2.
+    // Fields 14 and 15, user and system time in ticks, counted after the name in brackets, which is field 2.
     let behind = stat.rsplit(')').next().unwrap_or_default();
     behind.split_whitespace().skip(11).take(2).filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>() / 100.0
 }
@@ -541,7 +541,7 @@ fn design_readouts_match_their_golden() {
     expect![[r#"
         Fail flatness: The sides are uneven by 0.2212 mm, 0.1 mm are allowed. No way to turn it on this tip circle keeps within every limit: the flattest has 0.158 mm of flatness error. The list of ways says which limit excludes each.
     "#]].assert_eq(&said(&[("shape", "triangle")]));
-    // The insert would have to cut with its back.
+    // The relief is too small, so the insert would have to cut with its back.
     expect![[r#"
         Fail flatness: The sides are uneven by 1.8627 mm, 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio. No way to turn it on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of ways says which limit excludes each.
         Fail relief: In pass 3, to 54 mm, an insert would move back into its flank where it meets the work: no relief is enough. Take less depth of cut or a larger cutter.

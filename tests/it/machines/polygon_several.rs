@@ -13,7 +13,7 @@ use super::polygon_shaft::{Dice, whole};
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::run::{self, RunOptions};
 
-/// A square at the end, a hexagon behind it by another, larger cutter.
+/// A square at the end of the bar, then a hexagon by another, larger cutter.
 const TWO: [(&str, &str); 7] = [
     ("second", "true"),
     ("second-shape", "hexagon"),

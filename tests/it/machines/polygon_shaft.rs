@@ -242,7 +242,7 @@ fn section_and_bar_in_the_middle_shrink_to_the_results() {
     }
 }
 
-/// Two polygons: a square at the end, a hexagon by another cutter behind it.
+/// Two polygons: a square at the end of the bar, then a hexagon by another cutter.
 const TWO: [(&str, &str); 7] = [
     ("second", "true"),
     ("second-shape", "hexagon"),
@@ -348,7 +348,7 @@ fn end_is_turned_and_threaded_before_the_square() {
         }
     }
     assert!(cuts[0] > 100 && cuts[1] > 100, "{cuts:?}");
-    // The drawing has the turned end and the square behind it, and neither comes back.
+    // The drawing shows the turned end and the square next to it, and neither shows stock again.
     let pose =
         |t: f64| project.prepared().pose(&planner, &Samples::at(&planner, t), Frame { step: 0.001, option: false });
     let mut left = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! The report that one hands over: whole for every machine on every control, well formed, with the figures of the run.
+//! The report: complete for every machine on every control, well formed, with the figures of the run.
 
 use expect_test::expect;
 use macroline::machines::ALL;
@@ -26,7 +26,7 @@ fn html(project: &Project) -> String {
 #[test]
 fn offer_has_motors_envelope_and_bill() {
     let new = ALL.iter().map(|machine| Project::named(machine.id(), None, None).unwrap());
-    // Its loop overflows when the unwinder has no current.
+    // The loop of the paper's line overflows when the unwinder has no current.
     let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
     let mut counts = Vec::new();
     for project in new.chain([paper]) {

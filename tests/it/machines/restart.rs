@@ -65,7 +65,7 @@ fn heads(project: &Project, planner: &Planner<Interp>, t: f64) -> f64 {
     planner.timeline().at(t).axes[project.control.axis(Address::Y).unwrap()].actual / stroke
 }
 
-/// When X begins to pull behind a moment.
+/// Time (s) at which X first pulls after a moment.
 fn first_pull(planner: &Planner<Interp>, from: f64) -> f64 {
     let still = planner.timeline().at(from).axes[0].actual;
     let (mut low, mut high) = (from, planner.timeline().end());
@@ -98,14 +98,14 @@ fn hold_and_start_at_any_moment_gives_the_same_product() {
     }
 }
 
-/// A restart as it has to be: the whole product again, or an alarm before anything moves. Tells which.
+/// Kinds of a correct restart: the whole product again, or an alarm before anything moves.
 #[derive(Debug, PartialEq)]
 enum Restart {
     Repeated,
     Alarmed,
 }
 
-/// Judges the run `again`, started anew at `start`, against the whole product.
+/// Compares the run `again`, restarted at `start` (s), with the whole product, and returns the kind of restart.
 #[track_caller]
 fn judged(name: &str, project: &Project, whole: &Outcome, again: &Outcome, start: f64) -> Restart {
     let end = again.planner.timeline().end();
@@ -167,7 +167,7 @@ fn fault_of_the_inverter_stops_spindle_and_axes() {
         for t in shares(seed).map(|share| end * share) {
             let name = format!("{name} at {t}");
             let fault = |on: bool| Action::InverterFault(on);
-            // Neither cycle start nor reset leads on while the fault is there, nor cycle start without reset.
+            // Cycle start and reset do not continue the run while the fault lasts, nor does cycle start without reset.
             let sequences = [
                 vec![(t, fault(true)), (t + 5.0, Action::Start)],
                 vec![(t, fault(true)), (t + 5.0, Action::Reset), (t + 6.0, Action::Start)],

@@ -75,7 +75,7 @@ fn said(found: &[Diagnostic]) -> Vec<String> {
 
 #[test]
 fn case_that_all_controls_accept_moves_alike() {
-    // Equal block times: they belong to the control, not to the machine.
+    // Block times are set equal, because they belong to the control, not to the machine.
     let same = [("block-time", "7.1"), ("macro-time", "3"), ("preread", "5"), ("spindle-speed", "100")];
     let changes: Vec<_> = same.into_iter().chain([("pitch-count", "20")]).collect();
     let degrees: Vec<_> = changes.iter().copied().chain([("print-axis", "c"), ("y-unit", "degrees")]).collect();
@@ -192,7 +192,7 @@ fn feed_per_revolution_follows_the_unwinder_everywhere() {
         assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{}", control.id);
         assert_eq!(planner.starved(), 0);
         let now = |t: f64| planner.timeline().at(t);
-        // K ribbon a turn, whatever the knob says and the motor slips; F is read in steps of 0.001.
+        // K of ribbon per turn at any position of the knob and any slip of the motor; F is read in steps of 0.001.
         for (from, to) in [(3.0, 3.9), (6.0, 7.9), (10.0, 11.9)] {
             let pulled = now(to).axes[0].position - now(from).axes[0].position;
             let turns = now(to).spindle.turns - now(from).spindle.turns;
@@ -308,7 +308,7 @@ fn change_of_control_keeps_the_values() {
     for id in lathes() {
         project.move_to(macroline::controls::find(id).unwrap());
         assert!(project.values == before.values);
-        // Settings that the other control does not have stay with their control; settings that the line needs there are added.
+        // Settings that the other control lacks are dropped; settings that the line needs there are added.
         let setting = |id: &str| project.switches.setting(project.control.switch(id).unwrap());
         assert_eq!((setting("locals-of-calls"), setting("common-at-reset")), ("kept", "kept"));
         let back = Project::from_json(&project.to_json());

@@ -115,7 +115,7 @@ fn advice_about_the_range_ends_it() {
         assert_eq!(range(&after).verdict, Verdict::Ok, "{}", control.id);
         assert!(range(&after).value.is_infinite());
     }
-    // A product that fits is a matter of the program alone.
+    // If each product fits the range, the program alone is a remedy.
     let short = line("gsk-980tdc", &[("endless", "shift")]);
     assert_eq!(range(&short).verdict, Verdict::None);
 }

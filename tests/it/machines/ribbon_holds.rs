@@ -17,7 +17,7 @@ const READING: f64 = 0.01;
 /// Step (s) at which a run is looked at.
 const LOOK: f64 = 0.001;
 
-/// Ribbon (mm) per turn of the unwinder's motor: a roller of 100 mm behind 25 : 1.
+/// Ribbon (mm) per turn of the unwinder's motor: a roller of 100 mm through a gear of 25 : 1.
 const PER_TURN: f64 = std::f64::consts::PI * 100.0 / 25.0;
 
 /// Ribbon speed (mm/s) at 1200 r/min.
@@ -35,7 +35,7 @@ fn short_reel(more: &[(&str, &str)]) -> Project {
     line(&[&[("reel-diameter", "69.4"), ("ribbon-thickness", "0.05"), ("loop-capacity", "2000")], more].concat())
 }
 
-/// A web of PET behind an unwinder that slips by an eighth. It stretches by 34.5 mm at its tension limit: (187.5 - 15) N · 2000 mm /
+/// A web of PET from an unwinder whose motor slips by an eighth. It stretches by 34.5 mm at its tension limit: (187.5 - 15) N · 2000 mm /
 /// (4000 N/mm² · 2.5 mm²).
 fn slipping() -> Project {
     let changes = [
@@ -64,7 +64,7 @@ fn said(planner: &Planner<Interp>) -> Vec<&str> {
     planner.diagnostics().iter().map(|finding| finding.message_id()).collect()
 }
 
-/// The first moment (s) from `t` on at which the machine is as asked.
+/// The first moment (s) from `t` on at which the condition holds.
 fn first(planner: &Planner<Interp>, t: f64, is: impl Fn(&macroline::motion::Snapshot) -> bool) -> f64 {
     let steps = ((planner.timeline().end() - t) / LOOK) as u32;
     let found = (0..=steps).map(|step| t + f64::from(step) * LOOK).find(|t| is(&planner.timeline().at(*t)));
@@ -147,7 +147,7 @@ fn tight_ribbon_holds_the_run_at_its_tension_limit() {
     assert!(!said(&planner).contains(&"motion.start-refused"));
     let at = |t: f64| planner.timeline().at(t).axes[0].actual;
     assert!(at(held + 9.0) > at(held + 5.0) + 100.0);
-    // At once it is refused, and nothing moves on.
+    // An immediate cycle start is refused, and nothing moves.
     let (planner, end) = run(&project, &[(held + 0.01, Action::Start)]);
     assert_eq!((end, said(&planner).contains(&"motion.start-refused")), (RunEnd::Stop, true));
 }
@@ -180,7 +180,7 @@ fn start_puts_a_new_reel_on_and_the_product_goes_on() {
     assert_eq!((end, said(&planner)), (RunEnd::ProgramEnd, vec!["ribbon.held-reel-empty"]));
     let end = planner.timeline().end();
     assert!((planner.timeline().at(end).axes[0].position - product).abs() < 1e-6);
-    // The next product begins with a full reel, and is held behind as much ribbon as the first.
+    // The next product begins with a full reel, and is held after as much ribbon as the first.
     let (planner, _) = run(&project, &[(held + 30.0, Action::Start), (end + 5.0, Action::Start)]);
     let again = held_from(&planner, end + 5.0);
     let used = |from: f64, to: f64| ribbon(&planner, to).0 - ribbon(&planner, from).0;

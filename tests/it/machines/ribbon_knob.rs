@@ -147,8 +147,8 @@ fn turned_knob_costs_little_time_and_piles_up_little() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, max_global_rejects: 4096, ..ProptestConfig::default() })]
 
-    /// Whatever the machine and the control: where the results that the knob changes are ok, X follows the unwinder at every position of the
-    /// knob, and no block comes late.
+    /// For any machine and control: if the results that the knob changes are ok, X follows the unwinder at every position of the knob, and
+    /// no block is late.
     #[test]
     fn line_that_holds_follows_the_knob_everywhere(
         control in 0usize..7,

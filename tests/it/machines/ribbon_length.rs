@@ -1,4 +1,4 @@
-//! Products by length: the entry on the display holds whatever the pitch, and its rest is settled by rule.
+//! Products by length: the length entered on the screen holds at any pitch, and its remainder follows the chosen rule.
 
 use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};

@@ -44,7 +44,7 @@ fn world(percent: f64) -> Still {
     Still { inputs: vec![(1032, percent), (1033, percent)], positions: [0.0; 6], endless: true, ..Still::default() }
 }
 
-/// The run program behind the set-up program, as on the machine: variables stay.
+/// The run program after the set-up program, as on the machine: variables stay.
 #[track_caller]
 fn ready_on(on: ControlContext<'static>, values: &Values) -> Interp {
     let (plan, parsed) = parsed(on, values);
@@ -161,7 +161,7 @@ fn programs_match_their_goldens() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/machines/ribbon-line");
     for (id, name, changes) in CASES {
         let mut project = Project::of_form(machine(), macroline::controls::find(id).unwrap());
-        // Every field, for a file gets the control's own values where it has none.
+        // Every field is set, because a missing one would get the control's own value.
         project.values = machine().fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
         project.values.extend(values(changes));
         let folder = folder.join(id).join(name);
@@ -195,7 +195,7 @@ fn travels(on: ControlContext, values: &Values) -> [f64; 2] {
     [if diameter { 2.0 * pitch } else { pitch }, result("y-stroke")]
 }
 
-/// The axis of the print roller: that of the form, where the control has a choice.
+/// The axis of the print roller: the form's choice, if the control has several axes for it.
 fn print_letter(on: ControlContext, values: &Values) -> Address {
     let hidden = machine().prepare(values, on).hidden().contains(&"print-axis");
     let letter = match values.get("print-axis") {
@@ -645,8 +645,8 @@ fn any_settings() -> impl Strategy<Value = (ControlContext<'static>, Values)> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 256, max_global_rejects: 4096, ..ProptestConfig::default() })]
 
-    /// Whatever the settings and the control: the control has nothing to say about the text, it runs to the numbers of the closed form,
-    /// it writes none of the operator's variables, and dropped again it restores the form.
+    /// For any settings and control: the text has no findings, its run agrees with the closed form, it writes none of the operator's
+    /// variables, and opening the text restores the form.
     #[test]
     fn any_settings_run_to_the_closed_form_without_findings((on, values) in any_settings()) {
         let design = machine().prepare(&values, on).design(&Origins::new());

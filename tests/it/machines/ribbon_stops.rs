@@ -300,7 +300,7 @@ fn fault_lets_the_unwinder_coast_as_long_as_its_inertia_says() {
             // J ω / T, with the torque of web and friction and that of the brake.
             let torque = value("unwinder-torque") + brake.parse::<f64>().unwrap();
             let speed = value("actual-speed") * std::f64::consts::TAU / 60.0;
-            // The reel where it weighs most at the ribbon: full, 112 mm, or at its core, 34 mm; behind roller, gear and losses.
+            // The reel where it weighs most at the ribbon: full, 112 mm, or at its core, 34 mm; reduced through roller, gear and losses.
             let at_web = |id: &str, radius: f64| value(id) * 1e-4 / (radius * radius);
             let mass = at_web("reel-inertia-full", 0.112).max(at_web("reel-inertia-empty", 0.034));
             let reel = mass * 0.002 * 0.002 / 0.7;
@@ -429,7 +429,7 @@ fn operator_goes_on_as_the_table_says() {
             assert_eq!(end, RunEnd::ProgramEnd, "{} {actions:?}", control.id);
             assert!((pitch(&project, &planner) - 1.0).abs() < 1e-9, "{} {actions:?}", control.id);
         }
-        // Reset and emergency stop begin anew; behind emergency stop only after reset.
+        // After reset and after emergency stop the product starts again; after emergency stop only once reset was pressed.
         let (end, _) = run(&[(8.0, Action::EmergencyStop), (14.0, Action::Start)]);
         assert!(matches!(end, RunEnd::Alarm(_)), "{} {end:?}", control.id);
         let anew = [(8.0, Action::EmergencyStop), (13.0, Action::Reset), (14.0, Action::Start)];
@@ -453,7 +453,8 @@ fn operator_goes_on_as_the_table_says() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
 
-    /// Whatever the machine and the control: one product with one interruption at any moment never leaves the loop that the design asks for.
+    /// For any machine and control: one product with one interruption at any moment stays within the loop capacity that the design
+    /// requires.
     #[test]
     fn any_interruption_stays_within_the_loop_that_would_do(
         control in 0usize..7,

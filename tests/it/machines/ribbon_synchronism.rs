@@ -1,4 +1,4 @@
-//! Unwinder and axes stay together, or the design, the PLC or the run says so: the knob, S by hand, exact stop, starved blocks.
+//! Unwinder and axes stay together, or the design, the PLC or the run reports it: the knob, S by hand, exact stop, starved blocks.
 
 use macroline::controls::Control;
 use macroline::interp::Interp;
@@ -94,7 +94,7 @@ fn locked_knob_stays_at_100_percent_in_automatic() {
         assert!(!said(&locked, "ribbon.knob-left"));
         // By hand the knob acts.
         assert!((speeds(&locked, 15.1).0 - 120.0).abs() < 1e-9, "{}", control.id);
-        // Left free, it turns the unwinder alone, and the run says so.
+        // A free knob turns the unwinder alone, and the run reports it.
         let free = over_time(&line(control.id, &[("knob-use", "free")]), vec![turned()]);
         let (spindle, x) = speeds(&free, 11.0);
         assert!((spindle - 960.0).abs() < 1e-9 && (x - K * 800.0).abs() < 0.5, "{} {spindle} {x}", control.id);
@@ -197,7 +197,7 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
             );
             let end = planner.ended_at().unwrap();
             let product = value("product-time");
-            // Before M3 and behind the last pass the program reads up to seventy macro blocks.
+            // Before M3 and after the last pass the program reads up to seventy macro blocks.
             let Some(Value::Number(macro_time)) = line.values.get("macro-time") else { panic!("{name}") };
             let reads = 0.1 + 0.07 * macro_time;
             assert!((end - product).abs() < 0.005 * product + reads, "{name}: {end} {product}");
@@ -208,7 +208,7 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
             let rate = (at(to) - at(from)) / (to - from) * 60.0;
             let wanted = value("slack-rate");
             assert!((rate - wanted).abs() < 0.01 * value("line-speed"), "{name}: {rate} {wanted}");
-            // The whole product: what starts, runs and stops lays.
+            // The whole product: ribbon laid by starts, runs and stops together.
             let last = slack[slack.len() - 1].1;
             let sum = ["slack-start", "slack-run", "slack-stop"].iter().map(|id| value(id)).sum::<f64>();
             assert!((last - sum).abs() < 0.03 * last.abs() + 20.0, "{name}: {last} {sum}");
@@ -236,7 +236,7 @@ fn range_of_the_control_is_reached_in_time_that_is_told() {
         row.value
     );
     assert_eq!(row.advice[0].message.id, "ribbon.range-shifted");
-    // A rotary axis begins anew with each turn: X is left.
+    // The coordinates of a rotary axis restart with each turn, so only X remains.
     let degrees = readout(&e60(&[("y-unit", "degrees")]), "range-time").value;
     assert!((degrees - 99_999.999 / 15_079.644737 * 60.0).abs() < 1e-4, "{degrees}");
     for (count, verdict) in [("1591", Verdict::None), ("1592", Verdict::Fail)] {

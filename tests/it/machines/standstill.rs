@@ -79,7 +79,7 @@ fn alarm_of_a_program_ends_at_standstill() {
     let ends = |project: &Project| planned(project, &[]).advance(0.0, 0).ended == Some(RunEnd::ProgramEnd);
     for mut project in projects().filter(ends) {
         let mut files = project.written().files;
-        // The block that ends the program becomes a call of a program that there is not.
+        // The block that ends the program is replaced by a call of a missing program.
         for file in &mut files.0 {
             for end in ["M30", "M2", "M02"] {
                 file.text = file.text.replace(&format!("{end}\n"), &format!("{}\n", missing(&project)));

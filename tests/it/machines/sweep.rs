@@ -1,4 +1,4 @@
-//! Whatever a form holds, its design is sound, and without errors so are its program and its run: fields at their ends, and random forms.
+//! For any form the design is sound; without errors its program and its run are sound too: fields at their ends, and random forms.
 
 use macroline::machines::form::{FieldInfo, FieldKindInfo, Value};
 use macroline::machines::{self, AnyMachine};
@@ -15,7 +15,7 @@ const RANDOM: usize = 300;
 /// Blocks of a run, and seconds of the machine: enough for every kind of block that a program has.
 const BUDGET: Budget = Budget { blocks: 300, seconds: 30.0 };
 
-/// Findings that end or slow a run, by a part of their sentence, with the results of which at least one must have failed before.
+/// Findings that end or slow a run, by a part of their sentence, each with results of which at least one must have failed in the design.
 const TOLD: &[(&str, &[&str])] = &[
     // Alarms that the program raises.
     ("ABOVE LIMIT", &["vector-feed", "feed-per-revolution"]),

@@ -565,7 +565,7 @@ fn pass_count_is_independent_of_query_order() {
         assert_eq!(asked(&looked, moments[at]), forward[at]);
     }
     assert_eq!(forward[399], [30, 30, 1]);
-    // A changed past is counted anew.
+    // A change of an earlier event restarts the count.
     let mut changed = planner.clone();
     changed.event(Event { t: end / 2.0, action: Action::Reset });
     changed.advance(f64::INFINITY, usize::MAX);

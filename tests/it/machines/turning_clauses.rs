@@ -90,7 +90,7 @@ fn machine_data_say_how_the_spindle_comes_to_its_angle() {
     .assert_eq(&rows(&changed));
 }
 
-/// A shaft with a keyway of 14 mm for 5.5 mm of depth, 5 to 55 mm behind the face.
+/// A shaft with a keyway 14 mm wide and 5.5 mm deep, from 5 to 55 mm from the face.
 fn shaft(changes: &[(&str, &str)]) -> Project {
     let all = [
         ("path", "turning"),

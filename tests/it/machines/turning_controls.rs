@@ -53,7 +53,7 @@ fn controls_with_equal_rules_move_alike() {
                         let project = ideal(control.id, &changes);
                         let planner = over_time(&project);
                         let cuts = cuts(&project, &planner);
-                        // The first point of a cut is where a rapid ends: that is a rule of its own.
+                        // The first point of a cut is left out, because the speed at the end of a rapid follows a separate rule.
                         let all: Vec<_> =
                             cuts.iter().map(|(from, to)| moved(&project, &planner, from + 1e-6, to - 1e-6)).collect();
                         (control.id, cuts.len(), all)
@@ -87,7 +87,7 @@ fn block(control: &Control, changes: &[(&str, &str)], holds: &str) -> String {
     text.lines().find(|line| line.contains(holds)).map_or("-".to_owned(), |line| line.replace("  ", " "))
 }
 
-/// The speed at a moment behind the begin of a cut, or before it.
+/// The speed at a number of seconds after the start of a cut, or before it if negative.
 fn speed(control: &Control, changes: &[(&str, &str)], cut: usize, seconds: f64) -> String {
     let project = ideal(control.id, &[&TIMES[..], changes].concat());
     let planner = over_time(&project);
@@ -96,7 +96,7 @@ fn speed(control: &Control, changes: &[(&str, &str)], cut: usize, seconds: f64) 
     rounded(planner.timeline().at(t).spindle.command)
 }
 
-/// Volts at the end, where the run ended in some way.
+/// Volts of the analog output after the run has ended, by its program or by this action of the operator.
 fn volts(control: &Control, changes: &[(&str, &str)], event: Option<Action>) -> String {
     let project = ideal(control.id, changes);
     let mut planner = run_of(&project, event.map(|action| Event { t: 3.2, action }));

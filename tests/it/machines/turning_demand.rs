@@ -110,12 +110,13 @@ fn run_of_a_face_asks_more_than_the_short_time_torque() {
     let lathe = project("gsk-980tdc", &FACE);
     let spindle = run(&lathe);
     let worst_point = spindle.worst_point(&spindle.motor, spindle.rotor);
-    // At the motor, which turns twice as fast behind 80 %: 37 Nm / (2 · 0.8), and (J_L / (4 · 0.8) + 0.03) · α of up to 210.5 rad/s².
+    // At the motor, which turns twice as fast through a gear of 80 %: 37 Nm / (2 · 0.8), and (J_L / (4 · 0.8) + 0.03) · α of up to 210.5
+    // rad/s².
     let torque = 37.0 / 1.6 + (0.550_507 / 3.2 + 0.03) * 1005.3 * 2.0 * RPM;
     assert!(worst_point.torque < torque && worst_point.torque > 0.97 * torque, "{} of {torque}", worst_point.torque);
     near(worst_point.speed, 4000.0, 20.0);
     near(worst_point.share, worst_point.torque / (1.5 * 9_549.297 * 15.0 / 4000.0), 0.01);
-    // The operating envelope says so.
+    // The operating envelope shows the same.
     let sizing = size(&lathe, &lathe.written());
     let rows = || sizing.envelope.iter().filter(|row| row.id == "spindle-torque");
     assert!(rows().any(|row| row.event == OperatingEvent::Run && row.verdict == Verdict::Fail));
@@ -127,7 +128,7 @@ fn run_of_a_face_asks_more_than_the_short_time_torque() {
 
 #[test]
 fn cut_of_a_run_has_the_energy_of_its_force() {
-    // Work of the cut: force over the way of the tool on the surface, π (r₁² - r₂²) / f for each of both passes, behind 80 %.
+    // Work of the cut: force over the way of the tool on the surface, π (r₁² - r₂²) / f for each of both passes, through a gear of 80 %.
     let lathe = project("gsk-980tdc", &FACE);
     let spindle = run(&lathe);
     let friction = spindle.idle.clone().without_inertia().work(0.0).given;

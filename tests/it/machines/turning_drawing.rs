@@ -1,4 +1,4 @@
-//! The drawing of the turning spindle: true proportion, needles on their scales, jaws behind and before the part.
+//! The drawing of the turning spindle: true proportion, needles on their scales, jaws behind and in front of the part.
 
 use super::drawn::{FRAME, Still, texts};
 use super::turning::{over_time, project};

@@ -1,4 +1,4 @@
-//! Reset, hold or emergency stop at any moment, then reset and cycle start: the turning spindle never moves from a place that it has guessed.
+//! Reset, hold or emergency stop at any moment, then reset and cycle start: the turning spindle never moves from an assumed position.
 
 use macroline::interp::Interp;
 use macroline::machines;

@@ -115,7 +115,7 @@ fn examples_pass_with_each_material_at_light_cuts() {
 
 #[test]
 fn no_speed_is_offered_where_none_is_slow_enough() {
-    // 300 kW asked of 8 W: at 1 m/min it is still 1.7 kW. No material tells how much less depth would do.
+    // 300 kW asked of 8 W: at 1 m/min it is still 1.7 kW. Without a material no smaller depth can be advised.
     let cut = [("cutting-force", "100000"), ("motor-power", "0.01")];
     let power = row(&project("gsk-980tdc", &cut), "power");
     assert_eq!(power.verdict, Verdict::Fail);

@@ -5,7 +5,7 @@ use macroline::machines::{self, AnyMachine};
 use macroline::project::Project;
 use macroline::text::catalog::sentence;
 
-/// Programs that are looked at for each machine and control at most; choices beyond are passed over in even steps.
+/// Maximum programs checked for each machine and control; of more choices every n-th is checked.
 const MOST: usize = 2000;
 
 /// Every field with a choice, and its values.

@@ -78,7 +78,7 @@ fn time_of_milling_is_told() {
 }
 
 fn polygon_in_the_middle_of_a_shaft() {
-    // From 40 to 60 mm behind the face.
+    // From 40 to 60 mm from the face.
     let shaft = super::example("polygon-lathe", "shaft");
     let run = over_time(&shaft, vec![]);
     assert_eq!(run.ended, Some(RunEnd::ProgramEnd));

@@ -227,7 +227,7 @@ fn rapid_before_a_contour_sets_its_speed() {
         let run = blocks(&format!("{CUT}\nG0 X80\n{contour}"));
         let (from, to) = (run.begins("G0 X80"), run.begins(contour));
         near(run.at(to).spindle.command, 100e3 / (std::f64::consts::PI * 80.0), 1.0);
-        // While the rapid still moves.
+        // At nine tenths of the rapid.
         assert!(run.at(from + 0.9 * (to - from)).spindle.command < AT_50 - 1.0, "{contour}");
     }
 }

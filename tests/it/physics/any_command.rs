@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// Numbers that formulas do not like.
+/// Numbers that formulas may not handle: NaN, infinite, huge and tiny ones.
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![
         3 => -1e4..1e4f64,

@@ -108,7 +108,7 @@ fn thread_is_lead_times_turns_at_any_override() {
         let t = begin + (end - begin) * f64::from(i) / 200.0;
         assert!((timeline.at(t).axes[1].position - lead * turns(t)).abs() <= 3.0 * bend, "{t}");
     }
-    // The hold acts behind the thread, and what follows has the override.
+    // The hold acts after the thread, and the following motion has the override.
     assert_eq!(timeline.at(end + 0.1).mode, Mode::Hold);
     assert_eq!(timeline.at(9.9).axes[1].position, 90.0);
     close(timeline.at(10.5).axes[1].feed, -600.0, 1e-9);
@@ -212,7 +212,7 @@ fn limit_holds_at_centre_and_g97_keeps_the_last_speed() {
         assert_eq!(planner.timeline().at(end).spindle.command, wanted, "{limit:?}");
         assert!(planner.diagnostics().is_empty());
     }
-    // The knob acts before the limit, or behind it.
+    // The override acts before the limit, or after it.
     for (override_last, wanted) in [(false, 900.0), (true, 450.0)] {
         let mut plant = lathe();
         plant.spindle.rules.override_last = override_last;

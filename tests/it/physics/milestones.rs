@@ -67,7 +67,7 @@ fn every_machine_meets_its_work() {
     }
 }
 
-/// What the machine does halfway between two times.
+/// Operation of the machine on the work halfway between two times.
 fn activity(project: &Project, run: &Run, (from, to): (f64, f64)) -> Option<String> {
     let activity = project.prepared().activity(run, &run.timeline().at(0.5 * (from + to)));
     activity.map(|activity| sentence(&activity))

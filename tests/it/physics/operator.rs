@@ -133,6 +133,6 @@ fn log_holds_begun_commands_in_program_order() {
     let whole = run(vec![]);
     assert_eq!(whole.len(), 4);
     assert_eq!(whole[1], output);
-    // The output has acted although the block behind it never began.
+    // The output has acted although the block after it never began.
     assert_eq!(run(vec![at(0.05, Action::Reset)]), whole[..2]);
 }

@@ -86,7 +86,7 @@ fn arc_stays_on_its_circle() {
 
 #[test]
 fn arc_acceleration_and_radius_error_match_the_formula() {
-    // Fanuc: linear acceleration behind the interpolator loses T²/24 v²/r, the servo 1/2 (v/K)²/r (sizing.md section 4).
+    // Fanuc: linear acceleration after the interpolator loses T²/24 v²/r, the servo 1/2 (v/K)²/r (sizing.md section 4).
     let feed = Feed::PerMinute(6000.0);
     let turns = |n: usize| {
         let arc = Canon::Arc {

@@ -112,7 +112,7 @@ fn hour_of_blocks_stays_small_and_replans_from_a_checkpoint() {
     let before = planner.blocks();
     let (old, t) = (planner.timeline().at(3590.0), 3590.5);
     planner.event(at(t, Action::SpindleOverride(80.0)));
-    // Planned anew: less than a second before the event, and the time asked for.
+    // Planned again: less than a second before the event, and the requested time.
     assert!(before.nc - planner.blocks().nc < 10 * 34 + 40);
     let mut steps = 0;
     while planner.advance(t + 2.0, 100).planned_to < t + 2.0 {
@@ -160,7 +160,7 @@ fn manual_sample_runs_at_its_printed_speeds() {
         t = next;
         speeds.push(planner.timeline().at(t + 1e-4).spindle.command.round());
     }
-    // At N10 the tool is at the centre: the gear limits. Behind N50 the rapid back has the speed of X100 again.
+    // At N10 the tool is at the centre: the gear limits. After N50 the rapid back has the speed of X100 again.
     assert_eq!(speeds, [3000.0, 955.0, 1910.0, 1910.0, 1910.0, 955.0, 955.0]);
     // N50 has reached X80 except for the end of its deceleration when the rapid begins.
     let rapid = first_of(&planner, begins_at(&planner, 5) - 1e-3, |now| now.spindle.command < 1000.0);

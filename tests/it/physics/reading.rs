@@ -33,7 +33,7 @@ fn knob_acts_after_the_blocks_read_ahead() {
             last = speed;
         }
     }
-    // Blocks of 100 ms; five are read ahead, so the sixth joint behind the knob is the first with the new value.
+    // Blocks of 100 ms; five are read ahead, so the sixth block boundary after the turn of the knob is the first with the new value.
     let change = starts.into_iter().find(|t| *t > 2.0).unwrap();
     assert!(change > 2.0 + 0.5 && change < 2.0 + 0.6 + 1e-3, "{change}");
     assert_eq!(planner.starved(), 0);

@@ -136,7 +136,7 @@ proptest! {
         let events: Vec<Event> =
             events.into_iter().map(|(t, action)| at(if whole { t.round() } else { t }, action)).collect();
         let horizon = 11.0;
-        // A knob that is turned twice at one time stands where it was left, as in the panel below.
+        // Of two turns of a knob at one time the last one counts, as in the panel below.
         let mut acted = Panel::default();
         events.iter().for_each(|event| { acted.act(event.clone()); });
         let mut once = planner(&lathe(), acted.events().to_vec(), busy());

@@ -6,7 +6,7 @@ use macroline::machines::scaling::{AxisDrive, parameters};
 use macroline::machines::sheets::ParamValue;
 use macroline::math::{self, PI};
 
-/// A pull roller of 100 mm behind a gear of 10 : 1.
+/// A pull roller of 100 mm on a gear of 10 : 1.
 const ROLLER: AxisDrive =
     AxisDrive { axis: "X", lead: PI * 100.0, gear: (10.0, 1.0), encoder: 131_072.0, rotary: false, words: 1.0 };
 

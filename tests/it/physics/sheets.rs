@@ -75,7 +75,7 @@ fn said(planner: &Planner<Interp>) -> Vec<&'static str> {
     planner.diagnostics().iter().map(|found| found.message.id).collect()
 }
 
-/// When the block behind a sequence number begins.
+/// Time (s) at which the block with a sequence number begins.
 fn begins(planner: &Planner<Interp>, number: &str) -> f64 {
     let source = &planner.program().parsed().files().0[0].text;
     let at = source.find(&format!("\n{number} ")).unwrap() as u32 + 1;
@@ -244,7 +244,7 @@ fn shifted_work_zero_under_surface_speed_is_a_finding() {
     assert_eq!(told, ["motion.off-centre"]);
     // The control takes 30 mm for the diameter where the tool is at 40 mm.
     close(rpm, 1000.0 * 100.0 / (math::PI * 30.0), 1e-6);
-    // A small offset is a remark; a setting of the control says which is small.
+    // A small offset is a remark; a setting of the control defines small.
     assert_eq!(shifted("G96 S100 F.1\nATRANS X.02 Z5\nG1 X30").0, ["motion.small-offset"]);
     assert_eq!(
         shifted("G96 S100 F.1\nATRANS X.2\nATRANS X.02\nG1 X30").0,
@@ -401,7 +401,7 @@ fn late_gear_raises_the_gsk_ladder_alarm() {
 
 #[test]
 fn m05_beside_motion_acts_by_the_control() {
-    // The page on the 802D has it behind the motion, the other manuals before it; on the TDc it is a bit of the PLC.
+    // The page on the 802D puts M5 after the motion, the other manuals before it; on the TDc a bit of the PLC decides.
     for (control, setting, stands) in [
         ("sinumerik-802d", "before", true),
         ("sinumerik-802d", "end", false),

@@ -167,7 +167,7 @@ fn return_through_the_work_is_refused() {
         // Down from in front of the face, and down into the work from beside it.
         ("G00 X60. Z-50.\nG50 S2000\nG00 Z5.\nG00 X20.", true),
         ("G00 X20. Z5.\nG00 Z-10.\nG50 S2000\nG00 Z5.\nG00 X60.\nG00 Z-30.", true),
-        // Through the centre, behind the face.
+        // Through the centre, inside the work.
         ("G00 X-60. Z-10.\nG50 S2000\nG00 Z5.\nG00 X60.\nG00 Z-10.", true),
         // Beside the work, and out of a cut.
         ("G00 X60. Z-50.\nG50 S2000\nG00 Z5.", false),

@@ -9,11 +9,11 @@ use super::{BUDGET, start_on, world};
 /// Effect of the axis words of a block.
 #[derive(Debug, PartialEq)]
 enum Does {
-    /// They are the end point of a motion.
+    /// The axis words are the end point of a motion.
     Move,
-    /// They move nothing, and a finding says so.
+    /// The axis words move nothing, and a finding reports it.
     NothingTold,
-    /// They move nothing, without a word.
+    /// The axis words move nothing, without a finding.
     Nothing,
     /// The block is an alarm.
     Alarm,
@@ -22,7 +22,7 @@ enum Does {
 /// Codes of the ISO language whose axis words are no end points, by their manuals: centres, factors, limits, radii, angles.
 const NO_END_POINTS: [&str; 10] = ["G7.1", "G10", "G12.1", "G16", "G22", "G30", "G50.1", "G51", "G51.1", "G68"];
 
-/// Runs `block` behind a motion to 1, and `behind` after it.
+/// Runs a motion to 1, then `block`, then `behind`; returns the effect of the axis words.
 fn run(control: &'static Control, block: &str, behind: &str) -> Does {
     let named = control.syntax.names.is_some();
     let (head, feed) = match named {
@@ -82,7 +82,7 @@ fn axis_words_beside_a_code_move_as_its_row_says() {
             let name = control.code_name(row.id);
             let words = if control.syntax.names.is_some() { "X3" } else { "X3." };
             let (does, expected) = (run(control, &format!("{name} {words}"), ""), said(row));
-            // Blocks that the control refuses move nothing, and an alarm tells everything.
+            // Blocks that the control refuses move nothing, and the alarm suffices as a finding.
             let refused = does == Does::Alarm && (control.syntax.names.is_some() || expected != Some(Does::Move));
             if !refused && expected.as_ref().is_some_and(|expected| *expected != does) {
                 wrong.push(format!("{} {name} ({:?}): {does:?}, not {expected:?}", control.id, row.code));

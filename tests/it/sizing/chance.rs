@@ -18,7 +18,7 @@ fn measured() -> Project {
 fn one_assumed_fact_gives_the_share_of_its_range() {
     let mut project = measured();
     let needed = project.design().readouts.iter().find(|row| row.id == "loop-needed").unwrap().value;
-    // Loops from 0.9 to 1.1 of this one: those below 0.95 of it are too small, a quarter of the range.
+    // Loops are drawn from 0.9 to 1.1 of this one; loops below 0.95 of it are too small, a quarter of the range.
     project.values.insert("loop-capacity".to_owned(), Value::Number((10.0 * needed / 0.95).round() / 10.0));
     project.provenance.remove("loop-capacity");
     let found = chance(&project, 4000, 7);

@@ -243,8 +243,8 @@ fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
     let (lathe, row) = with("150");
     let (row, rows) = (row.expect("a row"), lathe.design().readouts);
     let value = |id: &str| rows.iter().find(|row| row.id == id).unwrap().value;
-    // ½ (J_L η + J_M) ω² less the work of friction over the stop, at the motor, which turns as fast as the spindle with 10 V. All brakings of
-    // the run are told, see `machines/turning_demand.rs`.
+    // ½ (J_L η + J_M) ω² less the work of friction over the stop, at the motor, which turns as fast as the spindle with 10 V. All brakings
+    // of the run are checked in `machines/turning_demand.rs`.
     let (speed, ramp) = (value("speed-largest").max(value("speed-smallest")), 3.0);
     let (omega, stop) = (speed * std::f64::consts::TAU / 60.0, ramp * speed / value("stage-speed"));
     let inertia = (value("inertia") - 0.03) * 0.8 + 0.03;
@@ -297,7 +297,7 @@ fn control_without_a_current_motor_shows_the_demand() {
             assert!(lists.into_iter().any(|sheet| sheet.rows[0].cells.contains(&told)), "{control}: {told}");
         }
     }
-    // Rows of the bill whose status is not known say what to do.
+    // Rows of the bill with an unknown status have an instruction for the order.
     let sizing = sized(&Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap());
     let cells: Vec<String> = sizing.bill_sheet().rows.into_iter().flat_map(|row| row.cells).collect();
     assert!(cells.iter().any(|cell| cell.contains("not known to be in production")), "{cells:?}");
@@ -427,7 +427,7 @@ fn induction_motor_beyond_its_highest_speed_is_refused() {
     let two = "induction,Works,S,7500,2900,,25,0.02,entered\n";
     assert_eq!(refused("4500", two), "");
     assert_eq!(refused("12000", two), "Too slow: 12000 r/min required, 4500 r/min at most.");
-    // What the maker gives goes before the standard.
+    // The maker's highest speed takes precedence over the standard's.
     assert_eq!(refused("12000", "induction,Works,S,7500,2900,12000,25,0.02,entered\n"), "");
 }
 

@@ -23,7 +23,7 @@ fn parts_of_the_dot_error_follow_the_formulas() {
 fn backlash_counts_only_where_the_torque_changes_its_sign() {
     // The brake in front of the pull rollers loads their gear, the force of the heads that of the print roller.
     assert_eq!(result(&line(&[("gear-backlash", 3.0)]), "dot-backlash").value, 0.0);
-    // A pull from behind that exceeds brake and friction presses on the other flank, and keeps its direction too.
+    // A web tension behind X that exceeds brake and friction loads the other tooth flank, and keeps its direction too.
     assert_eq!(result(&line(&[("gear-backlash", 3.0), ("tension-behind", 200.0)]), "dot-backlash").value, 0.0);
     // Nothing loads the print roller: 3′ at its radius.
     let play = |diameter: f64| 3.0 / 60.0 * std::f64::consts::PI / 180.0 * diameter / 2.0;

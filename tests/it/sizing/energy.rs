@@ -185,7 +185,7 @@ fn pause_of_the_shift_counts_in_torque_duty_and_parts_per_hour() {
             super::same("speed", rests.speed, work.speed, 1e-9);
         }
     }
-    // Motors that turn for all of a product have S1; with a pause of a minute behind it S3.
+    // Motors that turn for all of a product have S1; with a pause of a minute after it S3.
     let mut line = Project::named("ribbon-line", None, None).unwrap();
     line.values.insert("pitch-count".to_owned(), Value::Number(100.0));
     let duty = |line: &Project| {

@@ -276,7 +276,7 @@ fn another_pitch_speeds_the_print_roller_and_leaves_the_loop() {
     let worst = row(&sizing, OperatingEvent::ProductChange, "loop");
     super::same("loop", worst.value, loop_in_the_run(&at_knob(&project, worst)), 0.02);
     // The line keeps its speed: X does not accelerate, as it does when the knob is turned, and its torque is that of the tautest ribbon at a
-    // roller of 100 mm with 0.3 Nm of friction, behind 50 : 1 with 95 %. Y gets a head to each shorter pitch.
+    // roller of 100 mm with 0.3 Nm of friction, through a gear of 50 : 1 with 95 %. Y gets a head to each shorter pitch.
     let taut = (at(OperatingEvent::ProductChange, "tension") * 0.05 + 0.3) / (50.0 * 0.95);
     super::same("x", at(OperatingEvent::ProductChange, "x-torque"), taut, 1e-3);
     assert!(taut < at(OperatingEvent::SpeedChange, "x-torque"));
@@ -464,7 +464,7 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     let sizing = sized(&project);
     let hold = row(&sizing, OperatingEvent::Start, "hold");
     assert_eq!((hold.verdict, hold.knob), (Verdict::Fail, None));
-    // What is measured ends with the hold and the stop of the unwinder: 251 mm/s over a ramp of 1.62 s, knob at its end 310 mm/s over 2 s.
+    // The measured span ends with the hold and the stop of the unwinder: 251 mm/s over a ramp of 1.62 s, knob at its end 310 mm/s over 2 s.
     let filled = row(&sizing, OperatingEvent::Run, "loop").value;
     assert!((300.0 + 200.0..300.0 + 320.0).contains(&filled), "{filled}");
     let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();

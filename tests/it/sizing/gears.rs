@@ -52,7 +52,7 @@ fn own_of<'a>(sizing: &'a Sizing, axis: &str) -> &'a GearCandidate {
 
 #[test]
 fn gear_unit_is_refused_by_the_first_limit_that_it_breaks() {
-    // Asked of X behind 10 : 1: some Nm, 290 r/min and 340 at the highest position of the knob.
+    // Demand of X on a gear of 10 : 1: some Nm, 290 r/min and 340 at the highest position of the knob.
     for ((rated, peak, speed), wanted) in [
         ((50.0, 100.0, 3000.0), ""),
         ((0.5, 0.6, 3000.0), "Too weak: "),
@@ -163,7 +163,7 @@ fn torque_at_the_output_agrees_with_that_at_the_motor() {
     let motor = Motion::new(rise(30.0), load, 0.0);
     let behind = Motion::new(rise(30.0 / ratio), output, 0.0);
     let at_motor = motor.work(rotor).peak.0;
-    // The form's load counts the gear's own inertia behind its efficiency.
+    // The form's load counts the gear's own inertia at the output, after its efficiency.
     let of_rotors = (rotor + input / efficiency) * 300.0;
     same("torque", behind.work(0.0).peak.0, (at_motor - of_rotors) * ratio * efficiency, SAME);
 }

@@ -45,7 +45,7 @@ fn cam_is_limited_by_the_power_above_rated_speed() {
     same("limit", limit, 0.8 * 8.82 * 1000.0 / value("cam-motor-speed"), 1e-9);
     assert!((value("cam-motor-speed") - 4546.5).abs() < 0.1 && (limit - 1.552).abs() < 0.001, "{limit}");
     assert_eq!(peak.verdict, Verdict::Fail);
-    // At the speed that is told the torque, which grows with the square of the speed, is that limit.
+    // At the reported speed the torque, which grows with the square of the speed, equals that limit.
     let share = value("cam-speed-by-peak") / value("line-speed");
     let steady = value("y-load-torque");
     let torque = (peak.value - steady) * share * share + steady;

@@ -97,7 +97,7 @@ fn results_of_the_reel_follow_the_formulas() {
     let length = PI * 0.35 / 0.0008;
     same("length", value("reel-length"), length, 1e-12);
     same("time", value("reel-time"), length * 60e3 / value("line-speed"), 1e-12);
-    // The sensor leaves what the stop takes: v · t_r / 2 at 1480 r/min behind 50 : 1 on 100.5 mm, over 2 s.
+    // The sensor leaves as much ribbon as the stop takes: v · t_r / 2 at 1480 r/min through 50 : 1 on 100.5 mm, over 2 s.
     let left = PI * 100.5 / 50.0 * 1480.0 / 60.0;
     assert_eq!(value("reel-products"), ((length * 1e3 - left) / value("product-length")).floor());
     // π / 32 · ρ · b · (D⁴ - d⁴)
@@ -107,11 +107,11 @@ fn results_of_the_reel_follow_the_formulas() {
     same("speed", value("reel-speed-empty"), value("line-speed") / (PI * 100.0), 1e-12);
     same("brake", value("reel-brake-torque-full"), 20.0 * 0.3, 1e-12);
     same("brake", value("reel-brake-torque-empty"), 20.0 * 0.05, 1e-12);
-    // 1480 r/min behind 50 : 1 on 100.5 mm, reached in 2 s.
+    // 1480 r/min through 50 : 1 on 100.5 mm, reached in 2 s.
     let faster = PI * 0.1005 / 50.0 * 1480.0 / 60.0 / 2.0;
     let extra = inertia / 0.09 * faster;
     same("pull", value("reel-pull"), 20.0 + extra, 1e-12);
-    // Torque of the ramp at the motor, behind 70 % of the gear.
+    // Torque of the ramp at the motor, with 70 % efficiency of the gear.
     let ramp = value("unwinder-torque") + (40e-4 + inertia / 0.09 * 0.001005 * 0.001005 / 0.7) * PI / 30.0 * 740.0;
     same("ramp", value("unwinder-ramp-torque"), ramp, 1e-12);
 }

@@ -180,10 +180,10 @@ fn resistor_that_is_paired_and_takes_it_is_billed() {
 
 #[test]
 fn amplifier_without_anything_to_take_has_no_resistor() {
-    // A line that starts once and stops slowly: what its small motors give back stays in the capacitors.
+    // A line that starts once and stops slowly: the energy that its small motors return stays in the capacitors.
     let sizing = sized(&Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap());
     assert!(resistor_rows(&sizing).is_empty(), "{:?}", resistor_rows(&sizing));
-    // A rotor of 2 kW brings more than its capacitors take: told in the list, not in the bill of another motor.
+    // The rotor of a 2 kW motor returns more than its capacitors take; this is in the list of motors, not in the bill of another motor.
     let all = || sizing.axes.iter().flat_map(|axis| &axis.candidates).filter(|motor| motor.resistor.is_some());
     assert!(all().all(|motor| motor.part.servo().is_some_and(|servo| servo.rotor > 1e-3)));
 }
@@ -193,7 +193,7 @@ fn energy_of_a_part_has_the_unwinder_and_the_spindle() {
     let line = Project::named("ribbon-line", None, None).unwrap();
     let with = |changes: &[(&'static str, String)]| sized(&line.with_entries(changes).unwrap()).cycle.unwrap();
     let (now, heavy) = (with(&[]), with(&[("reel-brake", "30".to_owned())]));
-    // 10 N more of brake on the ribbon of a product, behind 70 % of the gear.
+    // 10 N more of brake on the ribbon of a product, with 70 % efficiency of the gear.
     let pulled = line.design().readouts.into_iter().find(|row| row.id == "product-length").unwrap().value / 1e3;
     let more = heavy.energy.unwrap().given - now.energy.unwrap().given;
     super::same("brake", more, 10.0 * pulled / 0.7, 0.1);
@@ -248,7 +248,7 @@ fn cut_does_not_help_the_stop_of_the_tool() {
     // The tool stops outside of the stock from 1000 r/min: ½ J ω² = ½ · 0.02 · 104.72² = 109.7 J.
     let omega = 1000.0 * std::f64::consts::TAU / 60.0;
     super::same("returned", tool.work.unwrap().returned, 0.5 * 0.02 * omega * omega, 1e-3);
-    // Behind MR-J4-350A, 85 % and 40 J in its capacitors, with the rotor of HG-SR352.
+    // At the amplifier MR-J4-350A, with 85 % and 40 J in its capacitors, and the rotor of HG-SR352.
     let motor = tool.candidates.iter().find(|motor| motor.part.model == "HG-SR352").unwrap();
     let rotor = motor.part.servo().unwrap().rotor;
     let asked = motor.resistor.as_ref().expect("a resistor").asked;

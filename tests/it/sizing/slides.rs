@@ -1,4 +1,4 @@
-//! Drives of the slides of lathes: the run asks of them what the formulas say, and the list, the bill and the envelope have them.
+//! Drives of the slides of lathes: the demand of the run equals the formulas, and list, bill and envelope include them.
 
 use macroline::machines;
 use macroline::machines::devices::BillItem;

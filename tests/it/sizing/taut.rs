@@ -14,7 +14,8 @@ const SHORT_DWELL: (&str, f64) = ("dwell", 0.1);
 
 /// Tension in N of the ribbon with that dwell and a modulus in N/mm²: `T1 + E A s / L`, by hand.
 fn tautest(modulus: f64) -> f64 {
-    // 1480 r/min with a roller of 100.5 mm behind 50 : 1, mm/s; FIN takes 0.05 s, the ramp 2 s, the time constant 0.1 s, the lag 1/33 s.
+    // 1480 r/min with a roller of 100.5 mm on a gear of 50 : 1, mm/s; FIN takes 0.05 s, the ramp 2 s, the time constant 0.1 s, the lag 1/33
+    // s.
     let speed = PI * 100.5 / 50.0 * 1480.0 / 60.0;
     let ahead = -speed * (0.1 + 0.05 - 1.0 + 0.1 / 2.0 + 1.0 / 33.0);
     15.0 + modulus * 20.0 * 0.5 * ahead / 2000.0
@@ -90,7 +91,7 @@ fn stop_asks_more_of_the_nip_where_the_ribbon_drives() {
 fn taut_ribbon_counts_in_the_torque_of_x_in_form_and_list() {
     let stiff = [SHORT_DWELL, ("youngs-modulus", 2000.0), ("tensile-strength", 2000.0), ("pinch-force", 10_000.0)];
     let project = line(&[&stiff[..], &[("pitch-count", 20.0), ("loop-capacity", 600.0)]].concat());
-    // 1214 N at a roller of 100 mm with 0.3 Nm of friction, behind 50 : 1 with 95 %.
+    // 1214 N at a roller of 100 mm with 0.3 Nm of friction, through a gear of 50 : 1 with 95 %.
     let torque = (tautest(2000.0) * 0.05 + 0.3) / (50.0 * 0.95);
     let peak = result(&project, "x-peak-torque");
     same("torque", peak.value, torque, 1e-9);

@@ -48,7 +48,7 @@ fn torque_over_the_run_is_that_of_the_results() {
         let work = axis
             .motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end()), None)
             .work(axis.fitted.motor.rotor);
-        // Before and behind the product it holds the web.
+        // Before and after the product the axis holds the web.
         let (product, hold) = (result("product-time"), axis.hold);
         let square = work.effective * work.effective * work.seconds - hold * hold * (work.seconds - product);
         super::same(&format!("{control}, highest"), work.peak.0, result("x-peak-torque"), WITHIN);
@@ -197,7 +197,7 @@ proptest! {
     fn reversal_inside_a_turn_changes_nothing_but_the_sign(
         (from, to, seconds) in (-300.0..300.0_f64, -300.0..300.0_f64, 0.01..2.0_f64),
     ) {
-        // Without steady torque and losses the torque is the same before and behind standstill.
+        // Without steady torque and losses the torque is the same before and after standstill.
         let load = Load { inertia: 0.01, torque: 0.0, efficiency: 1.0 };
         let motion = Motion::new([Turn { t: 0.0, seconds, from, to }], load, 0.0);
         let torque = 0.01 * (to - from) / seconds;

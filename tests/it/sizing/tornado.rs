@@ -1,4 +1,4 @@
-//! The tornado: what each assumed fact does to the results that are nearest to their limits.
+//! The tornado: effect of each assumed fact on the results nearest to their limits.
 
 use macroline::machines::ALL;
 use macroline::machines::form::{Provenance, Value};

@@ -27,7 +27,7 @@ fn resistor(project: &Project) -> Option<String> {
     rows.filter(|row| row.item == BillItem::Resistor).map(|row| row.model).next()
 }
 
-/// Torque in Nm that web and friction of the first example ask of the motor: 20 N at 100.5 mm and 1 Nm, behind 50 : 1 with 70 %.
+/// Torque in Nm that web and friction of the first example ask of the motor: 20 N at 100.5 mm and 1 Nm, through a gear of 50 : 1 with 70 %.
 const STEADY: f64 = (20.0 * 0.1005 / 2.0 + 1.0) / (50.0 * 0.7);
 
 #[test]

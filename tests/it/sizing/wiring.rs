@@ -128,7 +128,7 @@ fn dancer_asks_the_inverter_for_a_trim_input() {
         assert_eq!(inverter.open.iter().filter(|open| open.id == "size.bill.trim-input").count(), usize::from(dancer));
         let row = sizing.bill.iter().find(|row| row.item == BillItem::Dancer);
         assert_eq!(row.map(|row| row.grade), dancer.then_some(PartGrade::Open));
-        // What the parts have to do is of the form: the loop is as long as its capacity.
+        // The requirements of the parts are from the form: the loop is as long as its capacity.
         let asked = |item: BillItem| sizing.bill.iter().find(|row| row.item == item).unwrap().model.clone();
         assert!(row.is_none_or(|row| row.model.contains("432 mm")), "{row:?}");
         assert!(asked(BillItem::LoopSensor).contains("432 mm"), "{}", asked(BillItem::LoopSensor));

@@ -1,4 +1,4 @@
-//! Laws of the catalog: code and English name the same sentences; every other language says all of them, and the phrases of the rows.
+//! Laws of the catalog: code and English catalog have the same sentences; every other language has all of them, and the phrases of the rows.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -95,7 +95,7 @@ fn code_and_english_name_the_same_sentences() {
     hold("Every sentence stands once in the catalog, and is said.", mend, broken);
 }
 
-/// Sentences with places that no `msg!` says: `text/list.rs` joins by the first, and the second takes the values of `form.assumed`.
+/// Sentences with placeholders that no `msg!` uses: `text/list.rs` joins by the first, and the second takes the values of `form.assumed`.
 const WITHOUT_A_CALL: [&str; 2] = ["list.", "page.assumed-facts"];
 
 #[test]
@@ -241,7 +241,7 @@ fn help() -> BTreeSet<String> {
     texts.map(|lines| lines.concat().trim().trim_end_matches('.').to_owned()).collect()
 }
 
-/// The formulas of results that say something in words.
+/// The formulas of results that contain words.
 fn formulas() -> BTreeSet<String> {
     let in_words = |formula: &str| {
         let words = formula.split(|c: char| !c.is_ascii_alphabetic()).filter(|word| word.len() > 2);

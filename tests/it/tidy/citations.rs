@@ -7,7 +7,7 @@ use super::source::{Source, TokenKind};
 
 const SOURCES: &str = "docs/reference/sources.md";
 
-/// The grades of evidence, as rows name them behind a source text.
+/// The grades of evidence, as rows name them after a source text.
 const GRADES: [&str; 5] = ["Manual", "Sister", "Measured", "Inferred", "Open"];
 
 const CALL: [&str; 5] = ["Citation", ":", ":", "new", "("];
@@ -51,7 +51,7 @@ fn every_cited_source_has_its_line_in_the_reference() {
             }
             used.insert(text.to_owned());
         }
-        // A text from elsewhere, which this law could not follow.
+        // A text that is not a literal here, which this law cannot follow.
         for call in source.shipped().windows(CALL.len() + 1) {
             let is_call = call.iter().zip(CALL).all(|(token, wanted)| token.text == wanted);
             let argument = &call[CALL.len()];

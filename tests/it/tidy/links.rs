@@ -70,7 +70,7 @@ fn numbered() -> BTreeMap<String, BTreeSet<String>> {
     pages().into_iter().map(page).collect()
 }
 
-/// Pages named in a line of comment by their file, each with the sections named behind it: `section 3.4`, `sections 3.4 and 4`.
+/// Pages named in a line of comment by their file, each with the sections named after it: `section 3.4`, `sections 3.4 and 4`.
 fn named_pages(comment: &str) -> Vec<(&str, Vec<&str>)> {
     let is_name = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     let mut found = Vec::new();

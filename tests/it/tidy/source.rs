@@ -281,7 +281,7 @@ fn flatten(code: TokenStream, tokens: &mut Vec<Token>) {
             TokenTree::Punct(sign) if sign.as_char() == '#' && trees.peek().is_some_and(is_doc) => {
                 trees.next();
             }
-            // The text of an inner doc comment follows behind the `!`.
+            // The text of an inner doc comment follows the `!`.
             TokenTree::Punct(sign) if sign.as_char() == '!' && trees.peek().is_some_and(is_doc) => {
                 trees.next();
                 tokens.pop();

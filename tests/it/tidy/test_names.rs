@@ -6,14 +6,14 @@ use super::source::Source;
 /// Characters that a test's name may have.
 const LONGEST: usize = 59;
 
-/// Endings of sentences that say nothing of the result.
+/// Endings of test names that do not state a result.
 const VAGUE: [&str; 3] = ["_works", "_is_ok", "_test"];
 
 fn tests() -> impl Iterator<Item = &'static Source> {
     Source::all().iter().filter(|source| source.path.starts_with("tests/") || source.path.starts_with("src/ui/"))
 }
 
-/// The names of the functions behind `#[test]` and `#[wasm_bindgen_test]`, with their lines.
+/// The names of the functions after `#[test]` and `#[wasm_bindgen_test]`, with their lines.
 fn names(source: &Source) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     for (at, token) in source.tokens.iter().enumerate() {

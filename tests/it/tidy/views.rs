@@ -1,4 +1,4 @@
-//! Law of the page's texts: what people read in a `view!` or in HTML comes from the catalog, not from a literal.
+//! Law of the page's texts: a text for people in a `view!` or in HTML comes from the catalog, not from a literal.
 
 use macroline::text::catalog;
 
@@ -85,7 +85,7 @@ fn is(token: &Token, text: &str) -> bool {
     token.kind != TokenKind::Text && token.text == text
 }
 
-/// The texts for people in the view whose first token is at a place. Views within it are told apart: they are found by themselves.
+/// The texts for people in the view whose first token is at a place. Nested views are left out, because each is found separately.
 fn in_view(tokens: &[Token], from: usize) -> Vec<&Token> {
     let mut found = Vec::new();
     let (mut at, mut depth, mut in_tag) = (from, 0_usize, false);

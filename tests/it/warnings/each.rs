@@ -101,7 +101,7 @@ fn every_warning_appears_on_every_control() {
             // Switches that the control does not have are not set.
             let switches: Vec<(&str, &str)> =
                 row.switches.iter().copied().filter(|(id, _)| control.switch(id).is_some()).collect();
-            // These end in another way, or are long.
+            // Programs for these warnings have another end, or are long.
             let text = match row.id {
                 "lint.main-returns" => "O1\nG00 X1.\nM99".to_owned(),
                 "lint.suppression-stays" => "O9001\n#3003=1\nM99".to_owned(),
@@ -122,7 +122,7 @@ fn every_warning_appears_on_every_control() {
     }
     let rows: BTreeSet<&str> = ROWS.iter().map(|row| row.id).collect();
     assert_eq!(rows, raised, "each is raised somewhere");
-    // Every sentence about a program that works has its row.
+    // Every warning of the catalog has its row.
     let catalog =
         include_str!("../../../src/text/catalog/en.properties").lines().filter_map(|line| line.split('=').next());
     let sentences: BTreeSet<&str> = catalog.filter(|id| id.starts_with("lint.")).collect();

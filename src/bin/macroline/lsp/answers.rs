@@ -1,4 +1,4 @@
-//! Answers about a place of a program: meaning, proposals, definition, references, outline.
+//! Answers about a position in a program: meaning, completion proposals, definition, references, outline.
 
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionList, CompletionTextEdit, DocumentHighlight, DocumentHighlightKind,

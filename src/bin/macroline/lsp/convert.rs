@@ -1,4 +1,4 @@
-//! Places in the words of the protocol: lines and UTF-16 units from 0, and the other way round.
+//! Conversion between byte offsets and positions of the protocol, which count lines and UTF-16 units from 0.
 
 use lsp_types::{Position, Range};
 use macroline::text::{LineIndex, Span, utf16};
@@ -27,7 +27,7 @@ impl<'t> Lines<'t> {
         Range::new(self.position(span.start), self.position(span.end))
     }
 
-    /// The byte of a position; one beyond a line is its end, one beyond the text that of the text.
+    /// Byte offset of a position; limited to the end of its line, and of the text.
     pub(super) fn byte(&self, position: Position) -> u32 {
         if position.line >= self.index.count() {
             return self.text.len() as u32;

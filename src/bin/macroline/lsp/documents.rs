@@ -37,9 +37,9 @@ impl Programs {
     }
 }
 
-/// Endings of program files; one without an ending goes by its name, `O9100`.
+/// Extensions of program files. A file without an extension is recognised by its name, `O9100`.
 const ENDINGS: [&str; 5] = ["nc", "mpf", "spf", "cnc", "ngc"];
-/// Greatest number of files of a folder that are looked at, and of bytes read beside the open ones, which are parsed with every change. Our
+/// Limits of reading a folder, because its files are parsed with every change: number of files, and bytes besides the open files. Our
 /// choice.
 const MOST_FILES: usize = 2000;
 const MOST_BYTES: u64 = 1 << 20;
@@ -53,7 +53,7 @@ struct Folder {
     beside: BTreeMap<Url, String>,
     /// Settings of the folder's project file, read when a file is opened or saved.
     own: Option<ControlSetup>,
-    /// The programs, read when they are first asked for after a change; `None` inside where no control is known.
+    /// The programs, read at the first request after a change; the inner `None` if no control is known.
     read: Option<Option<Programs>>,
 }
 
@@ -61,7 +61,7 @@ struct Folder {
 #[derive(Default)]
 pub(super) struct OpenDocuments {
     folders: BTreeMap<String, Folder>,
-    /// The control that the command line or the editor's settings name, for all folders.
+    /// Control named by the command line or the editor's settings, for all folders.
     asked: Option<ControlSetup>,
 }
 
@@ -70,7 +70,7 @@ fn folder(address: &Url) -> String {
     address.join(".").map_or_else(|_| address.to_string(), String::from)
 }
 
-/// Name of a file; its ending may tell a kind of program.
+/// Name of a file; its extension may give the kind of program.
 fn name(address: &Url) -> String {
     let path = address.to_file_path().ok();
     let name = path.as_deref().and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
@@ -101,7 +101,7 @@ impl OpenDocuments {
         folder.read = None;
     }
 
-    /// Changes of an open file, one after the other. One that would make the text too long is left out.
+    /// Applies changes to an open file in order. A change that would make the text too long is left out.
     pub(super) fn change(&mut self, address: &Url, changes: Vec<TextDocumentContentChangeEvent>) {
         let Some(folder) = self.folders.get_mut(&folder(address)) else { return };
         let Some(text) = folder.texts.get_mut(address) else { return };
@@ -176,8 +176,8 @@ fn programs_of(folder: &Path) -> BTreeMap<Url, String> {
     paths.iter().map(|path| path.as_path()).filter_map(text).collect()
 }
 
-/// Reads the programs of a folder; `None` where no control is known. One on the disk that has the name of an open one but for its ending is
-/// left out: it is another state of that program.
+/// Reads the programs of a folder; `None` where no control is known. A file on the disk that differs from an open file only in its
+/// extension is left out: it is another state of that program.
 fn read(
     open: &BTreeMap<Url, String>,
     beside: &BTreeMap<Url, String>,

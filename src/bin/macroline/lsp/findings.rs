@@ -1,4 +1,4 @@
-//! Diagnostics and their fixes in the words of the protocol.
+//! Diagnostics and their fixes as messages of the protocol.
 
 use std::collections::HashMap;
 
@@ -33,13 +33,14 @@ pub(super) fn remark(text: String) -> lsp_types::Diagnostic {
 }
 
 impl Programs {
-    /// The findings of a file; those without a place are at the head of the first file.
+    /// The findings of a file; findings without a place belong to the start of the first file.
     fn of_file(&self, file: FileId) -> impl Iterator<Item = (Place, &Diagnostic)> {
         let placed = |finding: &Diagnostic| finding.place.unwrap_or_default();
         self.found.iter().map(move |finding| (placed(finding), finding)).filter(move |row| row.0.file == file)
     }
 
-    /// The diagnostics of a file. `related` tells whether the client shows what belongs to a diagnostic apart; else it is part of its message.
+    /// The diagnostics of a file. `related`: the client shows related information beside a diagnostic; otherwise it becomes part of the
+    /// message.
     pub(super) fn diagnostics(&self, file: FileId, related: bool) -> Vec<lsp_types::Diagnostic> {
         let Some((address, text)) = self.get(file) else { return Vec::new() };
         let lines = Lines::new(text);
@@ -72,7 +73,7 @@ impl Programs {
         all
     }
 
-    /// Every fix that leaves no choice, in all files.
+    /// One action with every fix that has no alternative, in all files.
     fn all_fixes(&self) -> Option<CodeAction> {
         let files = self.parsed.files();
         let (mended, count) = nc::fix_all(files, fixes(&self.found, FixChoice::Certain).filter(|fix| can_be_made(fix)));
@@ -101,7 +102,7 @@ impl Programs {
     }
 }
 
-/// Whether a fix writes no byte that is no text: the editor would save it as another character.
+/// Whether a fix writes only text. The editor would save a byte that is not text as another character.
 fn can_be_made(fix: &Fix) -> bool {
     fix.edits.iter().all(|(_, text)| !text.contains(char::REPLACEMENT_CHARACTER))
 }

@@ -1,4 +1,4 @@
-//! A language server on standard input and output: what `check` says, and the tables of the control, in an editor.
+//! A language server on standard input and output: the findings of `check` and the tables of the control, in an editor.
 
 mod answers;
 mod convert;

@@ -37,7 +37,7 @@ const NAME: &str = "macroline";
 /// Phase of a session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SessionPhase {
-    /// The client has not introduced itself.
+    /// The client has not sent `initialize` yet.
     Begins,
     /// Requests are answered.
     Serves,
@@ -57,11 +57,11 @@ type Refusal = (ErrorCode, String);
 pub(super) struct Server {
     phase: SessionPhase,
     documents: OpenDocuments,
-    /// Control of the command line: the editor's settings change nothing then.
+    /// The control is fixed by the command line, so the editor's settings are ignored.
     fixed: bool,
-    /// The client shows what belongs to a diagnostic apart from its message.
+    /// The client shows related information beside a diagnostic.
     related: bool,
-    /// The client tells its settings when it is asked.
+    /// The client answers a request for its settings.
     asks_settings: bool,
     /// Number of the last request to the client.
     last: i32,
@@ -174,7 +174,7 @@ impl Server {
         ask(programs, programs.file(address)?)
     }
 
-    /// Something about a position in a file.
+    /// Answer about a position in a file.
     fn at<T>(
         &mut self,
         place: &TextDocumentPositionParams,
@@ -183,7 +183,7 @@ impl Server {
         self.in_file(&place.text_document.uri, |programs, file| ask(programs, file, place.position))
     }
 
-    /// The client introduces itself.
+    /// Handles `initialize`: the abilities of the client, and of the server in the answer.
     fn begin(&mut self, params: InitializeParams) -> InitializeResult {
         self.phase = SessionPhase::Serves;
         params.locale.as_deref().iter().for_each(|locale| speak_as_client(locale));
@@ -221,7 +221,7 @@ impl Server {
         InitializeResult { capabilities, server_info: Some(ServerInfo { name: NAME.to_owned(), version }) }
     }
 
-    /// Takes what needs no answer. What does not read is passed over, as the protocol has it.
+    /// Handles a notification, which gets no answer. Unreadable parameters are ignored, as the protocol requires.
     fn note(&mut self, notification: Notification) {
         let Notification { method, params } = notification;
         match (method.as_str(), self.phase) {
@@ -256,7 +256,7 @@ impl Server {
         }
     }
 
-    /// Asks the client for its settings, if it answers that.
+    /// Asks the client for its settings, if it supports that request.
     fn ask_settings(&mut self) {
         if self.asks_settings {
             let item = ConfigurationItem { scope_uri: None, section: Some(NAME.to_owned()) };
@@ -293,7 +293,7 @@ impl Server {
         }
     }
 
-    /// Reads the programs beside a file and sends what there is to say to each.
+    /// Reads the programs beside a file and sends the diagnostics of each.
     fn publish(&mut self, address: &Url) {
         let related = self.related;
         for address in self.documents.beside(address) {
@@ -323,7 +323,7 @@ fn is_wanted(action: &lsp_types::CodeActionOrCommand, only: &[CodeActionKind]) -
     })
 }
 
-/// The result of a function of parameters, or the reason why they do not read.
+/// The result of `answer` for parsed parameters, or the reason why they cannot be parsed.
 fn with<P: DeserializeOwned, R: Serialize>(params: Json, ask: impl FnOnce(P) -> R) -> Result<Json, Refusal> {
     let refused = |error: serde_json::Error| {
         (ErrorCode::InvalidParams, sentence(&msg!("lsp.parameters", reason = error.to_string())))
@@ -332,7 +332,7 @@ fn with<P: DeserializeOwned, R: Serialize>(params: Json, ask: impl FnOnce(P) -> 
     serde_json::to_value(ask(params)).map_err(refused)
 }
 
-/// Hands parameters that read to a function.
+/// Passes parameters to a function if they can be parsed.
 fn note<P: DeserializeOwned>(params: Json, take: impl FnOnce(P)) {
     if let Ok(params) = serde_json::from_value(params) {
         take(params);

@@ -1,4 +1,4 @@
-//! The control that programs are read for: of the command line, else of the editor's settings, else of the folder.
+//! The control that programs are read for: named by the command line, else by the editor's settings, else by the folder.
 
 use std::path::Path;
 

@@ -12,20 +12,20 @@ pub(super) const MOST: u64 = 64 << 20;
 /// Bytes of a line of a header at most.
 const HEADER: u64 = 4096;
 
-/// Name of the header that tells the bytes of a message.
+/// Name of the header with the length of a message in bytes.
 const LENGTH: &str = "content-length:";
 
-/// Next message of the input, or why there is none.
+/// Outcome of reading the next message.
 pub(super) enum MessageRead {
     /// A message.
     Message(Message),
-    /// No message of the protocol, and why; the next one may be.
+    /// Not a message of the protocol, and the reason; later messages may be valid.
     Malformed(String),
     /// Nothing more.
     End,
 }
 
-/// Reads the next message. Lines that are no header are passed over, so that a wrong length costs the messages around it alone.
+/// Reads the next message. Lines that are not headers are skipped, so that a wrong length loses only the messages around it.
 pub(super) fn read(input: &mut impl BufRead) -> io::Result<MessageRead> {
     let mut length = None;
     let mut line = Vec::new();
@@ -63,7 +63,7 @@ fn body(input: &mut impl BufRead, length: u64) -> io::Result<MessageRead> {
     })
 }
 
-/// Writes the answer to something that is no message: it has no number.
+/// Writes the error for input that is not a message; it has no request number.
 pub(super) fn write_refusal(output: &mut impl Write, why: &str) -> io::Result<()> {
     let error = serde_json::json!({ "code": lsp_server::ErrorCode::ParseError as i32, "message": why });
     let text = serde_json::json!({ "jsonrpc": "2.0", "id": null, "error": error }).to_string();

@@ -68,5 +68,5 @@ pub const LATHE: &[ParamDef] = &[
         .answered("0", "1"),
 ];
 
-/// Parameters of a mill: those of a lathe without the one for diameter words.
+/// Parameters of a mill: the parameters of a lathe without the one for diameter words.
 pub const MILL: &[ParamDef] = without![ParamDef: LATHE, "1006#3"];

@@ -110,7 +110,7 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout, half: f64) 
     });
 }
 
-/// The corners of a twisted polygon as they would run; those on the near side of the part.
+/// The corners of a twisted polygon along the bar, on the near side of the part.
 fn twist(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let (p, derived) = (&lathe.p, &lathe.d);
     let (scale, face) = (layout.side, layout.face);
@@ -181,7 +181,7 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, layout: &Layout, progress: &Pr
     closed(points, (0.0, SIDE.1), 1.0)
 }
 
-/// Outline and edges of a polygon from above, with the work turned by `angle` radians: of `size` across flats, between two depths behind
+/// Outline and edges of a polygon from above, with the work turned by `angle` radians: of `size` across flats, between two distances from
 /// the face in mm.
 pub(in super::super) fn edges(
     lathe: &PolygonLathe,

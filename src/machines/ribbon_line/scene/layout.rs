@@ -17,7 +17,7 @@ pub(crate) const ROLLER: f64 = 50.0;
 pub(crate) const PRINT_ROLLER: f64 = 60.0;
 /// Radius of a full supply reel beside which everything has its plain size at least, mm.
 const REEL: f64 = 224.0;
-/// Radius of the core of the take-up reel, as which hubs are drawn, and of that reel at the start, for the plain size, mm.
+/// Radii for the plain size, mm: of the core of the take-up reel, which is also the size of hubs, and of that reel at the start.
 pub(crate) const CORE: f64 = 34.0;
 pub(crate) const TAKE_UP: f64 = 66.0;
 /// Greatest take-up reel for the plain size, mm.
@@ -177,7 +177,7 @@ impl Layout {
         let deep = s * math::clamp(0.7 + 0.3 * width, 0.75, 1.4);
         let depth = (26.0 * deep, -16.0 * deep);
 
-        // A small reel has the room of a plain one: names stand above it.
+        // A small reel gets the room of one of plain size, because names are above it.
         let beside = wound.max(0.5 * REEL * s);
         let supply = DrawnReel {
             x: -unwinder.r.max(50.0 * unwinder.scale) - 16.0 * s - beside,
@@ -196,7 +196,7 @@ impl Layout {
             range: (TAKE_UP * s, TAKE_UP_FULL * s),
         };
 
-        // Names above the machine; those of the reels are beside them.
+        // Names are above the machine, except the names of the reels, which are beside the reels.
         let top = |station: &Station| -2.0 * PINCH * station.r - 42.0 * station.scale;
         let plates = top(&unwinder).min(top(&pull)).min(-2.0 * print.r - 16.0 * print.scale);
         let reel_name = -6.0 * s - 44.0 * unit - 2.0 * line;

@@ -107,7 +107,7 @@ pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, p: &Params) {
         drawing.place(group, SceneGroup { parent: group::PRINT_FRAME, ..SceneGroup::default() });
     }
     let count = math::clamp(p.heads, 1.0, 1000.0);
-    // The outlines are those of every layer.
+    // Every layer has the same outlines.
     let outlines = (count <= SINGLE).then(|| heads(count));
     drawing.showing("heads", |drawing| {
         for layer in 0..group::LAYERS {

@@ -46,7 +46,7 @@ pub(crate) enum DriveKind {
     Servo,
 }
 
-/// Everything behind the ribbon: plate, cabinet, bodies of the rollers.
+/// Parts drawn behind the ribbon: plate, cabinet, bodies of the rollers.
 pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, station: &Station, first: u16, letter: &str) {
     let Station { x, r, scale, cabinet: top } = *station;
     drawing.place(Part::Plate.of(first), SceneGroup { at: (x, 0.0), scale, ..SceneGroup::default() });
@@ -62,7 +62,7 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, station: &Station, 
     drawing.path(barrel((x, r), r, layout.depth), Look::fill(Paint::SteelBody));
 }
 
-/// Everything in front of the ribbon: belt, motor, drive, rollers.
+/// Parts drawn in front of the ribbon: belt, motor, drive, rollers.
 pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, station: &Station, first: u16, drive: DriveKind) {
     let fields = match drive {
         DriveKind::Inverter => ["reduction-ratio", "speed-at-10v", "press-roller-diameter"],

@@ -1,4 +1,4 @@
-//! The chuck with its three jaws: they turn with the spindle, and those towards the operator are in front of the part.
+//! The chuck with its three jaws: the jaws turn with the spindle, and jaws towards the operator are in front of the part.
 
 use super::ids::{group, node};
 use super::solid::{self, FaceBlock};

@@ -29,7 +29,7 @@ pub(super) fn draw_bed_back(d: &mut Drawing) {
     d.path(filled("M250 #h528l-18 24h-492Z", &[BED + 38.0]), Look::fill(Paint::DarkShade));
 }
 
-/// Ways and front of the bed, with the opening to the chip tray: chips fall behind them.
+/// Ways and front of the bed, with the opening to the chip tray; falling chips are drawn behind both.
 pub(super) fn draw_bed_front(d: &mut Drawing) {
     let (top, opening) = (BED + 28.0, BED + 38.0);
     // The opening runs against the outline, so that it stays free.

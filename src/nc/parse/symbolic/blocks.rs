@@ -529,7 +529,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reports text behind the statement.
+    /// Reports text after the statement.
     fn end_of_named(&mut self) -> Read<()> {
         match self.skip() {
             _ if self.cursor.ended() => Ok(()),

@@ -1,4 +1,4 @@
-//! NC words of a language with names: addresses of several letters, values behind `=`, codes with names.
+//! NC words of a language with names: addresses of several letters, values after `=`, codes with names.
 
 use crate::controls::Address;
 use crate::controls::AddressSet;
@@ -136,7 +136,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Reads the value behind a letter: a number, or a formula behind `=`.
+    /// Reads the value after a letter: a number, or a formula after `=`.
     #[inline]
     fn named_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut next = self.skip();
@@ -194,7 +194,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Continues behind the number of a word: usually a blank, rarely the rest of an extended address or of a formula.
+    /// Continues after the number of a word: usually a blank, rarely the rest of an extended address or of a formula.
     fn behind_number(
         &mut self,
         start: usize,
@@ -300,7 +300,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Reports a formula directly behind its address, as on other controls; reads it as intended.
+    /// Reports a formula directly after its address, as on other controls; reads it as intended.
     #[cold]
     fn insert_equals(&mut self, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let from = self.cursor.at;
@@ -425,7 +425,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads `(2)` behind SETMS; without it the master spindle is the one after power-on.
+    /// Reads `(2)` after SETMS; without it the master spindle is the one after power-on.
     fn spindle_number(&mut self, start: usize) -> Read<Option<u8>> {
         if self.skip() != b'(' {
             return Ok(None);
@@ -447,7 +447,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Reads the value behind an address of several letters, with or without an index in brackets.
+    /// Reads the value after an address of several letters, with or without an index in brackets.
     fn long_value(
         &mut self,
         start: usize,

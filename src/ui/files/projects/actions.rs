@@ -35,7 +35,7 @@ pub(super) struct ProjectActions {
     worker: Client,
     /// The list, the present project first.
     listed: RwSignal<Vec<ListedProject>>,
-    /// The states behind the list: everything on the shelf, and the states that were set aside.
+    /// The states that the list shows: everything on the shelf, and the states that were set aside.
     states: StoredValue<Vec<ShelfState>>,
     /// Sentence about the last action.
     pub announcement: RwSignal<String>,
@@ -83,7 +83,7 @@ impl ProjectActions {
         let _ = self.deleted.try_set(None);
     }
 
-    /// Runs work on the database, then lists the projects anew.
+    /// Runs work on the database, then lists the projects again.
     fn then(self, work: impl Future<Output = Result<String, String>> + 'static) {
         spawn_local(async move {
             match work.await {
@@ -95,7 +95,7 @@ impl ProjectActions {
         });
     }
 
-    /// Tells that the browser refuses work on the list: here too, for the notice is behind the dialog.
+    /// Reports that the browser refuses work on the list, also in the dialog, because the dialog covers the notice.
     fn refused(self, reason: &str) {
         self.announce(sentence(&msg!("projects.refused", reason)));
         shelf::warn_refused(self.page, reason);

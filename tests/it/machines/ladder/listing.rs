@@ -1,4 +1,4 @@
-//! An evaluator of exported instruction lists that knows nothing of the ladders that they were written from.
+//! An evaluator of exported instruction lists, independent of the ladders they were written from.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -140,7 +140,7 @@ impl Listing {
 
     /// One scan.
     pub(super) fn scan(&mut self, t: f64) {
-        // The first contact behind an action begins a rung, further ones begin branches.
+        // The first contact after an action begins a rung; further first contacts begin branches.
         let (mut stack, mut acted): (Vec<bool>, bool) = (Vec::new(), false);
         for line in self.lines.clone() {
             let top = stack.last().copied().unwrap_or(false);
