@@ -430,12 +430,16 @@ impl Deref for PreparedMachine {
 impl PreparedMachine {
     /// Time (s) and catalog id of the first contact with the work, up to a time of the run.
     pub fn first_contact(&self, run: &dyn Samples, until: f64) -> Option<(f64, &'static str)> {
-        let name = self.machine.contact(run, &run.at(until))?;
-        let (mut before, mut after) = (0.0, until);
+        let contact = |t: f64| self.machine.contact(run, &run.at(t));
+        // A spindle that stands no longer cuts: the contact was within the first span of work.
+        let in_work = || self.machine.working(run, until)?.first().map(|(begin, end)| 0.5 * (begin + end));
+        let with_name = |t: f64| Some((t, contact(t)?));
+        let (latest, name) = with_name(until).or_else(|| with_name(in_work()?))?;
+        let (mut before, mut after) = (0.0, latest);
         // Bisection to a hundredth of a millisecond in a run of ten hours.
         for _ in 0..32 {
             let middle = 0.5 * (before + after);
-            match self.machine.contact(run, &run.at(middle)) {
+            match contact(middle) {
                 Some(_) => after = middle,
                 None => before = middle,
             }

@@ -30,8 +30,14 @@ const SLICE: usize = 4096;
 /// Points of a chart.
 const POINTS: usize = 400;
 
-/// Part of the run after which the machine is drawn.
+/// Part of the run after which the machine is drawn, or at the work that is nearest to it.
 const SHOWN: f64 = 0.6;
+
+/// The middle of the work nearest to a time, of these spans (s); the time itself without any.
+fn at_work(spans: &[(f64, f64)], time: f64) -> f64 {
+    let middles = spans.iter().map(|(begin, end)| 0.5 * (begin + end));
+    middles.min_by(|a, b| (a - time).abs().total_cmp(&(b - time).abs())).unwrap_or(time)
+}
 
 impl Project {
     /// The report about these programs of the project.
@@ -68,7 +74,7 @@ impl Project {
             }
         };
         let end = run.timeline().end();
-        let drawn_at = SHOWN * end;
+        let drawn_at = at_work(&prepared.working(&run, end).unwrap_or_default(), SHOWN * end);
         let now = run.timeline().at(drawn_at);
         let pose = prepared.pose(&run, &now, Frame { step: 0.0, option: false });
         let scene = prepared.scene();

@@ -98,22 +98,27 @@ impl TornadoChart<'_> {
         escape(out, bar.name);
         out.push_str("</text>");
         let (centre, y) = (place(self.value), top + ROW - BAR - 2.0);
-        for (class, end) in [("f-dim", bar.ends.0), ("f-accent", bar.ends.1)] {
-            let x = place(end);
-            let (from, wide) = (centre.min(x), (x - centre).abs());
+        // Where both ends are on one side of the present result, each has half of the height: one bar would hide the other. The figure of
+        // the shorter bar is then on the free side.
+        let (less, more) = (bar.ends.0 - self.value, bar.ends.1 - self.value);
+        let halved = less * more > 0.0;
+        let wide = if halved { 0.5 * BAR } else { BAR };
+        let ends = [("f-dim", less, more, y), ("f-accent", more, less, if halved { y + wide } else { y })];
+        for (class, change, other, y) in ends {
+            let x = place(self.value + change);
             fill(
                 out,
                 &format!("<rect class=\"{class}\" x=\"#\" y=\"#\" width=\"#\" height=\"#\"/>"),
-                &[from, y, wide, BAR],
+                &[centre.min(x), y, (x - centre).abs(), wide],
             );
-        }
-        // The figures are outside of both halves.
-        let (least, most) = (bar.ends.0.min(bar.ends.1).min(self.value), bar.ends.0.max(bar.ends.1).max(self.value));
-        for (value, anchor, side) in [(least, "end", -4.0), (most, "start", 4.0)] {
-            if value != self.value {
-                let _ = write!(out, "<text class=\"small f-dim\" text-anchor=\"{anchor}\"");
-                fill(out, " x=\"#\" y=\"#\">", &[place(value) + side, y + BAR - 1.0]);
-                out.push_str(&figure(value));
+            let is_shorter = halved && change.abs() < other.abs();
+            let to_the_left = (change < 0.0) != is_shorter;
+            let (anchor, side) = if to_the_left { ("end", -4.0) } else { ("start", 4.0) };
+            if change != 0.0 {
+                let _ = write!(out, "<text class=\"small {class}\" text-anchor=\"{anchor}\"");
+                let from = if is_shorter { centre } else { x };
+                fill(out, " x=\"#\" y=\"#\">", &[from + side, top + ROW - 3.0]);
+                out.push_str(&figure(self.value + change));
                 out.push_str("</text>");
             }
         }

@@ -144,6 +144,11 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
         formula: "J · 2π n10 / (60 t) + friction", cite: RUN_UP, value: run_up::torque, shown: |lathe| lathe.p.spindle_ramp > 0.0, ..ReadoutRow::BASE
     },
     ReadoutRow {
+        id: "positioning-torque", label: "turning.readout.positioning-torque", unit: "Nm", decimals: 1,
+        formula: "J · α + friction",
+        cite: Citation::new("turning spindle facts, 5", Grade::Inferred), value: run_up::positioning_torque, shown: TurningSpindle::positions, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
         id: "shortest-ramp", label: "turning.readout.shortest-ramp", unit: "s", decimals: 2,
         formula: "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: run_up::shortest_ramp, ..ReadoutRow::BASE
     },

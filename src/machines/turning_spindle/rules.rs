@@ -34,6 +34,11 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("feed-top", clamps, Citation::new("cutting feed clamp, a parameter", Grade::Sister)),
     Rule::new("acceleration-needed", acceleration, Citation::new("derivative of n = 1000 v / (π d)", Grade::Inferred)),
     Rule::new("shortest-ramp", run_up::judge, Citation::new("turning spindle facts, 5", Grade::Inferred)),
+    Rule::new(
+        "positioning-torque",
+        run_up::judge_positioning,
+        Citation::new("turning spindle facts, 5", Grade::Inferred),
+    ),
     Rule::new("cutting-time", block_time, Citation::new("what a block costs, a parameter", Grade::Open)),
     Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
     Rule::new("torque", torque, Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred)),
@@ -206,9 +211,36 @@ fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     ok(Some(AtMost(d.acceleration)).filter(|_| d.acceleration.is_finite()))
 }
 
+/// Longest time (s) in which a motor may give its overload without a pause. Source: duty S6-40 % of IEC 60034-1, 4 minutes in 10.
+const OVERLOAD_TIME: f64 = 240.0;
+
+/// What a motor may give for the time of the cut, of a continuous rating: its overload in a short cut.
+fn for_the_cut(lathe: &TurningSpindle, rated: f64) -> f64 {
+    if lathe.d.cutting_time <= OVERLOAD_TIME { rated * lathe.p.motor_overload / 100.0 } else { rated }
+}
+
 /// Warning that the motor's short-time rating suffices, with its share in percent.
 fn overloaded(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
     warn(AtMost(limit), [msg!("turning.overload", percent = (lathe.p.motor_overload, 0)).into()])
+}
+
+/// The same lathe with the override knob at its highest position, if it is below that.
+fn at_highest_knob(lathe: &TurningSpindle) -> Option<TurningSpindle> {
+    let highest = lathe.rules().knob.high;
+    let higher = lathe.p.override_percent < highest;
+    higher.then(|| lathe.with(Params { override_percent: highest, ..lathe.form.clone() }))
+}
+
+/// A result that holds at the present position of the knob: a warning where it does not at the highest one.
+fn holds_up_to(
+    lathe: &TurningSpindle,
+    limit: f64,
+    exceeds: impl Fn(&TurningSpindle) -> Option<Message>,
+) -> Option<Judgement> {
+    match at_highest_knob(lathe).and_then(|fast| exceeds(&fast)) {
+        Some(message) => warn(AtMost(limit), [message.into()]),
+        None => ok(AtMost(limit)),
+    }
 }
 
 fn power(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -216,9 +248,20 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let (rated, most) = (d.power_available, d.power_available * p.motor_overload / 100.0);
+    let (rated, most) = (d.power_available, for_the_cut(lathe, d.power_available));
     if d.power <= rated {
-        return ok(AtMost(rated));
+        return holds_up_to(lathe, rated, |fast| {
+            let limit = for_the_cut(fast, fast.d.power_available);
+            let message = || {
+                msg!(
+                    "turning.power-at-knob",
+                    percent = (fast.p.override_percent, 0),
+                    power = (fast.d.power, 2),
+                    limit = (limit, 2)
+                )
+            };
+            (fast.d.power > limit).then(message)
+        });
     }
     if d.power <= most {
         return overloaded(lathe, rated);
@@ -272,9 +315,20 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let (rated, most) = (d.torque_available, d.torque_available * p.motor_overload / 100.0);
+    let (rated, most) = (d.torque_available, for_the_cut(lathe, d.torque_available));
     if d.torque <= rated {
-        return ok(AtMost(rated));
+        return holds_up_to(lathe, rated, |fast| {
+            let limit = for_the_cut(fast, fast.d.torque_available);
+            let message = || {
+                msg!(
+                    "turning.torque-at-knob",
+                    percent = (fast.p.override_percent, 0),
+                    torque = (fast.d.torque, 1),
+                    limit = (limit, 1)
+                )
+            };
+            (fast.d.torque > limit).then(message)
+        });
     }
     if d.torque <= most {
         return overloaded(lathe, rated);

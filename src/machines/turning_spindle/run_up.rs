@@ -5,7 +5,7 @@ use super::resolved::TurningSpindle;
 use crate::drives::inertia::{Cylinder, through_gear};
 use crate::drives::load::{self, Load};
 use crate::drives::spindle_motor::MotorCurve;
-use crate::machines::verdict::{Judgement, fail, ok, up};
+use crate::machines::verdict::{Judgement, down, fail, ok, up};
 use crate::math::RPM;
 use crate::msg;
 use crate::view::Advice;
@@ -89,6 +89,27 @@ pub(super) fn shortest_ramp(lathe: &TurningSpindle) -> f64 {
     let [up, down] = lathe.p.for_moments(rated).map(|motor| motor.torque(highest(lathe)));
     let ramp = |load: Load, torque: f64| load.shortest_ramp(0.0, rated * RPM, torque);
     ramp(turned(lathe), up).max(ramp(braked(lathe), down))
+}
+
+/// Torque (Nm) at the spindle for its acceleration to the positioning speed: `J α + M_f`. Source: turning spindle facts, 5.
+pub(super) fn positioning_torque(lathe: &TurningSpindle) -> f64 {
+    let turned = turned(lathe);
+    turned.accelerating(0.0, lathe.p.positioning_acceleration * RPM, 1.0) + turned.torque
+}
+
+/// The acceleration of the positioning against the short-time torque of the motor.
+pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
+    let [motor, _] = lathe.p.for_moments(lathe.d.stage_speed);
+    let (torque, most) = (positioning_torque(lathe), motor.torque(lathe.p.positioning_speed));
+    if torque <= most {
+        return ok(AtMost(most));
+    }
+    let turned = turned(lathe);
+    let slower = lathe.p.positioning_acceleration * (most - turned.torque) / (torque - turned.torque);
+    let advice = Advice::from(msg!("turning.positioning-too-hard", torque = (torque, 1), limit = (most, 1)));
+    let set = down(FIELDS, "positioning-acceleration", slower);
+    let button = msg!("advice.set-positioning-acceleration", acceleration = set.1.as_str());
+    fail(AtMost(most), [if slower >= 1.0 { advice.setting(button, [set]) } else { advice }])
 }
 
 /// Seconds to the highest speed of the program with the short-time torque of the motor.

@@ -46,7 +46,8 @@ impl Charts {
         }
         self.move_cursor(moment.now.t);
         if moment.slow {
-            self.write_values(moment.now.t);
+            let head = moment.now.t;
+            self.write_values(moment.machine.charts(moment.run, head, head, 1));
         }
         changed
     }
@@ -67,14 +68,17 @@ impl Charts {
         self.charts.get(self.chosen).or(self.charts.first())
     }
 
-    /// Unit of the chart's values.
-    fn unit(&self) -> &'static str {
-        self.chart().map_or("", |chart| chart.unit)
-    }
-
     /// The lines over time.
     fn lines(&self) -> &[Series] {
         self.chart().filter(|chart| chart.over_time()).map_or(&[], |chart| &chart.series)
+    }
+
+    /// Name, value and unit of each line over time, from all charts at one moment: a line between two of its points would say neither.
+    fn values(&self, at: Vec<Chart>) -> Vec<(&'static str, f64, &'static str)> {
+        let chosen = self.chart().filter(|chart| chart.over_time()).map(|chart| chart.id);
+        let chart = at.into_iter().find(|chart| Some(chart.id) == chosen).map(Chart::shown);
+        let value = |line: &Series, unit| Some((line.label, line.points.first()?.1, unit));
+        chart.iter().flat_map(|chart| chart.series.iter().filter_map(|line| value(line, chart.unit))).collect()
     }
 
     fn move_cursor(&self, head: f64) {
@@ -86,31 +90,19 @@ impl Charts {
         }
     }
 
-    /// The values of the lines at a time, with their names.
-    pub(super) fn values_at(&self, seconds: f64) -> Vec<String> {
-        let unit = self.unit();
-        let text = |line: &Series| {
-            let (_, value) = point_at(line, seconds)?;
-            Some(format!("{} {}", t(line.label), figure(value, digits(value, unit))))
-        };
-        self.lines().iter().filter_map(text).collect()
+    /// The values of the lines with their names, from all charts at one moment.
+    pub(super) fn value_texts(&self, at: Vec<Chart>) -> Vec<String> {
+        let text = |(label, value, unit)| format!("{} {}", t(label), figure(value, digits(value, unit)));
+        self.values(at).into_iter().map(text).collect()
     }
 
     /// Writes the values at the play head; counting lines have no decimals.
-    fn write_values(&self, head: f64) {
-        let unit = self.unit();
-        for (line, (place, whole)) in self.lines().iter().zip(&self.values) {
-            let digits = |value: f64| if *whole { 0 } else { digits(value, unit) };
-            let text = point_at(line, head).map_or(String::new(), |point| figure(point.1, digits(point.1)));
-            place.set_text_content(Some(&text));
+    fn write_values(&self, at: Vec<Chart>) {
+        for ((_, value, unit), (place, whole)) in self.values(at).into_iter().zip(&self.values) {
+            let digits = if *whole { 0 } else { digits(value, unit) };
+            place.set_text_content(Some(&figure(value, digits)));
         }
     }
-}
-
-/// The first point of a line at a time or after it; beyond its end the last point.
-fn point_at(line: &Series, seconds: f64) -> Option<(f64, f64)> {
-    let at = line.points.partition_point(|point| point.0 < seconds).min(line.points.len().saturating_sub(1));
-    line.points.get(at).copied()
 }
 
 /// Decimals that show a value to about five figures; an inch needs one more.

@@ -121,7 +121,7 @@ pub(super) fn Plot(
     let readout = move || {
         let part = pointed.get()?;
         let seconds = time(part);
-        let values = charts.with_value(|charts| charts.values_at(seconds));
+        let values = charts.with_value(|charts| charts.value_texts(player.charts(seconds..=seconds, 1)));
         let text = format!("{} s  {}", number_text(seconds, 3), values.join("  "));
         let class = if part > 0.5 { "pointed left" } else { "pointed" };
         Some(view! { <span class=class style:left=filled("#%", &[100.0 * part])>{text}</span> })

@@ -1,7 +1,5 @@
 //! The few results above the drawing, one line each.
 
-use std::rc::Rc;
-
 use leptos::prelude::*;
 
 use crate::machines::Design;
@@ -9,16 +7,25 @@ use crate::ui::parts::Later;
 use crate::ui::parts::verdict::VerdictLines;
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, four_digits, limit_sign, t, verdict_words};
+use crate::view::{Readout, Verdict};
+
+/// The results above the drawing: those of the headline, where failing results take the places of such that have no limit.
+fn above_the_drawing(design: &Design) -> Vec<Readout> {
+    let (headline, others): (Vec<_>, Vec<_>) = design.readouts.iter().partition(|readout| readout.headline);
+    let mut failing = others.into_iter().filter(|readout| readout.verdict == Verdict::Fail);
+    let place = |readout: &Readout| match readout.limit {
+        None if matches!(readout.verdict, Verdict::None | Verdict::Ok) => failing.next().unwrap_or(readout).clone(),
+        _ => readout.clone(),
+    };
+    headline.into_iter().map(place).collect()
+}
 
 /// The verdicts.
 #[component]
 pub(crate) fn Verdicts() -> impl IntoView {
     let page = Page::here();
     let design = page.results.design;
-    let headline = Memo::new(move |_| {
-        let of = |design: &Rc<Design>| design.readouts.iter().filter(|readout| readout.headline).cloned().collect();
-        design.with(of)
-    });
+    let headline = Memo::new(move |_| design.with(|design| above_the_drawing(design)));
     let rooms = move || {
         let count = headline.with_untracked(Vec::len);
         (0..count).map(|_| view! { <div class="card plain"></div> }).collect_view()
@@ -36,7 +43,7 @@ pub(crate) fn Verdicts() -> impl IntoView {
 #[component]
 pub(super) fn VerdictList() -> impl IntoView {
     let page = Page::here();
-    let row = |readout: &crate::view::Readout| {
+    let row = |readout: &Readout| {
         let readout = readout.clone().shown();
         let tone = Tone::from(readout.verdict);
         view! {
@@ -72,6 +79,20 @@ mod tests {
         assert_eq!(bench.all(".card").len(), design.readouts.iter().filter(|readout| readout.headline).count());
         bench.press(".card .to-result").await;
         assert_eq!(bench.page.view.tab.get_untracked(), Tab::Results);
+    }
+
+    #[wasm_bindgen_test]
+    async fn failing_result_takes_the_place_of_one_without_a_limit() {
+        let bench = mount(|| view! { <Verdicts /> }).await;
+        let count = bench.all(".card").len();
+        // A press roller of this size makes the web slip, which no headline says.
+        let fails = |readout: &&Readout| readout.verdict == Verdict::Fail && !readout.headline;
+        bench.page.set("pinch-force", crate::machines::form::Value::Number(1.0));
+        settled().await;
+        let design = bench.page.results.design.get_untracked();
+        let failing = design.readouts.iter().find(fails).map(|readout| t(readout.label)).unwrap();
+        assert!(bench.text(".cards").contains(failing), "{failing}");
+        assert_eq!(bench.all(".card").len(), count);
     }
 
     #[wasm_bindgen_test]

@@ -110,6 +110,15 @@ pub(super) fn Listing(
     });
     Effect::new(move |_| mark());
     Effect::new(move |_| seek());
+    // The open panel leaves less room.
+    Effect::new(move |_| {
+        if page.view.panel.get() {
+            dom::soon(move || {
+                rows.try_update_value(|rows| rows.followed = None);
+                untrack(mark);
+            });
+        }
+    });
     let keys = move |event: KeyboardEvent| {
         let step = match event.key().as_str() {
             "ArrowDown" => 1,
@@ -134,15 +143,17 @@ pub(super) fn Listing(
     }
 }
 
-/// Brings a line into view within its list only, so that the page itself does not move.
+/// Brings a line and the finding below it into view within its list only, so that the page itself does not move.
 fn reveal(row: &Element) {
     let Some(list) = row.parent_element() else { return };
     let (line, area) = (row.get_bounding_client_rect(), list.get_bounding_client_rect());
+    let finding = row.next_element_sibling().filter(|next| next.class_list().contains("says"));
+    let bottom = finding.map_or(line.bottom(), |finding| finding.get_bounding_client_rect().bottom());
     let room = 40.0;
     if line.top() < area.top() + room {
         list.set_scroll_top(list.scroll_top() - (area.top() + room - line.top()) as i32);
-    } else if line.bottom() > area.bottom() - room {
-        list.set_scroll_top(list.scroll_top() + (line.bottom() - area.bottom() + room) as i32);
+    } else if bottom > area.bottom() - room {
+        list.set_scroll_top(list.scroll_top() + (bottom - area.bottom() + room) as i32);
     }
 }
 

@@ -1,6 +1,7 @@
 //! The run at the play head: transport, time axis, and the moment that painters get in each frame.
 //! Its state is not reactive, except for a few signals.
 
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use leptos::prelude::*;
@@ -279,13 +280,17 @@ impl Player {
             .unwrap_or_else(|| (self.ask_planner(|planner| run::shown(planner, control, number, t)).flatten(), false))
     }
 
-    /// The charts of the whole plan, for a file.
-    pub(crate) fn all_charts(self, points: usize) -> Vec<Chart> {
-        let end = self.planned.get_untracked().0;
+    /// The charts of a span of the plan, in seconds.
+    pub(crate) fn charts(self, span: RangeInclusive<f64>, points: usize) -> Vec<Chart> {
         self.state.with_value(|state| match (&state.planner, &state.machine) {
-            (Some(planner), Some(machine)) => machine.charts(planner, 0.0, end, points),
+            (Some(planner), Some(machine)) => machine.charts(planner, *span.start(), *span.end(), points),
             _ => Vec::new(),
         })
+    }
+
+    /// The charts of the whole plan, for a file.
+    pub(crate) fn all_charts(self, points: usize) -> Vec<Chart> {
+        self.charts(0.0..=self.planned.get_untracked().0, points)
     }
 
     /// The drawing at the play head, as a picture of its own.

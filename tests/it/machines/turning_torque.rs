@@ -97,10 +97,53 @@ fn less_depth_is_offered_where_the_force_follows_from_it() {
 #[test]
 fn overload_is_a_warning_within_its_share() {
     // 222 Nm: base speed 300 · 3000 / 1500 gives 95 Nm, and 250 % of it 239 Nm.
-    let cut = [&STALLS[..], &[("motor-base", "300"), ("motor-overload", "250")]].concat();
-    assert_eq!(row(&project("gsk-980tdc", &cut), "torque").verdict, Verdict::Warn);
-    let cut = [&STALLS[..], &[("motor-base", "300"), ("motor-overload", "200")]].concat();
-    assert_eq!(row(&project("gsk-980tdc", &cut), "torque").verdict, Verdict::Fail);
+    let cut = |entries: [(&'static str, &'static str); 2]| {
+        let short = [("motor-base", "300"), ("length", "10"), ("feed", "0.5")];
+        project("gsk-980tdc", &[&STALLS[..], &short, &entries].concat())
+    };
+    assert_eq!(row(&cut([("motor-overload", "250"), ("feed", "0.5")]), "torque").verdict, Verdict::Warn);
+    assert_eq!(row(&cut([("motor-overload", "200"), ("feed", "0.5")]), "torque").verdict, Verdict::Fail);
+    // 4 minutes at most: a slow feed takes longer.
+    let long = cut([("motor-overload", "250"), ("feed", "0.01")]);
+    assert!(result(&long, "cutting-time") > 240.0);
+    assert_eq!(row(&long, "torque").verdict, Verdict::Fail);
+}
+
+#[test]
+fn cut_is_judged_with_the_knob_at_its_highest_position_too() {
+    let cut = |percent: &'static str| {
+        let entries = [
+            ("cutting-force", "1850"),
+            ("material", "none"),
+            ("motor-base", "600"),
+            ("motor-peak", "200"),
+            ("override", percent),
+        ];
+        let entries = entries.map(|(id, text)| (id, text.to_owned()));
+        let lathe = Project::named("turning-spindle", Some("gsk-980tdc"), None).unwrap();
+        row(&lathe.with_entries(&entries).unwrap(), "power")
+    };
+    let [present, highest] = ["100", "120"].map(cut);
+    assert_eq!([present.verdict, highest.verdict], [Verdict::Warn, Verdict::Fail]);
+    assert!(present.value < present.limit.unwrap().value() && highest.value > highest.limit.unwrap().value());
+    assert_eq!(present.advice[0].message.id, "turning.power-at-knob");
+}
+
+#[test]
+fn positioning_asks_no_more_than_the_motor_gives() {
+    let keyway = |acceleration: &'static str| {
+        let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+        let entries = [("positioning-acceleration", acceleration.to_owned()), ("positioning-speed", "500".to_owned())];
+        project.with_entries(&entries).unwrap()
+    };
+    let hard = keyway("6000");
+    let torque = row(&hard, "positioning-torque");
+    assert_eq!(torque.verdict, Verdict::Fail);
+    let inertia = result(&hard, "inertia");
+    near(torque.value, inertia * 6000.0 * std::f64::consts::PI / 30.0 + 2.0, 1e-6 * torque.value);
+    let softer = hard.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!(row(&softer, "positioning-torque").verdict, Verdict::Ok);
+    assert_eq!(row(&keyway("500"), "positioning-torque").verdict, Verdict::Ok);
 }
 
 #[test]

@@ -246,6 +246,8 @@ const PLAIN: &[(&str, &str)] = &[
     ("slides.inertia-ratio", "a deed: another screw, belt or motor"),
     ("slides.no-ramp", "a deed: another motor"),
     ("slides.weight-too-heavy", "a deed: another screw or motor, or a counterweight"),
+    ("turning.power-at-knob", "a deed: another motor, or the knob below its end"),
+    ("turning.torque-at-knob", "a deed: another motor, or the knob below its end"),
     ("turning.few-volts-alone", "a deed: a spindle with gear stages"),
     ("turning.friction-stalls", "a deed: less friction, or another motor"),
     ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),

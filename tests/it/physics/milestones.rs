@@ -2,7 +2,7 @@
 
 use macroline::controls::Code;
 use macroline::machines;
-use macroline::motion::{Budget, Milestone, Mode, Retention};
+use macroline::motion::{Action, Budget, Event, Milestone, Mode, Panel, Retention};
 use macroline::project::Project;
 use macroline::project::run::{self, Run, RunOptions};
 use macroline::text::catalog::sentence;
@@ -64,6 +64,21 @@ fn every_machine_meets_its_work() {
         let (t, _) = machine.first_contact(&run, run.timeline().end()).unwrap();
         assert!(t > 0.0 && t < run.timeline().end(), "{}", project.machine.id());
         assert_eq!(machine.first_contact(&run, 0.5 * t), None, "{}", project.machine.id());
+    }
+}
+
+#[test]
+fn first_contact_stays_after_an_emergency_stop_in_the_cut() {
+    for mut project in all() {
+        let whole_run = whole(&project);
+        let (contact, name) = project.prepared().first_contact(&whole_run, whole_run.timeline().end()).unwrap();
+        let works = project.prepared().working(&whole_run, whole_run.timeline().end());
+        let stop = works.map_or(contact + 1.0, |works| 0.5 * (works[0].0 + works[0].1));
+        project.panel = Panel::new([Event { t: stop, action: Action::EmergencyStop }]);
+        let stopped = whole(&project);
+        let found = project.prepared().first_contact(&stopped, stopped.timeline().end());
+        let (t, found) = found.unwrap_or_else(|| panic!("{}", project.machine.id()));
+        assert!((t - contact).abs() < 1e-3 && found == name, "{} {t} {contact}", project.machine.id());
     }
 }
 
