@@ -326,6 +326,13 @@ impl SpindleRun {
         motion.worst_point_under(rotor, |brakes, speed| self.peak[usize::from(brakes)] * motor.torque(speed))
     }
 
+    /// The greatest share of the torque that the rated current of a motor with this curve and rotor (kg m²) gives at the same speed, with
+    /// and without stock.
+    pub fn share_of_rated(&self, motor: &MotorCurve, rotor: f64) -> f64 {
+        let share = |motion: &Motion| motion.worst_point_under(rotor, |_, speed| motor.torque(speed)).share;
+        share(&self.motion).max(share(&self.idle))
+    }
+
     /// The operating point of cut and friction with the largest fraction of the torque that this curve gives.
     pub fn worst_point_steady(&self, motor: &MotorCurve) -> OperatingPoint {
         self.motion.clone().without_inertia().worst_point_under(0.0, |_, speed| motor.torque(speed))

@@ -219,6 +219,13 @@ fn of_part(item: BillItem, axis: &'static str, part: &Part, proposed: bool) -> B
     }
 }
 
+/// The current for a short time, where the data sheet of the inverter in the catalogue does not tell whether it gives it.
+fn overload_to_confirm(chosen: &Candidate) -> Option<Message> {
+    let Ratings::Inverter(inverter) = &chosen.amplifier.as_ref()?.ratings else { return None };
+    let current = chosen.short_time_current.filter(|_| inverter.short_time_current().is_none())?;
+    Some(msg!("size.bill.inverter-overload", current = (current, 2)))
+}
+
 /// Item of a motor's drive: servo amplifier or inverter.
 fn amplifier_item(is_servo: bool) -> BillItem {
     if is_servo { BillItem::Amplifier } else { BillItem::Inverter }
@@ -236,6 +243,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
             described(item, Some(axis.name), told, PartGrade::Open)
         });
         let amplifier = amplifier.or(short).unwrap_or_else(|| open("size.bill.no-amplifier"));
+        let amplifier = BillRow { open: overload_to_confirm(chosen).into_iter().collect(), ..amplifier };
         let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
         [BillRow { refusal, ..of(BillItem::Motor, &chosen.part, proposed) }, amplifier]
     };
