@@ -51,6 +51,7 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         ampere_per_torque: None,
         asked: asked_behind(&drive, &spindles),
         work: None,
+        returned: None,
         knob: None,
         peak_is_at_knob: false,
         chart: None,

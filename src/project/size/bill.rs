@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use super::choice::{Candidate, MotorDemand, SizedAxis, name, named};
 use super::runs::SizingRuns;
+use crate::drives::duty::ResistorLoad;
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::machines::PreparedMachine;
 use crate::machines::devices::{BillItem, wired};
@@ -135,6 +136,12 @@ fn resistor(asked: &ResistorDemand) -> BillRow {
     described(BillItem::Resistor, Some(asked.name), told, PartGrade::Open)
 }
 
+/// The brake resistor of an amplifier whose own braking is not known: the energy that comes back.
+fn unknown_resistor(axis: &'static str, returned: &ResistorLoad) -> BillRow {
+    let told = msg!("size.bill.resistor-unknown", energy = (returned.stop, 1), power = (returned.mean, 1));
+    described(BillItem::Resistor, Some(axis), sentence(&told), PartGrade::Open)
+}
+
 /// The encoder of a spindle: as a proposal the one with the least sufficient top speed, else the demand.
 fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
     let item = BillItem::Encoder;
@@ -247,8 +254,15 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
         let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
         [BillRow { refusal, ..of(BillItem::Motor, &chosen.part, proposed) }, amplifier]
     };
+    let of_form = || axis.returned.map(|returned| unknown_resistor(axis.name, &returned));
     let resistor = |chosen: &Candidate, proposed| {
+        if chosen.amplifier.is_none() {
+            return of_form();
+        }
         let of_axis = chosen.resistor.as_ref()?;
+        if of_axis.is_unknown {
+            return Some(unknown_resistor(axis.name, &of_axis.asked));
+        }
         let amplifier = chosen.amplifier.as_ref().map(|part| part.model.as_str()).unwrap_or_default();
         let (power, energy) = ((of_axis.asked.mean, 1), (of_axis.asked.stop, 1));
         let asked = msg!("size.bill.resistor", power, energy, amplifier);
@@ -263,7 +277,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
         // The motor of the form is not in the catalogue.
         (None, Some(typed)) => {
             let motor = described(BillItem::Motor, Some(axis.name), typed, PartGrade::Entered);
-            vec![motor, open("size.bill.no-amplifier")]
+            [motor, open("size.bill.no-amplifier")].into_iter().chain(of_form()).collect()
         }
         (None, None) => {
             let proposal: Option<Vec<BillRow>> = axis.ordered().map(|chosen| all(chosen, true));
@@ -271,7 +285,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
                 let MotorDemand { peak, effective, speed } = axis.asked;
                 let told = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
                 let motor = described(BillItem::Motor, Some(axis.name), sentence(&told), PartGrade::Open);
-                vec![motor, open("size.bill.with-motor")]
+                [motor, open("size.bill.with-motor")].into_iter().chain(of_form()).collect()
             };
             entered.into_iter().chain(proposal.unwrap_or_else(asked)).collect()
         }

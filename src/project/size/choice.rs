@@ -57,6 +57,8 @@ pub struct SizedAxis {
     pub asked: MotorDemand,
     /// Demand of the run on the form's motor; none for a drive behind an inverter.
     pub work: Option<Work>,
+    /// Energy of the run back from the form's motor; none for a drive behind an inverter, and without such energy.
+    pub returned: Option<ResistorLoad>,
     /// Position (%) of the knob in the run with the knob at its end, if there is such a run.
     pub knob: Option<f64>,
     /// Whether that run has the greatest torque.
@@ -145,6 +147,8 @@ pub struct Resistor {
     pub asked: ResistorLoad,
     /// The resistor; none if the catalogue has none.
     pub part: Option<Part>,
+    /// Whether the catalogue lacks what the amplifier takes by itself: the demand is all of the energy, and its maker has to be asked.
+    pub is_unknown: bool,
 }
 
 /// Refusal of a motor.
@@ -219,6 +223,12 @@ impl Asked {
         all.reduce(ResistorLoad::max).unwrap_or_default()
     }
 
+    /// All of the energy and power that come back with a rotor, the greatest value of each figure over all runs; none without any.
+    fn returned(&self, rotor: f64) -> Option<ResistorLoad> {
+        let returned = self.to_resistor(rotor, &Regeneration { efficiency: 1.0, capacitor: 0.0 });
+        (returned.mean > NOTHING).then_some(returned)
+    }
+
     /// Mean speed (r/min) and effective torque (Nm) of the run with the greatest effective torque.
     fn effective(&self, rotor: f64) -> (f64, f64) {
         let of = |motion: &Motion| (motion.mean_speed(), motion.work(rotor).effective);
@@ -266,7 +276,8 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         let asked = Asked::of(&axis, &runs, pause);
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
-        let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
+        let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control));
+        let candidates = candidates.map(|of| with_unknown_braking(of, &asked)).collect();
         let (turning, loaded) = (share_turning(of, axis.mover, pause), share_loaded(of, &asked, pause));
         let work = asked.work(axis.fitted.motor.rotor);
         SizedAxis {
@@ -281,6 +292,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             ampere_per_torque: ampere_per_torque(project, &axis),
             asked: MotorDemand { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM },
             work: Some(work),
+            returned: asked.returned(axis.fitted.motor.rotor),
             knob: asked.knob,
             peak_is_at_knob: asked.peak_is_at_knob(axis.fitted.motor.rotor),
             chart: Some(asked.chart(&axis.fitted.motor, axis.site_share)),
@@ -514,8 +526,16 @@ fn resistor(
             }
             _ => None,
         });
-        Resistor { asked, part: part.cloned() }
+        Resistor { asked, part: part.cloned(), is_unknown: false }
     })
+}
+
+/// The candidate; if the catalogue has its amplifier, but not what that takes, with all energy that comes back as an open demand.
+fn with_unknown_braking(of: Candidate, asked: &Asked) -> Candidate {
+    let is_known = of.amplifier.as_ref().is_none_or(|amplifier| braking(amplifier).is_some());
+    let returned = of.part.servo().and_then(|motor| asked.returned(motor.rotor)).filter(|_| !is_known);
+    let resistor = returned.map(|asked| Resistor { asked, part: None, is_unknown: true });
+    Candidate { resistor: of.resistor.or(resistor), ..of }
 }
 
 /// Regeneration of an amplifier, if its capacitors or its own resistor are known, and the continuous power (W) of that resistor. An unknown
