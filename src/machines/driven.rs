@@ -1,6 +1,7 @@
 //! Drives that a machine is sized by: motors behind its axes, the drive behind its inverter, and quantities checked during operation.
 
 use crate::drives::duty::{CutSpan, Motion, OperatingPoint, Strikes, Turn};
+use crate::drives::holding_brake;
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::drives::spindle_motor::MotorCurve;
@@ -176,6 +177,12 @@ pub struct FormMotor {
 }
 
 impl DrivenAxis {
+    /// Greatest way (in units of the run) that its weight moves it from rest until the brake at its motor has closed; none without a weight.
+    pub fn sinks(&self) -> Option<f64> {
+        let inertia = self.load.inertia + self.fitted.motor.rotor;
+        (self.weight > 0.0).then(|| holding_brake::turn_until_closed(self.weight, inertia) / self.turn)
+    }
+
     /// The motion of the motor's shaft in a part of a run, under the torque of its work within these spans (s); without spans always.
     pub fn motion(&self, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> Motion {
         let motion = Motion::new(turns(stretches, self.turn), self.load, self.hold)

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use super::choice::{Candidate, MotorDemand, SizedAxis, name, named};
 use super::runs::SizingRuns;
 use crate::drives::duty::ResistorLoad;
+use crate::drives::holding_brake::{SERVICE, SERVICE_FACTOR};
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::machines::PreparedMachine;
 use crate::machines::devices::{BillItem, wired};
@@ -92,13 +93,19 @@ pub(super) fn bill(
     rows
 }
 
-/// The devices that are no part of a drive: contactors of brakes, contacts and outputs of the ladder, options of the form, supplies. All are
+/// The devices that are no part of a drive: contactors and supplies of brakes, contacts and outputs of the ladder, options of the form, supplies. All are
 /// open: the catalogue has none of them.
 fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
     let open = |item, drive, asked: &Message| described(item, drive, sentence(asked), PartGrade::Open);
     let brakes = rows.iter().filter(|row| row.item == BillItem::Brake);
-    let contactors = brakes.map(|row| open(BillItem::BrakeContactor, row.axis, &msg!("size.bill.brake-contactor")));
-    let mut devices: Vec<BillRow> = contactors.collect();
+    let of_brakes = brakes.flat_map(|row| {
+        let is_servo = rows.iter().any(|other| other.item == BillItem::Amplifier && other.axis == row.axis);
+        let coil = if is_servo { msg!("size.bill.brake-relay") } else { msg!("size.bill.brake-contactor") };
+        let supply = msg!("size.bill.brake-supply");
+        [(BillItem::BrakeContactor, coil), (BillItem::BrakeSupply, supply)]
+            .map(|(item, asked)| open(item, row.axis, &asked))
+    });
+    let mut devices: Vec<BillRow> = of_brakes.collect();
     let machine = prepared.devices();
     devices.extend(machine.iter().map(|of| open(of.item, of.drive, &of.asked)));
     let mut meanings: BTreeMap<BillItem, (u32, Vec<String>)> = BTreeMap::new();
@@ -194,12 +201,25 @@ fn entered(motor: &FormMotor, inputs: &[Input]) -> Option<BillRow> {
     (!figures.is_empty()).then(|| described(BillItem::Motor, Some(motor.name), told, PartGrade::Entered))
 }
 
-/// The brake at the motor of an axis.
+/// The brake at the motor of an axis: that of a weight with its service factor, rounded up to the printed figure; else the one of the form.
 fn brake(axis: &SizedAxis) -> Option<BillRow> {
-    let torque = format!("{} Nm", number_text(axis.brake, 2));
-    let row = described(BillItem::Brake, Some(axis.name), torque, PartGrade::Entered);
-    (axis.brake > 0.0).then_some(row)
+    if axis.brake <= 0.0 {
+        return None;
+    }
+    let described = |model| described(BillItem::Brake, Some(axis.name), model, PartGrade::Entered);
+    if axis.work.is_none() {
+        return Some(described(format!("{} Nm", number_text(axis.brake, 2))));
+    }
+    let torque = (HUNDREDTHS * axis.brake - ROUNDING).ceil() / HUNDREDTHS;
+    let told = sentence(&msg!("size.bill.brake", torque = (torque, 2), factor = (SERVICE_FACTOR, 1)));
+    Some(BillRow { source: SERVICE.source.words().to_owned(), ..described(told) })
 }
+
+/// Steps per Nm of a printed torque.
+const HUNDREDTHS: f64 = 100.0;
+
+/// Part of a step by which a torque may exceed the printed one, for rounding errors.
+const ROUNDING: f64 = 1e-6;
 
 /// The gear unit of an axis: as a proposal the smallest of the catalogue that passes, else the demand on it.
 fn gear(axis: &SizedAxis) -> Option<BillRow> {

@@ -6,6 +6,7 @@ use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
 use crate::drives::duty::{Motion, OperatingPoint, ResistorLoad, Work};
+use crate::drives::holding_brake;
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Regeneration, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits, Status};
@@ -47,7 +48,7 @@ pub struct SizedAxis {
     pub turning: f64,
     /// Share (0 to 1) of the time of a part in which it is loaded: a spindle in run-up, cut and stop, an axis while it turns.
     pub loaded: f64,
-    /// Torque that the brake at its motor holds without current, Nm; 0 without one.
+    /// Least torque of the brake at its motor that closes without current, Nm; 0 without one.
     pub brake: f64,
     /// Its gear unit, if it has one.
     pub gear: Option<SizedGear>,
@@ -287,7 +288,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             turning,
             loaded: loaded.unwrap_or(turning),
             // A weight falls without current.
-            brake: axis.weight,
+            brake: holding_brake::torque(axis.weight),
             gear: gears::of_axis(&axis, &asked.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
             asked: MotorDemand { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM },

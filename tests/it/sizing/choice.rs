@@ -446,14 +446,15 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             let name = format!("{} on {control}", machine.id());
             let rows = |strip: &str| sizing.terminals.iter().filter(|row| row.terminal.starts_with(strip)).count();
             let billed = |item: BillItem| sizing.bill.iter().filter(|row| row.item == item).count();
-            let (brakes, resistors) = (billed(BillItem::Brake), billed(BillItem::Resistor));
-            assert_eq!(rows("X1:"), 4 * sizing.axes.len() + 2 * (brakes + resistors), "{name}");
+            let [brakes, supplies, resistors] =
+                [BillItem::Brake, BillItem::BrakeSupply, BillItem::Resistor].map(billed);
+            assert_eq!(rows("X1:"), 4 * sizing.axes.len() + 2 * (brakes + supplies + resistors), "{name}");
             // A set speed where an inverter is, and nowhere else; the position of a dancer beside it.
             let inverter = usize::from(project.prepared().inverter_drive().is_some());
             assert_eq!(rows("X3:"), 3 * (inverter + billed(BillItem::Dancer)), "{name}");
-            // Mains and PE of every drive and of the supply; control voltage.
+            // Mains and PE of every drive and of the supplies; control voltage.
             let drives = billed(BillItem::Amplifier) + billed(BillItem::Inverter);
-            assert_eq!(rows("X0:"), 2 * drives + 4, "{name}");
+            assert_eq!(rows("X0:"), 2 * (drives + supplies) + 4, "{name}");
             // Encoder and command of every servo motor, pulses of the spindle.
             assert_eq!(rows("W"), 2 * billed(BillItem::Amplifier) + billed(BillItem::Encoder), "{name}");
             // Every input and output of the ladder that a wire leads to, each once, with its device.
