@@ -180,11 +180,18 @@ pub struct InverterRatings {
     pub voltage: Option<f64>,
     /// Rated output current, A.
     pub rated_current: Option<f64>,
+    /// Output current that it gives for 3 s at least, % of the rated one.
+    pub overload_percent: Option<f64>,
     /// Overload in the maker's words; may be empty.
     pub overload: String,
 }
 
 impl InverterRatings {
+    /// Output current (A) that it gives for 3 s at least; none if rated current or overload is unknown.
+    pub fn short_time_current(&self) -> Option<f64> {
+        Some(self.rated_current? * self.overload_percent? / 100.0)
+    }
+
     /// Whether the inverter can feed a motor, by all known values of power, current and voltage. 380 to 440 V are one class, 200 to 240 V
     /// another.
     pub fn feeds(&self, motor: &InductionRatings) -> bool {

@@ -94,7 +94,7 @@ pub fn torque(diameter: f64, tension: f64) -> f64 {
     0.5 * tension * diameter
 }
 
-/// Mean acceleration in m/s² of a web to `speed` m/s in `seconds`; 0 for a drive without ramp, because its time is unknown.
+/// Mean acceleration in m/s² of a web to `speed` m/s in `seconds`.
 pub fn acceleration(speed: f64, seconds: f64) -> f64 {
-    if seconds > 0.0 { speed / seconds } else { 0.0 }
+    speed / seconds
 }

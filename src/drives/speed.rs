@@ -164,15 +164,7 @@ pub struct Steps {
     pub step: f64,
 }
 
-/// Lowest position (%) of a knob at which a machine is judged: at 0 % nothing moves.
-const SLOWEST: f64 = 10.0;
-
 impl Steps {
-    /// The lowest position at which something moves.
-    pub fn slowest(&self) -> f64 {
-        self.low.max(SLOWEST)
-    }
-
     /// The position nearest to a percentage.
     pub fn nearest(&self, percent: f64) -> f64 {
         let steps =

@@ -20,6 +20,8 @@ pub enum BillItem {
     Brake,
     /// Contactor of such a brake.
     BrakeContactor,
+    /// Supply of such a brake.
+    BrakeSupply,
     /// Brake resistor.
     Resistor,
     /// Encoder of a spindle.
@@ -59,6 +61,7 @@ impl BillItem {
             BillItem::Gear => "size.item.gear",
             BillItem::Brake => "size.item.brake",
             BillItem::BrakeContactor => "size.item.brake-contactor",
+            BillItem::BrakeSupply => "size.item.brake-supply",
             BillItem::Resistor => "size.item.resistor",
             BillItem::Encoder => "size.item.encoder",
             BillItem::Fan => "size.item.fan",

@@ -1,6 +1,7 @@
 //! Drives that a machine is sized by: the servo motors of its axes, the motor on its inverter, and quantities checked during operation.
 
 use crate::drives::duty::{CutSpan, Motion, OperatingPoint, Strikes, Turn};
+use crate::drives::holding_brake;
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::drives::spindle_motor::MotorCurve;
@@ -173,12 +174,18 @@ pub struct FormMotor {
     /// Catalog id of the name of its drive.
     pub name: &'static str,
     /// Whether an inverter feeds the motor; otherwise a servo amplifier does.
-    pub behind_inverter: bool,
+    pub is_on_inverter: bool,
     /// Its figures: catalog id of the name, field of the form.
     pub figures: &'static [(&'static str, &'static str)],
 }
 
 impl DrivenAxis {
+    /// Greatest way (in units of the run) that its weight moves it from rest until the brake at its motor has closed; none without a weight.
+    pub fn sinks(&self) -> Option<f64> {
+        let inertia = self.load.inertia + self.fitted.motor.rotor;
+        (self.weight > 0.0).then(|| holding_brake::turn_until_closed(self.weight, inertia) / self.turn)
+    }
+
     /// The motion of the motor's shaft in a part of a run, under the torque of its work within these spans (s); without spans always.
     pub fn motion(&self, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> Motion {
         let motion = Motion::new(turns(stretches, self.turn), self.load, self.hold)
@@ -327,6 +334,13 @@ impl SpindleRun {
 
     fn under(&self, motion: &Motion, motor: &MotorCurve, rotor: f64) -> OperatingPoint {
         motion.worst_point_under(rotor, |brakes, speed| self.peak[usize::from(brakes)] * motor.torque(speed))
+    }
+
+    /// The greatest share of the torque that the rated current of a motor with this curve and rotor (kg m²) gives at the same speed, with
+    /// and without stock.
+    pub fn share_of_rated(&self, motor: &MotorCurve, rotor: f64) -> f64 {
+        let share = |motion: &Motion| motion.worst_point_under(rotor, |_, speed| motor.torque(speed)).share;
+        share(&self.motion).max(share(&self.idle))
     }
 
     /// The operating point of cut and friction with the largest fraction of the torque that this curve gives.

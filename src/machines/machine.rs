@@ -272,6 +272,10 @@ pub trait Prepared: Send + Sync {
     fn without_supply(&self) -> Option<CoastedAxes> {
         None
     }
+    /// Whether an emergency stop leaves the axes that the PLC turns to coast without current.
+    fn coasts_at_emergency_stop(&self) -> bool {
+        false
+    }
     /// Spans (s) of a run in which the motors of the axes carry the torque of their work; none if they always do.
     fn working(&self, _run: &dyn Samples, _until: f64) -> Option<Vec<(f64, f64)>> {
         None

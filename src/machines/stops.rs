@@ -1,7 +1,9 @@
 //! Reactions of a machine to interruptions of its run, as one table: its PLC acts by it, and its sheets show it.
 
 use super::sheets::{row, say};
+use crate::drives::holding_brake::CLOSING_TIME;
 use crate::motion::ProgramState;
+use crate::msg;
 use crate::text::catalog::sentence;
 use crate::text::{Citation, Message};
 use crate::view::{Column, Sheet, SheetKind};
@@ -105,6 +107,22 @@ pub struct Reaction {
     pub operator: Message,
     /// Source and grade.
     pub cite: Citation,
+}
+
+/// Reaction of the slides of a lathe to an emergency stop; with the brake where a slide with a weight sinks without current (`way`, mm).
+pub fn slides_at_emergency_stop(way: Option<f64>) -> Message {
+    match way {
+        Some(_) => msg!("turning.stops.axes-emergency-brake", time = (CLOSING_TIME, 1)),
+        None => msg!("turning.stops.axes-emergency"),
+    }
+}
+
+/// Reaction of the slides of a lathe to a power failure; with the brake where a slide with a weight sinks until it has closed (`way`, mm).
+pub fn slides_without_supply(way: Option<f64>) -> Message {
+    match way {
+        Some(way) => msg!("turning.stops.axes-dark-brake", way = (way, 2), time = (CLOSING_TIME, 1)),
+        None => msg!("turning.stops.axes-dark"),
+    }
 }
 
 /// The table as a sheet.

@@ -48,17 +48,22 @@ impl Timeline {
                 Some(plant) => self.pmc.stretches(axis, plant, (from, to)),
                 None => Vec::new(),
             },
-            Mover::Spindle => self.spindle_stretches(from, to),
+            Mover::Spindle => self.spindle_stretches(from, to, |_| true),
         }
     }
 
-    fn spindle_stretches(&self, from: f64, to: f64) -> Vec<Stretch> {
+    /// The stretches from `from` to `to` seconds in which the inverter of the spindle supplies current.
+    pub fn stretches_of_driven_spindle(&self, from: f64, to: f64) -> Vec<Stretch> {
+        self.spindle_stretches(from.max(self.start), to, |ramp| !ramp.command.coasts)
+    }
+
+    fn spindle_stretches(&self, from: f64, to: f64, counts: impl Fn(&InverterRamp) -> bool) -> Vec<Stretch> {
         let ramps = self.ramps.until(to);
         let mut out = Vec::new();
         for (at, ramp) in ramps.iter().enumerate() {
             let end = ramps.get(at + 1).map_or(to, |next| next.t).min(to);
             let begin = ramp.t.max(from);
-            if end <= begin {
+            if end <= begin || !counts(ramp) {
                 continue;
             }
             let mut moments: Vec<f64> =

@@ -11,6 +11,7 @@ mod energy;
 mod envelope;
 mod gears;
 mod growth;
+mod inverters;
 mod rated_torque;
 mod reel;
 mod resistors;

@@ -215,6 +215,10 @@ impl Prepared for PolygonLathe {
         driven::without_supply(self)
     }
 
+    fn coasts_at_emergency_stop(&self) -> bool {
+        self.p.coasts(self.control)
+    }
+
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
         read(driven::GAUGES, self, |t| run.at(t), span, points)
     }

@@ -11,13 +11,13 @@ pub(super) const MOTORS: &[FormMotor] = &[
     FormMotor {
         drive: "work",
         name: "polygon.drive.work",
-        behind_inverter: false,
+        is_on_inverter: false,
         figures: &[("size.figure.rated-power", "work-power"), ("size.figure.rated-speed", "work-base")],
     },
     FormMotor {
         drive: "tool",
         name: "polygon.drive.tool",
-        behind_inverter: false,
+        is_on_inverter: false,
         figures: &[("size.figure.rated-power", "tool-power"), ("size.figure.rated-speed", "tool-base")],
     },
     slides::MOTORS[0],

@@ -1,7 +1,12 @@
 //! Hold, alarm, reset, emergency stop and power failure of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
 
 use super::resolved::PolygonLathe;
-use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
+use crate::drives::holding_brake::CLOSING;
+use crate::machines::driven::DrivenAxis;
+use crate::machines::slides;
+use crate::machines::stops::{
+    Interruption, Reaction, SpindleReaction, slides_at_emergency_stop, slides_without_supply,
+};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 
@@ -33,8 +38,9 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
     };
     let coasts = axes(lathe, Interruption::EmergencyStop) == SpindleReaction::Coasts;
     let broken = if coasts { msg!("polygon.stops.out-of-ratio") } else { msg!("polygon.stops.part-cut") };
+    let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
     let (block, start) = (msg!("turning.stops.axes-block"), msg!("turning.stops.start"));
-    vec![
+    let mut rows = vec![
         row(Interruption::Hold, msg!("turning.stops.axes-hold"), msg!("polygon.stops.rubs"), start.clone()),
         row(Interruption::BlockStop, block.clone(), msg!("polygon.stops.in-ratio"), start),
         row(Interruption::Alarm, block, msg!("polygon.stops.rubs"), msg!("polygon.stops.mend")),
@@ -44,12 +50,16 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
             msg!("polygon.stops.part-cut"),
             msg!("polygon.stops.anew"),
         ),
-        row(Interruption::EmergencyStop, msg!("turning.stops.axes-emergency"), broken, msg!("polygon.stops.clear")),
+        row(Interruption::EmergencyStop, slides_at_emergency_stop(sinks), broken, msg!("polygon.stops.clear")),
         row(
             Interruption::PowerFailure,
-            msg!("polygon.stops.axes-dark"),
+            slides_without_supply(sinks),
             msg!("polygon.stops.phase-lost", angle = (lathe.d.coast_phase, 0)),
             msg!("polygon.stops.discard"),
         ),
-    ]
+    ];
+    if let (Some(dark), Some(_)) = (rows.last_mut(), sinks) {
+        dark.cite = CLOSING;
+    }
+    rows
 }

@@ -123,7 +123,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         top_speed: line.fast.actual_speed,
         site_share: line.p.unwinding.site_share / 100.0,
         brake: line.p.unwinding.motor_brake,
-        cycle: (line.p.inverter_ramp > 0.0).then(|| unwinder_cycle(line)),
+        cycle: Some(unwinder_cycle(line)),
         turn: RPM,
         turned: unwinder_load(&line.p, line.mechanics.unwinder),
         rotor: 0.0,

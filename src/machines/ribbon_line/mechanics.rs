@@ -253,10 +253,7 @@ impl Mechanics {
         let tension = web.tension_before - web.tension_behind;
         let unwinder = unwinder_torque(p, unwinding.brake);
         // The load has its gear's losses in its inertia, so that run-up and stop take the same torque.
-        let unwinder_rise = match p.inverter_ramp > 0.0 {
-            true => unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp),
-            false => 0.0,
-        };
+        let unwinder_rise = unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp);
         let grip = (pull.pinch_friction, pull.pinch_force);
         let running = web::nip_use(grip, tension, (web_mass, acceleration));
         let taut_nip_use = web::nip_use(grip, tautest - web.tension_behind, (web_mass, 0.0));

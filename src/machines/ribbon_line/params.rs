@@ -458,7 +458,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("frequency-at-10v", member!(Params.frequency_at_10v)).group("ribbon.group.unwinder").label("ribbon.frequency-at-10v").help("ribbon.frequency-at-10v.help")
         .unit("Hz").range(1.0..=1000.0).default(50.0).decimals(2).step(1.0).fact(),
     number("inverter-ramp", member!(Params.inverter_ramp)).group("ribbon.group.unwinder").label("ribbon.inverter-ramp").help("ribbon.inverter-ramp.help")
-        .unit("s").range(0.0..=600.0).default(2.0).decimals(3).step(0.1).fact(),
+        .unit("s").range(0.01..=600.0).default(2.0).decimals(3).step(0.1).fact(),
     number("no-load-speed", member!(Params.no_load_speed)).group("ribbon.group.unwinder").label("ribbon.no-load-speed").help("ribbon.no-load-speed.help")
         .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(3).step(1.0).fact(),
     number("rated-load-speed", member!(Params.rated_load_speed)).group("ribbon.group.unwinder").label("ribbon.rated-load-speed").help("ribbon.rated-load-speed.help")

@@ -10,7 +10,7 @@ pub(super) const MOTORS: &[FormMotor] = &[
     FormMotor {
         drive: "x",
         name: "ribbon.drive.pull",
-        behind_inverter: false,
+        is_on_inverter: false,
         figures: &[
             ("size.figure.stall-torque", "motor-stall-x"),
             ("size.figure.peak-torque", "motor-peak-x"),
@@ -21,7 +21,7 @@ pub(super) const MOTORS: &[FormMotor] = &[
     FormMotor {
         drive: "y",
         name: "ribbon.drive.print",
-        behind_inverter: false,
+        is_on_inverter: false,
         figures: &[
             ("size.figure.stall-torque", "motor-stall-y"),
             ("size.figure.peak-torque", "motor-peak-y"),
@@ -32,7 +32,7 @@ pub(super) const MOTORS: &[FormMotor] = &[
     FormMotor {
         drive: "unwinder",
         name: "ribbon.drive.unwinder",
-        behind_inverter: true,
+        is_on_inverter: true,
         figures: &[("size.figure.rated-torque", "unwinder-torque-rated")],
     },
 ];

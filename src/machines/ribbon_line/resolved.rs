@@ -187,7 +187,7 @@ impl RibbonLine {
 }
 
 /// Results of the formulas with the knob as it is, at its fast and at its slow end. A locked knob has no other end, a line at standstill
-/// neither.
+/// neither; at a slow end of 0 % the line is at rest, and the present results are used.
 fn over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
     let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, output);
     let now = Derived::new(p, output);
@@ -195,6 +195,6 @@ fn over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
         return [now.clone(), now.clone(), now];
     }
     let fast = at(knob.high.min(GREATEST).max(p.override_percent));
-    let slow = at(knob.slowest().min(p.override_percent));
+    let slow = if knob.low > 0.0 { at(knob.low.min(p.override_percent)) } else { now.clone() };
     [now, fast, slow]
 }

@@ -190,9 +190,6 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
 /// Judges the stop over the inverter's ramp: an inverter that takes back less trips, and the unwinder coasts into the loop.
 fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
     let (p, torque, steady) = (&line.p, line.mechanics.unwinder_braking, line.mechanics.unwinder);
-    if p.inverter_ramp <= 0.0 {
-        return None;
-    }
     let percent = p.unwinding.motor_braking;
     let most = p.unwinding.torque * percent / 100.0;
     let limit = AtMost(most);
@@ -224,9 +221,6 @@ fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     let (p, torque, steady) = (&line.p, line.mechanics.unwinder_ramp, line.mechanics.unwinder);
     let most = SHORT_TIME * p.unwinding.torque;
     let limit = AtMost(most);
-    if p.inverter_ramp <= 0.0 {
-        return None;
-    }
     if limit.holds(torque) {
         return ok(limit);
     }

@@ -38,7 +38,7 @@ pub(in crate::machines) const MOTORS: [FormMotor; 2] = [
     FormMotor {
         drive: "x",
         name: NAMES[0],
-        behind_inverter: false,
+        is_on_inverter: false,
         figures: &[
             ("size.figure.rated-torque", "motor-rated-torque-x"),
             ("size.figure.peak-torque", "motor-peak-x"),
@@ -49,7 +49,7 @@ pub(in crate::machines) const MOTORS: [FormMotor; 2] = [
     FormMotor {
         drive: "z",
         name: NAMES[1],
-        behind_inverter: false,
+        is_on_inverter: false,
         figures: &[
             ("size.figure.rated-torque", "motor-rated-torque-z"),
             ("size.figure.peak-torque", "motor-peak-z"),

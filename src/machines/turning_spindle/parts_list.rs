@@ -11,7 +11,7 @@ pub(super) const MOTORS: &[FormMotor] = &[
     FormMotor {
         drive: "spindle",
         name: "turning.drive.spindle",
-        behind_inverter: true,
+        is_on_inverter: true,
         figures: &[
             ("size.figure.rated-power", "motor-power"),
             ("size.figure.rated-speed", "motor-base"),

@@ -2,7 +2,12 @@
 
 use super::resolved::TurningSpindle;
 use super::run_up;
-use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
+use crate::drives::holding_brake::CLOSING;
+use crate::machines::driven::DrivenAxis;
+use crate::machines::slides;
+use crate::machines::stops::{
+    Interruption, Reaction, SpindleReaction, slides_at_emergency_stop, slides_without_supply,
+};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 
@@ -32,7 +37,8 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
     let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
     let (block, retract) = (msg!("turning.stops.axes-block"), msg!("turning.stops.anew"));
     let reset = if off { msg!("turning.stops.work-slows") } else { msg!("turning.stops.work-turns") };
-    vec![
+    let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
+    let mut rows = vec![
         row(
             Interruption::Hold,
             msg!("turning.stops.axes-hold"),
@@ -44,7 +50,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         row(Interruption::Reset, msg!("turning.stops.axes-reset"), reset, retract),
         row(
             Interruption::EmergencyStop,
-            msg!("turning.stops.axes-emergency"),
+            slides_at_emergency_stop(sinks),
             msg!("turning.stops.work-slows"),
             msg!("turning.stops.clear"),
         ),
@@ -54,5 +60,15 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             msg!("turning.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
             msg!("turning.stops.fault"),
         ),
-    ]
+    ];
+    rows.extend(sinks.map(|way| Reaction {
+        cite: CLOSING,
+        ..row(
+            Interruption::PowerFailure,
+            slides_without_supply(Some(way)),
+            msg!("turning.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
+            msg!("turning.stops.anew"),
+        )
+    }));
+    rows
 }

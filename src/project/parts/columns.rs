@@ -9,7 +9,7 @@ use crate::drives::parts::{
 pub const REQUIRED: [&str; 3] = ["kind", "maker", "model"];
 
 /// All columns in the order in which they are written.
-pub const COLUMNS: [&str; 28] = [
+pub const COLUMNS: [&str; 29] = [
     "kind",
     "maker",
     "series",
@@ -33,6 +33,7 @@ pub const COLUMNS: [&str; 28] = [
     "regen_w",
     "peak_power_w",
     "brake_energy_j",
+    "overload_percent",
     "overload",
     "fits",
     "source",
@@ -45,6 +46,9 @@ pub(super) const KINDS: [&str; 7] = ["servo", "induction", "amplifier", "inverte
 
 /// Columns of shares, from above 0 to 1.
 pub(super) const SHARES: [&str; 1] = ["efficiency"];
+
+/// Columns of percentages, 100 or more.
+pub(super) const PERCENTAGES: [&str; 1] = ["overload_percent"];
 
 /// Columns of one kind or another that hold text.
 pub(super) const OVERLOAD: &str = "overload";
@@ -121,6 +125,7 @@ pub(super) fn numbers(ratings: &mut Ratings) -> Vec<(&'static str, &mut Option<f
                 ("rated_power_w", &mut of.rated_power),
                 ("voltage_v", &mut of.voltage),
                 ("rated_current_a", &mut of.rated_current),
+                ("overload_percent", &mut of.overload_percent),
             ]
         }
         Ratings::Gear(of) => vec![

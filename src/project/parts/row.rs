@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use super::columns::{self, KINDS, OVERLOAD, REQUIRED, SHARES};
+use super::columns::{self, KINDS, OVERLOAD, PERCENTAGES, REQUIRED, SHARES};
 use crate::drives::parts::{Evidence, Part, PartGrade, Ratings, Status};
 use crate::msg;
 use crate::project::findings::Findings;
@@ -161,7 +161,7 @@ impl<'t> Rows<'t> {
         word
     }
 
-    /// The number of a cell: above 0, a share not above 1.
+    /// The number of a cell: above 0, a share not above 1, a percentage not below 100.
     fn number(&mut self, cell: &Cell<'t>) -> Option<f64> {
         let text = cell.text.trim();
         if self.decimals.mixed && is_grouped(text) {
@@ -182,6 +182,10 @@ impl<'t> Rows<'t> {
         let is_share = SHARES.contains(&cell.column);
         if is_share && number > 1.0 {
             self.found.error(msg!("parts.share", column = cell.column, text = clip(text)), cell.source);
+            return None;
+        }
+        if PERCENTAGES.contains(&cell.column) && number < 100.0 {
+            self.found.error(msg!("parts.percentage", column = cell.column, text = clip(text)), cell.source);
             return None;
         }
         if !(number > 0.0 && number <= LARGEST) {

@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 
 use super::choice::{Candidate, MotorDemand, SizedAxis, name, named};
 use super::runs::SizingRuns;
+use crate::drives::duty::ResistorLoad;
+use crate::drives::holding_brake::{SERVICE, SERVICE_FACTOR};
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::machines::PreparedMachine;
 use crate::machines::devices::{BillItem, wired};
@@ -70,7 +72,7 @@ pub(super) fn bill(
         of_axis(project, axis, entered).into_iter().chain(gear(axis)).chain(brake(axis))
     });
     let others = motors.iter().filter(|motor| axes.iter().all(|axis| axis.id != motor.drive)).flat_map(|motor| {
-        let amplifier = amplifier_item(!motor.behind_inverter);
+        let amplifier = amplifier_item(!motor.is_on_inverter);
         let open = described(amplifier, Some(motor.name), say("size.bill.with-motor"), PartGrade::Open);
         entered(motor).into_iter().flat_map(move |motor| [motor, open.clone()])
     });
@@ -91,13 +93,19 @@ pub(super) fn bill(
     rows
 }
 
-/// The devices that are no part of a drive: contactors of brakes, contacts and outputs of the ladder, options of the form, supplies. All are
+/// The devices that are no part of a drive: contactors and supplies of brakes, contacts and outputs of the ladder, options of the form, supplies. All are
 /// open: the catalogue has none of them.
 fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
     let open = |item, drive, asked: &Message| described(item, drive, sentence(asked), PartGrade::Open);
     let brakes = rows.iter().filter(|row| row.item == BillItem::Brake);
-    let contactors = brakes.map(|row| open(BillItem::BrakeContactor, row.axis, &msg!("size.bill.brake-contactor")));
-    let mut devices: Vec<BillRow> = contactors.collect();
+    let of_brakes = brakes.flat_map(|row| {
+        let is_servo = rows.iter().any(|other| other.item == BillItem::Amplifier && other.axis == row.axis);
+        let coil = if is_servo { msg!("size.bill.brake-relay") } else { msg!("size.bill.brake-contactor") };
+        let supply = msg!("size.bill.brake-supply");
+        [(BillItem::BrakeContactor, coil), (BillItem::BrakeSupply, supply)]
+            .map(|(item, asked)| open(item, row.axis, &asked))
+    });
+    let mut devices: Vec<BillRow> = of_brakes.collect();
     let machine = prepared.devices();
     devices.extend(machine.iter().map(|of| open(of.item, of.drive, &of.asked)));
     let mut meanings: BTreeMap<BillItem, (u32, Vec<String>)> = BTreeMap::new();
@@ -133,6 +141,12 @@ fn resistor(asked: &ResistorDemand) -> BillRow {
     let count = asked.energies.len() as f64;
     let told = sentence(&msg!("size.bill.inverter-resistor", power, energy, count, percent));
     described(BillItem::Resistor, Some(asked.name), told, PartGrade::Open)
+}
+
+/// The brake resistor of an amplifier whose own braking is not known: the energy that comes back.
+fn unknown_resistor(axis: &'static str, returned: &ResistorLoad) -> BillRow {
+    let told = msg!("size.bill.resistor-unknown", energy = (returned.stop, 1), power = (returned.mean, 1));
+    described(BillItem::Resistor, Some(axis), sentence(&told), PartGrade::Open)
 }
 
 /// The encoder of a spindle: as a proposal the one with the least sufficient top speed, else the demand.
@@ -187,12 +201,25 @@ fn entered(motor: &FormMotor, inputs: &[Input]) -> Option<BillRow> {
     (!figures.is_empty()).then(|| described(BillItem::Motor, Some(motor.name), told, PartGrade::Entered))
 }
 
-/// The brake at the motor of an axis.
+/// The brake at the motor of an axis: that of a weight with its service factor, rounded up to the printed figure; else the one of the form.
 fn brake(axis: &SizedAxis) -> Option<BillRow> {
-    let torque = format!("{} Nm", number_text(axis.brake, 2));
-    let row = described(BillItem::Brake, Some(axis.name), torque, PartGrade::Entered);
-    (axis.brake > 0.0).then_some(row)
+    if axis.brake <= 0.0 {
+        return None;
+    }
+    let described = |model| described(BillItem::Brake, Some(axis.name), model, PartGrade::Entered);
+    if axis.work.is_none() {
+        return Some(described(format!("{} Nm", number_text(axis.brake, 2))));
+    }
+    let torque = (HUNDREDTHS * axis.brake - ROUNDING).ceil() / HUNDREDTHS;
+    let told = sentence(&msg!("size.bill.brake", torque = (torque, 2), factor = (SERVICE_FACTOR, 1)));
+    Some(BillRow { source: SERVICE.source.words().to_owned(), ..described(told) })
 }
+
+/// Steps per Nm of a printed torque.
+const HUNDREDTHS: f64 = 100.0;
+
+/// Part of a step by which a torque may exceed the printed one, for rounding errors.
+const ROUNDING: f64 = 1e-6;
 
 /// The gear unit of an axis: as a proposal the smallest of the catalogue that passes, else the demand on it.
 fn gear(axis: &SizedAxis) -> Option<BillRow> {
@@ -219,6 +246,13 @@ fn of_part(item: BillItem, axis: &'static str, part: &Part, proposed: bool) -> B
     }
 }
 
+/// The current for a short time, where the data sheet of the inverter in the catalogue does not tell whether it gives it.
+fn overload_to_confirm(chosen: &Candidate) -> Option<Message> {
+    let Ratings::Inverter(inverter) = &chosen.amplifier.as_ref()?.ratings else { return None };
+    let current = chosen.short_time_current.filter(|_| inverter.short_time_current().is_none())?;
+    Some(msg!("size.bill.inverter-overload", current = (current, 2)))
+}
+
 /// Item of a motor's drive: servo amplifier or inverter.
 fn amplifier_item(is_servo: bool) -> BillItem {
     if is_servo { BillItem::Amplifier } else { BillItem::Inverter }
@@ -236,11 +270,19 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
             described(item, Some(axis.name), told, PartGrade::Open)
         });
         let amplifier = amplifier.or(short).unwrap_or_else(|| open("size.bill.no-amplifier"));
+        let amplifier = BillRow { open: overload_to_confirm(chosen).into_iter().collect(), ..amplifier };
         let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
         [BillRow { refusal, ..of(BillItem::Motor, &chosen.part, proposed) }, amplifier]
     };
+    let of_form = || axis.returned.map(|returned| unknown_resistor(axis.name, &returned));
     let resistor = |chosen: &Candidate, proposed| {
+        if chosen.amplifier.is_none() {
+            return of_form();
+        }
         let of_axis = chosen.resistor.as_ref()?;
+        if of_axis.is_unknown {
+            return Some(unknown_resistor(axis.name, &of_axis.asked));
+        }
         let amplifier = chosen.amplifier.as_ref().map(|part| part.model.as_str()).unwrap_or_default();
         let (power, energy) = ((of_axis.asked.mean, 1), (of_axis.asked.stop, 1));
         let asked = msg!("size.bill.resistor", power, energy, amplifier);
@@ -255,7 +297,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
         // The motor of the form is not in the catalogue.
         (None, Some(typed)) => {
             let motor = described(BillItem::Motor, Some(axis.name), typed, PartGrade::Entered);
-            vec![motor, open("size.bill.no-amplifier")]
+            [motor, open("size.bill.no-amplifier")].into_iter().chain(of_form()).collect()
         }
         (None, None) => {
             let proposal: Option<Vec<BillRow>> = axis.ordered().map(|chosen| all(chosen, true));
@@ -263,7 +305,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
                 let MotorDemand { peak, effective, speed } = axis.asked;
                 let told = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
                 let motor = described(BillItem::Motor, Some(axis.name), sentence(&told), PartGrade::Open);
-                vec![motor, open("size.bill.with-motor")]
+                [motor, open("size.bill.with-motor")].into_iter().chain(of_form()).collect()
             };
             entered.into_iter().chain(proposal.unwrap_or_else(asked)).collect()
         }

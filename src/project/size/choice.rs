@@ -5,15 +5,14 @@ use std::collections::BTreeMap;
 use super::gears::{self, SizedGear};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
-use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, own_fan_torque_share};
-use crate::drives::duty::{Motion, OperatingPoint, ResistorLoad, Work, with_pause};
+use crate::drives::duty::{Motion, OperatingPoint, ResistorLoad, Work};
+use crate::drives::holding_brake;
 use crate::drives::inertia::CM2;
-use crate::drives::load::{Phase, Regeneration, effective, power};
+use crate::drives::load::{Regeneration, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits, Status};
 use crate::drives::servo::{Acceptance, Duty, Reason, Servo, Shares, WEIGHT_SHARE};
-use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::PreparedMachine;
-use crate::machines::driven::{DrivenAxis, InverterDrive, MotorFields, SpindleRun};
+use crate::machines::driven::{DrivenAxis, MotorFields};
 use crate::machines::form::Value;
 use crate::math::RPM;
 use crate::motion::Mover;
@@ -49,7 +48,7 @@ pub struct SizedAxis {
     pub turning: f64,
     /// Share (0 to 1) of the time of a part in which it is loaded: a spindle in run-up, cut and stop, an axis while it turns.
     pub loaded: f64,
-    /// Torque that the brake at its motor holds without current, Nm; 0 without one.
+    /// Least torque of the brake at its motor that closes without current, Nm; 0 without one.
     pub brake: f64,
     /// Its gear unit, if it has one.
     pub gear: Option<SizedGear>,
@@ -59,6 +58,8 @@ pub struct SizedAxis {
     pub asked: MotorDemand,
     /// Demand of the run on the form's motor; none for a motor on an inverter.
     pub work: Option<Work>,
+    /// Energy of the run back from the form's motor; none for a drive behind an inverter, and without such energy.
+    pub returned: Option<ResistorLoad>,
     /// Position (%) of the knob in the run with the knob at its end, if there is such a run.
     pub knob: Option<f64>,
     /// Whether that run has the greatest torque.
@@ -131,6 +132,8 @@ pub struct Candidate {
     /// External brake resistor for the regenerated energy beyond the amplifier's own: the demand, and the smallest paired resistor of the
     /// catalogue that takes it; none without such a demand, or if the amplifier's capacitors are not known.
     pub resistor: Option<Resistor>,
+    /// Current (A) that an induction motor asks of its inverter for a short time; none if it is not known, and for a servo motor.
+    pub short_time_current: Option<f64>,
     /// First reason of its refusal; none if it passes.
     pub refusal: Option<Refusal>,
     /// Entries of the form with this motor: ids of fields and typed texts; empty if the form has no fields for it.
@@ -144,19 +147,21 @@ pub struct Resistor {
     pub asked: ResistorLoad,
     /// The resistor; none if the catalogue has none.
     pub part: Option<Part>,
+    /// Whether the catalogue lacks what the amplifier takes by itself: the demand is all of the energy, and its maker has to be asked.
+    pub is_unknown: bool,
 }
 
 /// Refusal of a motor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refusal {
-    rank: Rank,
+    pub(super) rank: Rank,
     /// The reason with its numbers.
     pub message: Message,
 }
 
 /// Reasons in the order of the list: the smallest shortage first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Rank {
+pub(super) enum Rank {
     Inertia,
     Amplifier,
     Regeneration,
@@ -218,6 +223,12 @@ impl Asked {
         all.reduce(ResistorLoad::max).unwrap_or_default()
     }
 
+    /// All of the energy and power that come back with a rotor, the greatest value of each figure over all runs; none without any.
+    fn returned(&self, rotor: f64) -> Option<ResistorLoad> {
+        let returned = self.to_resistor(rotor, &Regeneration { efficiency: 1.0, capacitor: 0.0 });
+        (returned.mean > NOTHING).then_some(returned)
+    }
+
     /// Mean speed (r/min) and effective torque (Nm) of the run with the greatest effective torque.
     fn effective(&self, rotor: f64) -> (f64, f64) {
         let of = |motion: &Motion| (motion.mean_speed(), motion.work(rotor).effective);
@@ -255,7 +266,7 @@ impl Asked {
     }
 }
 
-/// The axes and the motor on the inverter, each with its candidates.
+/// The axes of servo motors.
 pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRuns) -> Vec<SizedAxis> {
     let runs = [Some(&of.present), of.fast.as_ref()].into_iter().flatten();
     let runs: Vec<&WholeRun> = runs.collect();
@@ -265,7 +276,8 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         let asked = Asked::of(&axis, &runs, pause);
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
-        let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control)).collect();
+        let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control));
+        let candidates = candidates.map(|of| with_unknown_braking(of, &asked)).collect();
         let (turning, loaded) = (share_turning(of, axis.mover, pause), share_loaded(of, &asked, pause));
         let work = asked.work(axis.fitted.motor.rotor);
         SizedAxis {
@@ -275,61 +287,23 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             turning,
             loaded: loaded.unwrap_or(turning),
             // A weight falls without current.
-            brake: axis.weight,
+            brake: holding_brake::torque(axis.weight),
             gear: gears::of_axis(&axis, &asked.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
             asked: MotorDemand { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM },
             work: Some(work),
+            returned: asked.returned(axis.fitted.motor.rotor),
             knob: asked.knob,
             peak_is_at_knob: asked.peak_is_at_knob(axis.fitted.motor.rotor),
             chart: Some(asked.chart(&axis.fitted.motor, axis.site_share)),
             candidates: in_order(candidates),
         }
     });
-    let behind = prepared.inverter_drive().map(|drive| {
-        let motors =
-            catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, control));
-        // With the knob at its highest position a cut at constant surface speed needs more power.
-        let spindles = runs.iter().filter_map(|whole| whole.spindle(prepared));
-        let spindles: Vec<SpindleRun> =
-            spindles.map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle }).collect();
-        let candidates = motors.map(|part| induction(part, &drive, &spindles, &catalogue, project)).collect();
-        let field = drive.fields.map(|fields| fields.name);
-        let turning = share_turning(of, Mover::Spindle, pause);
-        let in_run =
-            spindles.first().map(|spindle| spindle.motion.loaded() / (of.present.run.timeline().end() + pause));
-        SizedAxis {
-            id: drive.id,
-            name: drive.name,
-            field,
-            turning,
-            loaded: turning.min(in_run.unwrap_or_else(|| {
-                drive.cycle.map_or(turning, |cycle| (cycle.of.run + 2.0 * cycle.of.ramp) / (of.present.end + pause))
-            })),
-            brake: drive.brake,
-            gear: gears::of_inverter(&drive, &catalogue),
-            ampere_per_torque: None,
-            asked: asked_behind(&drive, &spindles),
-            work: None,
-            knob: None,
-            peak_is_at_knob: false,
-            chart: None,
-            candidates: in_order(candidates),
-        }
-    });
-    servo.chain(behind).collect()
-}
-
-/// Demand on a motor on an inverter.
-fn asked_behind(drive: &InverterDrive, spindles: &[SpindleRun]) -> MotorDemand {
-    let ramps = drive.cycle.iter().flat_map(|cycle| cycle.ramps(None)).map(|ramp| ramp.torque.abs());
-    let of_run = spindles.iter().map(|spindle| spindle.worst_point(&spindle.motor, spindle.rotor).torque);
-    let steady = drive.torque.abs();
-    MotorDemand { peak: ramps.chain(of_run).fold(steady, f64::max), effective: steady, speed: drive.top_speed }
+    servo.collect()
 }
 
 /// Share of the time of a part, with the pause after it, in which the mover turns.
-fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
+pub(super) fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     let timeline = of.present.run.timeline();
     let all = timeline.stretches(mover, 0.0, timeline.end());
     let turning = all.iter().filter(|part| part.from != 0.0 || part.to != 0.0).map(|part| part.seconds).sum::<f64>();
@@ -366,7 +340,7 @@ pub(super) fn named(project: &Project, field: &str) -> Option<String> {
 }
 
 /// Orders the candidates: passing ones by rising power, then the others by their reason.
-fn in_order(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+pub(super) fn in_order(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
     candidates.sort_by(|a, b| {
         let rank = |of: &Candidate| of.refusal.as_ref().map(|refusal| refusal.rank);
         let size = |of: &Candidate| size(&of.part);
@@ -387,7 +361,11 @@ fn size(part: &Part) -> f64 {
 }
 
 /// The smallest part of the catalogue that the control can use, the filter accepts and that has a size.
-fn smallest<'a>(catalogue: &[&'a Part], control: &Control, size: impl Fn(&Part) -> Option<f64>) -> Option<&'a Part> {
+pub(super) fn smallest<'a>(
+    catalogue: &[&'a Part],
+    control: &Control,
+    size: impl Fn(&Part) -> Option<f64>,
+) -> Option<&'a Part> {
     let sized = catalogue.iter().filter(|part| goes_with(part, control)).filter_map(|part| Some((size(part)?, *part)));
     sized.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, part)| part)
 }
@@ -428,6 +406,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
         shares: Some(shares),
         regenerative,
         resistor,
+        short_time_current: None,
         refusal: refused.map(|(rank, message)| Refusal { rank, message }),
         entries: axis.fields.map(|fields| entries(fields, part, &motor)).unwrap_or_default(),
     }
@@ -559,8 +538,16 @@ fn resistor(
             }
             _ => None,
         });
-        Resistor { asked, part: part.cloned() }
+        Resistor { asked, part: part.cloned(), is_unknown: false }
     })
+}
+
+/// The candidate; if the catalogue has its amplifier, but not what that takes, with all energy that comes back as an open demand.
+fn with_unknown_braking(of: Candidate, asked: &Asked) -> Candidate {
+    let is_known = of.amplifier.as_ref().is_none_or(|amplifier| braking(amplifier).is_some());
+    let returned = of.part.servo().and_then(|motor| asked.returned(motor.rotor)).filter(|_| !is_known);
+    let resistor = returned.map(|asked| Resistor { asked, part: None, is_unknown: true });
+    Candidate { resistor: of.resistor.or(resistor), ..of }
 }
 
 /// Regeneration of an amplifier, if its capacitors or its own resistor are known, and the continuous power (W) of that resistor. An unknown
@@ -604,151 +591,8 @@ pub(super) fn name(part: &Part) -> String {
     part.name().chars().take(NAME).collect()
 }
 
-/// Entries of the form for a motor on the inverter, with its rated torque (Nm) and rated speed (r/min); none if the form has no fields for
-/// them. The speed at the full signal stays, so a motor with another number of poles gets another frequency.
-fn induction_entries(
-    part: &Part,
-    drive: &InverterDrive,
-    (torque, rated_speed): (f64, f64),
-) -> Option<Vec<(&'static str, String)>> {
-    let (fields, full) = drive.fields.zip(drive.full)?;
-    let slip = no_load_speed(rated_speed, RATED_FREQUENCY) - rated_speed;
-    Some(vec![
-        (fields.name, name(part)),
-        (fields.rated, number_text(torque, 3)),
-        (fields.load, number_text((100.0 * drive.torque.abs() / torque).min(200.0), 3)),
-        (fields.frequency, number_text(full.no_load / no_load_speed(rated_speed, 1.0), 2)),
-        (fields.rated_speed, number_text((full.no_load - slip).max(1.0), 3)),
-    ])
-}
-
-/// Refusal of the form's motor on the inverter, if the form's frequency belongs to a motor with another number of poles.
-fn other_poles(part: &Part, drive: &InverterDrive, rated_speed: f64, project: &Project) -> Option<(Rank, Message)> {
-    let (fields, full) = drive.fields.zip(drive.full)?;
-    let (turns, asked) = (no_load_speed(rated_speed, full.frequency), full.no_load);
-    let is_off = named(project, fields.name) == Some(name(part)) && (turns / asked - 1.0).abs() > OTHER_POLES;
-    is_off.then(|| (Rank::Speed, msg!("size.refused-poles", speed = (turns, 0), asked = (asked, 0))))
-}
-
-/// Greatest relative difference between the speeds of two motors with the same number of poles.
-const OTHER_POLES: f64 = 0.2;
-
-/// Judges a motor on the inverter, derated for its site: its torque up to rated speed and its power above, its short-time torque in run-up
-/// and stop, and its continuous torque over run-up, work and stop.
-fn induction(
-    part: &Part,
-    drive: &InverterDrive,
-    spindles: &[SpindleRun],
-    catalogue: &[&Part],
-    project: &Project,
-) -> Candidate {
-    let Ratings::Induction(of) = part.ratings else { return unknown(part) };
-    let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
-    let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
-    let cooled = drive.cooled_at.map_or(1.0, |speed| own_fan_torque_share(speed / no_load_speed(rated_speed, 1.0)));
-    let (most, most_power) = (torque * drive.site_share * cooled, rated_power * drive.site_share);
-    let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
-    let top_speed = of.top_speed.unwrap_or_else(|| highest_speed(rated_power, rated_speed));
-    let needed = power(asked, speed * RPM);
-    let inverter = smallest(catalogue, project.control, |other| match &other.ratings {
-        Ratings::Inverter(inverter) if inverter.feeds(&of) => inverter.rated_power,
-        _ => None,
-    });
-    let mut shares = Shares {
-        inertia_ratio: 0.0,
-        peak: asked / torque,
-        effective: asked / most,
-        speed: drive.top_speed / top_speed,
-    };
-    let mut refusal = if drive.top_speed > top_speed {
-        Some((Rank::Speed, msg!("size.refused-speed", speed = (drive.top_speed, 0), limit = (top_speed, 0))))
-    } else if asked > most {
-        Some((Rank::Effective, msg!("size.refused-torque", torque = (asked, 3), limit = (most, 3))))
-    } else if needed > most_power {
-        Some((Rank::Peak, msg!("size.refused-power", power = (needed, 0), limit = (most_power, 0))))
-    } else {
-        None
-    };
-    if let Some(cycle) = &drive.cycle {
-        let ramps = cycle.ramps(of.inertia);
-        // Power, not torque, limits the end of a ramp above rated speed.
-        let gives = torque.min(rated_power / cycle.of.speed);
-        // A load that brakes harder than the ramp leaves the motor to drive in the stop too.
-        let share = |torque: f64| cycle.peak[usize::from(torque < 0.0)];
-        let of_peak = ramps.map(|ramp| (ramp.torque.abs(), share(ramp.torque) * gives));
-        for (asked, most) in of_peak {
-            shares.peak = shares.peak.max(asked / most);
-            if asked > most {
-                refusal = refusal
-                    .or_else(|| Some((Rank::Peak, msg!("size.refused-ramp", torque = (asked, 3), limit = (most, 3)))));
-            }
-        }
-        let [rise, fall] = ramps;
-        let run = cycle.of.run + 2.0 * cycle.of.ramp;
-        let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.of.run }, fall]);
-        let effective = with_pause(effective, run, cycle.of.pause, cycle.of.hold);
-        shares.effective = effective / most;
-        if effective > most {
-            let refused =
-                || Some((Rank::Effective, msg!("size.refused-cycle", torque = (effective, 3), limit = (most, 3))));
-            refusal = refusal.or_else(refused);
-        }
-    }
-    let curve = MotorCurve::with_torque(rated_power / 1000.0, torque);
-    let in_runs = spindles
-        .iter()
-        .map(|spindle| of_spindle(spindle, of.inertia.unwrap_or(drive.rotor), &curve, drive.site_share))
-        .reduce(|worst, next| (worst.0.max(next.0), worst.1.max(next.1), worst.2.or(next.2)));
-    if let Some((peak, effective, reason)) = in_runs {
-        (shares.peak, shares.effective) = (peak, effective);
-        refusal = refusal.or(reason);
-    }
-    let refusal = other_poles(part, drive, rated_speed, project).or(refusal);
-    let entries = induction_entries(part, drive, (torque, rated_speed));
-    Candidate {
-        amplifier: inverter.cloned(),
-        shares: Some(shares),
-        refusal: refusal.map(|(rank, message)| Refusal { rank, message }),
-        entries: entries.unwrap_or_default(),
-        ..unknown(part)
-    }
-}
-
-/// A motor of a main spindle in the run: shares of its short-time and of its continuous torque, and the reason of its refusal. Cut and friction
-/// stay below the continuous curve at each speed, with the acceleration below the short-time one, and all of the run below the continuous
-/// one in the effective mean.
-fn of_spindle(
-    spindle: &SpindleRun,
-    rotor: f64,
-    curve: &MotorCurve,
-    site_share: f64,
-) -> (f64, f64, Option<(Rank, Message)>) {
-    let continuous = curve.share(site_share);
-    let (steady, worst_point) = (spindle.worst_point_steady(&continuous), spindle.worst_point(curve, rotor));
-    let ramps = spindle.worst_point_idle(curve, rotor);
-    let effective = spindle.motion.effective_share(rotor, &continuous);
-    let at = |of: OperatingPoint| ((of.torque, 3), (of.speed, 0), (of.torque / of.share, 3));
-    let refusal = if steady.share > 1.0 {
-        let (torque, speed, limit) = at(steady);
-        Some((Rank::Effective, msg!("size.refused-cut", torque, speed, limit)))
-    } else if ramps.share > 1.0 {
-        let (torque, _, limit) = at(ramps);
-        Some((Rank::Peak, msg!("size.refused-ramp", torque, limit)))
-    } else if worst_point.share > 1.0 {
-        let (torque, speed, limit) = at(worst_point);
-        Some((Rank::Peak, msg!("size.refused-cut-peak", torque, speed, limit)))
-    } else if effective > 1.0 {
-        let most = continuous.torque(0.0);
-        let (torque, limit) = ((effective * most, 3), (most, 3));
-        Some((Rank::Effective, msg!("size.refused-cycle", torque, limit)))
-    } else {
-        None
-    };
-    (worst_point.share, effective, refusal)
-}
-
 /// A part whose ratings do not suffice for a choice.
-fn unknown(part: &Part) -> Candidate {
+pub(super) fn unknown(part: &Part) -> Candidate {
     Candidate {
         part: part.clone(),
         amplifier: None,
@@ -757,6 +601,7 @@ fn unknown(part: &Part) -> Candidate {
         shares: None,
         regenerative: None,
         resistor: None,
+        short_time_current: None,
         refusal: Some(Refusal { rank: Rank::Unknown, message: msg!("size.refused-unknown") }),
         entries: Vec::new(),
     }

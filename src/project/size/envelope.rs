@@ -297,12 +297,25 @@ impl Envelope<'_> {
         rows
     }
 
-    /// Gauges and torques in a part of a run.
+    /// Stretches of an axis in a part of a run in which its amplifier supplies current: at emergency stop and power failure until it is at rest,
+    /// and none where the drive coasts.
+    fn driven(&self, event: OperatingEvent, of: Mover, run: &Run, span: (f64, f64)) -> Vec<Stretch> {
+        let stops = matches!(event, OperatingEvent::EmergencyStop | OperatingEvent::PowerFailure);
+        let coasts = stops && matches!(of, Mover::Turned(_)) && self.prepared.coasts_at_emergency_stop();
+        let mut stretches = if coasts { Vec::new() } else { run.timeline().stretches(of, span.0, span.1) };
+        while stops && stretches.pop_if(|last| last.from == 0.0 && last.to == 0.0).is_some() {}
+        stretches
+    }
+
+    /// Gauges, and torques of the motors that are supplied with current, in a part of a run.
     fn read(&self, event: OperatingEvent, run: &Run, span: (f64, f64)) -> Vec<EnvelopeRow> {
         let works = self.prepared.working(run, span.1);
         let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| gauged(event, &gauge));
         let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
-            let stretches = run.timeline().stretches(axis.mover, span.0, span.1);
+            let stretches = self.driven(event, axis.mover, run, span);
+            if stretches.is_empty() {
+                return [None, None].into_iter().flatten();
+            }
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
             let OperatingPoint { torque, speed, .. } = worst_point(axis, &stretches, works.as_deref());
             let limit = Some(Limit::AtMost(axis.fitted.most(speed)));
@@ -329,8 +342,9 @@ impl Envelope<'_> {
             });
             [Some(of_torque), of_current].into_iter().flatten()
         });
-        let stretches = run.timeline().stretches(Mover::Spindle, span.0, span.1);
-        let spindle = self.prepared.spindle_run(run, &stretches).filter(|_| self.is_spindle_sized);
+        let stretches = run.timeline().stretches_of_driven_spindle(span.0, span.1);
+        let is_driven = self.is_spindle_sized && !stretches.is_empty();
+        let spindle = if is_driven { self.prepared.spindle_run(run, &stretches) } else { None };
         let spindle = spindle.map(|spindle| {
             let OperatingPoint { torque, speed, share } = spindle.worst_point(&spindle.motor, spindle.rotor);
             let most = if share > 0.0 { torque / share } else { spindle.peak[0] * spindle.motor.torque(speed) };

@@ -3,6 +3,8 @@
 //! Torque and energy come from runs of the program itself, over stretches of constant acceleration; see
 //! [`Motion`](crate::drives::duty::Motion).
 
+mod inverter_motor;
+
 mod bill;
 
 mod choice;
@@ -133,7 +135,8 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
 /// The sizing of a project from finished runs, without the envelope, which needs runs of its own.
 pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
-    let axes = choice::axes(project, &prepared, runs);
+    let mut axes = choice::axes(project, &prepared, runs);
+    axes.extend(inverter_motor::axis(project, &prepared, runs));
     let bill = bill::bill(project, &prepared, runs, &axes);
     let terminals = terminals::terminals(&prepared, &bill);
     let (limits, fastest) = growth::growth(project);

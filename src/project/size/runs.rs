@@ -14,6 +14,9 @@ use crate::text::Message;
 /// Budget of a run: blocks, and seconds of machine time. A longer run is sized up to there, and the sizing reports the cut.
 const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
 
+/// Lowest position (%) of the knob in a run: at 0 % nothing moves.
+const LOWEST: f64 = 10.0;
+
 /// Moments of a run among which that of the highest spindle speed is sought.
 const MOMENTS: u32 = 400;
 
@@ -181,13 +184,12 @@ impl SizingRuns {
         let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
         let begun = changed(of_project(&untouched, written, &options));
         let now = prepared.panel().spindle_override;
-        let steps = project.on().dialect().spindle().knob;
-        let Steps { low, high, .. } = steps;
+        let Steps { low, high, .. } = project.on().dialect().spindle().knob;
         let at = |percent: f64| {
             let other = now.is_some_and(|now| now != percent);
             other.then(|| WholeRun::new(&prepared, begun.clone(), Some(percent)))
         };
-        let (slow, fast) = (at(steps.slowest()), at(high));
+        let (slow, fast) = (at(low.max(LOWEST)), at(high));
         let present = WholeRun::new(&prepared, begun, None);
         SizingRuns { present, slow, fast, knob: now.map(|_| (low, high)) }
     }

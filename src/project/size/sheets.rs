@@ -503,6 +503,9 @@ fn answer(of: &Candidate) -> String {
                 Some(part) => {
                     msg!("size.passes-with-external", amplifier, power, resistor = part.model.as_str())
                 }
+                None if resistor.is_unknown => {
+                    msg!("size.passes-with-unknown-resistor", amplifier, energy = (resistor.asked.stop, 1), power)
+                }
                 None => msg!("size.passes-with-open-resistor", amplifier, power),
             }
         }

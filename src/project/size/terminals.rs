@@ -59,7 +59,7 @@ const STRIPS: Citation = Citation::new("engineering choice", Grade::Inferred);
 /// Wires of a motor from its amplifier or inverter.
 const PHASES: [&str; 4] = ["U", "V", "W", "PE"];
 
-/// Strips in their order, and the ready-made cables: supply, motors, contacts and outputs of the PLC, analog voltages.
+/// Strips in their order, and the ready-made cables: supply, motors with their brakes, contacts and outputs of the PLC, analog voltages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Strip {
     Supply,
@@ -157,7 +157,23 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wi
             let signals = ["size.terminal.set-speed", "size.terminal.common", "size.terminal.screen"];
             fed().into_iter().chain(analog(signals, output, own.clone())).collect()
         }
-        BillItem::Fan | BillItem::ControlSupply => fed(),
+        BillItem::Fan | BillItem::ControlSupply | BillItem::BrakeSupply => fed(),
+        BillItem::BrakeContactor => {
+            // It closes the brake whenever the drive is off: its coil hangs on the output of the drive, not on the mains.
+            let output = WireEnd { place: headed(of(drive).text(), say("size.terminal.brake-output")), ..of(drive) };
+            let power = ["size.terminal.brake-supply-plus", "size.terminal.brake-supply-minus"]
+                .map(|signal| wire(Strip::Motors, signal, of(BillItem::BrakeSupply), own.clone()));
+            let coil = [
+                wire(
+                    Strip::Contacts,
+                    "size.terminal.brake-coil-plus",
+                    of_machine(BillItem::ControlSupply),
+                    own.clone(),
+                ),
+                wire(Strip::Contacts, "size.terminal.brake-coil", output, own.clone()),
+            ];
+            power.into_iter().chain(coil).collect()
+        }
         BillItem::Brake => ["size.terminal.brake-plus", "size.terminal.brake-minus"]
             .map(|signal| wire(Strip::Motors, signal, of(BillItem::BrakeContactor), own.clone()))
             .into(),
@@ -176,7 +192,6 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wi
             .map(|signal| wire(Strip::Supply, signal, of_machine(BillItem::ControlSupply), own.clone()))
             .into(),
         BillItem::Gear
-        | BillItem::BrakeContactor
         | BillItem::EmergencyStop
         | BillItem::Key
         | BillItem::GearSwitch

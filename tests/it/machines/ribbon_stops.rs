@@ -318,7 +318,7 @@ fn fault_lets_the_unwinder_coast_as_long_as_its_inertia_says() {
 #[test]
 fn fault_behind_the_last_move_stays_within_the_loop() {
     for control in controls() {
-        for more in [[("inverter-ramp", "0"), ("dwell", "2.5")], [("inverter-ramp", "2"), ("dwell", "0.7")]] {
+        for more in [[("inverter-ramp", "0.01"), ("dwell", "2.5")], [("inverter-ramp", "2"), ("dwell", "0.7")]] {
             let project = line(control.id, &more);
             let whole = over_time(&project, vec![]);
             // X is nearly at rest, and M5 comes at once.

@@ -24,7 +24,7 @@ macro_rules! mistakes {
 
 mistakes! {
     empty_file: "own.csv", "", expect![[r#"
-        error: The table is empty. Its first line names the columns: kind, maker and model, and those that you have of kind, maker, series, model, status, rated_power_w, voltage_v, rated_speed_rpm, max_speed_rpm, rated_torque_nm, stall_torque_nm, peak_torque_nm, inertia_kgm2, rated_current_a, max_current_a, encoder_pulses, ratio, efficiency, backlash_arcmin, capacitor_j, regen_w, peak_power_w, brake_energy_j, overload, fits, source, grade, note.
+        error: The table is empty. Its first line names the columns: kind, maker and model, and those that you have of kind, maker, series, model, status, rated_power_w, voltage_v, rated_speed_rpm, max_speed_rpm, rated_torque_nm, stall_torque_nm, peak_torque_nm, inertia_kgm2, rated_current_a, max_current_a, encoder_pulses, ratio, efficiency, backlash_arcmin, capacitor_j, regen_w, peak_power_w, brake_energy_j, overload_percent, overload, fits, source, grade, note.
         0 taken"#]];
     missing_column: "own.csv", "kind,maker,rated_torque_nm\nservo,Own,2\n", expect![[r#"
         error: The head line lacks model. It names the columns of the table, in any order; kind, maker and model are needed.
@@ -34,7 +34,7 @@ mistakes! {
           | ^^^^^^^^^^^^^^^^^^^^^^^^^^
         0 taken"#]];
     unknown_column: "own.csv", "kind,maker,model,torque\nservo,Own,A1,2\n", expect![[r#"
-        error: “torque” is no column of parts. Possible: kind, maker, series, model, status, rated_power_w, voltage_v, rated_speed_rpm, max_speed_rpm, rated_torque_nm, stall_torque_nm, peak_torque_nm, inertia_kgm2, rated_current_a, max_current_a, encoder_pulses, ratio, efficiency, backlash_arcmin, capacitor_j, regen_w, peak_power_w, brake_energy_j, overload, fits, source, grade, note.
+        error: “torque” is no column of parts. Possible: kind, maker, series, model, status, rated_power_w, voltage_v, rated_speed_rpm, max_speed_rpm, rated_torque_nm, stall_torque_nm, peak_torque_nm, inertia_kgm2, rated_current_a, max_current_a, encoder_pulses, ratio, efficiency, backlash_arcmin, capacitor_j, regen_w, peak_power_w, brake_energy_j, overload_percent, overload, fits, source, grade, note.
          --> own.csv:1:18
           |
         1 | kind,maker,model,torque
@@ -213,7 +213,7 @@ mistakes! {
           |
         1 | [ { "kind": "servo", "maker": 5, "model": "A1", "inertia_kgm2": true,
           |                                                                 ^^^^
-        error: “torque” is no column of parts. Possible: kind, maker, series, model, status, rated_power_w, voltage_v, rated_speed_rpm, max_speed_rpm, rated_torque_nm, stall_torque_nm, peak_torque_nm, inertia_kgm2, rated_current_a, max_current_a, encoder_pulses, ratio, efficiency, backlash_arcmin, capacitor_j, regen_w, peak_power_w, brake_energy_j, overload, fits, source, grade, note.
+        error: “torque” is no column of parts. Possible: kind, maker, series, model, status, rated_power_w, voltage_v, rated_speed_rpm, max_speed_rpm, rated_torque_nm, stall_torque_nm, peak_torque_nm, inertia_kgm2, rated_current_a, max_current_a, encoder_pulses, ratio, efficiency, backlash_arcmin, capacitor_j, regen_w, peak_power_w, brake_energy_j, overload_percent, overload, fits, source, grade, note.
          --> own.json:2:2
           |
         2 |  "torque": 1 } ]

@@ -1,6 +1,7 @@
 //! The operating envelope from runs of the program, checked by the formulas.
 
 use macroline::machines::form::Value;
+use macroline::math;
 use macroline::motion::{Budget, Retention};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
@@ -336,6 +337,48 @@ fn lathe_coasts_at_fault_and_power_failure_as_long_as_it_says() {
         let time = row(&sizing, event, "time");
         super::same(event.id(), time.value, result(&project, "coasting-time"), 0.01);
     }
+}
+
+/// Ids of the torques and currents at an event.
+fn torques(sizing: &Sizing, event: OperatingEvent) -> Vec<&str> {
+    let rows = sizing.envelope.iter().filter(|row| row.event == event);
+    rows.map(|row| row.id.as_str()).filter(|id| id.ends_with("-torque") || id.ends_with("-current")).collect()
+}
+
+#[test]
+fn motor_without_current_has_no_torque() {
+    use OperatingEvent::{Alarm, EmergencyStop, PowerFailure, Run};
+    let lathe = Project::named("turning-spindle", None, Some("shaft")).unwrap();
+    let sizing = sized(&lathe.with_entries(&[("bed-angle", "60".to_owned())]).unwrap());
+    for event in [Alarm, PowerFailure] {
+        assert!(!torques(&sizing, event).contains(&"spindle-torque"), "{}: {:?}", event.id(), torques(&sizing, event));
+    }
+    // The spindle brakes over its ramp, with current.
+    for event in [Run, EmergencyStop] {
+        assert!(torques(&sizing, event).contains(&"spindle-torque"), "{}", event.id());
+    }
+    // Z feeds and brakes; X stands, and its amplifier goes off with that of Z.
+    for event in [EmergencyStop, PowerFailure] {
+        let all = torques(&sizing, event);
+        assert!(all.contains(&"z-torque") && !all.contains(&"x-torque"), "{}: {all:?}", event.id());
+    }
+    // At an inverter fault the amplifiers of the slides stay on, and X holds its weight.
+    let weight = 100.0 * 9.806_65 * math::sin(60_f64.to_radians()) * 0.005 / std::f64::consts::TAU;
+    assert!(row(&sizing, Alarm, "x-torque").value > 0.9 * weight);
+}
+
+#[test]
+fn coasting_work_and_tool_have_no_torque_at_an_emergency_stop() {
+    let project = |stop: &str| {
+        let lathe = Project::named("polygon-lathe", None, None).unwrap();
+        sized(&lathe.with_entries(&[("emergency", stop.to_owned())]).unwrap())
+    };
+    let of = |sizing: &Sizing| {
+        let all = torques(sizing, OperatingEvent::EmergencyStop);
+        all.into_iter().filter(|id| id.starts_with("work-") || id.starts_with("tool-")).count()
+    };
+    assert!(of(&project("held")) >= 2);
+    assert_eq!(of(&project("off")), 0);
 }
 
 #[test]

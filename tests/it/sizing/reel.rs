@@ -132,6 +132,16 @@ fn a_reel_of_the_line_passes() {
 }
 
 #[test]
+fn start_without_a_ramp_is_no_gentle_start() {
+    // No drive starts a reel in no time: the form asks a ramp, and the shortest one is the hardest.
+    assert!(line(&[]).with_entries(&[("inverter-ramp", "0".to_owned())]).is_none());
+    let hardest = line(&[("inverter-ramp", 0.01)]);
+    for id in ["unwinder-ramp-torque", "unwinder-braking-torque"] {
+        assert_eq!(result(&hardest, id).verdict, Verdict::Fail, "{id}");
+    }
+}
+
+#[test]
 fn failing_reel_result_has_an_advice_that_holds() {
     // A product of 4 m on a reel of a metre.
     let short = line(&[("reel-diameter", 70.0)]);

@@ -254,3 +254,60 @@ fn cut_does_not_help_the_stop_of_the_tool() {
     let asked = motor.resistor.as_ref().expect("a resistor").asked;
     super::same("stop", asked.stop, 0.85 * 0.5 * (0.02 + rotor) * omega * omega - 40.0, 1e-2);
 }
+
+/// The line that stops at each pitch, its print roller with a motor of the user behind an amplifier with these further cells.
+fn behind(columns: &str, cells: &str) -> Sizing {
+    let table = format!(
+        "kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,fits,grade{columns}\n\
+         servo,Works,S1,3000,6000,20,60,0.003,,entered\n\
+         amplifier,Works,A1,,,,,,S1,entered{cells}\n"
+    );
+    let mut project = stopping();
+    let (own, found) = parts::read(&table, "own.csv");
+    assert!(found.is_empty(), "{found:?}");
+    project.add_parts(own);
+    sized(&project.with_entries(&[("motor-y", "Works S1".to_owned())]).unwrap())
+}
+
+/// The open row of the brake resistor of the print roller.
+fn open_resistor(sizing: &Sizing) -> Option<String> {
+    let own = sizing.bill.iter().filter(|row| row.item == BillItem::Resistor && row.axis == Some("ribbon.drive.print"));
+    own.map(|row| row.part()).next()
+}
+
+#[test]
+fn unknown_regeneration_is_an_open_row_with_its_energy() {
+    let sizing = behind("", "");
+    let told = open_resistor(&sizing).expect("an open row");
+    let motor = sizing.axes[1].candidates.iter().find(|motor| motor.part.model == "S1").unwrap();
+    let asked = motor.resistor.as_ref().expect("a demand").asked;
+    assert!(asked.stop > 0.0 && asked.mean > 0.05, "{asked:?}");
+    for figure in [format!("{:.1} J", asked.stop), format!("{:.1} W", asked.mean), "ask its maker".to_owned()] {
+        assert!(told.contains(&figure), "{told} lacks {figure}");
+    }
+    assert_eq!(
+        sizing.bill.iter().filter(|row| row.item == BillItem::Resistor && row.grade == PartGrade::Open).count(),
+        1
+    );
+    let answers = sizing.sheets().into_iter().filter(|sheet| sheet.id == "motors").flat_map(|sheet| sheet.rows);
+    let own = answers.map(|row| row.cells).find(|cells| cells[0] == "Works S1").unwrap();
+    assert!(own.iter().any(|cell| cell.contains("ask its maker for the brake resistor")), "{own:?}");
+    // Capacitors that take each stop leave nothing to ask.
+    assert_eq!(open_resistor(&behind(",capacitor_j", &format!(",{}", 2.0 * asked.stop))), None);
+    assert!(
+        open_resistor(&behind(",capacitor_j", &format!(",{}", 0.5 * asked.stop)))
+            .is_some_and(|told| told.contains("A1"))
+    );
+}
+
+#[test]
+fn motor_of_no_catalogue_has_its_energy_in_an_open_row() {
+    let named = stopping().with_entries(&[("motor-y", "Works of no list".to_owned())]).unwrap();
+    let told = open_resistor(&sized(&named)).expect("an open row");
+    assert!(told.contains("ask its maker"), "{told}");
+    let lathe = Project::named("polygon-lathe", None, None).unwrap();
+    let sizing = sized(&lathe.with_entries(&[("tool-inertia", "10".to_owned())]).unwrap());
+    let tool = sizing.axes.iter().find(|axis| axis.id == "tool").unwrap();
+    assert!(tool.ordered().is_none() && tool.returned.is_some());
+    assert!(sizing.bill.iter().any(|row| row.item == BillItem::Resistor && row.axis == Some(tool.name)));
+}

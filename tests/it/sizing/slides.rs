@@ -4,7 +4,7 @@ use macroline::machines;
 use macroline::machines::devices::BillItem;
 use macroline::math;
 use macroline::project::Project;
-use macroline::project::size::{SizedAxis, Sizing, size};
+use macroline::project::size::{SizedAxis, Sizing, TerminalRow, size};
 use macroline::view::{Readout, Verdict};
 
 /// Machines with slides.
@@ -13,6 +13,10 @@ const LATHES: [&str; 2] = ["turning-spindle", "polygon-lathe"];
 fn lathe(machine: &str, control: &str, entries: &[(&'static str, &str)]) -> Project {
     let entries: Vec<_> = entries.iter().map(|(id, text)| (*id, (*text).to_owned())).collect();
     Project::named(machine, Some(control), None).unwrap().with_entries(&entries).unwrap()
+}
+
+fn first_control(machine: &str) -> &'static str {
+    machines::find(machine).unwrap().controls()[0]
 }
 
 fn sized(project: &Project) -> Sizing {
@@ -70,6 +74,63 @@ fn slant_bed_is_held_at_rest_and_lifted() {
     // Without current a brake holds it: it is ordered and wired.
     let brakes = |project: &Project| sized(project).bill.iter().filter(|row| row.item == BillItem::Brake).count();
     assert_eq!((brakes(&slant), brakes(&flat)), (1, 0));
+}
+
+#[test]
+fn brake_of_a_weight_has_its_service_factor() {
+    for name in LATHES {
+        for angle in [1_u8, 30, 45, 60, 90] {
+            let project = lathe(name, first_control(name), &[("bed-angle", &angle.to_string())]);
+            let bill = sized(&project).bill;
+            let row = bill.iter().find(|row| row.item == BillItem::Brake).unwrap();
+            let printed = row.model.strip_prefix("at least ").unwrap().split(' ').next().unwrap();
+            let driven = project.prepared().driven_axes();
+            let weight = driven.iter().find(|axis| axis.id == "x").unwrap().weight;
+            let over = printed.parse::<f64>().unwrap() - 1.5 * weight;
+            assert!((-1e-6..0.01).contains(&over), "{name} {angle}°: {printed} for {weight}");
+            assert!(row.source.contains("service factor"), "{}", row.source);
+        }
+    }
+}
+
+#[test]
+fn brake_of_a_weight_closes_whenever_its_amplifier_is_off() {
+    let sizing = sized(&lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", "60")]));
+    let x = Some("slides.drive.x");
+    let contactor = sizing.bill.iter().find(|row| row.item == BillItem::BrakeContactor).unwrap();
+    assert!(contactor.model.contains("brake output of the amplifier"), "{}", contactor.model);
+    let leads = |from: BillItem, to: BillItem, axis| {
+        let ends = |row: &&TerminalRow| (row.from.item, row.to.item, row.to.axis) == (from, to, axis);
+        sizing.terminals.iter().filter(ends).collect::<Vec<_>>()
+    };
+    // The coil hangs on an output of the amplifier, and the brake on a supply of its own.
+    let [coil] = leads(BillItem::Amplifier, BillItem::BrakeContactor, x)[..] else { panic!("one coil") };
+    assert!(coil.from.place.ends_with("brake output") && coil.from.axis == x, "{coil:?}");
+    assert_eq!(leads(BillItem::ControlSupply, BillItem::BrakeContactor, x).len(), 1);
+    assert_eq!(leads(BillItem::BrakeSupply, BillItem::BrakeContactor, x).len(), 2);
+    assert_eq!(leads(BillItem::MainSwitch, BillItem::BrakeContactor, x).len(), 0);
+    assert_eq!(leads(BillItem::BrakeContactor, BillItem::Brake, x).len(), 2);
+}
+
+#[test]
+fn stops_of_a_slant_bed_tell_the_brake() {
+    for name in LATHES {
+        for (angle, has_brake) in [("0", false), ("60", true)] {
+            let project = lathe(name, first_control(name), &[("bed-angle", angle)]);
+            let sheet = project.prepared().sheets().into_iter().find(|sheet| sheet.id == "stops").unwrap();
+            let told = |at: &str| sheet.rows.iter().find(|row| row.cells[0] == at).map(|row| row.cells[2].clone());
+            let stop = told("Emergency stop").unwrap();
+            assert_eq!(stop.contains("the brake of X closes within 0.1 s"), has_brake, "{name} {angle}: {stop}");
+            let dark = told("Power failure").unwrap_or_default();
+            assert_eq!(dark.contains("X sinks by at most"), has_brake, "{name} {angle}: {dark}");
+        }
+        // From rest under T / (J_L + J_M) for 0.1 s.
+        let project = lathe(name, first_control(name), &[("bed-angle", "60")]);
+        let x = project.prepared().driven_axes().into_iter().find(|axis| axis.id == "x").unwrap();
+        let acceleration = x.weight / (x.load.inertia + x.fitted.motor.rotor) / x.turn;
+        let way = x.sinks().unwrap();
+        assert!((way / (0.5 * acceleration * 0.01) - 1.0).abs() < 1e-9 && way < 50.0, "{name}: {way} mm");
+    }
 }
 
 #[test]
