@@ -47,7 +47,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             lasting: None,
             // Wheels of the lathe itself.
             gear: None,
-            fitted: Fitted { motor, limits: WHOLE },
+            fitted: Fitted { motor, limits: WHOLE.derated(p.site_share / 100.0) },
             site_share: p.site_share / 100.0,
             fields: None,
         }

@@ -7,7 +7,7 @@ use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
 use crate::drives::duty::OperatingPoint;
 use crate::machines::PreparedMachine;
-use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
+use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, Gauge, ProductSize};
 use crate::math;
 use crate::motion::{Action, Event, Mover, RunEnd, Stretch};
 use crate::project::Project;
@@ -202,6 +202,7 @@ impl Envelope<'_> {
                 let spans = [(whole.contact, whole.end), (whole.end, whole.run.timeline().end())];
                 let mut rows = worst(spans.map(|span| self.read(event, &whole.run, span)));
                 rows.push(time(event, whole.end - whole.contact));
+                rows.extend(self.axes.iter().map(|(axis, _)| self.heat(event, axis, whole)));
                 rows.extend(alarm(event, Some(&whole.ended)));
                 rows.extend(hold(event, &whole.run).filter(|_| whole.works_before_its_end()));
                 rows
@@ -305,6 +306,24 @@ impl Envelope<'_> {
         let mut stretches = if coasts { Vec::new() } else { run.timeline().stretches(of, span.0, span.1) };
         while stops && stretches.pop_if(|last| last.from == 0.0 && last.to == 0.0).is_some() {}
         stretches
+    }
+
+    /// Effective torque of the form's motor over a whole run and the pause after it: it heats the motor.
+    fn heat(&self, event: OperatingEvent, axis: &DrivenAxis, whole: &WholeRun) -> EnvelopeRow {
+        let Fitted { motor, limits } = axis.fitted;
+        let effective = whole.motion(axis).with_pause(self.prepared.pause()).work(motor.rotor).effective;
+        let limit = Some(Limit::AtMost(limits.effective * motor.stall));
+        EnvelopeRow {
+            id: format!("{}-effective-torque", axis.id),
+            label: "size.effective",
+            axis: Some(axis.name),
+            value: effective,
+            unit: "Nm",
+            decimals: 3,
+            limit,
+            verdict: verdict(limit, effective),
+            ..time(event, 0.0)
+        }
     }
 
     /// Gauges, and torques of the motors that are supplied with current, in a part of a run.

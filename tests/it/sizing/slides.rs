@@ -233,3 +233,36 @@ fn motor_that_the_list_passes_passes_in_the_form() {
         }
     }
 }
+
+#[test]
+fn motor_of_a_slide_is_judged_by_its_heat_in_the_run() {
+    // Short ways at full rapid of a heavy slide: no torque exceeds its limit, and the motor gets too hot.
+    let entries = [
+        ("path", "turning"),
+        ("length", "100"),
+        ("work-length", "160"),
+        ("stock-diameter", "60"),
+        ("finished-diameter", "40"),
+        ("depth", "0.5"),
+        ("feed", "1.2"),
+        ("cutting-speed", "350"),
+        ("upper-limit", "2500"),
+        ("rapid-z", "20000"),
+        ("lead-z", "10"),
+        ("slide-mass-z", "1000"),
+        ("screw-diameter-z", "50"),
+        ("screw-length-z", "1500"),
+        ("motor-rotor-z", "20"),
+        ("time-constant", "250"),
+        ("material", "none"),
+        ("cutting-force", "400"),
+        ("motor-power", "22"),
+    ];
+    let heavy = lathe("turning-spindle", "gsk-980tdc", &entries);
+    assert_eq!(result(&heavy, "z-peak-torque").verdict, Verdict::Ok);
+    let sizing = sized(&heavy);
+    let heat = sizing.envelope.iter().find(|row| row.id == "z-effective-torque").unwrap();
+    assert_eq!(heat.verdict, Verdict::Fail, "{} {:?}", heat.value, heat.limit);
+    assert!((heat.limit.unwrap().value() - 0.8 * 4.8).abs() < 1e-12);
+    assert_eq!(heat.value, axis(&sizing, "z").work.unwrap().effective);
+}
