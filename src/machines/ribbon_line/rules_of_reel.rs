@@ -73,6 +73,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("reel-products", lasts, Citation::new("sizing facts 2.9, engineering choice", Grade::Inferred)),
     Rule::new("reel-pull", pull, Citation::new("sizing facts 2.6, engineering choice; rule 12", Grade::Inferred)),
     Rule::new("reel-brake-needed", holds, FACTS),
+    Rule::new("reel-brake-torque-full", follows_diameter, FACTS),
 ];
 
 /// Deceleration in m/s², without sign, of the ribbon at an unwinder without current, with a brake of the reel in N: the torque that brakes its motor over
@@ -141,6 +142,17 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
         said.into()
     };
     fail(limit, [advice])
+}
+
+/// The torque of the brake on the full reel against the torque that the ribbon bears at the core: beyond it the brake must follow the diameter.
+fn follows_diameter(line: &RibbonLine) -> Option<Judgement> {
+    let (reel, most, brake) = (wound(&line.p), line.d.tension_limit, line.p.unwinding.brake);
+    let limit = AtMost(reel::torque(reel.core, most));
+    if limit.holds(reel::torque(reel.full, brake)) {
+        return ok(limit);
+    }
+    let at_core = brake * reel.full / reel.core;
+    warn(limit, [msg!("ribbon.brake-at-core", pull = (at_core, 1), brake = (brake, 1), limit = (most, 1)).into()])
 }
 
 /// An advice with a longer ramp of the inverter, s.

@@ -363,13 +363,14 @@ fn asked(axis: &SizedAxis) -> Option<Sheet> {
         (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
     let knob = axis.knob.map(|percent| sentence(&msg!("size.knob-at", percent))).unwrap_or_default();
     let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at, knob: &knob };
-    let peak_knob = if axis.peak_is_at_knob { format!(", {knob}") } else { String::new() };
+    let (torque, time) = (units::text(work.peak.0, 3, "Nm"), (work.peak.1, 2));
+    let peak_at = match axis.peak_is_at_knob {
+        true => msg!("size.peak-at-knob", torque = torque.as_str(), time, knob = knob.as_str()),
+        false => msg!("size.peak-at", torque = torque.as_str(), time),
+    };
     let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| units::text(torque * per_torque, 2, "A"));
     let cells = [
-        (
-            "size.torque",
-            format!("{} ({at} {} s{peak_knob})", units::text(work.peak.0, 3, "Nm"), number_text(work.peak.1, 2)),
-        ),
+        ("size.torque", sentence(&peak_at)),
         ("size.effective", units::text(work.effective, 3, "Nm")),
         ("size.speed", units::text(work.speed / RPM, 0, "r/min")),
         ("size.given", units::text(work.given, 1, "J")),

@@ -244,6 +244,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("scaling.no-ratio", "a fact of gear and lead: another gear"),
     ("slides.cut-too-hard", "a deed: less depth, or another motor"),
     ("slides.inertia-ratio", "a deed: another screw, belt or motor"),
+    ("ribbon.brake-at-core", "a deed: a brake that follows the diameter"),
     ("slides.no-ramp", "a deed: another motor"),
     ("slides.weight-too-heavy", "a deed: another screw or motor, or a counterweight"),
     ("turning.power-at-knob", "a deed: another motor, or the knob below its end"),

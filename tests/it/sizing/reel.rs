@@ -2,6 +2,7 @@
 
 use macroline::drives::inertia::Cylinder;
 use macroline::drives::reel::{Reel, acceleration, radius_after, speed, torque, turns};
+use macroline::machines::form::Value;
 use macroline::math::PI;
 use macroline::project::Project;
 use macroline::view::Verdict;
@@ -160,4 +161,20 @@ fn failing_reel_result_has_an_advice_that_holds() {
         brake.1.contains(&("reel-brake", Verdict::Ok)) && brake.1.iter().all(|row| row.1 == Verdict::Ok),
         "{brake:?}"
     );
+}
+
+#[test]
+fn brake_of_constant_torque_is_judged_at_the_core() {
+    let brake = |force: f64| {
+        let mut project = line(&LARGE);
+        project.values.insert("reel-brake".to_owned(), Value::Number(force));
+        result(&project, "reel-brake-torque-full")
+    };
+    // The ribbon bears it up to the tension limit on a radius of 50 mm; the full reel has 300 mm.
+    let most = brake(1.0).limit.unwrap().value();
+    let tension = most / 0.05;
+    assert_eq!(brake(tension / 6.0 - 0.1).verdict, Verdict::Ok);
+    let strong = brake(tension / 6.0 + 0.1);
+    assert_eq!(strong.verdict, Verdict::Warn);
+    assert_eq!(strong.advice[0].message.id, "ribbon.brake-at-core");
 }
