@@ -67,7 +67,7 @@ impl HasSlides for PolygonLathe {
             efficiency: p.screw_efficiency,
             ramp: (p.time_constant, p.position_gain),
             site_share: p.site_share,
-            feed_force: self.force() * p.feed_force / 100.0,
+            feed_force: self.force().max(self.slots_force()) * p.feed_force / 100.0,
         };
         [
             ServoSlide::new(

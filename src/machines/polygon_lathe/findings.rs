@@ -175,6 +175,9 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
             )));
         }
     }
+    if let Some((power, speed)) = lathe.slots_power() {
+        found.push(Diagnostic::info(msg!("polygon.spindle-not-sized", power = (power, 2), speed = (speed, 0))));
+    }
     found.push(Diagnostic::info(msg!("polygon.reconstructed")));
     found
 }

@@ -458,7 +458,7 @@ proptest! {
     #[test]
     fn any_interruption_stays_within_the_loop_that_would_do(
         control in 0usize..7,
-        (speed, ramp, dwell) in (50u32..900, 0.0f64..5.0, 0.0f64..3.0),
+        (speed, ramp, dwell) in (50u32..900, 0.01f64..5.0, 0.0f64..3.0),
         (tau_x, tau_y, gain) in (20u32..400, 20u32..2000, 10u32..80),
         (in_step, fin) in (any::<bool>(), any::<bool>()),
         (kind, at, pause) in (0usize..5, 0.0f64..1.0, 0.0f64..8.0),

@@ -266,3 +266,27 @@ fn motor_of_a_slide_is_judged_by_its_heat_in_the_run() {
     assert!((heat.limit.unwrap().value() - 0.8 * 4.8).abs() < 1e-12);
     assert_eq!(heat.value, axis(&sizing, "z").work.unwrap().effective);
 }
+
+#[test]
+fn slot_turned_before_the_polygon_loads_the_slides() {
+    let threaded = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
+    let cut = |depth: &str| {
+        let entries = [
+            ("material", "none".to_owned()),
+            ("specific-force", "1750".to_owned()),
+            ("rake", "0".to_owned()),
+            ("before-depth", depth.to_owned()),
+            ("before-feed", "0.6".to_owned()),
+        ];
+        threaded.with_entries(&entries).unwrap()
+    };
+    // 1750 N/mm² · 6 mm · 0.6 mm = 6300 N, half of it against the feed, beside 250 N of friction, on a screw of 5 mm.
+    let expected = (3150.0 + 250.0) * 0.005 / (2.0 * std::f64::consts::PI * 0.9);
+    let deep = cut("6");
+    assert!((result(&deep, "z-cut-torque").value - expected).abs() < 1e-9);
+    // The main spindle that turns it is not sized, which a remark says with its power.
+    let remark = |project: &Project| {
+        project.design().diagnostics.iter().filter(|found| found.message.id == "polygon.spindle-not-sized").count()
+    };
+    assert_eq!((remark(&deep), remark(&lathe("polygon-lathe", "knd-k2000t", &[]))), (1, 0));
+}
