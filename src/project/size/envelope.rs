@@ -30,6 +30,9 @@ const TURN: f64 = 10.0;
 /// Id of the row of an event at which a contact of the machine holds the program.
 const HOLD: &str = "hold";
 
+/// Catalog id of the effective torque of a motor, which heats it.
+const HEAT: &str = "size.effective";
+
 /// Tried change of the product size, as a fraction of the present size.
 const TENTH: f64 = 0.1;
 
@@ -152,6 +155,11 @@ impl EnvelopeRow {
     /// Whether the row reports that a contact of the machine holds the program at the event.
     pub(super) fn is_hold(&self) -> bool {
         self.id == HOLD
+    }
+
+    /// Whether the row is the heat of a motor in a whole run.
+    pub(super) fn is_heat(&self) -> bool {
+        self.label == HEAT
     }
 
     /// Share of its limit that its value uses.
@@ -315,7 +323,7 @@ impl Envelope<'_> {
         let limit = Some(Limit::AtMost(limits.effective * motor.stall));
         EnvelopeRow {
             id: format!("{}-effective-torque", axis.id),
-            label: "size.effective",
+            label: HEAT,
             axis: Some(axis.name),
             value: effective,
             unit: "Nm",

@@ -29,7 +29,7 @@ impl Sizing {
     pub fn sheets(&self) -> Vec<Sheet> {
         let mut sheets = vec![self.bill_sheet(), self.cycle_sheet(), self.limit_sheet(), self.envelope_sheet()];
         sheets.push(self.tornado_sheet());
-        sheets.extend(self.axes.iter().flat_map(|axis| [asked(axis), Some(motors(axis)), gears(axis)]).flatten());
+        sheets.extend(self.axes.iter().flat_map(|axis| [self.asked(axis), Some(motors(axis)), gears(axis)]).flatten());
         sheets.push(self.terminal_sheet());
         sheets.retain(|sheet| !sheet.rows.is_empty());
         sheets
@@ -195,10 +195,47 @@ impl Sizing {
         }
     }
 
+    /// Demand of the run on the form's motor, with its chart.
+    fn asked(&self, axis: &SizedAxis) -> Option<Sheet> {
+        let (work, chart) = (axis.work?, axis.chart.as_ref()?);
+        let (continuous, peak, effective, at) =
+            (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
+        let knob = axis.knob.map(|percent| sentence(&msg!("size.knob-at", percent))).unwrap_or_default();
+        let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at, knob: &knob };
+        let (torque, time) = (units::text(work.peak.0, 3, "Nm"), (work.peak.1, 2));
+        let peak_at = match axis.peak_is_at_knob {
+            true => msg!("size.peak-at-knob", torque = torque.as_str(), time, knob = knob.as_str()),
+            false => msg!("size.peak-at", torque = torque.as_str(), time),
+        };
+        let heat = self.envelope.iter().find(|row| row.is_heat() && row.axis == Some(axis.name));
+        let beyond = if heat.is_some_and(|heat| heat.verdict >= Verdict::Warn) { "✕ " } else { "" };
+        let limit = heat.and_then(limit).map(|limit| format!(" / {limit}")).unwrap_or_default();
+        let effective_torque = format!("{beyond}{}{limit}", units::text(work.effective, 3, "Nm"));
+        let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| units::text(torque * per_torque, 2, "A"));
+        let cells = [
+            ("size.torque", sentence(&peak_at)),
+            ("size.effective", effective_torque),
+            ("size.speed", units::text(work.speed / RPM, 0, "r/min")),
+            ("size.given", units::text(work.given, 1, "J")),
+            ("size.returned", units::text(work.returned, 1, "J")),
+        ];
+        let currents = [("size.current", amperes(work.peak.0)), ("size.effective-current", amperes(work.effective))];
+        let currents = currents.into_iter().filter_map(|(label, value)| Some((label, value?)));
+        Some(Sheet {
+            id: "asked",
+            kind: SheetKind::Plain,
+            title: axis.name,
+            columns: vec![Column::Plain("sheet.quantity-watched"), Column::Plain("sheet.value")],
+            rows: cells.into_iter().chain(currents).map(|(label, value)| row([say(label), value], RUNS)).collect(),
+            drawing: chart.svg(&words),
+        })
+    }
+
     /// Events as rows, checked quantities as columns, their limits above.
     fn envelope_sheet(&self) -> Sheet {
         let mut watched: Vec<&EnvelopeRow> = Vec::new();
-        for row in &self.envelope {
+        // The heat of a motor is that of a whole run: the demand of its axis shows it.
+        for row in self.envelope.iter().filter(|row| !row.is_heat()) {
             if watched.iter().all(|known| known.id != row.id) {
                 watched.push(row);
             }
@@ -354,38 +391,6 @@ fn tornado_chart(tornado: &Tornado) -> String {
         bars: names.iter().map(String::as_str).zip(&tornado.swings).map(bar).collect(),
     };
     chart.svg()
-}
-
-/// Demand of the run on the form's motor, with its chart.
-fn asked(axis: &SizedAxis) -> Option<Sheet> {
-    let (work, chart) = (axis.work?, axis.chart.as_ref()?);
-    let (continuous, peak, effective, at) =
-        (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
-    let knob = axis.knob.map(|percent| sentence(&msg!("size.knob-at", percent))).unwrap_or_default();
-    let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at, knob: &knob };
-    let (torque, time) = (units::text(work.peak.0, 3, "Nm"), (work.peak.1, 2));
-    let peak_at = match axis.peak_is_at_knob {
-        true => msg!("size.peak-at-knob", torque = torque.as_str(), time, knob = knob.as_str()),
-        false => msg!("size.peak-at", torque = torque.as_str(), time),
-    };
-    let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| units::text(torque * per_torque, 2, "A"));
-    let cells = [
-        ("size.torque", sentence(&peak_at)),
-        ("size.effective", units::text(work.effective, 3, "Nm")),
-        ("size.speed", units::text(work.speed / RPM, 0, "r/min")),
-        ("size.given", units::text(work.given, 1, "J")),
-        ("size.returned", units::text(work.returned, 1, "J")),
-    ];
-    let currents = [("size.current", amperes(work.peak.0)), ("size.effective-current", amperes(work.effective))];
-    let currents = currents.into_iter().filter_map(|(label, value)| Some((label, value?)));
-    Some(Sheet {
-        id: "asked",
-        kind: SheetKind::Plain,
-        title: axis.name,
-        columns: vec![Column::Plain("sheet.quantity-watched"), Column::Plain("sheet.value")],
-        rows: cells.into_iter().chain(currents).map(|(label, value)| row([say(label), value], RUNS)).collect(),
-        drawing: chart.svg(&words),
-    })
 }
 
 /// A share in whole percent; empty if it is not known.
