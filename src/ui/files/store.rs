@@ -57,6 +57,12 @@ const TAKES: &str = "takes";
 /// Message that the tab with the project closes or reloads.
 const LEAVES: &str = "leaves";
 
+/// Time from a change until it is stored.
+const REST: Duration = Duration::from_millis(300);
+
+/// Time that another tab has to answer.
+const ANSWER: Duration = Duration::from_secs(2);
+
 /// Least time (ms) from that message until a watching tab takes over, and greatest random time added so that one of them is first. A
 /// reloaded page has asked by then.
 const PATIENCE: (f64, f64) = (4000.0, 1000.0);
@@ -347,7 +353,9 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         if let Some(timer) = timer.get_value() {
             timer.clear();
         }
-        let next = set_timeout_with_handle(save, Duration::from_millis(300)).ok();
+        // The project of a link waits for the answer of a tab that holds another one, which a busy machine delays.
+        let rest = if first.is_none() { ANSWER } else { REST };
+        let next = set_timeout_with_handle(save, rest).ok();
         timer.set_value(next);
     });
     dom::hear("storage", move |event| {
