@@ -1,5 +1,7 @@
 //! The turning spindle on a control: the form without the choices that the control lacks, and the units of its words.
 
+use std::sync::OnceLock;
+
 use super::derive::Derived;
 use super::params::{self, Direction, Gear, Output, Params, SpeedMode};
 use crate::controls::Address;
@@ -23,6 +25,8 @@ pub(crate) struct TurningSpindle {
     pub(super) p: Params,
     /// The results of the formulas.
     pub(super) d: Derived,
+    /// The results with the override knob at its highest position, computed when a rule asks for them.
+    at_highest_knob: OnceLock<Derived>,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
 }
@@ -61,7 +65,18 @@ impl TurningSpindle {
             p.cutting_force = cutting::kienzle(row.unit_force, row.exponent, chip, (p.edge_angle, p.rake));
         }
         let d = Derived::new(&p, &control.analog_output, &dialect.spindle());
-        TurningSpindle { form, p, d, control, dialect }
+        TurningSpindle { form, p, d, at_highest_knob: OnceLock::new(), control, dialect }
+    }
+
+    /// The highest position (%) of the override knob with the results there; none if the form has it there.
+    pub(super) fn at_highest_knob(&self) -> Option<(f64, &Derived)> {
+        let rules = self.rules();
+        let highest = rules.knob.high;
+        let results = || {
+            let p = Params { override_percent: highest, ..self.p.clone() };
+            Derived::new(&p, &self.control.analog_output, &rules)
+        };
+        (self.p.override_percent < highest).then(|| (highest, self.at_highest_knob.get_or_init(results)))
     }
 
     /// Drives of the slides across and along the work.

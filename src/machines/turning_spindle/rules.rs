@@ -214,9 +214,9 @@ fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
 /// Longest time (s) in which a motor may give its overload without a pause. Source: duty S6-40 % of IEC 60034-1, 4 minutes in 10.
 const OVERLOAD_TIME: f64 = 240.0;
 
-/// What a motor may give for the time of the cut, of a continuous rating: its overload in a short cut.
-fn for_the_cut(lathe: &TurningSpindle, rated: f64) -> f64 {
-    if lathe.d.cutting_time <= OVERLOAD_TIME { rated * lathe.p.motor_overload / 100.0 } else { rated }
+/// What a motor may give for the time of a cut, of a continuous rating: its overload in a short one.
+fn for_the_cut(p: &Params, d: &Derived, rated: f64) -> f64 {
+    if d.cutting_time <= OVERLOAD_TIME { rated * p.motor_overload / 100.0 } else { rated }
 }
 
 /// Warning that the motor's short-time rating suffices, with its share in percent.
@@ -224,20 +224,13 @@ fn overloaded(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
     warn(AtMost(limit), [msg!("turning.overload", percent = (lathe.p.motor_overload, 0)).into()])
 }
 
-/// The same lathe with the override knob at its highest position, if it is below that.
-fn at_highest_knob(lathe: &TurningSpindle) -> Option<TurningSpindle> {
-    let highest = lathe.rules().knob.high;
-    let higher = lathe.p.override_percent < highest;
-    higher.then(|| lathe.with(Params { override_percent: highest, ..lathe.form.clone() }))
-}
-
 /// A result that holds at the present position of the knob: a warning where it does not at the highest one.
 fn holds_up_to(
     lathe: &TurningSpindle,
     limit: f64,
-    exceeds: impl Fn(&TurningSpindle) -> Option<Message>,
+    exceeds: impl Fn(f64, &Derived) -> Option<Message>,
 ) -> Option<Judgement> {
-    match at_highest_knob(lathe).and_then(|fast| exceeds(&fast)) {
+    match lathe.at_highest_knob().and_then(|(percent, fast)| exceeds(percent, fast)) {
         Some(message) => warn(AtMost(limit), [message.into()]),
         None => ok(AtMost(limit)),
     }
@@ -248,19 +241,13 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let (rated, most) = (d.power_available, for_the_cut(lathe, d.power_available));
+    let (rated, most) = (d.power_available, for_the_cut(p, d, d.power_available));
     if d.power <= rated {
-        return holds_up_to(lathe, rated, |fast| {
-            let limit = for_the_cut(fast, fast.d.power_available);
-            let message = || {
-                msg!(
-                    "turning.power-at-knob",
-                    percent = (fast.p.override_percent, 0),
-                    power = (fast.d.power, 2),
-                    limit = (limit, 2)
-                )
-            };
-            (fast.d.power > limit).then(message)
+        return holds_up_to(lathe, rated, |percent, fast| {
+            let limit = for_the_cut(p, fast, fast.power_available);
+            let message =
+                || msg!("turning.power-at-knob", percent = (percent, 0), power = (fast.power, 2), limit = (limit, 2));
+            (fast.power > limit).then(message)
         });
     }
     if d.power <= most {
@@ -315,19 +302,14 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let (rated, most) = (d.torque_available, for_the_cut(lathe, d.torque_available));
+    let (rated, most) = (d.torque_available, for_the_cut(p, d, d.torque_available));
     if d.torque <= rated {
-        return holds_up_to(lathe, rated, |fast| {
-            let limit = for_the_cut(fast, fast.d.torque_available);
+        return holds_up_to(lathe, rated, |percent, fast| {
+            let limit = for_the_cut(p, fast, fast.torque_available);
             let message = || {
-                msg!(
-                    "turning.torque-at-knob",
-                    percent = (fast.p.override_percent, 0),
-                    torque = (fast.d.torque, 1),
-                    limit = (limit, 1)
-                )
+                msg!("turning.torque-at-knob", percent = (percent, 0), torque = (fast.torque, 1), limit = (limit, 1))
             };
-            (fast.d.torque > limit).then(message)
+            (fast.torque > limit).then(message)
         });
     }
     if d.torque <= most {
