@@ -291,6 +291,26 @@ fn has_latest() -> bool {
     }
 }
 
+/// Notes the project with which this tab began to watch, and puts a project that gives way to another one on the shelf.
+fn note_projects(page: Page, [shown, watched]: [StoredValue<Option<Project>, LocalStorage>; 2]) {
+    Effect::new(move |before: Option<bool>| {
+        let watches = page.view.kept.try_get() == Some(Kept::Elsewhere);
+        if watches && before != Some(true) {
+            watched.set_value(page.project.try_get_untracked());
+        }
+        watches
+    });
+    Effect::new(move |last: Option<Option<Project>>| {
+        // The page may be gone.
+        let present = page.project.try_get()?;
+        // The projects of another tab that this tab follows are kept by that tab.
+        let follows = shown.with_value(|shown| shown.as_ref() == Some(&present));
+        let gone = last.flatten().filter(|last| last.id.is_some() && last.id != present.id && !follows);
+        gone.iter().for_each(|last| shelf::leave(page, last));
+        Some(present)
+    });
+}
+
 /// Keeps the project from now on, shortly after each change, as long as no other tab holds it. A project that a link replaced is one step
 /// back.
 pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
@@ -315,22 +335,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     // The project of the other tab that is shown here, and that of this tab when it began to watch.
     let shown = StoredValue::new_local(None::<Project>);
     let watched = StoredValue::new_local(None::<Project>);
-    Effect::new(move |before: Option<bool>| {
-        let watches = page.view.kept.try_get() == Some(Kept::Elsewhere);
-        if watches && before != Some(true) {
-            watched.set_value(page.project.try_get_untracked());
-        }
-        watches
-    });
-    Effect::new(move |last: Option<Option<Project>>| {
-        // The page may be gone.
-        let present = page.project.try_get()?;
-        // The projects of another tab that this tab follows are kept by that tab.
-        let follows = shown.with_value(|shown| shown.as_ref() == Some(&present));
-        let gone = last.flatten().filter(|last| last.id.is_some() && last.id != present.id && !follows);
-        gone.iter().for_each(|last| shelf::leave(page, last));
-        Some(present)
-    });
+    note_projects(page, [shown, watched]);
     let timer = StoredValue::new(None::<TimeoutHandle>);
     let save = move || {
         // The page may be gone.
