@@ -6,7 +6,7 @@ mod summary;
 mod work;
 
 use criterion::{Criterion, Throughput};
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{Interp, StartProgram};
 use work::{COUNT, flat, formulas, named, named_flat, named_formulas, parse, parse_on, run};
 
@@ -21,7 +21,7 @@ fn speed(c: &mut Criterion) {
     group.bench_function("P9100 passes, text to canon", |b| b.iter(|| run(&parse(&formulas))));
     group.throughput(Throughput::Elements(1));
     let mut interp = Interp::new(parse(&formulas), StartProgram::First);
-    let mut world = Still::default();
+    let mut world = MachineAtRest::default();
     for _ in 0..1000 {
         interp.step(&mut world);
     }

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use std::rc::Rc;
 
 use macroline::controls::{self, Control};
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{self, End, Interp, StartProgram};
 use macroline::nc::{self, Files, Parsed};
 
@@ -71,7 +71,7 @@ pub(crate) fn parse_on(files: &Files, control: &'static Control) -> Rc<Parsed> {
 /// Runs to the end; how many commands that were.
 pub(crate) fn run(parsed: &Rc<Parsed>) -> u64 {
     let mut interp = Interp::new(Rc::clone(parsed), StartProgram::First);
-    let mut world = Still { inputs: vec![(1033, 100.0)], endless: true, ..Still::default() };
+    let mut world = MachineAtRest { inputs: vec![(1033, 100.0)], endless: true, ..MachineAtRest::default() };
     let mut commands = 0;
     let end = interp::run(&mut interp, &mut world, u64::MAX, |canon, _| {
         black_box(canon);

@@ -107,7 +107,7 @@ impl RunState {
         let trap = || {
             Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", program = (number, 0)))
                 .hint(hint)
-                .behind(&[Address::P])
+                .at_word(&[Address::P])
         };
         found.ok_or_else(trap)
     }
@@ -123,7 +123,7 @@ impl RunState {
                 Alarm::RepeatRange,
                 msg!("interp.value-range", value = repeats, least = min, most = max),
             )
-            .behind(at)),
+            .at_word(at)),
         }
     }
 
@@ -161,7 +161,7 @@ impl RunState {
                 let found = cx.shared.index.sequence(program, wanted, first);
                 found.ok_or_else(|| {
                     Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", number = (number, 0)))
-                        .behind(&[Address::H])
+                        .at_word(&[Address::H])
                 })?
             }
         };

@@ -88,7 +88,7 @@ impl Trap {
 
     /// Locates the alarm at the block's first word with one of these letters, unless a narrower place is known.
     #[cold]
-    pub(super) fn behind(mut self, letters: &'static [Address]) -> Trap {
+    pub(super) fn at_word(mut self, letters: &'static [Address]) -> Trap {
         if let Trap::Alarm(fault) = &mut self
             && fault.letters.is_empty()
         {

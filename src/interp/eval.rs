@@ -2,7 +2,7 @@
 
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
-use super::operators::{calculate, divides_not, function, or_zero, truth};
+use super::operators::{calculate, function, is_zero_divisor, or_zero, truth};
 use super::state::RunState;
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, VarKind};
@@ -82,7 +82,7 @@ impl RunState {
     /// Checks that the right operand is non-vacant and valid for every left operand.
     pub(super) fn operand(&self, cx: &mut BlockContext, op: Op, right: ExprId) -> BlockResult<()> {
         let value = self.number(cx, right)?;
-        if divides_not(cx, op, value) { Err(self.division_by_zero(cx, right)) } else { Ok(()) }
+        if is_zero_divisor(cx, op, value) { Err(self.division_by_zero(cx, right)) } else { Ok(()) }
     }
 
     fn binary(&self, cx: &mut BlockContext, op: Op, left: ExprId, right: ExprId) -> BlockResult<f64> {
@@ -92,7 +92,7 @@ impl RunState {
         let (a, b) = (or_zero(left), or_zero(right));
         let tells = || left.is_nan() != right.is_nan() && !cx.shared.rules.vacant_equals_zero;
         match op {
-            Op::Divide | Op::Modulo if divides_not(cx, op, b) => Err(self.division_by_zero(cx, divisor)),
+            Op::Divide | Op::Modulo if is_zero_divisor(cx, op, b) => Err(self.division_by_zero(cx, divisor)),
             // Only EQ and NE distinguish vacant from 0.
             Op::Equal if tells() => truth(false),
             Op::NotEqual if tells() => truth(true),

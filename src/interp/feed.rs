@@ -39,6 +39,6 @@ pub(super) fn no_feed(cx: &BlockContext, feed: Option<f64>) -> Trap {
         None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
         Some(_) => Trap::alarm(Alarm::FeedZero, msg!("interp.feed-zero"))
             .hint(msg!("interp.hint-feed-zero", guard = cx.control.guard(&format!("{}…", cx.control.syntax.variable))))
-            .behind(&[Address::F]),
+            .at_word(&[Address::F]),
     }
 }

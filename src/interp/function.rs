@@ -34,7 +34,7 @@ impl RunState {
         let row = cx.control.macros.functions.iter().find(|row| f64::from(row.0) == number);
         let Some(&(_, operation)) = row else {
             return Err(Trap::alarm(Alarm::CallFunction, msg!("interp.no-function", number = (number, 0)))
-                .behind(&[Address::H]));
+                .at_word(&[Address::H]));
         };
         let missing = |letter: &str| {
             Trap::alarm(Alarm::CallOperands, msg!("interp.no-operand", address = letter, number = (number, 0)))
@@ -63,19 +63,19 @@ impl RunState {
         };
         if jump.is_none() && operation != Operation::Alarm {
             let Some(Word { value: WordValue::Expr(id), .. }) = word(Address::P) else {
-                return Err(Trap::alarm(Alarm::CallOperands, msg!("interp.function-result")).behind(&[Address::P]));
+                return Err(Trap::alarm(Alarm::CallOperands, msg!("interp.function-result")).at_word(&[Address::P]));
             };
             let target = self.variable_of(cx, *id)?;
             // Adding 0 turns -0 into 0.
             let operand: &'static [Address] = if needed.contains(&Address::R) { &[Address::R] } else { &[Address::Q] };
-            let value = self.calculate(cx, operation, (q, r), target).map_err(|trap| trap.behind(operand))? + 0.0;
+            let value = self.calculate(cx, operation, (q, r), target).map_err(|trap| trap.at_word(operand))? + 0.0;
             return self.write(cx, block, target, value).map_err(|trap| trap.part(*id));
         }
         let p = or_zero(operand(Address::P, true)?);
         match jump {
-            Some(true) => self.go_to_number(cx, at, p, Alarm::NoSequence).map_err(|trap| trap.behind(&[Address::P])),
+            Some(true) => self.go_to_number(cx, at, p, Alarm::NoSequence).map_err(|trap| trap.at_word(&[Address::P])),
             Some(false) => Ok(()),
-            None => Err(user_alarm(cx, block, p.round()).behind(&[Address::P])),
+            None => Err(user_alarm(cx, block, p.round()).at_word(&[Address::P])),
         }
     }
 

@@ -65,12 +65,12 @@ impl RunState {
         let number = if whole { number.round() } else { number };
         if !cx.control.syntax.sequence_numbers().contains(&number) {
             return Err(
-                Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", number = (number, 9))).behind(&[Address::P])
+                Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", number = (number, 9))).at_word(&[Address::P])
             );
         }
         let found = || cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1));
         let Some(to) = whole.then(found).flatten() else {
-            return Err(Trap::alarm(missing, msg!("interp.no-sequence", number = (number, 9))).behind(&[Address::P]));
+            return Err(Trap::alarm(missing, msg!("interp.no-sequence", number = (number, 9))).at_word(&[Address::P]));
         };
         if cx.shared.index.enters_loop(self.program, from, to) {
             return Err(Trap::alarm(Alarm::IntoLoop, msg!("interp.into-loop", number = (number, 0))));

@@ -114,7 +114,7 @@ pub(super) fn operate(cx: &BlockContext, op: Op, a: f64, b: f64) -> BlockResult<
 
 /// Whether a divisor is 0. MOD rounds it first, except on controls with logical AND, OR and XOR.
 #[inline]
-pub(super) fn divides_not(cx: &BlockContext, op: Op, b: f64) -> bool {
+pub(super) fn is_zero_divisor(cx: &BlockContext, op: Op, b: f64) -> bool {
     match op {
         Op::Divide => b == 0.0,
         Op::Modulo if cx.control.macros.truths => b == 0.0,
@@ -130,7 +130,7 @@ pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> BlockResul
         Op::Add => in_range(cx, a + b),
         Op::Subtract => in_range(cx, a - b),
         Op::Multiply => in_range(cx, a * b),
-        Op::Divide | Op::Modulo if divides_not(cx, op, b) => {
+        Op::Divide | Op::Modulo if is_zero_divisor(cx, op, b) => {
             Err(Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero")))
         }
         Op::Divide => in_range(cx, a / b),

@@ -56,7 +56,7 @@ impl RunState {
     #[inline]
     fn hand_out(&mut self, shared: &Shared, canon: Canon) -> Step {
         if shared.executing {
-            self.given.note(&canon, &self.modal);
+            self.issued.note(&canon, &self.modal);
         }
         Step::Command(canon, self.place)
     }

@@ -67,7 +67,7 @@ impl RunState {
             self.modal.word(Address::S, speed);
             self.modal.spindle.surface_speed = Some(speed);
         } else if self.modal.spindle.surface_speed.is_none() && cx.control.raises(Alarm::NoSurfaceSpeed) {
-            return Err(Trap::alarm(Alarm::NoSurfaceSpeed, msg!("interp.no-surface-speed")).behind(&[Address::G]));
+            return Err(Trap::alarm(Alarm::NoSurfaceSpeed, msg!("interp.no-surface-speed")).at_word(&[Address::G]));
         }
         if speed.is_some() || before != Some(self.surface_zero(cx)) {
             self.surface_speed(cx);

@@ -48,7 +48,7 @@ pub(super) struct RunState {
     pub(super) skip: [i64; AXES],
     pub(super) queue: CommandQueue,
     /// Modal states of the issued commands, if the program reads them.
-    pub(super) given: ModalHistory,
+    pub(super) issued: ModalHistory,
     pub(super) frames: Vec<CallFrame>,
     pub(super) modal_call: Option<Rc<ModalCall>>,
     /// Running program, with its file and its blocks.
@@ -79,7 +79,7 @@ impl RunState {
             last_motion: LastMotion::default(),
             skip: [0; AXES],
             queue: CommandQueue::default(),
-            given: ModalHistory::default(),
+            issued: ModalHistory::default(),
             frames: Vec::new(),
             modal_call: None,
             program: 0,
@@ -160,6 +160,6 @@ impl RunState {
 
     /// Modal state of the executing block; at rest, of the last block read.
     pub(super) fn executing(&self, cx: &mut BlockContext) -> &Modal {
-        cx.world.waiting().and_then(|waiting| self.given.behind(waiting)).unwrap_or(&self.modal)
+        cx.world.waiting().and_then(|waiting| self.issued.with_waiting(waiting)).unwrap_or(&self.modal)
     }
 }

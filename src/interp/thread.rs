@@ -32,7 +32,7 @@ impl RunState {
         if values.leads & !counting != 0 && to.position != self.position {
             let address = CENTRES.get(own).unwrap_or(&Address::K).to_string();
             let trap = Trap::alarm(Alarm::LeadAxis, msg!("interp.lead-axis", address));
-            return Err(trap.behind(&CENTRES));
+            return Err(trap.at_word(&CENTRES));
         }
         Ok(lead * stretch)
     }

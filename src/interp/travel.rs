@@ -137,7 +137,7 @@ impl RunState {
                     Some(feed) if code == Code::Linear => Canon::Linear { to, feed, exact },
                     Some(feed) => self
                         .arc(cx, values, to, feed, exact)
-                        .map_err(|trap| trap.behind(&[Address::I, Address::J, Address::K, Address::R, Address::Cr]))?,
+                        .map_err(|trap| trap.at_word(&[Address::I, Address::J, Address::K, Address::R, Address::Cr]))?,
                 }
             }
             Code::Thread if self.modal.spindle.master > 1 => return Err(self.other_spindle_asked()),

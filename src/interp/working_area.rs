@@ -33,7 +33,7 @@ impl RunState {
                     msg!("interp.working-area", axis = letter, value = (at, 4), limit = (limit, 4)),
                 );
                 let own = axis.letter.after(Address::X).and_then(|at| LINEAR_AXES.chunks(1).nth(at));
-                return Err(trap.behind(own.unwrap_or(&LINEAR_AXES)));
+                return Err(trap.at_word(own.unwrap_or(&LINEAR_AXES)));
             }
         }
         Ok(())

@@ -30,7 +30,7 @@ pub trait World {
 
 /// A machine with fixed inputs, at rest at zero: for checks and tests of the language.
 #[derive(Debug, Clone, Default)]
-pub struct Still {
+pub struct MachineAtRest {
     /// Inputs that are not 0, by variable number.
     pub inputs: Vec<(u32, f64)>,
     /// Positions in millimetres or degrees.
@@ -43,7 +43,7 @@ pub struct Still {
     pub remarks: Vec<Diagnostic>,
 }
 
-impl World for Still {
+impl World for MachineAtRest {
     fn input(&mut self, variable: u32) -> f64 {
         self.inputs.iter().find(|(number, _)| *number == variable).map_or(0.0, |(_, value)| *value)
     }

@@ -148,7 +148,7 @@ pub struct FormGear {
 
 impl FormGear {
     /// Motion of the output shaft while the input shaft makes these turns.
-    pub fn behind(&self, input: &[Turn]) -> Motion {
+    pub fn output_motion(&self, input: &[Turn]) -> Motion {
         let slower = |turn: &Turn| Turn { from: turn.from / self.ratio, to: turn.to / self.ratio, ..*turn };
         Motion::new(input.iter().map(slower), self.output, self.hold)
             .with_strikes(pulled_taut(Strikes::default(), self.taut))

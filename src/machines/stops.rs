@@ -112,16 +112,16 @@ pub struct Reaction {
 /// Reaction of the slides of a lathe to an emergency stop; with the brake where a slide with a weight sinks without current (`way`, mm).
 pub fn slides_at_emergency_stop(way: Option<f64>) -> Message {
     match way {
-        Some(_) => msg!("turning.stops.axes-emergency-brake", time = (CLOSING_TIME, 1)),
-        None => msg!("turning.stops.axes-emergency"),
+        Some(_) => msg!("lathe.stops.axes-emergency-brake", time = (CLOSING_TIME, 1)),
+        None => msg!("lathe.stops.axes-emergency"),
     }
 }
 
 /// Reaction of the slides of a lathe to a power failure; with the brake where a slide with a weight sinks until it has closed (`way`, mm).
 pub fn slides_without_supply(way: Option<f64>) -> Message {
     match way {
-        Some(way) => msg!("turning.stops.axes-dark-brake", way = (way, 2), time = (CLOSING_TIME, 1)),
-        None => msg!("turning.stops.axes-dark"),
+        Some(way) => msg!("lathe.stops.axes-dark-brake", way = (way, 2), time = (CLOSING_TIME, 1)),
+        None => msg!("lathe.stops.axes-dark"),
     }
 }
 

@@ -64,7 +64,7 @@ impl Exec {
     }
 
     /// The state after a program zero return.
-    pub(super) fn behind_return(ended: bool) -> Exec {
+    pub(super) fn after_return(ended: bool) -> Exec {
         if ended { Exec::Finished } else { Exec::Ready }
     }
 

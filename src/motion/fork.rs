@@ -10,13 +10,13 @@ use super::setup::{PlanProgress, Retention};
 use crate::interp::{Canon, World};
 
 /// Number of newest commands kept for the debugger.
-const GIVEN: usize = 8;
+const COMMANDS_KEPT: usize = 8;
 
 impl<P: RunningProgram> Planner<P> {
     /// Plans like [`advance`](Planner::advance), but stops at a shut gate; returns whether it did. The log keeps the newest commands.
     pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> (PlanProgress, bool) {
         let answer = self.plan(until, budget, Some(gate));
-        self.records.forget_log(GIVEN);
+        self.records.forget_log(COMMANDS_KEPT);
         answer
     }
 
@@ -26,10 +26,10 @@ impl<P: RunningProgram> Planner<P> {
         self.state.look(t, &self.plant.axes, &self.records.timeline, look)
     }
 
-    /// The newest commands since [`Gate::Anew`], if the run has a log, and the number of earlier ones.
-    pub fn given(&self) -> (usize, impl Iterator<Item = &Canon>) {
+    /// The newest commands since [`Gate::OpenFirst`], if the run has a log, and the number of earlier ones.
+    pub fn newest_commands(&self) -> (usize, impl Iterator<Item = &Canon>) {
         let log = &self.records.log;
-        (self.records.taken.saturating_sub(self.records.anew), log.iter().map(|(_, canon, _)| canon))
+        (self.records.taken.saturating_sub(self.records.block_commands), log.iter().map(|(_, canon, _)| canon))
     }
 
     /// A run from the last checkpoint not after `t` (s) with at most `blocks` blocks read, or from the first checkpoint. Its timeline is
@@ -48,7 +48,7 @@ impl<P: RunningProgram> Planner<P> {
         let (timeline, state) = (self.records.timeline.up_to(&marks.timeline, t), state.clone());
         let log = VecDeque::new();
         Planner {
-            records: Records { timeline, log, taken: 0, anew: 0, diagnostics: Vec::new() },
+            records: Records { timeline, log, taken: 0, block_commands: 0, diagnostics: Vec::new() },
             state,
             plant: self.plant.clone(),
             panel: self.panel.clone(),

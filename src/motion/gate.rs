@@ -7,8 +7,8 @@ use crate::interp::World;
 pub enum Gate {
     /// The step is read.
     Open,
-    /// The step is read and becomes the first of [`Planner::given`].
-    Anew,
+    /// The step is read and becomes the first of [`Planner::newest_commands`].
+    OpenFirst,
     /// The run stops before the step.
     Shut,
 }

@@ -94,7 +94,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     pub(super) fn hold(&mut self, t: f64) {
         if let Some(ended) = self.s.exec.returning() {
             self.break_off(t);
-            self.s.exec = Exec::behind_return(ended);
+            self.s.exec = Exec::after_return(ended);
         }
         self.s.operator.held |= self.s.exec.runs();
         self.s.path.flow_end = None;

@@ -54,12 +54,12 @@ impl<P: RunningProgram> Planner<P> {
         let home = plant.axes.map(|axis| axis.home);
         if home != [0.0; AXES] {
             let increments = core::array::from_fn(|k| (home[k] / plant.scale[k]).round() as i64);
-            state.program.stand(increments);
+            state.program.set_start(increments);
             state.path.position = home;
             timeline.put_segment(Segment { t: 0.0, from: home, velocity: [0.0; AXES], circle: 0 }, None);
         }
         Planner {
-            records: Records { timeline, log: VecDeque::new(), taken: 0, anew: 0, diagnostics: Vec::new() },
+            records: Records { timeline, log: VecDeque::new(), taken: 0, block_commands: 0, diagnostics: Vec::new() },
             state,
             plant,
             panel: setup.panel,
@@ -129,9 +129,9 @@ impl<P: RunningProgram> Planner<P> {
                     .look(t, &self.plant.axes, &self.records.timeline, |program, world| gate(t, program, world))
                 {
                     Gate::Open => {}
-                    Gate::Anew => {
+                    Gate::OpenFirst => {
                         self.records.forget_log(0);
-                        self.records.anew = self.records.taken;
+                        self.records.block_commands = self.records.taken;
                     }
                     Gate::Shut => {
                         self.records.timeline.end = t.max(self.records.timeline.end);

@@ -14,7 +14,7 @@ pub trait RunningProgram: Clone {
     /// variables stay.
     fn restart(&mut self, position: [i64; AXES]);
     /// Sets the axis position at the start of the run, in command increments, machine frame.
-    fn stand(&mut self, _position: [i64; AXES]) {}
+    fn set_start(&mut self, _position: [i64; AXES]) {}
     /// Sets a variable as on the control's screen; returns whether it exists.
     fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool;
     /// Value of a common variable; `None` is vacant.
@@ -39,7 +39,7 @@ impl RunningProgram for Interp {
         self.set_position(position);
     }
 
-    fn stand(&mut self, position: [i64; AXES]) {
+    fn set_start(&mut self, position: [i64; AXES]) {
         self.set_position(position);
     }
 

@@ -42,7 +42,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (at, axes) = (self.s.path.position, &self.plant.axes);
         let end = self.s.path.reference.and_then(|goal| leg(at, goal, axes));
         let Some(end) = end else {
-            self.s.exec = Exec::behind_return(ended);
+            self.s.exec = Exec::after_return(ended);
             self.rest(t);
             return;
         };

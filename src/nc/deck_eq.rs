@@ -8,8 +8,8 @@ impl Deck {
         self.programs.len() == other.programs.len()
             && self.programs.iter().zip(&other.programs).all(|(a, b)| {
                 let said = |deck: &Deck, text: Option<TextId>| text.map(|_| deck.text(text).to_owned());
-                let mut left = self.blocks_of(a).iter().filter(|block| says_something(block));
-                let mut right = other.blocks_of(b).iter().filter(|block| says_something(block));
+                let mut left = self.blocks_of(a).iter().filter(|block| has_text(block));
+                let mut right = other.blocks_of(b).iter().filter(|block| has_text(block));
                 let titles = said(self, a.title) == said(other, b.title);
                 let names = said(self, a.name) == said(other, b.name);
                 (a.number, a.sub) == (b.number, b.sub)
@@ -101,7 +101,7 @@ impl Deck {
 }
 
 /// Whether a block has text. A block without text is not written, so it is missing when the text is parsed.
-fn says_something(block: &Block) -> bool {
+fn has_text(block: &Block) -> bool {
     block.stmt != Stmt::Empty
         || block.number.is_some()
         || block.label.is_some()

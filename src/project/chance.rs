@@ -44,7 +44,7 @@ pub fn chance(project: &Project, draws: u32, seed: u64) -> Chance {
 }
 
 /// Number of draws between two reports of progress.
-const TOLD: u32 = 500;
+const DRAWS_PER_REPORT: u32 = 500;
 
 /// Draws machines and reports the share done, 0 to 1.
 pub fn chance_telling(project: &Project, draws: u32, seed: u64, tell: &mut dyn FnMut(f64)) -> Chance {
@@ -54,7 +54,7 @@ pub fn chance_telling(project: &Project, draws: u32, seed: u64, tell: &mut dyn F
     let mut hold = 0;
     let mut failing: BTreeMap<&'static str, (&'static str, u32)> = BTreeMap::new();
     for draw in 0..draws {
-        if draw % TOLD == 0 {
+        if draw % DRAWS_PER_REPORT == 0 {
             tell(f64::from(draw) / f64::from(draws));
         }
         for field in &facts {

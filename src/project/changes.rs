@@ -8,16 +8,16 @@ use crate::text::catalog::{sentence, words};
 use crate::view::ComparedRow;
 
 /// Differences listed one by one; the rest is counted.
-const TOLD: usize = 3;
+const NAMED: usize = 3;
 
 /// Lists the differences between two projects: the first ones as phrases with semicolons between them, and the count of the others.
 pub fn changes_in_words(before: &Project, after: &Project) -> String {
     let all = changes(before, after);
-    let rest = all.len().saturating_sub(TOLD);
+    let rest = all.len().saturating_sub(NAMED);
     let more = (rest > 0).then(|| sentence(&msg!("changes.more", count = rest as u32)));
     match all.is_empty() {
         true => words("changes.none").to_owned(),
-        false => crate::text::clauses(all.into_iter().take(TOLD).chain(more)),
+        false => crate::text::clauses(all.into_iter().take(NAMED).chain(more)),
     }
 }
 

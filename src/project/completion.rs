@@ -101,7 +101,7 @@ fn typed(line: &str, control: &Control) -> (Typed, usize) {
     // A name does not begin with a digit.
     let letters = letters + line.get(letters..).unwrap_or("").chars().take_while(char::is_ascii_digit).count();
     let last = open.map_or(line.len(), |(span, _)| span.start as usize);
-    let behind_jump = |from: usize| {
+    let after_jump = |from: usize| {
         let before = pieces.iter().rfind(|(span, _)| span.end as usize <= from);
         before.is_some_and(|(span, kind)| {
             *kind == TokenKind::Keyword && span.of(line).get(..4).is_some_and(|word| word.eq_ignore_ascii_case("GOTO"))
@@ -112,15 +112,15 @@ fn typed(line: &str, control: &Control) -> (Typed, usize) {
         before.is_some_and(|(span, _)| span.of(line).eq_ignore_ascii_case("P")) && calls(line, &pieces, control)
     };
     match open.map(|(_, kind)| *kind) {
-        Some(TokenKind::Number) if behind_jump(last) => (Typed::Target, last),
+        Some(TokenKind::Number) if after_jump(last) => (Typed::Target, last),
         Some(TokenKind::Number) if calls(last) => (Typed::Called, last),
-        Some(TokenKind::Number | TokenKind::Sequence) if !behind_jump(last) => (Typed::Nothing, line.len()),
+        Some(TokenKind::Number | TokenKind::Sequence) if !after_jump(last) => (Typed::Nothing, line.len()),
         Some(TokenKind::Code | TokenKind::Variable) => (Typed::Word, last),
         Some(TokenKind::Operator) if line.ends_with(control.syntax.variable) => (Typed::Word, last),
         Some(TokenKind::Address) if calls(line.len()) => (Typed::Called, line.len()),
-        _ if letters < line.len() && behind_jump(letters) => (Typed::Target, letters),
+        _ if letters < line.len() && after_jump(letters) => (Typed::Target, letters),
         Some(_) if letters < line.len() => (Typed::Word, letters),
-        _ if behind_jump(line.len()) => (Typed::Target, line.len()),
+        _ if after_jump(line.len()) => (Typed::Target, line.len()),
         _ => (Typed::Word, line.len()),
     }
 }

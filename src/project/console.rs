@@ -242,7 +242,7 @@ impl<'f> Console<'f> {
         for change in self.debugger().changes() {
             out += &format!("  {}\n", change_text(&change, self.control()));
         }
-        let (earlier, newest) = self.debugger().run().given();
+        let (earlier, newest) = self.debugger().run().newest_commands();
         let names = self.debugger().run().program().names();
         let newest: Vec<String> = newest
             .map(|canon| format!("  {}", line(&msg!("console.gives", command = canon.line(names).to_string()))))

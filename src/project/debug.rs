@@ -35,7 +35,7 @@ const LEAD: u64 = 200;
 /// Steps through a run.
 pub struct Debugger {
     run: Run,
-    walk: Walk,
+    gate: StepGate,
 }
 
 /// A block in front of the reader.
@@ -47,7 +47,7 @@ struct Here {
 }
 
 /// Decides before each block whether the run stops.
-struct Walk {
+struct StepGate {
     goal: Goal,
     /// Earliest time (s) for a stop.
     from: f64,
@@ -69,12 +69,12 @@ fn number(interp: &Interp) -> u64 {
     counts.nc + counts.macros
 }
 
-impl Walk {
-    fn new(goal: Goal, from: f64) -> Walk {
-        Walk { goal, from, depth: None, here: None, leaving: None, last: None, before: None, stop: None }
+impl StepGate {
+    fn new(goal: Goal, from: f64) -> StepGate {
+        StepGate { goal, from, depth: None, here: None, leaving: None, last: None, before: None, stop: None }
     }
 
-    fn gate(&mut self, points: &mut Breakpoints, t: f64, interp: &Interp, world: &mut dyn World) -> Gate {
+    fn answer(&mut self, points: &mut Breakpoints, t: f64, interp: &Interp, world: &mut dyn World) -> Gate {
         let Some((place, block)) = interp.next_block() else { return Gate::Open };
         // Comments are no steps.
         let idle = block.stmt == Stmt::Empty && block.number.is_none();
@@ -102,7 +102,7 @@ impl Walk {
         self.last = Some(here.number);
         if leaves || early || self.before.is_none() {
             self.before = Some(interp.clone());
-            return Gate::Anew;
+            return Gate::OpenFirst;
         }
         Gate::Open
     }
@@ -127,36 +127,36 @@ impl Debugger {
         // The block before must be executed too: `back` and `changes` need it.
         let read = number(main.fork(t, u64::MAX).program());
         let run = main.fork(t, read.saturating_sub(LEAD));
-        Debugger { run, walk: Walk::new(goal, t) }
+        Debugger { run, gate: StepGate::new(goal, t) }
     }
 
     /// Sets a goal, counted from the present block.
     pub fn go(&mut self, goal: Goal) {
-        self.walk.goal = goal;
-        self.walk.depth = Some(self.run.program().depth());
-        self.walk.leaving = self.walk.here.take();
+        self.gate.goal = goal;
+        self.gate.depth = Some(self.run.program().depth());
+        self.gate.leaving = self.gate.here.take();
     }
 
     /// Goes back to the block read before; false where there is none.
     pub fn back(&mut self, main: &Run) -> bool {
-        let Some(to) = self.walk.last else { return false };
+        let Some(to) = self.gate.last else { return false };
         self.run = main.fork(f64::INFINITY, to.saturating_sub(LEAD));
-        self.walk = Walk::new(Goal::Block(to), 0.0);
+        self.gate = StepGate::new(Goal::Block(to), 0.0);
         true
     }
 
     /// Applies an operator's action now; the goal is the present block, or the next one if the run waited.
     pub fn act(&mut self, event: Event) {
         self.run.event(event);
-        self.walk.goal = Goal::Block(number(self.run.program()));
+        self.gate.goal = Goal::Block(number(self.run.program()));
     }
 
     /// Runs on, at most to machine time `until` (s) and for `budget` events of the machine; the reason of the stop, if there is one.
     pub fn advance(&mut self, points: &mut Breakpoints, until: f64, budget: usize) -> Option<Stop> {
-        let walk = &mut self.walk;
-        let gate = &mut |t: f64, interp: &Interp, world: &mut dyn World| walk.gate(points, t, interp, world);
+        let gate = &mut self.gate;
+        let gate = &mut |t: f64, interp: &Interp, world: &mut dyn World| gate.answer(points, t, interp, world);
         let (progress, shut) = self.run.advance_to(until, budget, gate);
-        if shut { self.walk.stop.take() } else { progress.ended.map(Stop::Ended) }
+        if shut { self.gate.stop.take() } else { progress.ended.map(Stop::Ended) }
     }
 
     /// Machine time in seconds.
@@ -186,7 +186,7 @@ impl Debugger {
 
     /// Changes since the last goal was set; after a search, changes by the last block.
     pub fn changes(&self) -> Vec<Change> {
-        let Some(before) = &self.walk.before else { return Vec::new() };
+        let Some(before) = &self.gate.before else { return Vec::new() };
         self.run.look(|interp, world| interp.changes_since(before, world))
     }
 

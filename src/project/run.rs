@@ -10,7 +10,7 @@ use super::{Project, io_names};
 use crate::controls::bench::BenchShift;
 use crate::controls::{Control, Dialect, Syntax, VarKind};
 use crate::interp::canon::{AXES, Line};
-use crate::interp::world::Still;
+use crate::interp::world::MachineAtRest;
 use crate::interp::{Interp, StartProgram, Step};
 use crate::machines::ControlContext;
 use crate::motion::{
@@ -144,7 +144,7 @@ fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
         return;
     }
     let mut setup = Interp::new(Rc::clone(&written.parsed), StartProgram::Program(written.setup));
-    let mut world = Still::default();
+    let mut world = MachineAtRest::default();
     for _ in 0..SETUP_STEPS {
         if let Step::Ended(_) = setup.step(&mut world) {
             break;

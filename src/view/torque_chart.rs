@@ -155,7 +155,7 @@ impl TorqueChart {
         out
     }
 
-    /// Writes the lines of the runs in layers, longest-lasting on top, by their share of the run's time. Lines with the knob at its end
+    /// Writes the lines of the runs in layers, longest-lasting on top, by their share of the run's time. Lines with the knob at its highest position
     /// come first, in a lighter style.
     fn run(&self, out: &mut String, plane: &Plane, words: &TorqueWords) {
         for at_end in [true, false] {

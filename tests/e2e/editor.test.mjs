@@ -227,7 +227,7 @@ test('breakpoints of the editor are those of the debugger', () =>
     await page.mouse.click(numbers.x + numbers.width / 2, row.y + row.height / 2);
     await points.nth(1).waitFor();
     await behind(page, content, 'N5 M98 P9100', 'N5');
-    await press(page, say('page.walk-breakpoint'));
+    await press(page, say('page.stepping-breakpoint'));
     await points.nth(1).waitFor({ state: 'detached' });
     await press(page, say('page.edit'));
     await page.locator('.listing li.stop', { hasText: 'N2 #125' }).waitFor();
@@ -334,7 +334,7 @@ test('a finger takes a proposal, a row of a list and a breakpoint', { skip: FIRE
     await option(page, /^O9101/).tap();
     await active(page, 'O9101').waitFor();
     await line(page, 'N4 #128').locator('.t-v').first().tap();
-    await page.getByRole('button', { name: say('page.walk-breakpoint'), exact: true }).tap();
+    await page.getByRole('button', { name: say('page.stepping-breakpoint'), exact: true }).tap();
     await page.locator('.editor .cm-gutterElement .cm-point:visible').first().waitFor();
     await page.getByRole('button', { name: say('page.meaning'), exact: true }).tap();
     await page.locator('#meaning:popover-open').waitFor();

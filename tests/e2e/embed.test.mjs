@@ -69,7 +69,7 @@ test('share element shows the project and stores nothing', () =>
       await frame.waitForTimeout(600);
       // Three keys belong to the whole page, which the test opened before and left.
       const kept = await frame.evaluate(() => Object.keys(localStorage));
-      assert.deepEqual(kept.filter((key) => !['macroline.place', 'macroline.tab', 'macroline.walk'].includes(key)), []);
+      assert.deepEqual(kept.filter((key) => !['macroline.place', 'macroline.tab', 'macroline.stepping'].includes(key)), []);
     });
   }));
 

@@ -168,7 +168,7 @@ export async function openPanel(page) {
 export const listing = async (page) => (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');
 
 // Shows the commands that step through the program.
-export const showSteps = (page, say = words('en')) => page.getByRole('button', { name: say('page.walk-short'), exact: true }).click();
+export const showSteps = (page, say = words('en')) => page.getByRole('button', { name: say('page.stepping-short'), exact: true }).click();
 
 // Unfolds all groups of the form.
 export async function openGroups(page) {

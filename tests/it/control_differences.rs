@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use expect_test::expect;
 use macroline::controls::{ALL, Control};
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{self, Canon, End, Interp, StartProgram};
 use macroline::nc::{self, Files};
 use macroline::text::{Place, Severity};
@@ -38,7 +38,7 @@ fn told(control: &'static Control, (_, lines, named): &(&str, &str, &str)) -> St
     let names = interp.names();
     let mut said: Vec<String> = Vec::new();
     let log = |canon: &Canon, _: Place| said.push(canon.line(names).to_string());
-    let mut world = Still::default();
+    let mut world = MachineAtRest::default();
     let end = interp::run(&mut interp, &mut world, 10_000, log);
     said.extend(world.remarks.iter().map(|remark| format!("({})", remark.message.id)));
     match end {

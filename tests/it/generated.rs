@@ -12,7 +12,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 use macroline::controls::{self, Code, Control, Dialect, Switches};
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{End, Interp, StartProgram};
 use macroline::motion::{
     Action, AxisPlant, BenchPlc, Budget, Event, Panel, Planner, Plant, Retention, RunEnd, RunningProgram, Setup,
@@ -158,7 +158,7 @@ fn kinds(control: &'static Control, programs: u32) -> (BTreeMap<String, u32>, u3
     for _ in 0..programs {
         let bytes: Vec<u8> = (0..400).map(|_| byte()).collect();
         let mut interp = interp(control, &program::program(control, &bytes));
-        let end = macroline::interp::run(&mut interp, &mut Still::default(), 5000, |canon, _| {
+        let end = macroline::interp::run(&mut interp, &mut MachineAtRest::default(), 5000, |canon, _| {
             let name = format!("{canon:?}");
             *kinds.entry(name.split([' ', '(']).next().unwrap().to_owned()).or_default() += 1;
         });

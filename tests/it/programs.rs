@@ -14,7 +14,7 @@ use std::rc::Rc;
 
 use expect_test::{Expect, expect_file};
 use macroline::controls::{self, Control, Switches};
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{self, End, Interp, StartProgram};
 use macroline::nc::{self, Files};
 use macroline::text::catalog::sentence;
@@ -59,12 +59,12 @@ fn start_fixture(control: &'static Control, source: &str) -> Interp {
 }
 
 /// The override knob at 100 %, X at 12.5 mm when the machine is asked.
-fn world() -> Still {
-    Still {
+fn world() -> MachineAtRest {
+    MachineAtRest {
         inputs: vec![(1033, 100.0)],
         positions: [12.5, 2.0, 0.0, 0.0, 0.0, 0.0],
         block_skip: false,
-        ..Still::default()
+        ..MachineAtRest::default()
     }
 }
 

@@ -24,7 +24,8 @@ use crate::args::{Command, Format, Paper};
 use crate::input;
 use crate::language::{self, failed};
 use crate::output::{
-    self, Failure, print, print_diagnostics, print_error, print_json, refuse, refused, tell, tell_silenced, verdict,
+    self, Failure, print, print_diagnostics, print_error, print_findings, print_json, refuse, refused, tell_silenced,
+    verdict,
 };
 use crate::{export, lsp, pdf, run};
 
@@ -116,7 +117,7 @@ fn parts(table: Option<&Path>, id: Option<&str>, into: Option<&Path>, json: bool
             output::print_data(&if json { parts::write_json(chosen) } else { parts::write(chosen) })?;
         }
     }
-    tell(&all)?;
+    print_findings(&all)?;
     verdict(&all)
 }
 
@@ -136,7 +137,7 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
     } else {
         let readouts = list::readouts_text(&project.design().readouts);
         print(&(origins::faults_text(&project) + &readouts + &origins::text(&project)))?;
-        tell(&all)?;
+        print_findings(&all)?;
     }
     verdict(&all)
 }
@@ -150,7 +151,7 @@ fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failur
         print_json(&answers::sizing(&sizing, chance.as_ref(), &all))?;
     } else {
         print(&(sizing.text() + &chance.map_or(String::new(), |chance| sheet_text(&chance.sheet(), usize::MAX))))?;
-        tell(&all)?;
+        print_findings(&all)?;
     }
     verdict(&all)
 }
@@ -176,7 +177,7 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
         print_json(&told)?;
     } else {
         print(&comparison.text())?;
-        tell(&all)?;
+        print_findings(&all)?;
     }
     verdict(&all)
 }
@@ -186,7 +187,7 @@ fn export(path: &Path, folder: &Path, date: &str, pdf: Option<(Paper, Option<&Pa
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
     let (export, all) = answers::exported(&project, date, file);
-    tell(&all)?;
+    print_findings(&all)?;
     verdict(&all)?;
     let mut files: Vec<_> = export.bytes().collect();
     if let (Some((paper, browser)), Some((_, report))) = (pdf, files.iter().find(|(name, _)| *name == REPORT)) {
@@ -227,7 +228,7 @@ fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {
     }
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
-    tell(&[file])?;
+    print_findings(&[file])?;
     let (scene, pose) = drawing::at(&project, at);
     let theme = if dark { Theme::Dark } else { Theme::Light };
     std::fs::write(out, picture(&scene, &pose, theme)).map_err(|error| Failure::Outside(failed(out, &error)))

@@ -136,14 +136,14 @@ fn programs(paths: &[PathBuf], format: Format) -> Result<FileFindings, Failure> 
         files.push(File { name: name(path), text: file.text.clone() });
         decoded.push(file);
     }
-    let mut sources = Sources { files: Files(files), names: told_apart(paths), read: decoded };
+    let mut sources = Sources { files: Files(files), names: distinct_names(paths), read: decoded };
     name_paths(&mut sources, paths, format);
     let findings = FileFindings { sources, list };
     if other { Err(refuse(&[findings], format)) } else { Ok(findings) }
 }
 
 /// Names of files, each with as many folders as distinguish it from the others.
-fn told_apart(paths: &[PathBuf]) -> Vec<String> {
+fn distinct_names(paths: &[PathBuf]) -> Vec<String> {
     let parts: Vec<Vec<String>> = paths
         .iter()
         .map(|path| path.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect())

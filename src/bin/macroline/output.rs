@@ -21,7 +21,7 @@ pub(crate) enum Failure {
     /// Something outside failed: exit 1.
     Outside(String),
     /// Errors have been printed: exit 1.
-    Told,
+    Reported,
     /// The budget of blocks or seconds ended the run, which is already reported: exit 3.
     Exhausted,
     /// The run waits for the operator, which is already reported: exit 4.
@@ -50,7 +50,7 @@ impl From<io::Error> for Failure {
 pub(crate) fn status(done: Result<(), Failure>) -> ExitCode {
     let (message, status) = match done {
         Ok(()) | Err(Failure::Closed) => return ExitCode::SUCCESS,
-        Err(Failure::Told) => return ExitCode::from(1),
+        Err(Failure::Reported) => return ExitCode::from(1),
         Err(Failure::Exhausted) => return ExitCode::from(3),
         Err(Failure::Waits) => return ExitCode::from(4),
         Err(Failure::Outside(message)) => (message, 1),
@@ -105,11 +105,11 @@ pub(crate) fn print_json(json: &Json) -> Result<(), Failure> {
 
 /// Fails if one of the diagnostics is an error.
 pub(crate) fn verdict(all: &[FileFindings]) -> Result<(), Failure> {
-    if has_errors(all) { Err(Failure::Told) } else { Ok(()) }
+    if has_errors(all) { Err(Failure::Reported) } else { Ok(()) }
 }
 
 /// Prints diagnostics and their number to standard error; nothing where there are none.
-pub(crate) fn tell(all: &[FileFindings]) -> Result<(), Failure> {
+pub(crate) fn print_findings(all: &[FileFindings]) -> Result<(), Failure> {
     let mut list = Vec::new();
     for findings in all.iter().filter(|findings| !findings.list.is_empty()) {
         let renderer = findings.sources.renderer();
@@ -124,7 +124,7 @@ pub(crate) fn tell(all: &[FileFindings]) -> Result<(), Failure> {
 /// Prints diagnostics.
 pub(crate) fn print_diagnostics(format: Format, all: &[FileFindings]) -> Result<(), Failure> {
     match format {
-        Format::Text => tell(all),
+        Format::Text => print_findings(all),
         Format::Json => print_json(&json!({ "diagnostics": list_json(all) })),
         Format::Sarif => print_json(&list_sarif(all)),
     }
@@ -132,7 +132,7 @@ pub(crate) fn print_diagnostics(format: Format, all: &[FileFindings]) -> Result<
 
 /// Prints the errors that keep a command from doing anything.
 pub(crate) fn refuse(all: &[FileFindings], format: impl Into<Format>) -> Failure {
-    print_diagnostics(format.into(), all).err().unwrap_or(Failure::Told)
+    print_diagnostics(format.into(), all).err().unwrap_or(Failure::Reported)
 }
 
 /// Prints the reason for which a request is refused.

@@ -13,7 +13,7 @@ use serde_json::{Value as Json, json};
 
 use crate::args::RunArgs;
 use crate::input;
-use crate::output::{Failure, Printer, print_error, refused, tell, tell_silenced, verdict};
+use crate::output::{Failure, Printer, print_error, print_findings, refused, tell_silenced, verdict};
 
 fn ready(args: &RunArgs, keep: Retention, json: bool) -> Result<ReadyRun, Failure> {
     let settings = args.set.iter().map(|text| Setting::read(text)).collect::<Option<Vec<_>>>();
@@ -55,7 +55,7 @@ pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> 
     }
     out.flush()?;
     if !json {
-        tell(&finished.findings)?;
+        print_findings(&finished.findings)?;
         tell_silenced(finished.silenced)?;
         print_error(&(finished.summary.text() + "\n"))?;
     }
@@ -72,7 +72,7 @@ pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
     let ReadyRun { run, mut files, mut program, silenced, .. } = ready(args, Retention::Both, false)?;
     let count = silence(&mut program.list, &silenced);
     files.push(program);
-    tell(&files)?;
+    print_findings(&files)?;
     tell_silenced(count)?;
     let terminal = io::stdin().is_terminal();
     let Some(program) = files.last() else { return Ok(()) };

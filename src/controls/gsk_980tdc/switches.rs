@@ -29,7 +29,7 @@ const SAMPLES: Citation =
 pub(super) const SWITCHES: &[Switch] = &[
     switch(DecimalPoint::of(&[DecimalPoint::Millimetres, DecimalPoint::Increments]), SAMPLES),
     switch(ArgumentPoint::of(&[ArgumentPoint::AsWritten, ArgumentPoint::Increments]), MACRO),
-    switch(PointBehindVariable::of(&[PointBehindVariable::Alarm, PointBehindVariable::Ignored]), MEMORY),
+    switch(PointAfterVariable::of(&[PointAfterVariable::Alarm, PointAfterVariable::Ignored]), MEMORY),
     switch(Assignments::of(&[Assignments::One, Assignments::Several]), MEMORY),
     switch(WordFormula::of(&[WordFormula::AsIs, WordFormula::InBrackets]), MEMORY),
     switch(
@@ -63,7 +63,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch(SpeedInRapid::of(&[SpeedInRapid::Kept, SpeedInRapid::OfEnd]), RAPID),
     switch(OffsetAtRest::of(&[OffsetAtRest::Off, OffsetAtRest::PutOut]), REST),
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), PARAMETERS).parameter("No.175#6"),
-    switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::BehindLimits]), MEMORY),
+    switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::AfterLimits]), MEMORY),
     switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::End, M5Timing::Before]), PLC_DATA).parameter("PLC K16.5"),
     switch(VoltsAtStop::of(&[VoltsAtStop::Kept, VoltsAtStop::Off]), PLC_DATA).parameter("PLC K17.3"),

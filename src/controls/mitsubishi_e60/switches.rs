@@ -38,7 +38,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch(OffsetValues::of(&[OffsetValues::AsWritten, OffsetValues::Increments]), MEMORY),
     switch(DecimalPoint::of(&[DecimalPoint::Increments, DecimalPoint::Millimetres]), DECIMALS).parameter("#1078"),
     switch(ArgumentPoint::of(&[ArgumentPoint::Increments, ArgumentPoint::AsWritten]), MEMORY),
-    switch(PointBehindVariable::of(&[PointBehindVariable::Alarm, PointBehindVariable::Ignored]), LISTING),
+    switch(PointAfterVariable::of(&[PointAfterVariable::Alarm, PointAfterVariable::Ignored]), LISTING),
     switch(IfThen::of(&[IfThen::Alarm, IfThen::Read]), LATER),
     switch(Modulo::of(&[Modulo::Alarm, Modulo::Read]), LATER),
     switch(Assignments::of(&[Assignments::One, Assignments::Several]), MEMORY),

@@ -246,9 +246,9 @@ impl ReadingRules {
                 Some(BlockNumberJumps::Yes) => true,
                 Some(BlockNumberJumps::No) | None => false,
             },
-            variable_point: match set.point_behind_variable {
-                Some(PointBehindVariable::Ignored) => true,
-                Some(PointBehindVariable::Alarm) | None => false,
+            variable_point: match set.point_after_variable {
+                Some(PointAfterVariable::Ignored) => true,
+                Some(PointAfterVariable::Alarm) | None => false,
             },
             assignments: match set.assignments {
                 Some(Assignments::Several) => true,
@@ -486,7 +486,7 @@ fn spindle(row: SpindleRules, set: &Settings, unread: &mut Vec<(&'static str, St
             None => row.small_offset,
         },
         override_last: match set.override_order {
-            Some(OverrideOrder::BehindLimits) => true,
+            Some(OverrideOrder::AfterLimits) => true,
             Some(OverrideOrder::BeforeLimits) => false,
             None => row.override_last,
         },

@@ -157,7 +157,7 @@ switches! {
         /// Unit of a value that a program writes to a tool or work offset.
         offset_values: OffsetValues = "offset-values" { AsWritten = "as-written", Increments = "increments" }
         /// Reading of a decimal point after a variable, `X#107.`.
-        point_behind_variable: PointBehindVariable = "point-behind-variable" { Alarm = "alarm", Ignored = "ignored" }
+        point_after_variable: PointAfterVariable = "point-behind-variable" { Alarm = "alarm", Ignored = "ignored" }
         /// Maximum assignments in a block.
         assignments: Assignments = "assignments" { One = "one", Several = "several" }
         /// Brackets around a formula after an address, `X#100+10`.
@@ -200,7 +200,7 @@ switches! {
         /// Wait of a cut for the spindle speed.
         speed_reached: SpeedReached = "speed-reached" { NoWait = "no-wait", Wait = "wait" }
         /// Order of spindle override and speed limits.
-        override_order: OverrideOrder = "override-order" { BeforeLimits = "before-limits", BehindLimits = "behind-limits" }
+        override_order: OverrideOrder = "override-order" { BeforeLimits = "before-limits", AfterLimits = "behind-limits" }
         /// Time of `M05` in a block with motion.
         m5_timing: M5Timing = "m5-timing" { End = "end", Before = "before" }
         /// The analog output at `M05`.

@@ -6,7 +6,7 @@ use super::super::context::BlockContext;
 use super::super::error::{BlockResult, Trap};
 use super::super::modal::Modal;
 use super::super::state::RunState;
-use super::super::world::{Still, World};
+use super::super::world::{MachineAtRest, World};
 use super::clean::Clean;
 use crate::controls::{Alarm, VarKind};
 use crate::nc::{Block, Expr, ExprId, Word, WordValue};
@@ -14,25 +14,25 @@ use crate::text::{Diagnostic, Place};
 
 /// A machine at rest that records warnings of the run.
 pub(super) struct Listener<'a> {
-    pub(super) still: Still,
+    pub(super) machine: MachineAtRest,
     pub(super) heard: &'a RefCell<Vec<Diagnostic>>,
 }
 
 impl World for Listener<'_> {
     fn input(&mut self, variable: u32) -> f64 {
-        self.still.input(variable)
+        self.machine.input(variable)
     }
 
     fn clock_ms(&mut self, run: bool) -> f64 {
-        self.still.clock_ms(run)
+        self.machine.clock_ms(run)
     }
 
     fn position(&mut self, axis: usize) -> f64 {
-        self.still.position(axis)
+        self.machine.position(axis)
     }
 
     fn block_skip(&mut self, number: u8) -> bool {
-        self.still.block_skip(number)
+        self.machine.block_skip(number)
     }
 
     fn remark(&mut self, remark: Diagnostic) {

@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::context::BlockContext;
-use super::world::Still;
+use super::world::MachineAtRest;
 use super::{Interp, StartProgram};
 use crate::nc::Parsed;
 use crate::text::{Diagnostic, Place, Severity};
@@ -28,7 +28,7 @@ pub fn precheck(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
     let Interp { shared, state } = Interp::new(Rc::clone(parsed), StartProgram::First);
     let deck = parsed.deck();
     let heard = RefCell::new(Vec::new());
-    let mut world = Listener { still: Still::default(), heard: &heard };
+    let mut world = Listener { machine: MachineAtRest::default(), heard: &heard };
     let cx = BlockContext { shared: &shared, control: shared.control, deck, world: &mut world, parts: 1.0 };
     let mut check = Precheck::new(cx, state, &heard);
     let errors = parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);

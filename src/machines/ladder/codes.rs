@@ -17,7 +17,7 @@ const ENDED: Bit = Bit::Relay("ended");
 
 /// Requirements of a machine for its spindle.
 #[derive(Clone, Copy)]
-pub struct SpindleWishes<'a> {
+pub struct SpindleRequirements<'a> {
     /// Reaction of the spindle to each interruption.
     pub reaction: &'a dyn Fn(Interruption) -> SpindleReaction,
     /// The inverter reports that the speed is reached.
@@ -76,21 +76,21 @@ impl Book<'_> {
     }
 
     /// M3, M4, M5 and the keys to the inverter, its fault, and the reactions of the spindle to interruptions.
-    pub fn spindle(&mut self, rules: &SpindleRules, wishes: &SpindleWishes<'_>) {
+    pub fn spindle(&mut self, rules: &SpindleRules, requirements: &SpindleRequirements<'_>) {
         let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
         let key = Bit::Input;
         let ready = Bit::Input(MachineContact::InverterReady);
         let enabled = Bit::Input(MachineContact::InverterEnabled);
-        let has_enable = wishes.holds.contains(&MachineContact::InverterEnabled);
+        let has_enable = requirements.holds.contains(&MachineContact::InverterEnabled);
         let mut fault = vec![vec![off(ready)]];
         // If the lost enable only held the program, cycle start would move the axes without the spindle.
         fault.extend(has_enable.then(|| vec![off(enabled), on(STARTED)]));
         self.coil(Bit::Output(MachineOutput::InverterAlarm), fault, "plc.rung.inverter-alarm");
-        self.hold_program(ready, wishes.holds);
+        self.hold_program(ready, requirements.holds);
         let (forward, reverse) = (Bit::Output(MachineOutput::Forward), Bit::Output(MachineOutput::Reverse));
         let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
         guard.extend(has_enable.then_some(on(enabled)));
-        if (wishes.reaction)(Interruption::Reset) == SpindleReaction::Off {
+        if (requirements.reaction)(Interruption::Reset) == SpindleReaction::Off {
             guard.push(off(self.reset()));
         }
         if rules.end_stops {
@@ -121,12 +121,12 @@ impl Book<'_> {
             }
             self.coil(run, vec![with(by_code), with(vec![on(key(own_key))]), with(keeps)], note);
         }
-        if wishes.reports_speed && self.has(SignalRole::SpeedArrived) {
+        if requirements.reports_speed && self.has(SignalRole::SpeedArrived) {
             let still = vec![off(forward), off(reverse)];
             let arrived = vec![vec![on(Bit::Input(MachineContact::AtSpeed))], still];
             self.coil(Bit::Signal(SignalRole::SpeedArrived), arrived, "plc.rung.speed-arrived");
         }
-        let waits = Interruption::LASTING.iter().any(|at| (wishes.reaction)(*at) == SpindleReaction::Waits);
+        let waits = Interruption::LASTING.iter().any(|at| (requirements.reaction)(*at) == SpindleReaction::Waits);
         let stop = if waits { INTERRUPTED } else { Bit::Output(MachineOutput::InverterAlarm) };
         self.one_of(
             (SignalRole::SpindleEnable, vec![vec![off(stop)]]),

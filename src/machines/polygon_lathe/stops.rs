@@ -39,14 +39,14 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
     let coasts = axes(lathe, Interruption::EmergencyStop) == SpindleReaction::Coasts;
     let broken = if coasts { msg!("polygon.stops.out-of-ratio") } else { msg!("polygon.stops.part-cut") };
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
-    let (block, start) = (msg!("turning.stops.axes-block"), msg!("turning.stops.start"));
+    let (block, start) = (msg!("lathe.stops.axes-block"), msg!("lathe.stops.start"));
     let mut rows = vec![
-        row(Interruption::Hold, msg!("turning.stops.axes-hold"), msg!("polygon.stops.rubs"), start.clone()),
+        row(Interruption::Hold, msg!("lathe.stops.axes-hold"), msg!("polygon.stops.rubs"), start.clone()),
         row(Interruption::BlockStop, block.clone(), msg!("polygon.stops.in-ratio"), start),
         row(Interruption::Alarm, block, msg!("polygon.stops.rubs"), msg!("polygon.stops.mend")),
         row(
             Interruption::Reset,
-            msg!("turning.stops.axes-reset"),
+            msg!("lathe.stops.axes-reset"),
             msg!("polygon.stops.part-cut"),
             msg!("polygon.stops.anew"),
         ),

@@ -41,7 +41,7 @@ impl CamLaw {
     }
 }
 
-/// The cam by a law, now and with the knob at its end; none where a contact as long as the pitch leaves it no time.
+/// The cam by a law, now and with the knob at its highest position; none where a contact as long as the pitch leaves it no time.
 pub(super) fn by(line: &RibbonLine, law: Law) -> Option<(Cam, Cam)> {
     let p = &line.p;
     let cam = |d: &Derived, axis: &ServoAxis| Cam::new(p, law.coefficients(), d, *axis);

@@ -35,19 +35,19 @@ pub(super) fn laid(line: &RibbonLine, d: &Derived) -> f64 {
     laid_beside(line, d, (0.0, line.p.time_constant_x / 1000.0), d.line_speed / 60.0 / line.p.position_gain_x)
 }
 
-/// Ribbon (mm) in the loop before the stop at the worst moment, with the knob at its end.
+/// Ribbon (mm) in the loop before the stop at the worst moment, with the knob at its highest position.
 fn laid_before(line: &RibbonLine) -> f64 {
     line.fast.slack_start.abs() + line.fast.slack_run.abs()
 }
 
-/// Ribbon (mm) laid at the worst moment, with the knob at its end: both axes are at rest after the last move and M5 is not read yet, so that
+/// Ribbon (mm) laid at the worst moment, with the knob at its highest position: both axes are at rest after the last move and M5 is not read yet, so that
 /// the unwinder coasts from its full speed.
-fn laid_behind_the_last_move(line: &RibbonLine) -> f64 {
+fn laid_after_the_last_move(line: &RibbonLine) -> f64 {
     let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
     laid_beside(line, &line.fast, (rest, stop), lag)
 }
 
-/// The end of a product with the knob at its end. All values are 0 with exact stops, whose block time includes them.
+/// The end of a product with the knob at its highest position. All values are 0 with exact stops, whose block time includes them.
 #[derive(Default)]
 struct EndOfMove {
     /// Time (s) in which both axes come to rest.
@@ -72,10 +72,10 @@ impl EndOfMove {
     }
 }
 
-/// Capacity (mm) that takes up a product which ends without current at any moment, with the knob at its end:
+/// Capacity (mm) that takes up a product which ends without current at any moment, with the knob at its highest position:
 /// `C ≥ |start| + |run| + |coasting after the last move|`. A brake that stops the unwinder sooner than X stops asks for more within a move.
 pub(super) fn loop_needed(line: &RibbonLine) -> f64 {
-    laid_before(line) + laid_behind_the_last_move(line).abs().max(laid(line, &line.fast).abs())
+    laid_before(line) + laid_after_the_last_move(line).abs().max(laid(line, &line.fast).abs())
 }
 
 /// Judges the loop's capacity against the ribbon laid when a product ends without current; a brake at the motor or a greater loop mends it.

@@ -134,7 +134,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
     }
 }
 
-/// The brake resistor of the unwinder's inverter: the energy of a stop, `T ω t / 2`, over a product and its pause, with the knob at its end.
+/// The brake resistor of the unwinder's inverter: the energy of a stop, `T ω t / 2`, over a product and its pause, with the knob at its highest position.
 pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
     let (p, speed, torque) = (&line.p, line.fast.actual_speed, line.mechanics.unwinder_braking);
     let ramp = p.inverter_ramp * speed / p.speed_at_10v;

@@ -7,7 +7,7 @@ use super::resolved::RibbonLine;
 use super::stops::unwinder;
 use crate::controls::interface::{PlcLanguage, SignalRole};
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{BUSY, INTERRUPTED, STARTED, SpindleWishes};
+use crate::machines::ladder::codes::{BUSY, INTERRUPTED, STARTED, SpindleRequirements};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, off, on};
 
 /// The axes wait for the unwinder at the restart.
@@ -22,8 +22,8 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
     let rules = line.dialect.spindle();
     let waits = line.p.wait == Wait::Fin;
     let reports_speed = waits || rules.reached.is_some();
-    let wishes = SpindleWishes { reaction: &unwinder, reports_speed, holds: &HOLDING };
-    book.spindle(&rules, &wishes);
+    let requirements = SpindleRequirements { reaction: &unwinder, reports_speed, holds: &HOLDING };
+    book.spindle(&rules, &requirements);
     HOLDING.into_iter().for_each(|contact| book.cite_input(contact, CONTACTS));
     if waits {
         run_up(&mut book);

@@ -399,8 +399,8 @@ impl Params {
         }
     }
 
-    /// The PLC can read the final spindle speed.
-    pub(super) fn tells_final_speed(&self, control: &Control) -> bool {
+    /// The form asks for the final spindle speed that the PLC reads: the control has it.
+    pub(super) fn enters_final_speed(&self, control: &Control) -> bool {
         control.interface.iter().any(|row| row.role == SignalRole::SpindleFinal)
     }
 
@@ -449,7 +449,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("override", member!(Params.override_percent)).group("ribbon.group.unwinder").label("ribbon.override").help("ribbon.override.help")
         .unit("%").range(0.0..=200.0).default(100.0).decimals(0).step(1.0),
     choice("override-form", member!(Params.override_form: OverrideForm)).group("ribbon.group.unwinder").label("ribbon.override-form").help("ribbon.override-form.help")
-        .when(Params::tells_final_speed),
+        .when(Params::enters_final_speed),
     choice("knob-step", member!(Params.knob_step: KnobStep)).group("ribbon.group.unwinder").label("ribbon.knob-step").help("ribbon.knob-step.help"),
     choice("knob-use", member!(Params.knob_use: KnobUse)).group("ribbon.group.unwinder").label("ribbon.knob-use").help("ribbon.knob-use.help")
         .when(Params::types_override),

@@ -265,7 +265,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "loop-coasting", label: "ribbon.readout.loop-coasting", unit: "mm", decimals: 1,
-        formula: "|start| + |run| + v · (τr + coasting / 2 - τ / 2 - 1 / Kx), the knob at its end",
+        formula: "|start| + |run| + v · (τr + coasting / 2 - τ / 2 - 1 / Kx), the knob at its highest position",
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: coasting::loop_needed, ..ReadoutRow::BASE
     },
     ReadoutRow {

@@ -55,7 +55,7 @@ impl RibbonLine {
             PrintAxis::Z => p.y_unit = YUnit::Millimetres,
         }
         p.endless = form.endless_on(control);
-        if !form.tells_final_speed(control) {
+        if !form.enters_final_speed(control) {
             p.override_form = OverrideForm::Percent;
         }
         if !form.stops_exactly(control) {
@@ -93,12 +93,12 @@ impl RibbonLine {
         })
     }
 
-    /// Speed now over the speed with the knob at its end: a limit that holds there is so much lower here.
+    /// Speed now over the speed with the knob at its highest position: a limit that holds there is so much lower here.
     pub(super) fn knob_share(&self) -> f64 {
         if self.fast.actual_speed > 0.0 { self.d.actual_speed / self.fast.actual_speed } else { 1.0 }
     }
 
-    /// The knob at its end over the knob now, as far as it makes the spindle faster, as an override in %.
+    /// The knob at its highest position over the knob now, as far as it makes the spindle faster, as an override in %.
     pub(super) fn knob_end(&self) -> f64 {
         100.0 * self.fast.actual_speed / self.p.spindle_speed
     }

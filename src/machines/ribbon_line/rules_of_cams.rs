@@ -1,4 +1,4 @@
-//! The rules of the print roller's electronic cam: its motor, and whether short blocks could take its place. The knob at its end is what counts.
+//! The rules of the print roller's electronic cam: its motor, and whether short blocks could take its place. The knob at its highest position is what counts.
 
 use super::cams::{self, Cam};
 use super::resolved::RibbonLine;
@@ -55,7 +55,7 @@ fn motor(line: &RibbonLine) -> Option<Judgement> {
     feeds::motor(line, now.motor_speed(), line.p.motor_rated_y, line.p.motor_max_y)
 }
 
-/// A torque now and with the knob at its end against what is allowed there, and the ribbon speed (mm/min) that keeps it.
+/// A torque now and with the knob at its highest position against what is allowed there, and the ribbon speed (mm/min) that keeps it.
 fn torque(line: &RibbonLine, (now, end): (f64, f64), most: f64, speed: f64) -> Option<Judgement> {
     let limit = AtMost(here(most, now, end));
     if limit.holds(now) {

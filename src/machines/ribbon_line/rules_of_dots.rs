@@ -53,10 +53,10 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
         ErrorSource::Lag => (msg!("advice.make-equal"), equal_entries(p)),
     };
     let (error, tolerance, part, part_error) = ((of.total(), 3), (p.dot_tolerance, 3), say(part.name()), (mm, 3));
-    let told = if alone {
+    let advice = if alone {
         msg!("ribbon.dot-error", error, tolerance, part, part_error)
     } else {
         msg!("ribbon.dot-error-of-several", error, tolerance, part, part_error)
     };
-    warn(limit, [Advice::from(told).setting(button, entries)])
+    warn(limit, [Advice::from(advice).setting(button, entries)])
 }

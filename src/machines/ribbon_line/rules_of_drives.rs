@@ -1,6 +1,6 @@
 //! The rules of the ribbon line's drives: torque of the motors, inertia, the grip of the nip.
 //!
-//! The knob at its end is what counts: acceleration grows with the speed, because a ramp lasts its time constant whatever the speed.
+//! The knob at its highest position is what counts: acceleration grows with the speed, because a ramp lasts its time constant whatever the speed.
 
 use super::mechanics::ServoAxis;
 use super::params::FIELDS;

@@ -38,7 +38,7 @@ fn fastest(line: &RibbonLine) -> f64 {
     (line.fast.actual_speed * share_of_feeds(line)).floor()
 }
 
-/// The least limit of axes and F over its feed with the knob at its end: below 1, the line must run slower by as much.
+/// The least limit of axes and F over its feed with the knob at its highest position: below 1, the line must run slower by as much.
 fn share_of_feeds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, fast, .. } = line;
     let driven = line.following(fast);

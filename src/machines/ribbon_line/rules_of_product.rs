@@ -42,13 +42,13 @@ pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
         let count = near(FIELDS, "heads", heads);
         let pitch = near(FIELDS, "pitch", d.matching_pitch);
         let (ratio, smear_now, limit) = ((d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3));
-        let told = match slips {
+        let cause = match slips {
             Verdict::Ok => msg!("ribbon.not-matched", ratio, smear = smear_now, limit),
             _ => msg!("ribbon.slips", ratio, smear = smear_now, limit),
         };
         vec![
             diameter(msg!("ribbon.slips-short", diameter = (d.matching_diameter, 2), heads = (heads, 0))),
-            told.into(),
+            cause.into(),
             diameter(msg!("ribbon.match-diameter", diameter = (d.matching_diameter, 2), heads = (p.heads, 0))),
             Advice::from(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)))
                 .setting(msg!("advice.set-heads", count = heads), [count]),

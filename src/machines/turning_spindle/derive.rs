@@ -17,7 +17,7 @@ pub(super) struct Held {
     /// Surface speed after an override that acts before the limits, m/min.
     speed: f64,
     /// Factor of an override that acts after the limits.
-    behind: f64,
+    after: f64,
     /// Greatest speed of the analog output, r/min.
     top: f64,
 }
@@ -30,15 +30,15 @@ impl Held {
 
     /// Surface speed after every override, m/min.
     pub(super) fn surface(&self) -> f64 {
-        self.speed * self.behind
+        self.speed * self.after
     }
 
     fn within(&self, rpm: f64) -> (f64, Bound) {
         let (rpm, bound) = self.limits.hold(rpm);
         let most = self.limits.machine;
         // An override that acts after the limits may exceed all of them except the machine's.
-        let bound = if bound == Bound::None && rpm * self.behind > most { Bound::Machine } else { bound };
-        let rpm = (rpm * self.behind).min(most);
+        let bound = if bound == Bound::None && rpm * self.after > most { Bound::Machine } else { bound };
+        let rpm = (rpm * self.after).min(most);
         if rpm > self.top { (self.top, if bound == Bound::Gear { bound } else { Bound::Output }) } else { (rpm, bound) }
     }
 }
@@ -183,7 +183,7 @@ impl Derived {
         let (largest, smallest) = p.diameters();
         let fixed = p.speed_mode == SpeedMode::Fixed;
         let knob = p.override_percent / 100.0;
-        let (before, behind) = if rules.override_last { (1.0, knob) } else { (knob, 1.0) };
+        let (before, after) = if rules.override_last { (1.0, knob) } else { (knob, 1.0) };
         // Commanded surface speed and its limits; an override after the limits is bound by the output alone.
         let v = p.cutting_speed * before;
         let machine = p.chuck_limit.min(p.upper_limit);
@@ -201,19 +201,19 @@ impl Derived {
             surface: if surface { (p.lower_limit, p.upper_limit) } else { (0.0, f64::INFINITY) },
             ..SpeedLimits::NONE
         };
-        let held = |surface: bool| Held { limits: limits(surface), speed: v, behind, top: analog.top_speed() };
+        let held = |surface: bool| Held { limits: limits(surface), speed: v, after, top: analog.top_speed() };
         let (surface, constant) = (held(true), held(false));
         // S is a whole number, and at most the operator's limit.
         let s = surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor();
         let (fixed_speed, fixed_bound) = constant.within(s * before);
         let speed = |diameter: f64| if fixed { fixed_speed } else { surface.at(diameter).0 };
         let high = machine.min(analog.top_speed());
-        let highest = (high * behind).min(p.chuck_limit);
+        let highest = (high * after).min(p.chuck_limit);
         let limit = limit_diameter(v, high);
         let passes = p.passes();
         let all = || (1..=passes as u32).flat_map(|pass| p.cuts(f64::from(pass)));
-        let within = (p.lower_limit.min(high) * behind, highest.min(analog.top_speed()));
-        let surface_time = all().map(|cut| cut.surface_time(v * behind, within)).sum::<f64>();
+        let within = (p.lower_limit.min(high) * after, highest.min(analog.top_speed()));
+        let surface_time = all().map(|cut| cut.surface_time(v * after, within)).sum::<f64>();
         let fixed_time = all().map(|cut| cut.time_at(fixed_speed)).sum::<f64>();
         let span = largest - smallest;
         let sign = if p.direction == Direction::CounterClockwise { -1.0 } else { 1.0 };

@@ -5,7 +5,7 @@ use super::resolved::TurningSpindle;
 use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{BUSY, SpindleWishes};
+use crate::machines::ladder::codes::{BUSY, SpindleRequirements};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, RungContact, off, on};
 
 /// Relays of the stages that the control requests by number.
@@ -35,7 +35,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     let rules = lathe.rules();
     let reaction = |at| spindle(lathe, at);
     let reports_speed = rules.reached.is_some();
-    book.spindle(&rules, &SpindleWishes { reaction: &reaction, reports_speed, holds: &[] });
+    book.spindle(&rules, &SpindleRequirements { reaction: &reaction, reports_speed, holds: &[] });
     let stages = lathe.p.stages().count().min(WANTED.len());
     if stages > 1 {
         Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe) }.write();

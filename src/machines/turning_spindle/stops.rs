@@ -35,19 +35,19 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         cite: DESIGN,
     };
     let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
-    let (block, retract) = (msg!("turning.stops.axes-block"), msg!("turning.stops.anew"));
+    let (block, retract) = (msg!("lathe.stops.axes-block"), msg!("turning.stops.anew"));
     let reset = if off { msg!("turning.stops.work-slows") } else { msg!("turning.stops.work-turns") };
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
     let mut rows = vec![
         row(
             Interruption::Hold,
-            msg!("turning.stops.axes-hold"),
+            msg!("lathe.stops.axes-hold"),
             msg!("turning.stops.work-rubs"),
-            msg!("turning.stops.start"),
+            msg!("lathe.stops.start"),
         ),
-        row(Interruption::BlockStop, block.clone(), msg!("turning.stops.work-turns"), msg!("turning.stops.start")),
+        row(Interruption::BlockStop, block.clone(), msg!("turning.stops.work-turns"), msg!("lathe.stops.start")),
         row(Interruption::Alarm, block, msg!("turning.stops.work-rubs"), msg!("turning.stops.mend")),
-        row(Interruption::Reset, msg!("turning.stops.axes-reset"), reset, retract),
+        row(Interruption::Reset, msg!("lathe.stops.axes-reset"), reset, retract),
         row(
             Interruption::EmergencyStop,
             slides_at_emergency_stop(sinks),
@@ -56,7 +56,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         ),
         row(
             Interruption::InverterFault,
-            msg!("turning.stops.axes-reset"),
+            msg!("lathe.stops.axes-reset"),
             msg!("turning.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
             msg!("turning.stops.fault"),
         ),

@@ -151,7 +151,7 @@ impl Reader<'_> {
     }
 
     /// Whether a letter O directly after an address is a mistyped 0; it is read as 0.
-    pub(in crate::nc) fn zero_behind_letter(&mut self, start: usize) -> bool {
+    pub(in crate::nc) fn zero_after_letter(&mut self, start: usize) -> bool {
         let at = core::mem::replace(&mut self.cursor.at, start);
         let other = self.keyword_ahead() || prose(self.cursor.line.get(start..).unwrap_or_default());
         self.cursor.at = at;

@@ -49,7 +49,7 @@ impl<'a> Reader<'a> {
                     } else {
                         opened = true;
                     }
-                    self.behind_percent(from + 1, to);
+                    self.after_percent(from + 1, to);
                 }
                 _ => {
                     // After the end of the record only programs are read.
@@ -114,7 +114,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Warns about text after a `%` in the same line, which the control skips.
-    pub(in crate::nc) fn behind_percent(&mut self, from: usize, to: usize) {
+    pub(in crate::nc) fn after_percent(&mut self, from: usize, to: usize) {
         let (from, to) = self.trimmed(from, to);
         if from < to && self.file.text.as_bytes().get(from) != Some(&b'(') {
             self.warn(from, to, msg!("nc.skipped-lead"));
@@ -128,13 +128,13 @@ impl<'a> Reader<'a> {
             Some(program) => {
                 program.number == 0
                     && program.span == Span::default()
-                    && self.comments_behind(program.first) >= program.end
+                    && self.comments_after(program.first) >= program.end
             }
         }
     }
 
     /// Index of the first block from `first` on other than a comment, or the number of blocks. Continues the last search.
-    fn comments_behind(&self, first: u32) -> u32 {
+    fn comments_after(&self, first: u32) -> u32 {
         let from = self.comments.get().max(first);
         let blocks = self.deck.blocks.get(from as usize..).unwrap_or_default();
         let comments = blocks.iter().take_while(|b| b.stmt == Stmt::Empty && b.number.is_none()).count();

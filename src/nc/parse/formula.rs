@@ -286,7 +286,7 @@ impl Reader<'_> {
             b'(' if self.formulas.rounds => self.group(b')')?,
             _ => self.bare_argument(start, name)?,
         };
-        let second = atan == ArcTangent::OfTwo || atan.takes_two() && self.skip() == b'/' && self.bracket_behind();
+        let second = atan == ArcTangent::OfTwo || atan.takes_two() && self.skip() == b'/' && self.bracket_after();
         if function == Function::Atan && second {
             return self.second_argument(inner, start);
         }
@@ -317,14 +317,14 @@ impl Reader<'_> {
     }
 
     /// Whether an opening bracket follows the byte at the cursor.
-    fn bracket_behind(&self) -> bool {
+    fn bracket_after(&self) -> bool {
         let rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
         rest.trim_ascii_start().first() == Some(&b'[')
     }
 
     /// Whether the text before a byte of the line ends in an operator that needs a right operand. `-` and `/` count only in languages with
     /// names; in others they may introduce an unbracketed comment.
-    fn behind_operator(&self, at: usize) -> bool {
+    fn after_operator(&self, at: usize) -> bool {
         match self.cursor.line.get(..at).unwrap_or_default().trim_ascii_end().last() {
             Some(b'=' | b'+' | b'*' | b'(' | b'[' | b',') => true,
             Some(b'-' | b'/') => self.names().is_some(),
@@ -342,7 +342,7 @@ impl Reader<'_> {
         if !matches!(bracket, Some(b'[' | b'(')) {
             let message = msg!("nc.no-operand-but", text = name);
             // A comment in place of a value would leave the operator without one.
-            let is_operand = self.behind_operator(start);
+            let is_operand = self.after_operator(start);
             return Err(self.failure(Alarm::Format, start, start + letters, message, !is_operand));
         }
         let message = msg!("nc.unknown-function", function = name.as_str(), control = self.control.name);

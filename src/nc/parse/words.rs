@@ -395,7 +395,7 @@ impl<'a> Reader<'a> {
                 self.equals_in_word();
                 return self.value(start, letter);
             }
-            b'O' | b'o' if self.zero_behind_letter(start) => return Ok(WordValue::Number(Dec::int(0))),
+            b'O' | b'o' if self.zero_after_letter(start) => return Ok(WordValue::Number(Dec::int(0))),
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ => {}
         }

@@ -7,7 +7,7 @@ use serde_json::{Map, Value as Json, json};
 use super::requests::InterpretRequest;
 use crate::controls::{Address, Control, Switches};
 use crate::interp::canon::AXES;
-use crate::interp::world::Still;
+use crate::interp::world::MachineAtRest;
 use crate::interp::{End, Interp, StartProgram, run};
 use crate::motion::Action;
 use crate::msg;
@@ -38,7 +38,7 @@ fn program(request: &InterpretRequest) -> Result<(Rc<Parsed>, StartProgram, Sour
 }
 
 /// The machine at rest, with positions and inputs of the request.
-fn machine(request: &InterpretRequest, control: &Control) -> Result<Still, Refused> {
+fn machine(request: &InterpretRequest, control: &Control) -> Result<MachineAtRest, Refused> {
     let mut positions = [0.0; AXES];
     for (letter, at) in &request.positions {
         let axis = match letter.as_bytes() {
@@ -50,7 +50,7 @@ fn machine(request: &InterpretRequest, control: &Control) -> Result<Still, Refus
             None => return Err(msg!("request.no-axis", control = control.name, axis = letter.as_str()).into()),
         }
     }
-    Ok(Still { positions, ..Still::default() })
+    Ok(MachineAtRest { positions, ..MachineAtRest::default() })
 }
 
 /// Executes the program and answers with its commands and how it ended.

@@ -154,7 +154,7 @@ impl StepAnswers {
             Stop::Ended(RunEnd::Blocks) => ("blocks", None, None),
             Stop::Ended(RunEnd::Seconds) => ("seconds", None, None),
         };
-        let (earlier, newest) = debugger.run().given();
+        let (earlier, newest) = debugger.run().newest_commands();
         let names = debugger.run().program().names();
         let canon: Vec<String> = newest.map(|canon| canon.line(names).to_string()).collect();
         let block = |place: Option<_>| place.and_then(|place| renderer.block_json(place));

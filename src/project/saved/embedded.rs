@@ -31,7 +31,7 @@ pub fn embedded(fragment: &str) -> Option<Loaded> {
             Some(("machine", id)) => machine = Some(id),
             Some(("control", id)) => control = Some(id),
             _ if part.is_empty() => {}
-            _ => found.push(unknown_wish(part)),
+            _ => found.push(unknown_part(part)),
         }
     }
     let mut loaded = link.map_or_else(|| of_ids(machine, control), Project::from_link);
@@ -40,9 +40,9 @@ pub fn embedded(fragment: &str) -> Option<Loaded> {
 }
 
 /// Warning about an unknown part of the address.
-fn unknown_wish(part: &str) -> Diagnostic {
+fn unknown_part(part: &str) -> Diagnostic {
     let known = listed(["machine=", "control=", "lang=", "lengths="].map(str::to_owned));
-    Diagnostic::warning(msg!("project.embed-wish", wish = clip(part), known))
+    Diagnostic::warning(msg!("project.embed-part", part = clip(part), known))
 }
 
 /// Warning about a language that the page does not have. The code counts without its region, as in the page.

@@ -60,7 +60,7 @@ pub struct SizedAxis {
     pub work: Option<Work>,
     /// Energy of the run back from the form's motor; none for a drive behind an inverter, and without such energy.
     pub returned: Option<ResistorLoad>,
-    /// Position (%) of the knob in the run with the knob at its end, if there is such a run.
+    /// Position (%) of the knob in the run with the knob at its highest position, if there is such a run.
     pub knob: Option<f64>,
     /// Whether that run has the greatest torque.
     pub peak_is_at_knob: bool,

@@ -64,14 +64,14 @@ impl GearCandidate {
 /// The gear unit of a servo axis, over the motions of its motor in several runs; none without a gear unit.
 pub(super) fn of_axis(axis: &DrivenAxis, motions: &[Motion], catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = axis.gear.as_ref()?;
-    let duties = motions.iter().map(|motion| GearDuty::new(&gear.behind(motion.turns()), gear.ratio));
+    let duties = motions.iter().map(|motion| GearDuty::new(&gear.output_motion(motion.turns()), gear.ratio));
     Some(sized(gear, duties.reduce(GearDuty::max).unwrap_or_default(), catalogue))
 }
 
 /// The gear unit of the motor on the inverter; none without one.
 pub(super) fn of_inverter(drive: &InverterDrive, catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = drive.gear.as_ref()?;
-    Some(sized(gear, GearDuty::new(&gear.behind(&drive.turns()), gear.ratio), catalogue))
+    Some(sized(gear, GearDuty::new(&gear.output_motion(&drive.turns()), gear.ratio), catalogue))
 }
 
 fn sized(gear: &FormGear, duty: GearDuty, catalogue: &[&Part]) -> SizedGear {

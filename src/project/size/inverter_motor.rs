@@ -31,7 +31,7 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     let motors = catalogue
         .iter()
         .filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, project.control));
-    // With the knob at its end a cut at constant surface speed asks more power.
+    // With the knob at its highest position a cut at constant surface speed asks more power.
     let spindles = runs.iter().filter_map(|whole| whole.spindle(prepared));
     let spindles: Vec<SpindleRun> =
         spindles.map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle }).collect();

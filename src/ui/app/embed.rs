@@ -69,7 +69,7 @@ pub fn EmbeddedApp(
 /// Reloads the page when the page around it changes the fragment: a browser does not load a page again for another fragment.
 fn begin_anew_at_another_address(page: Page) {
     let shown = dom::address().1;
-    dom::hear("hashchange", move |_| {
+    dom::on_event("hashchange", move |_| {
         // The page may be gone.
         if !page.view.kept.is_disposed() && dom::address().1 != shown {
             dom::reload();

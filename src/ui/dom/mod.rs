@@ -300,7 +300,7 @@ pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
 }
 
 /// Calls `act` at each event of a kind, anywhere on the page. For a paste, before the element that it goes to.
-pub(crate) fn hear(event: &str, act: impl Fn(Event) + 'static) {
+pub(crate) fn on_event(event: &str, act: impl Fn(Event) + 'static) {
     let act = Closure::<dyn Fn(Event)>::new(act).into_js_value();
     let _ = window().add_event_listener_with_callback_and_bool(event, act.unchecked_ref(), event == "paste");
 }

@@ -129,15 +129,15 @@ fn transferred(page: Page, (large, worker): (LargeFile, Client), data: &DataTran
 
 /// Listens for files that are dropped or pasted anywhere on the page.
 pub(crate) fn listen(page: Page, large: LargeFile, worker: Client) {
-    dom::hear("dragover", |event| event.prevent_default());
-    dom::hear("drop", move |event| {
+    dom::on_event("dragover", |event| event.prevent_default());
+    dom::on_event("drop", move |event| {
         event.prevent_default();
         if let Some(data) = event.unchecked_ref::<DragEvent>().data_transfer() {
             transferred(page, (large, worker), &data);
         }
     });
     // Handled before any text field, because many megabytes must not be pasted into one.
-    dom::hear("paste", move |event| {
+    dom::on_event("paste", move |event| {
         let Some(data) = event.unchecked_ref::<ClipboardEvent>().clipboard_data() else { return };
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let in_text = target.is_some_and(|target| dom::takes_text(&target));

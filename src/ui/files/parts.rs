@@ -12,7 +12,7 @@ use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{ReadParts, Request, Response};
 
 /// Maximum findings about a table that are listed one by one.
-const TOLD: usize = 4;
+const NAMED: usize = 4;
 
 /// Adds the parts of a table to the project, as one step of the history, and reports the faulty rows.
 pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
@@ -21,12 +21,12 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
         let Some(Response::Parts(ReadParts { project, added, remarks })) = response else {
             return page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
         };
-        for (refuses, text) in remarks.iter().take(TOLD) {
+        for (refuses, text) in remarks.iter().take(NAMED) {
             page.notices.notify(if *refuses { Tone::Fail } else { Tone::Info }, format!("{name}: {text}"));
         }
-        if remarks.len() > TOLD {
+        if remarks.len() > NAMED {
             page.notices
-                .notify(Tone::Info, sentence(&msg!("page.more-of-parts", count = (remarks.len() - TOLD) as u32)));
+                .notify(Tone::Info, sentence(&msg!("page.more-of-parts", count = (remarks.len() - NAMED) as u32)));
         }
         let Some(read) = Project::from_json(&project).project.filter(|_| added > 0) else { return };
         page.edit("", |project| project.parts = read.parts);

@@ -38,7 +38,7 @@ pub(super) fn notices(linked: &Loaded) -> Vec<Notice> {
 
 /// Opens the project of a link that is put into the address of the open page.
 pub(crate) fn listen(page: Page) {
-    dom::hear("hashchange", move |_| {
+    dom::on_event("hashchange", move |_| {
         // The page may be gone.
         if !page.view.kept.is_disposed() {
             open(page);

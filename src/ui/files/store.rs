@@ -254,7 +254,7 @@ fn follow(page: Page) {
 
 /// Handles messages and stored states of other tabs. A watching tab follows the other tab's project until it is edited here; a tab opened by
 /// a link never follows.
-fn hear(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValue<Option<Project>, LocalStorage>) {
+fn receive(page: Page, by_link: bool, (key, value): (&str, &str), shown: StoredValue<Option<Project>, LocalStorage>) {
     let watches = page.view.kept.get_untracked() == Kept::Elsewhere;
     match (key, value.split(' ').next().unwrap_or_default()) {
         (TABS, ASKS) if !watches => notify_tabs(HOLDS),
@@ -363,11 +363,11 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
         let next = set_timeout_with_handle(save, rest).ok();
         timer.set_value(next);
     });
-    dom::hear("storage", move |event| {
+    dom::on_event("storage", move |event| {
         let event: &StorageEvent = event.unchecked_ref();
         // The page may be gone.
         if let (Some(key), Some(value), false) = (event.key(), event.new_value(), page.view.kept.is_disposed()) {
-            hear(page, by_link, (&key, &value), shown);
+            receive(page, by_link, (&key, &value), shown);
         }
     });
     notify_tabs(ASKS);
@@ -382,22 +382,22 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
             save();
         }
     };
-    dom::hear("pagehide", move |_| {
+    dom::on_event("pagehide", move |_| {
         hide();
         close(page, [shown, watched]);
     });
     // The history takes no text any more when the page is gone.
-    dom::hear("beforeunload", move |event| {
+    dom::on_event("beforeunload", move |event| {
         hide();
         warn_of_loss(page, &event);
     });
     // A page restored from the browser's history asks like a new one.
-    dom::hear("pageshow", move |event| {
+    dom::on_event("pageshow", move |event| {
         if event.unchecked_ref::<PageTransitionEvent>().persisted() {
             notify_tabs(ASKS);
         }
     });
-    dom::hear("visibilitychange", move |_| hide());
+    dom::on_event("visibilitychange", move |_| hide());
 }
 
 /// The page closes: the next tab may take over. Changes in a tab that only watches are set aside, because they are stored nowhere else.

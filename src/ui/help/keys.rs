@@ -26,7 +26,7 @@ pub(crate) fn turn(on: bool) {
 
 /// Listens to the keys.
 pub(crate) fn listen(page: Page) {
-    dom::hear("keydown", move |event| {
+    dom::on_event("keydown", move |event| {
         if press(page, event.unchecked_ref()) {
             event.prevent_default();
         }

@@ -38,7 +38,7 @@ struct Label {
 }
 
 /// Placement of a label: shift to the right in pixels, and the number of its lines that are shown.
-type Fate = (f64, usize);
+type LabelPlacement = (f64, usize);
 
 fn area(element: &Element) -> Area {
     let area = element.get_bounding_client_rect();
@@ -77,7 +77,7 @@ fn seen_in(label: &Label, lens: Area) -> usize {
 
 /// Places the labels: labels in lenses keep their place; then come labels with hairlines, then the others. A label without room loses
 /// lines from its end, the name last.
-fn placed(labels: &[Label], frame: Area) -> Vec<Fate> {
+fn placed(labels: &[Label], frame: Area) -> Vec<LabelPlacement> {
     let mut taken: Vec<Area> = Vec::new();
     let mut fates = vec![(0.0, 0); labels.len()];
     for (label, fate) in labels.iter().zip(&mut fates) {

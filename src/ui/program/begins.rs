@@ -52,7 +52,7 @@ mod tests {
             let files = written.files.0.iter().enumerate();
             files.into_iter().find_map(|(at, file)| Some((FileId(at as u16), line(&file.text)? as u32 + 1)))
         });
-        bench.page.player.walk.update(|walk| walk.cursor = found);
+        bench.page.player.stepper.update(|stepper| stepper.cursor = found);
         settled().await;
     }
 

@@ -9,13 +9,13 @@ use crate::text::LineIndex;
 use crate::ui::parts::input::EntryField;
 use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
+use crate::ui::state::stepper::Stepper;
 use crate::ui::state::stepping::{COMMANDS, press, set_point};
-use crate::ui::state::walk::Walk;
 use crate::ui::words::{clock, sentence, sentence_with_hints, short, t, value_of};
 
 /// Whether the debugger is in use: a stop, a step under way, a watch or a breakpoint.
-fn is_used(walk: &Walk) -> bool {
-    walk.at_stop || walk.going || !walk.watches.is_empty() || !walk.points.list().is_empty()
+fn is_used(stepper: &Stepper) -> bool {
+    stepper.at_stop || stepper.going || !stepper.watches.is_empty() || !stepper.points.list().is_empty()
 }
 
 /// The commands as buttons, and a field for the condition of the breakpoint at the cursor; shown while stepping.
@@ -24,7 +24,10 @@ pub(super) fn DebuggerBar() -> impl IntoView {
     let page = Page::here();
     let condition = Signal::derive(move || {
         let signs = page.project.with_untracked(|project| project.control.syntax.comparison_signs);
-        sentence(&crate::msg!("page.walk-condition", example = page.spelled(if signs { "#1<3" } else { "#1 LT 3" })))
+        sentence(&crate::msg!(
+            "page.stepping-condition",
+            example = page.spelled(if signs { "#1<3" } else { "#1 LT 3" })
+        ))
     });
     let button = move |(key, sign, words): (&'static str, &'static str, &'static str)| {
         let words = t(words);
@@ -41,8 +44,8 @@ pub(super) fn DebuggerBar() -> impl IntoView {
     };
     let buttons = move || COMMANDS.into_iter().map(button).collect_view();
     view! {
-        <Show when=move || page.view.stepping.get() || page.player.walk.with(is_used)>
-            <div class="bar tools walk" role="group" aria-label=t("page.walk")>
+        <Show when=move || page.view.stepping.get() || page.player.stepper.with(is_used)>
+            <div class="bar tools stepping" role="group" aria-label=t("page.stepping")>
                 {buttons}
                 <EntryField words=condition take=move |text: String| set_point(page, Some(&text)) />
             </div>
@@ -64,9 +67,9 @@ struct State {
 }
 
 impl State {
-    fn of(walk: &Walk, written: &Written) -> State {
+    fn of(stepper: &Stepper, written: &Written) -> State {
         let control = written.parsed.control();
-        let stop = walk.stopped();
+        let stop = stepper.stopped();
         let watch = |text: &String| {
             let value = stop.map_or_else(String::new, |debugger| {
                 debugger
@@ -76,18 +79,18 @@ impl State {
             (text.clone(), value)
         };
         State {
-            under_way: walk.going.then(|| format!("{} s", clock(walk.t()))),
-            changed: stop.map(|_| changes(walk, control)),
-            levels: levels(walk, written),
-            points: points(walk, written),
-            watches: walk.watches.iter().map(watch).collect(),
+            under_way: stepper.going.then(|| format!("{} s", clock(stepper.t()))),
+            changed: stop.map(|_| changes(stepper, control)),
+            levels: levels(stepper, written),
+            points: points(stepper, written),
+            watches: stepper.watches.iter().map(watch).collect(),
         }
     }
 }
 
 /// Variables and codes that the last step has changed.
-fn changes(walk: &Walk, control: &Control) -> Vec<Row> {
-    let Some(debugger) = walk.stopped() else { return Vec::new() };
+fn changes(stepper: &Stepper, control: &Control) -> Vec<Row> {
+    let Some(debugger) = stepper.stopped() else { return Vec::new() };
     let shown = |value| value_of(control, value, 6);
     let row = |change: crate::interp::inspect::Change| {
         let name = match change.what {
@@ -101,9 +104,9 @@ fn changes(walk: &Walk, control: &Control) -> Vec<Row> {
 }
 
 /// The call levels with their local variables.
-fn levels(walk: &Walk, written: &Written) -> Vec<Row> {
+fn levels(stepper: &Stepper, written: &Written) -> Vec<Row> {
     let (files, control) = (&written.files, written.parsed.control());
-    let Some(debugger) = walk.stopped() else { return Vec::new() };
+    let Some(debugger) = stepper.stopped() else { return Vec::new() };
     let mut rows = Vec::new();
     for level in debugger.levels() {
         let Some(file) = files.get(level.place.file) else { continue };
@@ -122,11 +125,11 @@ fn levels(walk: &Walk, written: &Written) -> Vec<Row> {
 }
 
 /// The breakpoints with their numbers.
-fn points(walk: &Walk, written: &Written) -> Vec<(u32, Row)> {
+fn points(stepper: &Stepper, written: &Written) -> Vec<(u32, Row)> {
     let row = |point: &crate::project::breakpoints::Breakpoint| {
         let mut text = match point.place {
             Some(place) => written.files.get(place.file).map_or("", |file| place.span.of(&file.text)),
-            None => t("page.walk-absent"),
+            None => t("page.stepping-absent"),
         }
         .to_owned();
         if !point.condition.is_empty() {
@@ -137,30 +140,31 @@ fn points(walk: &Walk, written: &Written) -> Vec<(u32, Row)> {
         }
         (point.number, (point.name(), text))
     };
-    walk.points.list().iter().map(row).collect()
+    stepper.points.list().iter().map(row).collect()
 }
 
 /// The state at the stop: reason of the stop, changes, call levels, breakpoints, watches.
 #[component]
 pub(super) fn Seen() -> impl IntoView {
     let page = Page::here();
-    let walk = page.player.walk;
+    let stepper = page.player.stepper;
     let why = move || {
-        walk.with(|walk| match (walk.going, walk.at_stop) {
-            (true, _) => t("page.walk-going").to_owned(),
-            (_, true) => walk.why.clone(),
+        stepper.with(|stepper| match (stepper.going, stepper.at_stop) {
+            (true, _) => t("page.stepping-going").to_owned(),
+            (_, true) => stepper.why.clone(),
             _ => String::new(),
         })
     };
-    let state =
-        Memo::new(move |_| walk.with(|walk| page.program.written.with_untracked(|written| State::of(walk, written))));
-    let watch = Signal::derive(move || sentence(&crate::msg!("page.walk-watch", example = page.spelled("#100*2"))));
+    let state = Memo::new(move |_| {
+        stepper.with(|stepper| page.program.written.with_untracked(|written| State::of(stepper, written)))
+    });
+    let watch = Signal::derive(move || sentence(&crate::msg!("page.stepping-watch", example = page.spelled("#100*2"))));
     let add = move |text: String| {
-        walk.update(|walk| walk.watches.push(text));
+        stepper.update(|stepper| stepper.watches.push(text));
         true
     };
     view! {
-        <div class="seen" class:gone=move || !page.view.stepping.get() && !walk.with(is_used)>
+        <div class="seen" class:gone=move || !page.view.stepping.get() && !stepper.with(is_used)>
             <p class="here" role="status">{why}</p>
             {move || state.with(|state| rows(page, state))}
             <EntryField words=watch take=add />
@@ -169,39 +173,42 @@ pub(super) fn Seen() -> impl IntoView {
 }
 
 fn rows(page: Page, state: &State) -> impl IntoView + use<> {
-    let walk = page.player.walk;
+    let stepper = page.player.stepper;
     let plain = |class: &'static str, row: &Row| view! { <p class=class><i>{row.0.clone()}</i> " " <span>{row.1.clone()}</span></p> };
     let removable = |row: &Row, remove: Callback<()>| {
         view! {
             <p>
                 <i>{row.0.clone()}</i> " " <span>{row.1.clone()}</span>
-                <IconButton class="quiet" glyph=Glyph::Close label=format!("{} {}", t("page.walk-remove"), row.0) press=remove />
+                <IconButton class="quiet" glyph=Glyph::Close label=format!("{} {}", t("page.stepping-remove"), row.0) press=remove />
             </p>
         }
     };
     let changed = state.changed.as_ref().map(|rows| {
         let none = rows.is_empty().then_some("–");
-        view! { <h3>{t("page.walk-changed")}</h3> {none} {rows.iter().map(|row| plain("c", row)).collect_view()} }
+        view! { <h3>{t("page.stepping-changed")}</h3> {none} {rows.iter().map(|row| plain("c", row)).collect_view()} }
     });
     let levels = state.changed.is_some().then(|| {
-        view! { <h3>{t("page.walk-stack")}</h3> {state.levels.iter().map(|row| plain("", row)).collect_view()} }
+        view! { <h3>{t("page.stepping-stack")}</h3> {state.levels.iter().map(|row| plain("", row)).collect_view()} }
     });
     let point = |(number, row): &(u32, Row)| {
         let number = *number;
-        removable(row, Callback::from(move || walk.update(|walk| walk.points.retain(|point| point.number != number))))
+        removable(
+            row,
+            Callback::from(move || stepper.update(|stepper| stepper.points.retain(|point| point.number != number))),
+        )
     };
     let points = (!state.points.is_empty()).then(|| {
-        view! { <h3>{t("page.walk-points")}</h3> {state.points.iter().map(point).collect_view()} }
+        view! { <h3>{t("page.stepping-points")}</h3> {state.points.iter().map(point).collect_view()} }
     });
     let watch = |(at, row): (usize, &Row)| {
-        removable(row, Callback::from(move || walk.update(|walk| drop(walk.watches.remove(at)))))
+        removable(row, Callback::from(move || stepper.update(|stepper| drop(stepper.watches.remove(at)))))
     };
     view! {
         {state.under_way.clone().map(|time| view! { <p>{time}</p> })}
         {changed}
         {levels}
         {points}
-        <h3>{t("page.walk-watches")}</h3>
+        <h3>{t("page.stepping-watches")}</h3>
         {state.watches.iter().enumerate().map(watch).collect_view()}
     }
 }
@@ -222,17 +229,17 @@ mod tests {
 
     async fn stepped(bench: &ViewBench, words: &'static str) {
         bench.press_button(t(words)).await;
-        let walk = bench.page.player.walk;
-        until(move || walk.with_untracked(|walk| walk.at_stop)).await;
+        let stepper = bench.page.player.stepper;
+        until(move || stepper.with_untracked(|stepper| stepper.at_stop)).await;
     }
 
     #[wasm_bindgen_test]
     async fn commands_are_hidden_until_one_steps() {
         let bench = debugger().await;
-        assert!(!bench.has(".walk") && bench.has(".seen.gone"));
+        assert!(!bench.has(".stepping") && bench.has(".seen.gone"));
         bench.page.view.stepping.set(true);
         settled().await;
-        assert_eq!(bench.all(".walk button").len(), COMMANDS.len());
+        assert_eq!(bench.all(".stepping button").len(), COMMANDS.len());
         assert!(!bench.has(".seen.gone"));
     }
 
@@ -241,13 +248,13 @@ mod tests {
         let bench = debugger().await;
         bench.page.view.stepping.set(true);
         settled().await;
-        stepped(&bench, "page.walk-into").await;
+        stepped(&bench, "page.stepping-into").await;
         let first = bench.text(".here");
-        assert!(first.starts_with(t("page.walk-next")), "{first}");
-        stepped(&bench, "page.walk-into").await;
+        assert!(first.starts_with(t("page.stepping-next")), "{first}");
+        stepped(&bench, "page.stepping-into").await;
         assert_ne!(bench.text(".here"), first);
-        assert!(bench.text(".seen").contains(t("page.walk-stack")));
-        bench.press_button(t("page.walk-stop")).await;
+        assert!(bench.text(".seen").contains(t("page.stepping-stack")));
+        bench.press_button(t("page.stepping-stop")).await;
         assert_eq!(bench.text(".here"), "");
     }
 
@@ -258,9 +265,9 @@ mod tests {
         settled().await;
         bench.type_into(".seen input", "1+2").await;
         bench.key(".seen input", "Enter", false).await;
-        stepped(&bench, "page.walk-into").await;
+        stepped(&bench, "page.stepping-into").await;
         assert_eq!(bench.text(".seen p:last-of-type span"), "3");
-        bench.press_button(&format!("{} 1+2", t("page.walk-remove"))).await;
+        bench.press_button(&format!("{} 1+2", t("page.stepping-remove"))).await;
         assert!(!bench.text(".seen").contains("1+2"));
     }
 
@@ -269,8 +276,8 @@ mod tests {
         let bench = debugger().await;
         bench.page.view.stepping.set(true);
         settled().await;
-        bench.press_button(t("page.walk-point")).await;
-        assert_eq!(bench.notices(), [t("page.walk-cursor")]);
+        bench.press_button(t("page.stepping-point")).await;
+        assert_eq!(bench.notices(), [t("page.stepping-cursor")]);
     }
 
     #[wasm_bindgen_test]
@@ -278,18 +285,18 @@ mod tests {
         let bench = debugger().await;
         bench.page.view.stepping.set(true);
         settled().await;
-        stepped(&bench, "page.walk-into").await;
-        stepped(&bench, "page.walk-into").await;
-        let place = bench.page.player.walk.with_untracked(Walk::place).unwrap();
+        stepped(&bench, "page.stepping-into").await;
+        stepped(&bench, "page.stepping-into").await;
+        let place = bench.page.player.stepper.with_untracked(Stepper::place).unwrap();
         let line = LineIndex::new(&bench.page.program.text(place.file.0 as usize)).line_of(place.span.start);
         bench.page.player.seek(0.0);
-        bench.page.player.walk.update(|walk| walk.cursor = Some((FileId(place.file.0), line)));
-        bench.press_button(t("page.walk-point")).await;
-        stepped(&bench, "page.walk-go").await;
-        assert!(bench.text(".here").starts_with(t("page.walk-breakpoint")), "{}", bench.text(".here"));
-        assert_eq!(bench.page.player.walk.with_untracked(Walk::place), Some(place));
+        bench.page.player.stepper.update(|stepper| stepper.cursor = Some((FileId(place.file.0), line)));
+        bench.press_button(t("page.stepping-point")).await;
+        stepped(&bench, "page.stepping-go").await;
+        assert!(bench.text(".here").starts_with(t("page.stepping-breakpoint")), "{}", bench.text(".here"));
+        assert_eq!(bench.page.player.stepper.with_untracked(Stepper::place), Some(place));
         bench.press(".seen button[aria-label]").await;
-        assert!(bench.page.player.walk.with_untracked(|walk| walk.points.list().is_empty()));
-        assert!(!bench.text(".seen").contains(t("page.walk-points")));
+        assert!(bench.page.player.stepper.with_untracked(|stepper| stepper.points.list().is_empty()));
+        assert!(!bench.text(".seen").contains(t("page.stepping-points")));
     }
 }

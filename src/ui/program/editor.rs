@@ -182,7 +182,7 @@ const COMMANDS: [(&str, &str, &str); 7] = [
     ("uses", "page.uses", "Shift+F12"),
     ("meaning", "page.meaning", "Ctrl+I"),
     ("findings", "page.findings", "Ctrl+."),
-    ("turn", "page.walk-breakpoint", "F9"),
+    ("turn", "page.stepping-breakpoint", "F9"),
     ("find", "page.find", "Ctrl+F"),
 ];
 

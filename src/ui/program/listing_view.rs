@@ -10,7 +10,7 @@ use crate::ui::dom;
 use crate::ui::dom::children;
 use crate::ui::parts::listing::rows as rows_of;
 use crate::ui::state::Page;
-use crate::ui::state::walk::Walk;
+use crate::ui::state::stepper::Stepper;
 use crate::ui::words::t;
 
 /// The lines in the page; marked and followed ones by their place in the list.
@@ -40,12 +40,12 @@ impl Rows {
     }
 
     /// Marks the lines of a file: breakpoints, the cursor, the running block, the next block of the debugger.
-    fn mark(&mut self, file: FileId, walk: &Walk, running: Option<Place>, follow: bool) {
+    fn mark(&mut self, file: FileId, stepper: &Stepper, running: Option<Place>, follow: bool) {
         self.unmark();
-        let next = walk.place();
-        let cursor = walk.cursor.filter(|at| at.0 == file).map(|at| at.1);
+        let next = stepper.place();
+        let cursor = stepper.cursor.filter(|at| at.0 == file).map(|at| at.1);
         let line = |place: Option<Place>| Some(self.lines.line_of(place.filter(|p| p.file == file)?.span.start));
-        let points = walk.points.list().iter().map(|point| (line(point.place), "stop", point.condition.as_str()));
+        let points = stepper.points.list().iter().map(|point| (line(point.place), "stop", point.condition.as_str()));
         let marks = [(line(running), "run", ""), (line(next), "next", ""), (cursor, "cursor", "")];
         for (line, class, condition) in marks.into_iter().chain(points) {
             let at = line.map_or(usize::MAX, |line| line as usize - 1);
@@ -74,13 +74,13 @@ pub(super) fn Listing(
     follow: RwSignal<bool>,
 ) -> impl IntoView {
     let page = Page::here();
-    let walk = page.player.walk;
+    let stepper = page.player.stepper;
     let host: NodeRef<html::Ol> = NodeRef::new();
     let rows = StoredValue::new_local(Rows::default());
     let file = move || FileId(page.view.file.get() as u16);
     let mark = move || {
         let (file, running, follow) = (untrack(file), page.player.running.get(), follow.get_untracked());
-        walk.with(|walk| rows.update_value(|rows| rows.mark(file, walk, running, follow)));
+        stepper.with(|stepper| rows.update_value(|rows| rows.mark(file, stepper, running, follow)));
     };
     let seek = move || {
         let Some(place) = page.view.sought.get() else { return };
@@ -94,7 +94,7 @@ pub(super) fn Listing(
         });
         let Some((line, row)) = found else { return };
         page.view.sought.set(None);
-        walk.update(|walk| walk.cursor = Some((place.file, line)));
+        stepper.update(|stepper| stepper.cursor = Some((place.file, line)));
         reveal(&row);
     };
     Effect::new(move |_| {
@@ -127,12 +127,12 @@ pub(super) fn Listing(
         };
         event.prevent_default();
         let file = untrack(file);
-        let at = walk.with_untracked(|walk| walk.cursor.filter(|at| at.0 == file).map_or(0, |at| at.1));
+        let at = stepper.with_untracked(|stepper| stepper.cursor.filter(|at| at.0 == file).map_or(0, |at| at.1));
         let line = at.saturating_add_signed(step).max(1);
         let Some(row) = rows.with_value(|rows| rows.rows.get(line as usize - 1).cloned()) else { return };
         reveal(&row);
         page.notices.announce(row.text_content().unwrap_or_default());
-        walk.update(|walk| walk.cursor = Some((file, line)));
+        stepper.update(|stepper| stepper.cursor = Some((file, line)));
     };
     view! {
         <ol

@@ -23,9 +23,9 @@ use crate::text::{FileId, Severity};
 use crate::ui::dom;
 use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{Glyph, Icon};
+use crate::ui::state::stepper::Stepper;
 use crate::ui::state::stepping;
 use crate::ui::state::view::ProgramView;
-use crate::ui::state::walk::Walk;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{Tone, counts, sentence, t};
 use begins::Begins;
@@ -43,7 +43,7 @@ pub(crate) fn ProgramTab() -> impl IntoView {
     let page = Page::here();
     let follow = RwSignal::new(true);
     // While the listing follows the run, it shows the file of the running block, or of the next block at a stop of the debugger.
-    let followed = Memo::new(move |_| page.player.walk.with(Walk::place).or(page.player.running.get()));
+    let followed = Memo::new(move |_| page.player.stepper.with(Stepper::place).or(page.player.running.get()));
     Effect::new(move |_| {
         if let Some(place) = followed.get()
             && follow.get()
@@ -194,9 +194,9 @@ fn Tools(
             <button type="button" class="quiet" on:click=copy>{t("page.copy")}</button>
             <button
                 type="button" class="quiet" aria-pressed=move || page.view.stepping.get().to_string()
-                title=t("page.walk") on:click=move |_| page.view.stepping.update(|on| *on = !*on)
+                title=t("page.stepping") on:click=move |_| page.view.stepping.update(|on| *on = !*on)
             >
-                <Icon glyph=Glyph::Step /> {t("page.walk-short")}
+                <Icon glyph=Glyph::Step /> {t("page.stepping-short")}
             </button>
             <CheckMark label=t("page.follow") on=follow set=move |on| follow.set(on) />
             <button type="button" class="quiet end" class:gone=unpublished on:click=paper>{t("page.paper")}</button>
@@ -284,7 +284,7 @@ fn press(page: Page, event: &MouseEvent) {
         page.view.explain(id);
     } else if let Some(line) = number("data-l") {
         let file = FileId(page.view.file.get_untracked() as u16);
-        page.player.walk.update(|walk| walk.cursor = Some((file, line as u32)));
+        page.player.stepper.update(|stepper| stepper.cursor = Some((file, line as u32)));
         let left = f64::from(event.client_x()) - target.get_bounding_client_rect().left();
         if target.tag_name() == "LI" && left < NUMBER {
             stepping::set_point(page, None);

@@ -12,8 +12,8 @@ use crate::ui::words::sentence;
 /// Places and conditions of the breakpoints. The debugger changes with every frame of a run, the breakpoints do not.
 pub(super) fn all(page: Page) -> Memo<Vec<(Place, String)>> {
     Memo::new(move |_| {
-        page.player.walk.with(|walk| {
-            let points = walk.points.list().iter();
+        page.player.stepper.with(|stepper| {
+            let points = stepper.points.list().iter();
             points.filter_map(|point| Some((point.place?, point.condition.clone()))).collect()
         })
     })
@@ -32,14 +32,15 @@ pub(super) fn turn(page: Page) -> JsValue {
     let turn = move |line: JsValue| {
         page.take_typed();
         let file = FileId(page.view.file.get_untracked() as u16);
-        let count = move || page.player.walk.with_untracked(|walk| walk.points.list().len());
+        let count = move || page.player.stepper.with_untracked(|stepper| stepper.points.list().len());
         let before = count();
         let line = line.as_f64().unwrap_or_default() as u32;
-        page.player.walk.update(|walk| walk.cursor = Some((file, line)));
+        page.player.stepper.update(|stepper| stepper.cursor = Some((file, line)));
         if !stepping::set_point(page, None) {
             return;
         }
-        let last = || page.player.walk.with_untracked(|walk| walk.points.list().last().and_then(|point| point.place));
+        let last =
+            || page.player.stepper.with_untracked(|stepper| stepper.points.list().last().and_then(|point| point.place));
         let place = (count() > before).then(last).flatten().and_then(|place| page.place_words(place));
         page.notices.announce(match place {
             Some(place) => sentence(&crate::msg!("page.point-set", place)),
@@ -66,8 +67,8 @@ mod tests {
         let text = page.program.text(0);
         let block = 1 + text.lines().position(|line| line.starts_with("N2 ")).unwrap() as u32;
         let lines = move || {
-            let all = page.player.walk.with_untracked(|walk| {
-                let points = walk.points.list().iter();
+            let all = page.player.stepper.with_untracked(|stepper| {
+                let points = stepper.points.list().iter();
                 points.filter_map(|point| Some((point.place?, point.condition.clone()))).collect::<Vec<_>>()
             });
             let rows: Array = lines(page, 0, &all).unchecked_into();

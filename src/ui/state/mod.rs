@@ -30,7 +30,7 @@ pub(crate) mod stepping;
 
 pub(crate) mod view;
 
-pub(crate) mod walk;
+pub(crate) mod stepper;
 
 mod work_spans;
 

@@ -56,8 +56,8 @@ impl Player {
             state.visible = project.machine.info().speed;
             state.expected = 0.0;
         });
-        self.walk_away();
-        self.walk.update(|walk| walk.points.resolve(&written.parsed));
+        self.end_stepping();
+        self.stepper.update(|stepper| stepper.points.resolve(&written.parsed));
     }
 
     /// Shows the changed run after the effects of the change.
@@ -121,8 +121,8 @@ impl Player {
         let planned = self.planned.get_untracked().0;
         self.state.update_value(|state| state.expected = planned.max(state.expected));
         self.plans.update(|count| *count += 1);
-        if self.walk_away() {
-            self.walk_to(Goal::Block(0));
+        if self.end_stepping() {
+            self.step_to(Goal::Block(0));
         }
     }
 

@@ -8,7 +8,7 @@ use leptos::prelude::*;
 
 use super::edit_pace::{EditPace, SLOW};
 use super::put::put;
-use super::walk::Walk;
+use super::stepper::Stepper;
 use super::work_spans::WorkSpans;
 use crate::controls::Control;
 use crate::interp::inspect::What;
@@ -90,7 +90,7 @@ pub(crate) struct Player {
     /// The effect of the last action of the operator, as a sentence.
     pub changed: RwSignal<String>,
     /// The debugger.
-    pub walk: RwSignal<Walk, LocalStorage>,
+    pub stepper: RwSignal<Stepper, LocalStorage>,
 }
 
 /// A chosen part of the time axis.
@@ -162,7 +162,7 @@ impl Player {
             zoom: RwSignal::new(None),
             plans: RwSignal::new(0),
             changed: RwSignal::new(String::new()),
-            walk: RwSignal::new_local(Walk::default()),
+            stepper: RwSignal::new_local(Stepper::default()),
         };
         player.frames.set_value(Some(Frames::new(move |stamp| player.frame(stamp))));
         player
@@ -206,7 +206,7 @@ impl Player {
 
     /// Sets the play head, away from where the debugger may have stopped.
     pub(crate) fn seek(self, t: f64) {
-        self.walk_away();
+        self.end_stepping();
         self.set_head(t);
     }
 
@@ -271,8 +271,8 @@ impl Player {
         self.plans.track();
         let t = self.now.with(|now| now.t);
         // At a stop the block to be read at this exact time has not been read.
-        let stopped = self.walk.with(|walk| {
-            let debugger = walk.stopped()?;
+        let stopped = self.stepper.with(|stepper| {
+            let debugger = stepper.stopped()?;
             let changed = debugger.changes().iter().any(|change| change.what == What::Variable(number));
             Some((run::shown(debugger.run(), control, number, f64::INFINITY), changed))
         });
@@ -429,8 +429,8 @@ impl Player {
                 state.work.follow(plans, run, machine);
             }
             // The debugger may be at a time that is not planned yet.
-            let now = self.walk.with_untracked(|walk| {
-                let stop = walk.stopped().filter(|debugger| debugger.t() > planned);
+            let now = self.stepper.with_untracked(|stepper| {
+                let stop = stepper.stopped().filter(|debugger| debugger.t() > planned);
                 let timeline = stop.map_or(run, Debugger::run).timeline();
                 timeline.at(state.head.min(timeline.end()))
             });

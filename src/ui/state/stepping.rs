@@ -8,7 +8,7 @@ use leptos::prelude::*;
 use super::Page;
 use super::player::Player;
 use super::put::put;
-use super::walk::Walk;
+use super::stepper::Stepper;
 use crate::math;
 use crate::project::breakpoints::Location;
 use crate::project::debug::{Debugger, Goal, Stop};
@@ -24,65 +24,65 @@ const IN_FRAME: f64 = 3.0;
 
 impl Player {
     /// Ends stepping; returns whether the debugger was in use.
-    pub(crate) fn walk_away(self) -> bool {
-        let stood = self.walk.update_untracked(|walk| {
-            walk.debugger = None;
-            core::mem::take(&mut walk.at_stop) | core::mem::take(&mut walk.going)
+    pub(crate) fn end_stepping(self) -> bool {
+        let stood = self.stepper.update_untracked(|stepper| {
+            stepper.debugger = None;
+            core::mem::take(&mut stepper.at_stop) | core::mem::take(&mut stepper.going)
         });
         if stood {
-            self.walk.update(|_| {});
+            self.stepper.update(|_| {});
         }
         stood
     }
 
     /// Steps to a goal: from the block of the last stop, or from the play head.
-    pub(crate) fn walk_to(self, goal: Goal) {
+    pub(crate) fn step_to(self, goal: Goal) {
         self.playing.set(false);
         self.set_goal(self.head(), goal);
-        self.walk_on();
+        self.continue_stepping();
     }
 
     fn set_goal(self, t: f64, goal: Goal) {
-        self.walk.update_untracked(|walk| match &mut walk.debugger {
-            Some(debugger) if walk.at_stop || walk.going => debugger.go(goal),
+        self.stepper.update_untracked(|stepper| match &mut stepper.debugger {
+            Some(debugger) if stepper.at_stop || stepper.going => debugger.go(goal),
             debugger => *debugger = self.ask_planner(|main| Debugger::new(main, t, goal)),
         });
     }
 
     /// Steps back by a block. Always returns true, like the other commands of a key.
-    pub(crate) fn walk_back(self) -> bool {
-        let back = self.walk.update_untracked(|walk| {
-            let debugger = walk.debugger.as_mut().filter(|_| walk.at_stop)?;
+    pub(crate) fn step_back(self) -> bool {
+        let back = self.stepper.update_untracked(|stepper| {
+            let debugger = stepper.debugger.as_mut().filter(|_| stepper.at_stop)?;
             self.ask_planner(|main| debugger.back(main))
         });
         if back == Some(true) {
-            self.walk_on();
+            self.continue_stepping();
         }
         true
     }
 
     /// Stops the stepping under way and keeps its place.
-    pub(crate) fn walk_stop(self) -> bool {
-        if self.walk.with_untracked(|walk| walk.going) {
+    pub(crate) fn pause_stepping(self) -> bool {
+        if self.stepper.with_untracked(|stepper| stepper.going) {
             self.arrive(Stop::Reached);
         } else {
-            self.walk_away();
+            self.end_stepping();
         }
         true
     }
 
-    fn walk_on(self) {
-        if let Some(stop) = self.walk.update_untracked(|walk| walk.advance(f64::INFINITY, SLICE)) {
+    fn continue_stepping(self) {
+        if let Some(stop) = self.stepper.update_untracked(|stepper| stepper.advance(f64::INFINITY, SLICE)) {
             return self.arrive(stop);
         }
-        self.walk.update(|walk| (walk.going, walk.at_stop) = (true, false));
+        self.stepper.update(|stepper| (stepper.going, stepper.at_stop) = (true, false));
         let on = move || {
-            self.walk.update_untracked(|walk| walk.slicing = false);
-            if self.walk.with_untracked(|walk| walk.going) {
-                self.walk_on();
+            self.stepper.update_untracked(|stepper| stepper.slicing = false);
+            if self.stepper.with_untracked(|stepper| stepper.going) {
+                self.continue_stepping();
             }
         };
-        if !self.walk.update_untracked(|walk| core::mem::replace(&mut walk.slicing, true)) {
+        if !self.stepper.update_untracked(|stepper| core::mem::replace(&mut stepper.slicing, true)) {
             set_timeout(on, Duration::ZERO);
         }
     }
@@ -90,37 +90,37 @@ impl Player {
     /// Sets the play head to the stop of the debugger.
     fn arrive(self, stop: Stop) {
         put(self.playing, false);
-        self.walk.update(|walk| {
-            (walk.going, walk.at_stop) = (false, true);
-            let next = walk.stopped().map_or_else(String::new, |debugger| {
+        self.stepper.update(|stepper| {
+            (stepper.going, stepper.at_stop) = (false, true);
+            let next = stepper.stopped().map_or_else(String::new, |debugger| {
                 debugger.run().program().parsed().text(debugger.place().unwrap_or_default()).to_owned()
             });
             let words = |id: &'static str, what: String| headed(t(id), what);
-            walk.why = match stop {
-                Stop::Reached => words("page.walk-next", next),
-                Stop::Breakpoint(_) => words("page.walk-breakpoint", next),
-                Stop::Condition(_, why) => words("page.walk-breakpoint", sentence_with_hints(&why)),
+            stepper.why = match stop {
+                Stop::Reached => words("page.stepping-next", next),
+                Stop::Breakpoint(_) => words("page.stepping-breakpoint", next),
+                Stop::Condition(_, why) => words("page.stepping-breakpoint", sentence_with_hints(&why)),
                 Stop::Ended(end) => end_words(&end),
             };
         });
-        self.set_head(self.walk.with_untracked(Walk::t));
+        self.set_head(self.stepper.with_untracked(Stepper::t));
     }
 
     /// Time up to which the play head may move while it plays: at most the next breakpoint.
     pub(crate) fn play_to(self, from: f64, to: f64) -> f64 {
-        let (idle, going) = self.walk.with_untracked(|walk| (walk.points.list().is_empty(), walk.going));
+        let (idle, going) = self.stepper.with_untracked(|stepper| (stepper.points.list().is_empty(), stepper.going));
         if idle || going {
-            self.walk_away();
+            self.end_stepping();
         }
         if idle {
             return to;
         }
-        if self.walk.with_untracked(|walk| walk.at_stop || walk.debugger.is_none()) {
+        if self.stepper.with_untracked(|stepper| stepper.at_stop || stepper.debugger.is_none()) {
             self.set_goal(from, Goal::Continue);
-            self.walk.update(|walk| walk.at_stop = false);
+            self.stepper.update(|stepper| stepper.at_stop = false);
         }
-        match self.walk.update_untracked(|walk| walk.advance(to, IN_FRAME)) {
-            None => math::clamp(self.walk.with_untracked(Walk::t), from, to),
+        match self.stepper.update_untracked(|stepper| stepper.advance(to, IN_FRAME)) {
+            None => math::clamp(self.stepper.with_untracked(Stepper::t), from, to),
             Some(Stop::Ended(_)) => to,
             Some(stop) => {
                 self.arrive(stop);
@@ -131,18 +131,18 @@ impl Player {
 }
 
 /// Key in the browser's store of breakpoints and watches.
-const KEPT: &str = "macroline.walk";
+const KEPT: &str = "macroline.stepping";
 
 /// Key, sign and words of each command.
 pub(crate) const COMMANDS: [(&str, &str, &str); 8] = [
-    ("i", "↓", "page.walk-into"),
-    ("o", "↷", "page.walk-over"),
-    ("u", "↑", "page.walk-out"),
-    ("r", "←", "page.walk-back"),
-    ("t", "⇥", "page.walk-to"),
-    ("c", "▶", "page.walk-go"),
-    ("x", "■", "page.walk-stop"),
-    ("b", "●", "page.walk-point"),
+    ("i", "↓", "page.stepping-into"),
+    ("o", "↷", "page.stepping-over"),
+    ("u", "↑", "page.stepping-out"),
+    ("r", "←", "page.stepping-back"),
+    ("t", "⇥", "page.stepping-to"),
+    ("c", "▶", "page.stepping-go"),
+    ("x", "■", "page.stepping-stop"),
+    ("b", "●", "page.stepping-point"),
 ];
 
 /// Carries out the command of a key; returns whether the key has one.
@@ -157,21 +157,21 @@ pub(crate) fn press(page: Page, key: &str) -> bool {
             Some((_, place)) => Goal::To(place),
             None => return true,
         },
-        "r" => return player.walk_back(),
-        "x" => return player.walk_stop(),
+        "r" => return player.step_back(),
+        "x" => return player.pause_stepping(),
         "b" => {
             set_point(page, None);
             return true;
         }
         _ => return false,
     };
-    player.walk_to(goal);
+    player.step_to(goal);
     true
 }
 
 /// The block at the cursor; follows the cursor.
 pub(crate) fn at_cursor(page: Page) -> Option<(Location, Place)> {
-    let (file, line) = page.player.walk.with(|walk| walk.cursor)?;
+    let (file, line) = page.player.stepper.with(|stepper| stepper.cursor)?;
     let spot = Location::Line { file, line };
     let place = page.program.written.with(|written| spot.place(&written.parsed))?;
     Some((spot, place))
@@ -181,7 +181,7 @@ pub(crate) fn at_cursor(page: Page) -> Option<(Location, Place)> {
 fn cursor(page: Page) -> Option<(Location, Place)> {
     let found = untrack(|| at_cursor(page));
     if found.is_none() {
-        page.notices.notify(Tone::Info, t("page.walk-cursor").to_owned());
+        page.notices.notify(Tone::Info, t("page.stepping-cursor").to_owned());
     }
     found
 }
@@ -198,7 +198,7 @@ pub(crate) fn set_point(page: Page, condition: Option<&str>) -> bool {
     let Some((spot, place)) = cursor(page) else { return false };
     let parsed = page.program.written.with_untracked(|written| written.parsed.clone());
     let mut done = Ok(());
-    page.player.walk.update(|walk| done = walk.points.turn(spot, place, condition, &parsed));
+    page.player.stepper.update(|stepper| done = stepper.points.turn(spot, place, condition, &parsed));
     if let Err(why) = &done {
         page.notices.notify(Tone::Warn, sentence_with_hints(why));
     }
@@ -208,11 +208,11 @@ pub(crate) fn set_point(page: Page, condition: Option<&str>) -> bool {
 /// Keeps breakpoints and watches in this browser, a line each.
 pub(crate) fn keep(page: Page) {
     let mut out = String::new();
-    page.player.walk.with_untracked(|walk| {
-        for watch in &walk.watches {
+    page.player.stepper.with_untracked(|stepper| {
+        for watch in &stepper.watches {
             let _ = writeln!(out, "{watch}");
         }
-        for point in walk.points.list() {
+        for point in stepper.points.list() {
             let _ = writeln!(out, "{}\t{}", point.name(), point.condition);
         }
     });
@@ -223,13 +223,13 @@ pub(crate) fn keep(page: Page) {
 pub(crate) fn restore(page: Page) {
     let Some(text) = remembered(KEPT) else { return };
     let parsed = page.program.written.with_untracked(|written| written.parsed.clone());
-    page.player.walk.update_untracked(|walk| {
+    page.player.stepper.update_untracked(|stepper| {
         for line in text.lines() {
             match line.split_once('\t') {
-                None => walk.watches.push(line.to_owned()),
+                None => stepper.watches.push(line.to_owned()),
                 Some((name, condition)) => {
                     if let Some(spot) = Location::read_line(name, &parsed) {
-                        let _ = walk.points.add(spot, condition, &parsed);
+                        let _ = stepper.points.add(spot, condition, &parsed);
                     }
                 }
             }

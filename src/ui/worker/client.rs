@@ -150,7 +150,7 @@ impl Client {
     }
 
     fn start(self) -> Option<Running> {
-        Running::start(move |reply| self.hear(reply), move || self.fail())
+        Running::start(move |reply| self.receive(reply), move || self.fail())
     }
 
     /// Answers requests at once, in place of a worker.
@@ -170,7 +170,7 @@ impl Client {
         lost.waiting.into_iter().for_each(|waiting| (waiting.then)(None));
     }
 
-    fn hear(self, reply: Reply) {
+    fn receive(self, reply: Reply) {
         let Some(state) = self.0.try_get_value() else { return };
         let mut state = state.borrow_mut();
         match reply {

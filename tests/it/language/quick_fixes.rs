@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use expect_test::{Expect, expect};
 use macroline::controls;
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{Canon, Feed, Interp, StartProgram, Step};
 use macroline::nc::{Files, fix, parse};
 use macroline::project::Project;
@@ -642,7 +642,7 @@ fn mended_listing_has_equation_4_and_the_papers_figures() {
     for (number, value) in [(100, 1200.0), (101, 25.0), (102, 100.0), (107, 8.0), (109, 6.0), (111, 120.0)] {
         run.set_variable(number, Some(value));
     }
-    let mut world = Still { inputs: vec![(1033, 100.0)], ..Still::default() };
+    let mut world = MachineAtRest { inputs: vec![(1033, 100.0)], ..MachineAtRest::default() };
     let mut moved = None;
     for _ in 0..60 {
         if let Step::Command(Canon::Linear { to, feed, .. }, _) = run.step(&mut world) {

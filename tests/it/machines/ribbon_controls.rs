@@ -452,7 +452,7 @@ fn operator_notes_of_each_control_match() {
         This control forgets #100 and up at power-off: run O9102 once after each power-on.
     "#]]
     .assert_eq(&told("gsk-980tdc"));
-    // K · 1200 r/min of the published machine: 251 mm/s, 310 with the knob at its end.
+    // K · 1200 r/min of the published machine: 251 mm/s, 310 with the knob at its highest position.
     expect![[r#"
         This control has no variable that switches the feed override off: it has to stand at 100 %, or the ribbon piles up or tears. At 0 % the unwinder keeps its 251 mm/s, and the loop of 500 mm is full after 2 s.
     "#]].assert_eq(&told("sinumerik-808d"));

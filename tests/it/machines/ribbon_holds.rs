@@ -160,7 +160,7 @@ fn reel_at_its_end_holds_with_ribbon_for_the_stop() {
     assert_eq!(value(&project, "reel-products"), 0.0);
     let (planner, end) = run(&project, &[]);
     assert_eq!((end, said(&planner)), (RunEnd::Stop, vec!["ribbon.held-reel-empty"]));
-    // With the knob at its end the stop takes v · t_r / 2 off the reel: 1480 r/min, 2 s.
+    // With the knob at its highest position the stop takes v · t_r / 2 off the reel: 1480 r/min, 2 s.
     let opens = wound - PER_TURN * 1480.0 / 60.0;
     let late = ribbon(&planner, held_from(&planner, 0.0)).0 - opens;
     assert!((0.0..SPEED * (READING + LOOK)).contains(&late), "{late}");

@@ -8,7 +8,7 @@ use expect_test::expect_file;
 use macroline::controls::Address;
 use macroline::controls::interface::SignalRole;
 use macroline::interp::canon::AXES;
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{self, Canon, End, Feed, Interp, StartProgram};
 use macroline::machines::form::{FieldInfo, FieldKindInfo, Origins, Value, Values};
 use macroline::machines::{ControlContext, MachineProgram, settings};
@@ -40,8 +40,13 @@ pub(super) fn parsed(on: ControlContext<'static>, values: &Values) -> (MachinePr
 }
 
 /// The PLC's word is #1033 or #1032.
-fn world(percent: f64) -> Still {
-    Still { inputs: vec![(1032, percent), (1033, percent)], positions: [0.0; 6], endless: true, ..Still::default() }
+fn world(percent: f64) -> MachineAtRest {
+    MachineAtRest {
+        inputs: vec![(1032, percent), (1033, percent)],
+        positions: [0.0; 6],
+        endless: true,
+        ..MachineAtRest::default()
+    }
 }
 
 /// The run program after the set-up program, as on the machine: variables stay.

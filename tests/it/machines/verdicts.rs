@@ -390,7 +390,7 @@ fn remedy_that_does_not_help_has_no_button() {
 fn override_behind_the_limits_is_held_by_the_chuck() {
     let limits = [("override", "120"), ("upper-limit", "3000"), ("chuck-limit", "3000"), ("stage-2", "6000")];
     let mut lathe = project("turning-spindle", "gsk-980tdc", &limits);
-    let choice = OverrideOrder::BehindLimits;
+    let choice = OverrideOrder::AfterLimits;
     let row = lathe.control.switch(OverrideOrder::SWITCH).unwrap();
     lathe.switches.set(row, choice.option().id);
     assert_eq!(readout(&lathe, "speed-smallest").value, 3000.0);

@@ -501,7 +501,7 @@ fn p9100_in_r_parameters_gives_the_fact_sheet_cases() {
         let control = controls::find("sinumerik-802d").unwrap();
         let parsed = parse_with(&Files::one("RIBBON.MPF", source), control, &Switches::default());
         let mut interp = Interp::new(Rc::new(parsed), StartProgram::First);
-        macroline::interp::run(&mut interp, &mut macroline::interp::world::Still::default(), 10_000, |_, _| {});
+        macroline::interp::run(&mut interp, &mut macroline::interp::world::MachineAtRest::default(), 10_000, |_, _| {});
         let r = |number: u32| interp.variable(number).unwrap_or(0.0);
         assert_eq!(r(98), status, "{rpm} {percent}");
         if status != 1.0 {

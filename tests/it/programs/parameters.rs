@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use macroline::controls::find;
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{self, End, Interp, StartProgram};
 use macroline::nc::{self, Files};
 
@@ -15,7 +15,7 @@ fn called(entries: &str) -> impl Fn(u32) -> f64 + use<> {
     let parsed = Rc::new(nc::parse(&Files::one("CASE.MPF", text), find("sinumerik-802d").unwrap()));
     assert!(!parsed.has_errors());
     let mut run = Interp::new(parsed, StartProgram::First);
-    assert_eq!(interp::run(&mut run, &mut Still::default(), 1000, |_, _| {}), Some(End::Program));
+    assert_eq!(interp::run(&mut run, &mut MachineAtRest::default(), 1000, |_, _| {}), Some(End::Program));
     move |number| run.variable(number).unwrap_or(0.0)
 }
 

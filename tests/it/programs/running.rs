@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use expect_test::expect;
 use macroline::controls::find;
-use macroline::interp::world::Still;
+use macroline::interp::world::MachineAtRest;
 use macroline::interp::{self, End, Step};
 
 use super::{BUDGET, check, check_switched, log_of, start, start_on, world};
@@ -214,7 +214,7 @@ fn block_skip_omits_its_blocks() {
         let mut interp = start(source, &[]);
         let names = interp.names();
         let mut log = String::new();
-        let mut world = Still { block_skip: true, ..world() };
+        let mut world = MachineAtRest { block_skip: true, ..world() };
         interp::run(&mut interp, &mut world, BUDGET, |canon, _| writeln!(log, "{}", canon.line(names)).unwrap());
         log
     };
@@ -284,7 +284,7 @@ fn formulas(pi: &str, percent: f64) -> [f64; 4] {
          N20 #110=[{pi}*#111]/#109\nN30 #115=#105*SQRT[#107*#107+#110*#110]/#107\nM30\n"
     );
     let mut interp = start(&source, &[]);
-    let mut world = Still { inputs: vec![(1033, percent)], ..world() };
+    let mut world = MachineAtRest { inputs: vec![(1033, percent)], ..world() };
     assert_eq!(interp::run(&mut interp, &mut world, BUDGET, |_, _| {}), Some(End::Program));
     [104, 105, 110, 115].map(|number| interp.variable(number).unwrap())
 }
@@ -324,7 +324,7 @@ fn paper_formulas_give_the_papers_table() {
 fn million_increments_add_up_exactly() {
     let source = "O1\nG91 G01 F1000\nWHILE[#100 LT 1000000]DO1\nY62.832 X-.001\n#100=#100+1\nEND1\nM30";
     let mut interp = start(source, &[]);
-    let end = interp::run(&mut interp, &mut Still { endless: true, ..world() }, u64::MAX, |_, _| {});
+    let end = interp::run(&mut interp, &mut MachineAtRest { endless: true, ..world() }, u64::MAX, |_, _| {});
     assert_eq!(end, Some(End::Program));
     assert_eq!(interp.position()[..2], [-1_000_000, 62_832_000_000]);
 }

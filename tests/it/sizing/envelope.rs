@@ -507,7 +507,7 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     let sizing = sized(&project);
     let hold = row(&sizing, OperatingEvent::Start, "hold");
     assert_eq!((hold.verdict, hold.knob), (Verdict::Fail, None));
-    // The measured span ends with the hold and the stop of the unwinder: 251 mm/s over a ramp of 1.62 s, knob at its end 310 mm/s over 2 s.
+    // The measured span ends with the hold and the stop of the unwinder: 251 mm/s over a ramp of 1.62 s, knob at its highest position 310 mm/s over 2 s.
     let filled = row(&sizing, OperatingEvent::Run, "loop").value;
     assert!((300.0 + 200.0..300.0 + 320.0).contains(&filled), "{filled}");
     let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();

@@ -12,7 +12,7 @@ fn effective_torque_is_limited_by_the_curve_at_speed() {
     let effective = result(&warm, "y-effective-torque");
     let Some(Limit::AtMost(limit)) = effective.limit else { panic!("{effective:?}") };
     assert!((effective.value - 2.185).abs() < 0.001 && effective.verdict == Verdict::Fail, "{effective:?}");
-    // HC53: 2.94 Nm at rest, 1.59 at 3000 r/min. With the knob at its end it turns at 2596 r/min, a little less in the mean.
+    // HC53: 2.94 Nm at rest, 1.59 at 3000 r/min. With the knob at its highest position it turns at 2596 r/min, a little less in the mean.
     let at = |speed: f64| 0.8 * (2.94 - (2.94 - 1.59) * speed / 3000.0);
     assert!(limit > at(2596.0) && limit < at(2300.0), "{limit}");
     assert!(sentence(&effective.advice[0].message).contains("at a mean speed of"));

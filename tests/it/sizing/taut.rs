@@ -9,7 +9,7 @@ use macroline::view::{Limit, Verdict};
 
 use super::{line, result, same};
 
-/// A dwell too short for the unwinder's ramp: with the knob at its end X is 119.9 mm ahead.
+/// A dwell too short for the unwinder's ramp: with the knob at its highest position X is 119.9 mm ahead.
 const SHORT_DWELL: (&str, f64) = ("dwell", 0.1);
 
 /// Tension in N of the ribbon with that dwell and a modulus in N/mm²: `T1 + E A s / L`, by hand.
@@ -80,7 +80,7 @@ fn stop_asks_more_of_the_nip_where_the_ribbon_drives() {
     let driven = nip(0.0, 25.0);
     same("stop", driven.value, 100.0 * (25.0 + pull) / 40.0, 1e-9);
     assert!((driven.value - 111.75).abs() < 0.05 && driven.verdict == Verdict::Fail, "{driven:?}");
-    // The knob at its end leaves less: 50 % there.
+    // The knob at its highest position leaves less: 50 % there.
     let fast = 100.0 * (25.0 + pull * 1480.0 / 1200.0) / 40.0;
     let Some(Limit::AtMost(limit)) = driven.limit else { panic!("{:?}", driven.limit) };
     same("limit", limit, 50.0 * driven.value / fast, 1e-9);

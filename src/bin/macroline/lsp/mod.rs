@@ -30,7 +30,7 @@ pub(crate) fn serve(
         match wire::read(&mut input)? {
             MessageRead::Message(message) => server.take(message),
             MessageRead::Malformed(why) => wire::write_refusal(&mut output, &why)?,
-            MessageRead::End => return Err(Failure::Told),
+            MessageRead::End => return Err(Failure::Reported),
         }
         for message in server.sends() {
             message.write(&mut output)?;
@@ -38,7 +38,7 @@ pub(crate) fn serve(
         output.flush()?;
         match server.phase() {
             SessionPhase::Ended { after_shutdown: true } => return Ok(()),
-            SessionPhase::Ended { after_shutdown: false } => return Err(Failure::Told),
+            SessionPhase::Ended { after_shutdown: false } => return Err(Failure::Reported),
             _ => {}
         }
     }

@@ -12,7 +12,7 @@ const NUMBERS: &[Switch] = &[
     switch(DecimalPoint::of(&[DecimalPoint::Increments, DecimalPoint::Millimetres]), MEMORY).parameter("3401#0"),
     switch(ArgumentPoint::of(&[ArgumentPoint::Increments, ArgumentPoint::AsWritten]), ARGUMENTS),
     switch(CommentCharacters::of(&[CommentCharacters::Ascii, CommentCharacters::Gbk, CommentCharacters::Utf8]), MEMORY),
-    switch(PointBehindVariable::of(&[PointBehindVariable::Alarm, PointBehindVariable::Ignored]), MEMORY),
+    switch(PointAfterVariable::of(&[PointAfterVariable::Alarm, PointAfterVariable::Ignored]), MEMORY),
     switch(Assignments::of(&[Assignments::One, Assignments::Several]), MEMORY),
     switch(WordFormula::of(&[WordFormula::AsIs, WordFormula::InBrackets]), MEMORY),
     switch(
@@ -43,7 +43,7 @@ const RUNNING: &[Switch] = &[
     switch(AngleRange::of(&[AngleRange::AtanTurnAsinWithinTurn, AngleRange::AtanHalfTurnAsinAroundZero]), MEMORY)
         .parameter("6004#0"),
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), MEMORY).parameter("3708#0"),
-    switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::BehindLimits]), MEMORY),
+    switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::AfterLimits]), MEMORY),
     switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::Before, M5Timing::End]), MEMORY),
     switch(SpindleAtReset::of(&[SpindleAtReset::Stops, SpindleAtReset::Turns]), MEMORY),

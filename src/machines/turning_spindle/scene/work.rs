@@ -39,10 +39,10 @@ pub(in super::super) fn sections(lathe: &TurningSpindle, layout: &Layout, progre
         match at.filter(|&d| d < stock) {
             Some(d) => {
                 let cut = left(done + 1);
-                all.push(section(round(-layout.behind, cut, stock), false, true));
+                all.push(section(round(-layout.free_length, cut, stock), false, true));
                 all.push(section(round(cut, face, d.max(rest)), false, done > 0));
             }
-            None => all.push(section(round(-layout.behind, face, stock), false, done > 0)),
+            None => all.push(section(round(-layout.free_length, face, stock), false, done > 0)),
         }
         // The stub that remains where the cut ends short of the centre.
         if done > 0 && rest > 0.0 {
@@ -57,7 +57,7 @@ pub(in super::super) fn sections(lathe: &TurningSpindle, layout: &Layout, progre
         let between = places.filter(|&z| p.path == Path::Taper && z > from && z < to);
         core::iter::once(from).chain(between).chain([to]).map(|z| (z, diameter(z, pass))).collect()
     };
-    all.push(section(round(-layout.behind, -p.length, stock), false, done > 0));
+    all.push(section(round(-layout.free_length, -p.length, stock), false, done > 0));
     if cut > -p.length {
         all.push(section(profile(-p.length, cut, done), done > 0, at.is_some()));
     }
@@ -110,7 +110,7 @@ pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
 
 /// The section of a keyway of a depth in a cylinder, between two Z from the finished face, at the side of the tool.
 fn slot(layout: &Layout, diameter: f64, depth: f64, [from, to]: [f64; 2]) -> String {
-    let from = from.max(-layout.behind).min(to);
+    let from = from.max(-layout.free_length).min(to);
     let (outer, inner) = (0.5 * diameter, 0.5 * diameter - depth);
     polygon(&[layout.tip(outer, from), layout.tip(outer, to), layout.tip(inner, to), layout.tip(inner, from)])
 }

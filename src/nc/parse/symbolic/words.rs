@@ -159,7 +159,7 @@ impl Reader<'_> {
             number.mantissa = -number.mantissa;
         }
         match self.cursor.peek() {
-            b'=' | b'+' | b'-' | b'*' | b'/' | b'.' | b' ' => self.behind_number(start, letter, number),
+            b'=' | b'+' | b'-' | b'*' | b'/' | b'.' | b' ' => self.after_number(start, letter, number),
             _ => Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start)))),
         }
     }
@@ -195,7 +195,7 @@ impl Reader<'_> {
     }
 
     /// Continues after the number of a word: usually a blank, rarely the rest of an extended address or of a formula.
-    fn behind_number(
+    fn after_number(
         &mut self,
         start: usize,
         letter: Address,
@@ -248,7 +248,7 @@ impl Reader<'_> {
                 return Err(self.failure(Alarm::Format, self.cursor.at, end, message, false));
             }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
-            b'O' | b'o' if self.cursor.at == start + 1 && self.zero_behind_letter(start) => {
+            b'O' | b'o' if self.cursor.at == start + 1 && self.zero_after_letter(start) => {
                 return Ok((None, Dimensioning::Plain, WordValue::Number(Dec::int(0))));
             }
             byte if !byte.is_ascii() => return Err(self.unexpected()),

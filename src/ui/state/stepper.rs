@@ -10,7 +10,7 @@ const STEPS: usize = 64;
 
 /// The debugger of the page.
 #[derive(Default)]
-pub(crate) struct Walk {
+pub(crate) struct Stepper {
     /// The second run, beside the shown one.
     pub debugger: Option<Debugger>,
     /// Whether the debugger has stopped at the play head.
@@ -29,7 +29,7 @@ pub(crate) struct Walk {
     pub cursor: Option<(FileId, u32)>,
 }
 
-impl Walk {
+impl Stepper {
     /// The debugger, where it has stopped.
     pub(crate) fn stopped(&self) -> Option<&Debugger> {
         self.debugger.as_ref().filter(|_| self.at_stop)
