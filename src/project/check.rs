@@ -104,7 +104,7 @@ const READINGS: usize = 8;
 impl Project {
     /// Applies the fixes of these findings to the program's files, then the fixes of findings from parsing the result. Returns the files
     /// and the number of fixes.
-    pub fn mended(&self, files: &Files, found: &[Diagnostic], choice: FixChoice) -> (Files, usize) {
+    pub fn with_fixes(&self, files: &Files, found: &[Diagnostic], choice: FixChoice) -> (Files, usize) {
         let (mut files, mut count) = nc::fix_all(files, fixes(found, choice));
         for _ in 1..READINGS {
             let parsed = nc::parse_with(&files, self.control, &self.switches);

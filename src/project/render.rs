@@ -59,9 +59,9 @@ impl<'f> Renderer<'f> {
     /// marked, the hints, and the lines after each fix.
     pub fn text(&self, diagnostic: &Diagnostic) -> String {
         let fixes: Vec<&Fix> = self.fixes(diagnostic).collect();
-        let mended: Vec<_> = fixes.iter().map(|fix| self.mended(fix)).collect();
+        let fixed: Vec<_> = fixes.iter().map(|fix| self.fixed_lines(fix)).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
-        let last = mended.iter().flatten().map(|(first, lines)| first + lines.len() as u32 - 1);
+        let last = fixed.iter().flatten().map(|(first, lines)| first + lines.len() as u32 - 1);
         let width = last.chain(place.map(|(_, line, _)| line)).max().map_or(1, |line| line.to_string().len());
         let mut out = headline(diagnostic) + "\n";
         if let Some(excerpt) = diagnostic.place.and_then(|place| self.aligned(place, width)) {
@@ -76,9 +76,9 @@ impl<'f> Renderer<'f> {
         for hint in &diagnostic.hints {
             out += &format!("{:width$} = {}\n", "", sentence(hint));
         }
-        for (fix, mended) in fixes.iter().zip(&mended) {
+        for (fix, lines) in fixes.iter().zip(&fixed) {
             out += &format!("{}\n", sentence(&msg!("project.help", text = sentence(&fix.title))));
-            let Some((first, lines)) = mended else { continue };
+            let Some((first, lines)) = lines else { continue };
             out += &format!("{:width$} |\n", "");
             for (line, number) in lines.iter().zip(*first..) {
                 out += &format!("{number:width$} + {}\n", Shown::new(line, 0, 0).text);
@@ -106,7 +106,7 @@ impl<'f> Renderer<'f> {
     }
 
     /// The lines after a fix that it changes, and the number of the first; `None` if it changes too much of the file.
-    fn mended(&self, fix: &Fix) -> Option<(u32, Vec<String>)> {
+    fn fixed_lines(&self, fix: &Fix) -> Option<(u32, Vec<String>)> {
         let place = fix.edits.first()?.0;
         let text = self.files.get(place.file)?.text.as_str();
         let from = fix.edits.iter().map(|(place, _)| place.span.start as usize).min()?;
@@ -120,8 +120,8 @@ impl<'f> Renderer<'f> {
         let edits =
             fix.edits.iter().map(|(place, new)| (Place { span: shifted(place.span), ..Place::default() }, new.clone()));
         let part = Fix { title: fix.title.clone(), edits: edits.collect() };
-        let mended = nc::fix(&Files::one("", text.get(from..to)?), &part);
-        let lines: Vec<String> = mended.0.first()?.text.lines().map(str::to_owned).collect();
+        let fixed = nc::fix(&Files::one("", text.get(from..to)?), &part);
+        let lines: Vec<String> = fixed.0.first()?.text.lines().map(str::to_owned).collect();
         let first = self.indices.get(place.file.0 as usize)?.line_of(from as u32);
         let short = lines.iter().all(|line| line.len() <= SHOWN);
         (!lines.is_empty() && lines.len() <= LINES && short).then_some((first, lines))

@@ -138,7 +138,7 @@ enum Fault {
 }
 
 /// The fact of a fault, with the remedy at the first fault: one choice of cutter corrects all of them.
-fn mended(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
+fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
     let PolygonLathe { p, d, .. } = lathe;
     let mut advice = vec![Advice::from(fact)];
     let faults = [other_sides(lathe), uneven(lathe), lacks_relief(lathe), is_hollow(lathe)];
@@ -180,7 +180,7 @@ fn sides(lathe: &PolygonLathe) -> Option<Judgement> {
     if !other_sides(lathe) {
         return ok(limit);
     }
-    fail(limit, mended(lathe, Fault::Sides, msg!("polygon.other-sides", sides = d.sides, wanted = p.sides)))
+    fail(limit, remedies(lathe, Fault::Sides, msg!("polygon.other-sides", sides = d.sides, wanted = p.sides)))
 }
 
 fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -191,7 +191,7 @@ fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
     }
     fail(
         limit,
-        mended(lathe, Fault::Flatness, msg!("polygon.not-flat", flatness = (d.flatness, 4), limit = (p.flatness, 4))),
+        remedies(lathe, Fault::Flatness, msg!("polygon.not-flat", flatness = (d.flatness, 4), limit = (p.flatness, 4))),
     )
 }
 
@@ -200,7 +200,7 @@ fn hollow(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let limit = (d.curvature < 0.0).then_some(AtLeast(0.0));
     if is_hollow(lathe) {
-        return fail(limit, mended(lathe, Fault::Hollow, msg!("polygon.hollow-sides", height = (d.hollow, 4))));
+        return fail(limit, remedies(lathe, Fault::Hollow, msg!("polygon.hollow-sides", height = (d.hollow, 4))));
     }
     if d.ratio < 0.0 && p.hollow { warn(limit, [same_sense(lathe)]) } else { ok(None) }
 }
@@ -229,7 +229,7 @@ fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
                 size = (size, 3)
             ),
         };
-        return fail(limit, mended(lathe, Fault::Relief, fact));
+        return fail(limit, remedies(lathe, Fault::Relief, fact));
     }
     if !d.faces_forward {
         return warn(limit, [msg!("polygon.faces-back").into()]);

@@ -49,7 +49,7 @@ pub struct Growth {
     /// Id and catalog id of the result that fails beyond it, or at it if none holds; none if the form's range ends first.
     pub binding: Option<(&'static str, &'static str)>,
     /// Ids and catalog ids of the results that fail now and with less: the field does not repair them.
-    pub unmended: Vec<(&'static str, &'static str)>,
+    pub failing_anyway: Vec<(&'static str, &'static str)>,
 }
 
 /// The fastest operation of this hardware.
@@ -64,7 +64,7 @@ pub struct Fastest {
     /// Id and catalog id of the result that fails beyond.
     pub binding: (&'static str, &'static str),
     /// Ids and catalog ids of the results that fail at this speed and at lower ones.
-    pub unmended: Vec<(&'static str, &'static str)>,
+    pub failing_anyway: Vec<(&'static str, &'static str)>,
     /// The entry of the form with that speed.
     pub entry: (&'static str, String),
 }
@@ -170,7 +170,7 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
         holds,
         margin: if now > 0.0 { value / now - 1.0 } else { 0.0 },
         binding,
-        unmended: trial.ignored.clone(),
+        failing_anyway: trial.ignored.clone(),
     };
     if upward && binding.is_none() {
         return Some(growth(trial.entry(fails), true, None));
@@ -200,7 +200,7 @@ fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
         value: (told.value, told.unit),
         decimals: told.decimals,
         binding,
-        unmended: speed.unmended.clone(),
+        failing_anyway: speed.failing_anyway.clone(),
         entry,
     })
 }

@@ -145,7 +145,7 @@ impl Sizing {
     fn limit_sheet(&self) -> Sheet {
         let cells = |of: &Growth| {
             let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
-            let binding = beside(binding, &of.unmended);
+            let binding = beside(binding, &of.failing_anyway);
             let (value, margin) = match of.holds {
                 true => (units::text(of.value, 3, of.unit), format!("{:+.0}\u{a0}%", 100.0 * of.margin)),
                 false => (say("size.none-holds"), String::new()),
@@ -161,7 +161,7 @@ impl Sizing {
         let fastest = self.fastest.as_ref().map(|fastest| {
             let speed = units::text(fastest.value.0, fastest.decimals, fastest.value.1);
             let label = headed(say("size.fastest"), say(fastest.result.1));
-            let cells = [label, speed, String::new(), beside(say(fastest.binding.1), &fastest.unmended)];
+            let cells = [label, speed, String::new(), beside(say(fastest.binding.1), &fastest.failing_anyway)];
             Row { sets: vec![fastest.entry.clone()], ..row(cells, RUNS_OF_FORM) }
         });
         Sheet {
@@ -275,9 +275,9 @@ impl Sizing {
 }
 
 /// A limit that binds, with the results that fail for any entry of the field.
-fn beside(binding: String, unmended: &[(&'static str, &'static str)]) -> String {
-    let results = listed(unmended.iter().map(|(_, label)| say(label)));
-    if unmended.is_empty() { binding } else { sentence(&msg!("size.unmended", binding, results)) }
+fn beside(binding: String, failing_anyway: &[(&'static str, &'static str)]) -> String {
+    let results = listed(failing_anyway.iter().map(|(_, label)| say(label)));
+    if failing_anyway.is_empty() { binding } else { sentence(&msg!("size.failing-anyway", binding, results)) }
 }
 
 /// A value, marked as a lower bound if its run was cut.

@@ -136,14 +136,14 @@ fn holding_limit(of: &HoldingLimit) -> Json {
 fn limit(row: &Growth) -> Json {
     json!({
         "quantity": row.field, "limit": row.binding.map(|binding| binding.0), "margin": row.holds.then_some(row.margin),
-        "value": row.holds.then_some(row.value), "unit": row.unit, "fails_with_less_too": ids(&row.unmended),
+        "value": row.holds.then_some(row.value), "unit": row.unit, "fails_with_less_too": ids(&row.failing_anyway),
     })
 }
 
 fn fastest(fastest: &Fastest) -> Json {
     json!({
         "line_speed": fastest.value.0, "unit": fastest.value.1, "result": fastest.result.0, "binding": fastest.binding.0,
-        "field": fastest.entry.0, "entry": fastest.entry.1, "fails_with_less_too": ids(&fastest.unmended),
+        "field": fastest.entry.0, "entry": fastest.entry.1, "fails_with_less_too": ids(&fastest.failing_anyway),
     })
 }
 

@@ -193,7 +193,7 @@ impl Page {
 
     /// Applies a fix of a finding, both by number; the program is then an edited one.
     pub(crate) fn apply_fix(self, finding: usize, fix: usize) {
-        let mended = self.program.findings.with_untracked(|findings| {
+        let fixed = self.program.findings.with_untracked(|findings| {
             // Marks in the editor may belong to the text before the edit.
             if self.program.pending.get_untracked() {
                 return None;
@@ -201,7 +201,7 @@ impl Page {
             let fix = findings.get(finding)?.fixes.get(fix)?;
             Some(self.program.written.with_untracked(|written| nc::fix(&written.files, fix)))
         });
-        if let Some(files) = mended {
+        if let Some(files) = fixed {
             self.edit("", |project| project.edited = Some(files));
             self.notices.announce(t("page.mended"));
         }
@@ -213,7 +213,7 @@ impl Page {
             return;
         }
         let (found, written) = (self.program.findings.get_untracked(), self.program.written.get_untracked());
-        let (files, count) = self.project.with_untracked(|project| project.mended(&written.files, &found, choice));
+        let (files, count) = self.project.with_untracked(|project| project.with_fixes(&written.files, &found, choice));
         if count > 0 {
             self.edit("", |project| project.edited = Some(files));
             self.notices.notify(Tone::Info, sentence(&crate::msg!("page.mended-all", count = count as u32)));

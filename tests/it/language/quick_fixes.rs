@@ -613,7 +613,7 @@ fn mended(text: &str, choice: FixChoice) -> (usize, String, usize) {
     let files = Files::one("a.nc", text);
     let found = parse(&files, project.control).diagnostics().to_vec();
     let errors = found.iter().filter(|found| found.severity == Severity::Error).count();
-    let (files, count) = project.mended(&files, &found, choice);
+    let (files, count) = project.with_fixes(&files, &found, choice);
     (errors, files.0[0].text.clone(), count)
 }
 

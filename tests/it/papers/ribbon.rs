@@ -203,7 +203,7 @@ fn mended() -> Files {
     let project = example("ribbon-line", "paper");
     [FixChoice::Certain, FixChoice::First].into_iter().fold(project.listing(), |files, choice| {
         let found = nc::parse(&files, project.control).diagnostics().to_vec();
-        project.mended(&files, &found, choice).0
+        project.with_fixes(&files, &found, choice).0
     })
 }
 

@@ -649,10 +649,10 @@ fn fastest_operation_names_what_fails_at_any_speed() {
     assert!(failing(&line()).is_empty());
     let fastest = sized(&slipping).fastest.unwrap();
     let set = slipping.with_entries(std::slice::from_ref(&fastest.entry)).unwrap();
-    let named: Vec<&str> = fastest.unmended.iter().map(|(id, _)| *id).collect();
+    let named: Vec<&str> = fastest.failing_anyway.iter().map(|(id, _)| *id).collect();
     assert!(!named.is_empty());
     assert_eq!(failing(&set), named);
-    assert!(sized(&line()).fastest.unwrap().unmended.is_empty());
+    assert!(sized(&line()).fastest.unwrap().failing_anyway.is_empty());
 }
 
 #[test]

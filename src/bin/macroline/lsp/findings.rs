@@ -76,12 +76,12 @@ impl Programs {
     /// One action with every fix that has no alternative, in all files.
     fn all_fixes(&self) -> Option<CodeAction> {
         let files = self.parsed.files();
-        let (mended, count) = nc::fix_all(files, fixes(&self.found, FixChoice::Certain).filter(|fix| can_be_made(fix)));
+        let (fixed, count) = nc::fix_all(files, fixes(&self.found, FixChoice::Certain).filter(|fix| can_be_made(fix)));
         let whole = |(at, (old, new)): (u16, (&nc::File, &nc::File))| {
             let place = Place { file: FileId(at), span: Span::new(0, old.text.len() as u32) };
             (old.text != new.text).then(|| (place, new.text.clone()))
         };
-        let edits: Vec<(Place, String)> = (0..).zip(files.0.iter().zip(&mended.0)).filter_map(whole).collect();
+        let edits: Vec<(Place, String)> = (0..).zip(files.0.iter().zip(&fixed.0)).filter_map(whole).collect();
         (count > 0).then(|| CodeAction {
             title: sentence(&msg!("page.fix-all", count = count as u32)),
             kind: Some(FIX_ALL),
