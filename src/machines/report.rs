@@ -7,8 +7,8 @@ use crate::controls::{Control, Switch, Switches};
 use crate::msg;
 use crate::text::catalog::{number_text, sentence, words};
 use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
-use crate::view::report::{Input, ListedPart, OpenPoints, Report, RunReport, TitleBlock};
-use crate::view::{DrawnPart, Readout};
+use crate::view::report::{Input, ListedPart, OpenPoints, Report, RunReport, SizingReport, TitleBlock};
+use crate::view::{DrawnPart, Readout, Repairs};
 
 /// Gathers the parts of the report that machine and control supply. `name` is the project's and may be empty; `further` are findings beyond
 /// those of the design, for instance about the program. The project fills in title block, run and programs.
@@ -40,8 +40,8 @@ pub fn report(
         summary: prepared.summary(),
         readouts: design.readouts.into_iter().map(Readout::shown).collect(),
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
-        exceeded: Vec::new(),
-        sizing: Vec::new(),
+        repairs: Repairs::default(),
+        sizing: SizingReport::default(),
         variants: None,
         sheets: prepared.sheets(),
         open: open(control, switches),
@@ -62,9 +62,9 @@ fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
         let of = |(sign, id): &(&'static str, &'static str)| {
             let input = inputs.iter().find(|input| input.id == *id).filter(|input| !input.value.is_empty())?;
             let unit = if input.unit.is_empty() { String::new() } else { format!(" {}", input.unit) };
-            Some((format!("{sign}{}{unit}", input.value), input.origin == Some(Provenance::Assumed)))
+            Some(((format!("{sign}{}", input.value), unit), input.origin == Some(Provenance::Assumed)))
         };
-        let data: Vec<(String, bool)> = part.data.iter().filter_map(of).collect();
+        let data: Vec<((String, String), bool)> = part.data.iter().filter_map(of).collect();
         let assumed = data.iter().filter(|(_, assumed)| *assumed).count();
         let origin = match assumed {
             _ if data.is_empty() => None,
@@ -72,15 +72,16 @@ fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
             all if all == data.len() => Some("form.report.assumed"),
             _ => Some("form.report.partly"),
         };
-        let mut shown: Vec<String> = Vec::new();
-        for (text, _) in data {
+        let mut shown: Vec<(String, String)> = Vec::new();
+        for ((text, unit), _) in data {
             match shown.last_mut() {
-                // A length by a width is one datum.
-                Some(length) if text.starts_with('×') => *length += &format!(" {text}"),
-                _ => shown.push(text),
+                // A length by a width is one datum, with its unit once.
+                Some((length, same)) if text.starts_with('×') && *same == unit => *length += &format!(" {text}"),
+                _ => shown.push((text, unit)),
             }
         }
-        ListedPart { name: part.name, quantity: part.quantity, data: listed(shown), origin }
+        let data = listed(shown.into_iter().map(|(text, unit)| text + &unit));
+        ListedPart { name: part.name, quantity: part.quantity, data, origin }
     };
     prepared.parts().into_iter().map(part).collect()
 }

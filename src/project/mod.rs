@@ -81,6 +81,7 @@ pub mod changes;
 pub mod origins;
 
 pub mod remedy;
+pub mod repairs;
 
 pub mod meaning;
 

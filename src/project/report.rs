@@ -5,6 +5,7 @@ use super::checksum::crc32;
 use super::encode;
 use super::export::ExportOptions;
 use super::program::Written;
+use super::repairs::repairs;
 use super::run::{RunOptions, of_project, program_number};
 use super::size::Sizing;
 use crate::controls::schema::syntax::Percent;
@@ -18,7 +19,7 @@ use crate::text::catalog::words;
 use crate::text::lines::line_end;
 use crate::text::listed;
 use crate::view::balloons::balloons;
-use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
+use crate::view::report::{Figure, PrintedProgram, Report, RunReport, SizingReport};
 use crate::view::{Chart, Theme, svg};
 
 /// Budget of a report's run: blocks, and seconds of machine time. A longer run is drawn as far as it came.
@@ -39,6 +40,10 @@ fn at_work(spans: &[(f64, f64)], time: f64) -> f64 {
     middles.min_by(|a, b| (a - time).abs().total_cmp(&(b - time).abs())).unwrap_or(time)
 }
 
+fn sizing_report(sizing: &Sizing) -> SizingReport {
+    SizingReport { tables: sizing.offer(), exceeded: sizing.findings() }
+}
+
 impl Project {
     /// The report about these programs of the project.
     pub fn report(&self, prepared: &PreparedMachine, written: &Written, options: &ExportOptions) -> Report {
@@ -57,8 +62,8 @@ impl Project {
             run: self.run_report(prepared, written),
             programs: files.iter().map(program).collect(),
             loading: self.loading(written),
-            exceeded: options.sizing.map(Sizing::findings).unwrap_or_default(),
-            sizing: options.sizing.map(Sizing::offer).unwrap_or_default(),
+            repairs: repairs(self),
+            sizing: options.sizing.map(sizing_report).unwrap_or_default(),
             variants: self.compared_variants(words("variants.offer")),
             ..report
         }

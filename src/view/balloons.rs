@@ -1,8 +1,10 @@
-//! Balloons: numbered circles beside the parts of a drawing, each with a leader to its part, clear of labels and of each other.
+//! Balloons: numbered circles beside the parts of a drawing, each with a leader to its part, clear of labels and of each other, and beside
+//! the parts where there is room.
 
 use core::fmt::Write;
 
 use super::drawing::crosses;
+use super::look::Paint;
 use super::parts::DrawnPart;
 use super::scene::{Font, LETTER, LINE, Node, Placement, Pose, Scene, SceneGroup, Shape};
 use crate::math::{self, PI};
@@ -19,6 +21,10 @@ const FIRST: f64 = 2.2;
 const STEP: f64 = 0.7;
 const DISTANCES: u32 = 40;
 const DIRECTIONS: u32 = 32;
+/// Number of distances within which a balloon leaves the solid shapes of the drawing free; farther away it lies on them.
+const BESIDE: u32 = 14;
+/// Share of the drawing's width and height from which a shape is a background, on which balloons may lie.
+const BACKGROUND: f64 = 0.5;
 /// Width of a letter and heights of its top and foot, in letter sizes.
 const LETTER_BOX: [f64; 3] = [0.6, 0.78, 0.25];
 
@@ -113,10 +119,27 @@ fn text_area(scene: &Scene, pose: &Pose, node: &Node) -> Option<Area> {
     (seen && count > 0).then_some([left, base - top * size, left + width, base + foot * size])
 }
 
+/// Area of a filled shape in a pose; `None` for lines, paths, backgrounds, and shapes that are not visible.
+fn solid_area(scene: &Scene, pose: &Pose, node: &Node) -> Option<Area> {
+    let (x, y, half_width, half_height) = match node.shape {
+        Shape::Circle { x, y, r } => (x, y, r, r),
+        Shape::Ellipse { x, y, rx, ry } => (x, y, rx, ry),
+        Shape::Rect { x, y, w, h, .. } => (x + 0.5 * w, y + 0.5 * h, 0.5 * w, 0.5 * h),
+        Shape::Path { .. } | Shape::Text { .. } => return None,
+    };
+    let ((x, y), scale, seen) = point(scene, pose, node.group, (x, y));
+    let (half_width, half_height) = (half_width * scale, half_height * scale);
+    let [_, _, width, height] = scene.view;
+    let background = 2.0 * half_width > BACKGROUND * width || 2.0 * half_height > BACKGROUND * height;
+    let solid = seen && !background && node.look.fill != Paint::Clear && node.look.opacity > 0.5;
+    solid.then_some([x - half_width, y - half_height, x + half_width, y + half_height])
+}
+
 /// Obstacles for a new balloon.
 struct Taken {
     view: Area,
     texts: Vec<Area>,
+    solids: Vec<Area>,
     parts: Vec<(f64, f64)>,
     balloons: Vec<Balloon>,
     /// Letter size.
@@ -149,11 +172,17 @@ impl Taken {
             && !self.balloons.iter().any(|other| cross((from, to), (other.edge(), other.part)))
     }
 
-    /// The nearest free place. If no leader is clear of everything, one that at least crosses no balloon.
+    /// Whether it covers no solid shape.
+    fn lies_beside(&self, balloon: &Balloon) -> bool {
+        !self.solids.iter().any(|solid| overlap(*solid, balloon.area()))
+    }
+
+    /// The nearest free place beside the solid shapes, or else on them. If no leader is clear of everything, one that at least crosses no
+    /// balloon.
     fn place(&self, item: u32, part: (f64, f64)) -> Option<Balloon> {
         let radius = RADIUS * self.letter;
-        let tries = || {
-            (0..DISTANCES).flat_map(move |at| {
+        let tries_to = |last: u32| {
+            (0..last).flat_map(move |at| {
                 let distance = (FIRST + STEP * f64::from(at)) * self.letter;
                 (0..DIRECTIONS).map(move |turn| {
                     // From straight up, alternately to both sides.
@@ -163,9 +192,14 @@ impl Taken {
                 })
             })
         };
+        let tries = || tries_to(DISTANCES);
         let free = |balloon: &Balloon| self.has_room(balloon) && self.leads_past(balloon);
-        let clear = tries().find(|balloon| free(balloon) && self.leads_clear(balloon));
-        clear.or_else(|| tries().find(free)).or_else(|| tries().find(|balloon| self.has_room(balloon)))
+        let clear = |balloon: &Balloon| free(balloon) && self.leads_clear(balloon);
+        let beside = tries_to(BESIDE).find(|balloon| self.lies_beside(balloon) && clear(balloon));
+        beside
+            .or_else(|| tries().find(clear))
+            .or_else(|| tries().find(free))
+            .or_else(|| tries().find(|balloon| self.has_room(balloon)))
     }
 }
 
@@ -177,7 +211,8 @@ pub fn balloons(scene: &Scene, pose: &Pose, parts: &[DrawnPart]) -> Vec<Balloon>
     let inside = |(x, y): (f64, f64)| (math::clamp(x, view[0], view[2]), math::clamp(y, view[1], view[3]));
     let places: Vec<(f64, f64)> = parts.iter().map(|part| inside(point(scene, pose, part.group, part.at).0)).collect();
     let texts = scene.nodes.iter().filter_map(|node| text_area(scene, pose, node)).collect();
-    let mut taken = Taken { view, texts, parts: places.clone(), balloons: Vec::new(), letter };
+    let solids = scene.nodes.iter().filter_map(|node| solid_area(scene, pose, node)).collect();
+    let mut taken = Taken { view, texts, solids, parts: places.clone(), balloons: Vec::new(), letter };
     for (item, part) in (1..).zip(places) {
         let balloon = taken.place(item, part);
         taken.balloons.extend(balloon);

@@ -115,6 +115,15 @@ impl Advice {
     }
 }
 
+/// Changes of the form with which the failing results of a design hold.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Repairs {
+    /// The changes, in the order in which they were found; each has a button.
+    pub changes: Vec<Advice>,
+    /// Number of results that fail with all of them too.
+    pub left: usize,
+}
+
 impl From<Message> for Advice {
     fn from(message: Message) -> Advice {
         Advice { message, button: None, sets: Vec::new() }

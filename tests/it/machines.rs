@@ -18,6 +18,7 @@ mod polygon_shaft;
 mod polygon_sheets;
 mod polygon_torque;
 mod remedy;
+mod repairs;
 mod report;
 mod restart;
 mod ribbon_contacts;

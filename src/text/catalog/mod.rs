@@ -125,19 +125,30 @@ pub fn place(id: &'static str, name: &str) -> Option<&'static str> {
     })
 }
 
+/// A piece of a message's sentence.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SentencePiece<'m> {
+    /// Its text.
+    pub text: Cow<'m, str>,
+    /// It is a value, and not words of the catalog.
+    pub is_value: bool,
+}
+
+/// Pieces of a message's sentence, in order.
+pub fn pieces(message: &Message) -> impl Iterator<Item = SentencePiece<'_>> {
+    parts(words(message.id)).map(|part| match part {
+        SentencePart::Words(words) => SentencePiece { text: Cow::Borrowed(words), is_value: false },
+        SentencePart::Place(name, form) => {
+            let text = message.value(name).map(|value| shown(message, value, form));
+            let text = text.unwrap_or_else(|| Cow::Owned(format!("{{{name}}}")));
+            SentencePiece { text, is_value: !matches!(form, Form::Plural(_)) }
+        }
+    })
+}
+
 /// Sentence of a message.
 pub fn sentence(message: &Message) -> String {
-    let mut out = String::new();
-    for part in parts(words(message.id)) {
-        match part {
-            SentencePart::Words(words) => out.push_str(words),
-            SentencePart::Place(name, form) => match message.value(name) {
-                Some(value) => out.push_str(&shown(message, value, form)),
-                None => out.extend(["{", name, "}"]),
-            },
-        }
-    }
-    out
+    pieces(message).map(|piece| piece.text).collect()
 }
 
 /// Text of a value in its placeholder.

@@ -8,6 +8,7 @@ use leptos::wasm_bindgen::prelude::wasm_bindgen;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use web_sys::Window;
 
+use crate::machines::form::{FieldKindInfo, Value};
 use crate::nc::File;
 use crate::project::Project;
 use crate::project::export::REPORT;
@@ -120,6 +121,9 @@ pub(crate) fn ExportDialog() -> impl IntoView {
 /// Reads and writes an entry of the title block.
 type Entry = fn(&mut TitleBlock) -> &mut String;
 
+/// Characters that an entry of the title block takes.
+const ENTRY_LENGTH: usize = 120;
+
 /// The entries of the report's title block, which are saved with the project. A change makes the documents again.
 #[component]
 fn TitleBlockFields() -> impl IntoView {
@@ -131,14 +135,59 @@ fn TitleBlockFields() -> impl IntoView {
     ];
     let row = |(label, entry): (&'static str, Entry)| {
         let value = move || page.project.with(|project| entry(&mut project.title_block.clone()).clone());
-        let change = move |event| {
-            let text = event_target_value(&event);
-            page.edit("", |project| *entry(&mut project.title_block) = text);
-            page.view.exporting.set(true);
-        };
-        view! { <label>{t(label)}<input type="text" maxlength="120" prop:value=value on:change=change /></label> }
+        let change = move |text| page.edit("", |project| *entry(&mut project.title_block) = text);
+        view! { <TitleBlockEntry label max=ENTRY_LENGTH value change /> }
     };
-    view! { <fieldset class="title-block"><legend>{t("page.title-block")}</legend>{entries.into_iter().map(row).collect_view()}</fieldset> }
+    let customer = move || {
+        let (label, field, max) = page.project.with(customer_field)?;
+        let value = move || page.project.with(|project| text_of(project, field));
+        let change = move |text| page.set(field, Value::Text(text));
+        Some(view! { <TitleBlockEntry label max value change /> })
+    };
+    view! {
+        <fieldset class="title-block">
+            <legend>{t("page.title-block")}</legend>
+            {customer}
+            {entries.into_iter().map(row).collect_view()}
+        </fieldset>
+    }
+}
+
+/// Label, id and greatest length of the form's field with the customer's name, if the machine has one.
+fn customer_field(project: &Project) -> Option<(&'static str, &'static str, usize)> {
+    let customer = project.machine.info().customer;
+    let field = project.machine.fields().into_iter().find(|field| field.id == customer)?;
+    match field.kind {
+        FieldKindInfo::Text(max) => Some((field.label, field.id, max)),
+        _ => None,
+    }
+}
+
+fn text_of(project: &Project, field: &str) -> String {
+    match project.values.get(field) {
+        Some(Value::Text(text)) => text.clone(),
+        _ => String::new(),
+    }
+}
+
+/// An entry of the title block.
+#[component]
+fn TitleBlockEntry(
+    /// Catalog id of its label.
+    label: &'static str,
+    /// Characters that it takes.
+    max: usize,
+    /// Its text.
+    value: impl Fn() -> String + Send + 'static,
+    /// Takes another text.
+    change: impl Fn(String) + 'static,
+) -> impl IntoView {
+    let page = Page::here();
+    let change = move |event| {
+        change(event_target_value(&event));
+        page.view.exporting.set(true);
+    };
+    view! { <label>{t(label)}<input type="text" maxlength=max.to_string() prop:value=value on:change=change /></label> }
 }
 
 /// Why nothing is exported.
@@ -274,13 +323,25 @@ mod tests {
         let bench = mount(|| view! { <ExportDialog /> }).await;
         bench.worker.answer_here(documents);
         asked(&bench).await;
-        bench.choose(".title-block label:nth-of-type(2) input", "ML-4711").await;
+        bench.choose(".title-block label:nth-of-type(3) input", "ML-4711").await;
         let number = || bench.page.project.with_untracked(|project| project.title_block.number.clone());
         assert_eq!(number(), "ML-4711");
         assert!(bench.has("dialog[open] #save-all"));
         bench.page.undo();
         settled().await;
         assert_eq!(number(), "");
+    }
+
+    #[wasm_bindgen_test]
+    async fn customer_entered_at_the_export_is_in_the_program() {
+        let bench = mount(|| view! { <ExportDialog /> }).await;
+        bench.worker.answer_here(documents);
+        asked(&bench).await;
+        bench.choose(".title-block label:first-of-type input", "RIBBONS LTD").await;
+        assert_eq!(bench.setting("customer"), Some(Value::Text("RIBBONS LTD".to_owned())));
+        bench.press("#save-all").await;
+        let written = bench.page.program.written.get_untracked();
+        assert!(written.files.0.iter().any(|file| file.text.contains("RIBBONS LTD")));
     }
 
     #[wasm_bindgen_test]

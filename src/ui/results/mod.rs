@@ -6,6 +6,8 @@ mod parameters;
 
 mod readouts;
 
+mod repair;
+
 mod sizing;
 
 mod take;

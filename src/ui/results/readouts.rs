@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use super::repair::RepairAll;
 use crate::project::origins::assumed_facts;
 use crate::text::{Diagnostic, DiagnosticKind, Message, headed};
 use crate::ui::dom::go_to_field;
@@ -23,6 +24,7 @@ pub(crate) fn ResultsTab() -> impl IntoView {
         design.readouts.iter().map(|readout| view! { <Row readout=readout.clone() /> }).collect_view()
     };
     view! {
+        <RepairAll />
         <ul class="remarks">{remarks}</ul>
         <div class="results" class:old=move || page.is_stale()>{rows}</div>
     }

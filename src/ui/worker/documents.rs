@@ -1,11 +1,12 @@
 //! Sheets as HTML for the page, and the documents of an export.
 
-use super::messages::{ExportDocuments, Range, ReadParts, Remark, Sheets};
+use super::messages::{ExportDocuments, FoundRepairs, Range, ReadParts, Remark, Sheets};
 use crate::controls::options::CommentCharacters;
 use crate::project::chance;
 use crate::project::export::ExportOptions;
 use crate::project::meaning::{self, Subject, Table};
 use crate::project::parts;
+use crate::project::repairs;
 use crate::project::saved::with_line;
 use crate::project::size::{size, size_telling};
 use crate::project::variants::compare;
@@ -28,6 +29,17 @@ pub(super) fn sheets(project: &Project) -> Sheets {
         html(tab, sheet, project);
     }
     out
+}
+
+/// Changes with which the failing results of a project hold.
+pub(in crate::ui) fn repairs(project: &Project) -> FoundRepairs {
+    let found = repairs::repairs(project);
+    let entry = |(id, text): &(&'static str, String)| ((*id).to_owned(), text.clone());
+    FoundRepairs {
+        changes: found.changes.iter().filter_map(|change| change.button.as_ref()).map(sentence).collect(),
+        entries: found.changes.iter().flat_map(|change| &change.sets).map(entry).collect(),
+        left: found.left as u32,
+    }
 }
 
 /// A project with the sound parts of a table.

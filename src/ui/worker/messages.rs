@@ -34,6 +34,8 @@ pub(crate) enum Request {
     Chance,
     /// Assumed facts of the form whose change by a tenth flips a verdict.
     Flips,
+    /// Changes of the form with which the failing results hold.
+    Repairs,
     /// The present settings beside the variants of the project.
     Variants,
     /// A project beside another one: the names of both, and the text of the other one's file.
@@ -88,6 +90,8 @@ pub(crate) enum Response {
     Pictures(Vec<String>),
     /// Of [`Request::Flips`]: ids of the fields, the worst first.
     Flips(Vec<String>),
+    /// Of [`Request::Repairs`].
+    Repairs(FoundRepairs),
     /// Of [`Request::Export`].
     Export(ExportDocuments),
     /// Of [`Request::Help`].
@@ -104,6 +108,17 @@ pub(crate) enum Response {
     Places(Places),
     /// Of [`Request::Check`].
     Check(TextReport),
+}
+
+/// Changes of the form with which the failing results hold.
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FoundRepairs {
+    /// The changes in words.
+    pub changes: Vec<String>,
+    /// Id of each field and its new text, in the order in which they are taken.
+    pub entries: Vec<(String, String)>,
+    /// Number of results that fail with all of them too.
+    pub left: u32,
 }
 
 /// A place in the editor.

@@ -73,6 +73,7 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
             Request::Flips => Response::Flips(
                 Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),
             ),
+            Request::Repairs => Response::Repairs(documents::repairs(&project)),
             Request::Help(..) | Request::FindHelp(_) => {
                 let (page, load) = (page.clone(), load.clone());
                 return wasm_bindgen_futures::spawn_local(async move {

@@ -1,7 +1,7 @@
 //! Content of a report, as data.
 
 use crate::text::{Diagnostic, Message, Provenance};
-use crate::view::{Chart, Comparison, Readout, Sheet};
+use crate::view::{Chart, Comparison, Readout, Repairs, Sheet};
 
 /// An input of the report.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,6 +92,15 @@ pub struct RunReport {
     pub charts: Vec<Chart>,
 }
 
+/// The sizing in a report.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SizingReport {
+    /// Bill of materials, limits of the machine, operation, motors.
+    pub tables: Vec<Sheet>,
+    /// Findings about limits exceeded in the operating envelope.
+    pub exceeded: Vec<Diagnostic>,
+}
+
 /// Everything in the report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Report {
@@ -123,12 +132,12 @@ pub struct Report {
     pub summary: Option<Message>,
     /// Results with verdicts.
     pub readouts: Vec<Readout>,
+    /// Changes with which the failing verdicts hold.
+    pub repairs: Repairs,
     /// Findings about fields and program.
     pub diagnostics: Vec<Diagnostic>,
-    /// Findings about limits exceeded in the operating envelope; empty without sizing.
-    pub exceeded: Vec<Diagnostic>,
-    /// Tables of the sizing: bill of materials, limits of the machine, operation, motors; empty without sizing.
-    pub sizing: Vec<Sheet>,
+    /// The sizing; empty without one.
+    pub sizing: SizingReport,
     /// The offer, first, and the variants of the project; `None` without variants.
     pub variants: Option<Comparison>,
     /// Tables.

@@ -4,15 +4,14 @@ use super::cells::{
     INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
     has_sources,
 };
+use super::conclusion::conclusion;
 use super::document::Report;
 use crate::msg;
 use crate::text::catalog::{sentence, spoken, words};
 use crate::text::columns;
 use crate::text::headed;
 use crate::text::number::{decimals_of_four, filled, four_digits, short};
-use crate::text::{
-    Message, Provenance, Severity, {clauses, listed, sentences},
-};
+use crate::text::{Provenance, Severity, clauses};
 use crate::view::svg::escape;
 use crate::view::{Chart, ComparedRow, Readout, Sheet, Verdict, ladder, plot};
 
@@ -28,9 +27,6 @@ const FIRST: usize = 10;
 const PARTS: usize = 11;
 /// Least number of verdicts on the first sheet.
 const LEAST: usize = 4;
-
-/// Maximum failing verdicts named in the conclusion.
-const NAMED: usize = 3;
 
 /// The report as HTML with embedded styles and pictures.
 pub fn html(report: &Report) -> String {
@@ -90,7 +86,7 @@ impl Page<'_> {
         self.first_sheet();
         self.raw("<main class=\"flow\">");
         self.findings();
-        for sheet in &report.sizing {
+        for sheet in &report.sizing.tables {
             self.sheet(sheet);
         }
         self.variants();
@@ -125,8 +121,9 @@ impl Page<'_> {
             include_str!("../../../style/icon.svg"),
             "macroline</b></header>"
         ));
-        let conclusion = conclusion(report);
-        self.text("p", "conclusion", &conclusion);
+        self.raw("<p class=\"conclusion\">");
+        self.raw(&conclusion(report));
+        self.raw("</p>");
         self.raw("<figure class=\"drawing\">");
         self.raw(&report.run.drawing);
         self.text("figcaption", "dim", &sentence(&msg!("form.report.drawn-at", time = (report.run.drawn_at, 1))));
@@ -263,7 +260,7 @@ impl Page<'_> {
     /// Errors and remarks about fields and program, then the advice of the verdicts.
     fn findings(&mut self) {
         let report = self.report;
-        let all = report.diagnostics.iter().chain(&report.exceeded);
+        let all = report.diagnostics.iter().chain(&report.sizing.exceeded);
         let told = all.filter(|found| found.severity != Severity::Info);
         let mut said: Vec<String> = told.map(|found| sentence(&found.message)).collect();
         for readout in report.readouts.iter().filter(|readout| readout.verdict >= Verdict::Warn) {
@@ -492,45 +489,4 @@ fn first_rows(report: &Report) -> Vec<&Readout> {
     rows.sort_by_key(|readout| (core::cmp::Reverse(readout.verdict.max(Verdict::Ok)), !readout.headline));
     rows.truncate(FIRST.saturating_sub(report.parts.len().saturating_sub(PARTS)).max(LEAST));
     rows
-}
-
-/// Sentence about the work of the machine, or its headline figures if it does not work.
-fn work(report: &Report) -> Message {
-    let figure = |readout: &Readout| {
-        let value = four_digits(readout.value, readout.decimals);
-        format!("{} {value} {}", words(readout.label), readout.unit).trim_end().to_owned()
-    };
-    report.summary.clone().unwrap_or_else(|| {
-        let headline = report.readouts.iter().filter(|readout| readout.headline).take(3);
-        msg!("form.report.figures", figures = clauses(headline.map(figure)))
-    })
-}
-
-/// Conclusion: the work of the machine, the time of a part, and whether the verdicts hold.
-fn conclusion(report: &Report) -> String {
-    let cycle = match &report.run.figures[..] {
-        [time, parts] => {
-            Some(msg!("form.report.part-takes", time = time.shown(), parts = (parts.value, parts.decimals)))
-        }
-        _ => None,
-    };
-    let judged: Vec<&Readout> = report.readouts.iter().filter(|readout| readout.verdict != Verdict::None).collect();
-    let failing: Vec<&str> =
-        judged.iter().filter(|readout| readout.verdict == Verdict::Fail).map(|readout| words(readout.label)).collect();
-    let said: Message = match failing.len() {
-        0 => msg!("form.report.all-hold", count = judged.len() as u32),
-        n => {
-            let names = listed(failing.iter().take(NAMED));
-            let names = match n.saturating_sub(NAMED) {
-                0 => names,
-                others => sentence(&msg!("form.report.and-more", results = names, count = others as u32)),
-            };
-            msg!("form.report.some-fail", count = n as u32, all = judged.len() as u32, results = names)
-        }
-    };
-    let exceeded = match report.exceeded.len() {
-        0 => None,
-        n => Some(msg!("form.report.exceeded", count = n as u32)),
-    };
-    sentences([Some(work(report)), cycle, Some(said), exceeded].iter().flatten().map(sentence))
 }

@@ -21,7 +21,7 @@ pub fn markdown(report: &Report) -> String {
     parts(&mut out, report);
     section(&mut out, say("form.report.findings"));
     findings(&mut out, report);
-    for sheet in &report.sizing {
+    for sheet in &report.sizing.tables {
         section(&mut out, say(sheet.title));
         self::sheet(&mut out, sheet);
     }
@@ -62,7 +62,7 @@ fn head(out: &mut String, ids: &[&'static str]) {
 
 /// Errors and remarks, then the advice of the verdicts.
 fn findings(out: &mut String, report: &Report) {
-    for finding in report.diagnostics.iter().chain(&report.exceeded) {
+    for finding in report.diagnostics.iter().chain(&report.sizing.exceeded) {
         let _ = writeln!(out, "- {}", escape::markdown(&sentence(&finding.message)));
         for hint in &finding.hints {
             let _ = writeln!(out, "  - {}", escape::markdown(&sentence(hint)));

@@ -4,10 +4,14 @@ mod document;
 
 mod cells;
 
+mod conclusion;
+
 mod markdown;
 
 mod html;
 
-pub use document::{Figure, Input, ListedPart, OpenPoints, PrintedProgram, Report, RunReport, TitleBlock};
+pub use document::{
+    Figure, Input, ListedPart, OpenPoints, PrintedProgram, Report, RunReport, SizingReport, TitleBlock,
+};
 pub use html::html;
 pub use markdown::markdown;

@@ -1,0 +1,95 @@
+//! The conclusion of a report: the work of the machine, the time of a part, whether the verdicts hold, and the changes with which they do.
+
+use super::document::Report;
+use crate::msg;
+use crate::text::catalog::{pieces, sentence, words};
+use crate::text::number::four_digits;
+use crate::text::{Message, clauses, listed, sentences};
+use crate::view::svg::escape;
+use crate::view::{Readout, Repairs, Verdict};
+
+/// Maximum failing verdicts named.
+const NAMED: usize = 3;
+
+/// The conclusion as HTML, with its figures in bold.
+pub(super) fn conclusion(report: &Report) -> String {
+    let emphasized = [Some(work(report)), part(report)].into_iter().flatten().map(|message| emphasized(&message));
+    let [said, exceeded] = [Some(verdicts(report)), exceeded(report)].map(|message| message.as_ref().map(plain));
+    let changes = changes(&report.repairs).as_ref().map(self::emphasized);
+    sentences(emphasized.chain([said, changes, exceeded].into_iter().flatten()))
+}
+
+/// A sentence as HTML, its values in bold.
+fn emphasized(message: &Message) -> String {
+    let mut out = String::new();
+    for piece in pieces(message) {
+        let [open, close] = if piece.is_value { ["<b>", "</b>"] } else { ["", ""] };
+        out.push_str(open);
+        escape(&mut out, &piece.text);
+        out.push_str(close);
+    }
+    out
+}
+
+fn plain(message: &Message) -> String {
+    let mut out = String::new();
+    escape(&mut out, &sentence(message));
+    out
+}
+
+/// Sentence about the work of the machine, or its headline figures if it does not work.
+fn work(report: &Report) -> Message {
+    let figure = |readout: &Readout| {
+        let value = four_digits(readout.value, readout.decimals);
+        format!("{} {value} {}", words(readout.label), readout.unit).trim_end().to_owned()
+    };
+    report.summary.clone().unwrap_or_else(|| {
+        let headline = report.readouts.iter().filter(|readout| readout.headline).take(3);
+        msg!("form.report.figures", figures = clauses(headline.map(figure)))
+    })
+}
+
+/// The time of a part, where the run reaches the end of the program.
+fn part(report: &Report) -> Option<Message> {
+    match &report.run.figures[..] {
+        [time, parts] => {
+            Some(msg!("form.report.part-takes", time = time.shown(), parts = (parts.value, parts.decimals)))
+        }
+        _ => None,
+    }
+}
+
+/// Whether all verdicts hold, or the first ones that fail.
+fn verdicts(report: &Report) -> Message {
+    let judged: Vec<&Readout> = report.readouts.iter().filter(|readout| readout.verdict != Verdict::None).collect();
+    let failing: Vec<&str> =
+        judged.iter().filter(|readout| readout.verdict == Verdict::Fail).map(|readout| words(readout.label)).collect();
+    match failing.len() {
+        0 => msg!("form.report.all-hold", count = judged.len() as u32),
+        n => {
+            let names = listed(failing.iter().take(NAMED));
+            let names = match n.saturating_sub(NAMED) {
+                0 => names,
+                others => sentence(&msg!("form.report.and-more", results = names, count = others as u32)),
+            };
+            msg!("form.report.some-fail", count = n as u32, all = judged.len() as u32, results = names)
+        }
+    }
+}
+
+/// The changes with which all verdicts hold, or all but some; none where no change helps.
+fn changes(Repairs { changes, left }: &Repairs) -> Option<Message> {
+    let buttons: Vec<String> = changes.iter().filter_map(|change| change.button.as_ref()).map(sentence).collect();
+    let (count, list) = (buttons.len() as u32, clauses(&buttons));
+    match (count, *left as u32) {
+        (0, _) => None,
+        (_, 0) => Some(msg!("form.report.changes", count, changes = list)),
+        (_, left) => Some(msg!("form.report.changes-left", count, changes = list, left)),
+    }
+}
+
+/// How many limits the operating envelope exceeds.
+fn exceeded(report: &Report) -> Option<Message> {
+    let count = report.sizing.exceeded.len() as u32;
+    (count > 0).then(|| msg!("form.report.exceeded", count))
+}

@@ -1,0 +1,60 @@
+//! Repairs: changes that together make failing verdicts hold.
+
+use macroline::machines;
+use macroline::project::Project;
+use macroline::project::repairs::repairs;
+use macroline::text::Severity;
+use macroline::text::catalog::sentence;
+use macroline::view::Verdict;
+
+use super::sweep::forms;
+
+fn failing(project: &Project) -> usize {
+    project.design().readouts.iter().filter(|readout| readout.verdict == Verdict::Fail).count()
+}
+
+/// The project with all changes, one after the other.
+fn repaired(project: &Project) -> (Project, usize) {
+    let found = repairs(project);
+    let after =
+        found.changes.iter().fold(project.clone(), |project, change| project.with_entries(&change.sets).unwrap());
+    (after, found.left)
+}
+
+#[test]
+fn repairs_of_the_published_line_change_the_machine_only() {
+    let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
+    let (after, left) = repaired(&paper);
+    assert_eq!((failing(&paper), failing(&after), left), (7, 0, 0));
+    for ordered in ["pitch", "speed"] {
+        assert_eq!(after.values.get(ordered), paper.values.get(ordered), "{ordered}");
+    }
+    let buttons: Vec<String> =
+        repairs(&paper).changes.iter().map(|change| sentence(change.button.as_ref().unwrap())).collect();
+    assert_eq!(buttons, ["Add a dancer", "Set Ø 15.28 mm", "Set a loop of 1773.5 mm", "Set 2 pitches per block"]);
+}
+
+#[test]
+fn design_without_a_failing_verdict_needs_no_repair() {
+    for machine in machines::ALL {
+        let project = Project::of(machine.id(), None).unwrap();
+        assert_eq!(repairs(&project), Default::default(), "{}", machine.id());
+    }
+}
+
+#[test]
+fn repairs_of_any_form_never_add_a_failure_or_an_error() {
+    let errors = |project: &Project| {
+        project.design().diagnostics.iter().filter(|found| found.severity == Severity::Error).count()
+    };
+    let (mut mended, mut all) = (0, 0);
+    for machine in machines::ALL {
+        for project in forms(*machine, machine.controls()[0]).into_iter().filter(|project| failing(project) > 0) {
+            let (after, left) = repaired(&project);
+            assert_eq!(failing(&after), left, "{}", machine.id());
+            assert!(left <= failing(&project) && errors(&after) <= errors(&project), "{}", machine.id());
+            (mended, all) = (mended + usize::from(left == 0), all + 1);
+        }
+    }
+    assert!(mended > 200, "only {mended} of {all} forms have no failing verdict after their repairs");
+}
