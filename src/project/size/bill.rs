@@ -1,6 +1,6 @@
 //! The bill of materials: the control, motor and amplifier of each drive, and each device that a wire of the terminal list leads to.
-//! A motor named in the form is ordered; one given by figures alone is a row of these figures, with the smallest motor of the catalogue
-//! that passes as a proposal.
+//! A motor named in the form is ordered. For one given by figures alone the smallest motor of the catalogue that passes is proposed, with
+//! the figures that the results hold for.
 
 use std::collections::BTreeMap;
 
@@ -66,15 +66,15 @@ pub(super) fn bill(
     let control = described(BillItem::Control, None, project.control.name.to_owned(), PartGrade::Entered);
     let inputs = inputs(project.machine, prepared, &project.values, &project.provenance);
     let motors = project.machine.info().motors;
-    let entered = |motor: &FormMotor| entered(motor, &inputs);
+    let figures = |motor: &FormMotor| figures(motor, &inputs);
     let sized = axes.iter().flat_map(|axis| {
-        let entered = motors.iter().find(|motor| motor.drive == axis.id).and_then(entered);
-        of_axis(project, axis, entered).into_iter().chain(gear(axis)).chain(brake(axis))
+        let figures = motors.iter().find(|motor| motor.drive == axis.id).and_then(figures);
+        of_axis(project, axis, figures).into_iter().chain(gear(axis)).chain(brake(axis))
     });
     let others = motors.iter().filter(|motor| axes.iter().all(|axis| axis.id != motor.drive)).flat_map(|motor| {
         let amplifier = amplifier_item(!motor.is_on_inverter);
         let open = described(amplifier, Some(motor.name), say("size.bill.with-motor"), PartGrade::Open);
-        entered(motor).into_iter().flat_map(move |motor| [motor, open.clone()])
+        figures(motor).into_iter().flat_map(move |figures| [entered(motor.name, figures), open.clone()])
     });
     let encoder = prepared.spindle_encoder().map(|asked| encoder(project, asked));
     let spindle = runs.present.stretches(Mover::Spindle);
@@ -190,15 +190,19 @@ fn described(item: BillItem, axis: Option<&'static str>, model: String, grade: P
     }
 }
 
-/// The motor described by the form's figures; none if the form shows none of them.
-fn entered(motor: &FormMotor, inputs: &[Input]) -> Option<BillRow> {
+/// The figures of a motor in the form; none if the form shows none of them.
+fn figures(motor: &FormMotor, inputs: &[Input]) -> Option<String> {
     let figure = |(label, field): &(&'static str, &'static str)| {
         let input = inputs.iter().find(|input| input.id == *field)?;
         Some(format!("{} {} {}", say(label), input.value, input.unit))
     };
     let figures: Vec<String> = motor.figures.iter().filter_map(figure).collect();
-    let told = sentence(&msg!("size.bill.entered", figures = listed(&figures)));
-    (!figures.is_empty()).then(|| described(BillItem::Motor, Some(motor.name), told, PartGrade::Entered))
+    (!figures.is_empty()).then(|| listed(&figures))
+}
+
+/// The motor of an axis that has the form's figures.
+fn entered(axis: &'static str, figures: String) -> BillRow {
+    described(BillItem::Motor, Some(axis), sentence(&msg!("size.bill.entered", figures)), PartGrade::Entered)
 }
 
 /// The brake at the motor of an axis: that of a weight with its service factor, rounded up to the printed figure; else the one of the form.
@@ -258,7 +262,7 @@ fn amplifier_item(is_servo: bool) -> BillItem {
     if is_servo { BillItem::Amplifier } else { BillItem::Inverter }
 }
 
-fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec<BillRow> {
+fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<BillRow> {
     let item = amplifier_item(axis.work.is_some());
     let open = |words| described(item, Some(axis.name), say(words), PartGrade::Open);
     let of = |item, part: &Part, proposed| of_part(item, axis.name, part, proposed);
@@ -300,14 +304,19 @@ fn of_axis(project: &Project, axis: &SizedAxis, entered: Option<BillRow>) -> Vec
             [motor, open("size.bill.no-amplifier")].into_iter().chain(of_form()).collect()
         }
         (None, None) => {
-            let proposal: Option<Vec<BillRow>> = axis.ordered().map(|chosen| all(chosen, true));
-            let asked = || {
-                let MotorDemand { peak, effective, speed } = axis.asked;
-                let told = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
-                let motor = described(BillItem::Motor, Some(axis.name), sentence(&told), PartGrade::Open);
-                [motor, open("size.bill.with-motor")].into_iter().chain(of_form()).collect()
-            };
-            entered.into_iter().chain(proposal.unwrap_or_else(asked)).collect()
+            let figures = figures.map(|figures| msg!("size.bill.for-figures", figures));
+            if let Some(chosen) = axis.ordered() {
+                let mut rows: Vec<BillRow> = all(chosen, true);
+                rows.iter_mut()
+                    .filter(|row| row.item == BillItem::Motor)
+                    .for_each(|row| row.open.extend(figures.clone()));
+                return rows;
+            }
+            let MotorDemand { peak, effective, speed } = axis.asked;
+            let told = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
+            let motor = described(BillItem::Motor, Some(axis.name), sentence(&told), PartGrade::Open);
+            let motor = BillRow { open: figures.into_iter().collect(), ..motor };
+            [motor, open("size.bill.with-motor")].into_iter().chain(of_form()).collect()
         }
     }
 }

@@ -95,14 +95,7 @@ struct Wire {
 /// The rows, by strip.
 pub(super) fn terminals(prepared: &PreparedMachine, bill: &[BillRow]) -> Vec<TerminalRow> {
     let ladder = prepared.ladder();
-    // A motor as entered and the proposal in its place are one item.
-    let mut items: Vec<(BillItem, Option<&'static str>)> = Vec::new();
-    for row in bill {
-        if !items.contains(&(row.item, row.axis)) {
-            items.push((row.item, row.axis));
-        }
-    }
-    let of_items = items.iter().flat_map(|(item, axis)| wires(*item, *axis, bill));
+    let of_items = bill.iter().flat_map(|row| wires(row.item, row.axis, bill));
     let mut wires: Vec<Wire> = of_items.chain(contacts(ladder.as_ref(), bill)).collect();
     wires.sort_by_key(|wire| wire.strip);
     let mut numbers: BTreeMap<Strip, u32> = BTreeMap::new();

@@ -37,7 +37,7 @@ pub(super) fn RepairAll() -> impl IntoView {
     let words = move || sentence(&crate::msg!("page.results-fail", count = failing.get()));
     view! {
         <Show when=move || { failing.get() > 0 }>
-            <div class="repair">
+            <div class="repairs">
                 <p><i aria-hidden="true">{Tone::Fail.sign()}</i> " " {words}</p>
                 <button type="button" title=t("page.repair-about") prop:disabled=move || searching.get() || page.is_stale() on:click=repair>
                     {t("page.repair")}
@@ -88,21 +88,21 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn sound_design_offers_no_repair() {
-        assert!(!mount(|| view! { <RepairAll /> }).await.has(".repair"));
+        assert!(!mount(|| view! { <RepairAll /> }).await.has(".repairs"));
     }
 
     #[wasm_bindgen_test]
     async fn repair_makes_every_result_hold_in_one_step() {
         let bench = failing().await;
-        assert!(bench.text(".repair p").contains(&sentence(&crate::msg!("page.results-fail", count = 7_u32))));
+        assert!(bench.text(".repairs p").contains(&sentence(&crate::msg!("page.results-fail", count = 7_u32))));
         bench.worker.answer_here(answer);
-        bench.press(".repair button").await;
+        bench.press(".repairs button").await;
         settled().await;
-        assert!(!bench.has(".repair"));
+        assert!(!bench.has(".repairs"));
         assert!(bench.notices().iter().any(|notice| notice.contains("15.28")), "{:?}", bench.notices());
         bench.page.undo();
         settled().await;
-        assert!(bench.has(".repair"));
+        assert!(bench.has(".repairs"));
     }
 
     #[wasm_bindgen_test]
@@ -110,7 +110,7 @@ mod tests {
         let bench = failing().await;
         let before = bench.page.project.get_untracked();
         bench.worker.answer_here(|_, _| Some(Response::Repairs(FoundRepairs::default())));
-        bench.press(".repair button").await;
+        bench.press(".repairs button").await;
         assert!(bench.page.project.with_untracked(|project| *project == before));
         assert!(bench.notices().contains(&t("page.no-repair").to_owned()), "{:?}", bench.notices());
     }
@@ -118,8 +118,8 @@ mod tests {
     #[wasm_bindgen_test]
     async fn repair_without_a_worker_is_a_notice() {
         let bench = failing().await;
-        bench.press(".repair button").await;
+        bench.press(".repairs button").await;
         assert!(bench.notices().contains(&t("page.no-answer").to_owned()), "{:?}", bench.notices());
-        assert!(bench.has(".repair button:enabled"));
+        assert!(bench.has(".repairs button:enabled"));
     }
 }
