@@ -232,7 +232,9 @@ pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
             speed = (d.top_speed, 1),
             percent = (d.override_limit, 1)
         );
-        return fail(limit, [with_speed(line, d.top_speed, advice)]);
+        // The output ends before what is asked of it.
+        let asked = AtLeast(10.0 * d.asked_speed / p.speed_at_10v);
+        return fail(asked, [with_speed(line, d.top_speed, advice)]);
     }
     if p.speed_clamp > p.speed_at_10v {
         let advice =

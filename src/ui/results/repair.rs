@@ -21,17 +21,15 @@ pub(super) fn RepairAll() -> impl IntoView {
     });
     let repair = move |_| {
         searching.set(true);
-        page.project.with_untracked(|project| {
-            let asked = project.clone();
-            worker.ask(project, Request::Repairs, move |response| {
-                searching.set(false);
-                match response {
-                    // Changes of an older project are not taken: the button finds new ones.
-                    Some(Response::Repairs(_)) if page.project.with_untracked(|project| *project != asked) => {}
-                    Some(Response::Repairs(found)) => take(page, &found),
-                    _ => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
-                }
-            });
+        let asked = page.project.get_untracked();
+        worker.ask(&asked.clone(), Request::Repairs, move |response| {
+            searching.set(false);
+            match response {
+                // Changes of an older project are not taken: the button finds new ones.
+                Some(Response::Repairs(_)) if page.project.with_untracked(|project| *project != asked) => {}
+                Some(Response::Repairs(found)) => take(page, &found),
+                _ => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
+            }
         });
     };
     let words = move || sentence(&crate::msg!("page.results-fail", count = failing.get()));
@@ -72,7 +70,7 @@ mod tests {
 
     use super::*;
     use crate::project::Project;
-    use crate::ui::testing::{ViewBench, mount, settled};
+    use crate::ui::testing::{ViewBench, mount_project, settled};
     use crate::ui::worker::documents::repairs;
 
     fn answer(project: &Project, _: Request) -> Option<Response> {
@@ -80,15 +78,13 @@ mod tests {
     }
 
     async fn failing() -> ViewBench {
-        let bench = mount(|| view! { <RepairAll /> }).await;
-        bench.page.replace(Project::named("ribbon-line", None, Some("paper")).unwrap());
-        settled().await;
-        bench
+        mount_project(Project::named("ribbon-line", None, Some("paper")).unwrap(), || view! { <RepairAll /> }).await
     }
 
     #[wasm_bindgen_test]
     async fn sound_design_offers_no_repair() {
-        assert!(!mount(|| view! { <RepairAll /> }).await.has(".repairs"));
+        let sound = Project::of("ribbon-line", None).unwrap();
+        assert!(!mount_project(sound, || view! { <RepairAll /> }).await.has(".repairs"));
     }
 
     #[wasm_bindgen_test]

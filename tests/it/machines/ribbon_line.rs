@@ -141,6 +141,12 @@ fn speed_above_the_clamp_slows_the_line_with_a_verdict() {
     assert_eq!(readout(&design, "actual-speed").value, 1480.0);
     let volts = readout(&design, "volts");
     assert_eq!((volts.verdict, volts.value), (Verdict::Fail, 10.0));
+    // The limit is what is asked for: 1488 r/min.
+    assert!(
+        matches!(volts.limit, Some(Limit::AtLeast(asked)) if (asked - 10.0 * 1488.0 / 1480.0).abs() < 1e-9),
+        "{:?}",
+        volts.limit
+    );
     assert_eq!(
         advice(&volts),
         [
