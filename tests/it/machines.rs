@@ -39,6 +39,7 @@ mod toy;
 mod turning;
 mod turning_clauses;
 mod turning_controls;
+mod turning_cooling;
 mod turning_demand;
 mod turning_drawing;
 mod turning_gears;

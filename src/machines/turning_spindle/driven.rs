@@ -1,5 +1,6 @@
 //! Drives that the turning spindle is sized by: its motor on the inverter with its gear, and its speed against the limit of the chuck.
 
+use super::derive::Derived;
 use super::params::Path;
 use super::resolved::TurningSpindle;
 use super::run_up;
@@ -34,7 +35,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         // Stages of the headstock.
         gear: None,
         full: None,
-        cooled_at: None,
+        cooled_at: cooled_at(lathe),
         fields: None,
     })
 }
@@ -45,6 +46,18 @@ pub(super) const NAME: &str = "turning.drive.spindle";
 /// Speed of the motor over that of the spindle in the program's gear stage.
 pub(super) fn gear(lathe: &TurningSpindle) -> f64 {
     lathe.p.motor_top / lathe.d.stage_speed
+}
+
+/// Speed (r/min) of the motor in the cut at the largest diameter, where it turns slowest.
+pub(super) fn motor_speed(lathe: &TurningSpindle, d: &Derived) -> f64 {
+    d.speed_largest * gear(lathe)
+}
+
+/// Lowest speed (r/min) at which the motor's own fan has to cool it in the cut: at the slow end of the knob. None with forced cooling.
+fn cooled_at(lathe: &TurningSpindle) -> Option<f64> {
+    let slow = lathe.at_lowest_knob();
+    let slowest = slow.map_or(f64::INFINITY, |(_, slow)| motor_speed(lathe, &slow));
+    (!lathe.p.forced_cooling).then(|| slowest.min(motor_speed(lathe, &lathe.d)))
 }
 
 /// Chuck and work at the motor, against the friction of the spindle.

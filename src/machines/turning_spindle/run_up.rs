@@ -20,9 +20,9 @@ impl Params {
         MotorCurve::new(self.motor_power, self.efficiency / 100.0, (self.motor_base, self.motor_top), rated)
     }
 
-    /// Continuous curve of the motor at the spindle, derated for its site.
+    /// Continuous curve of the motor at the spindle, derated for its site and for its own fan.
     pub(super) fn continuous(&self, rated: f64) -> MotorCurve {
-        self.motor(rated).share(self.site_share / 100.0)
+        self.motor(rated).share(self.site_share / 100.0).with_own_fan(!self.forced_cooling)
     }
 
     /// Moment of inertia (kg m²) of the stock, a solid cylinder that is as long as the cut at least. Source: sizing facts 2.1.
