@@ -343,6 +343,15 @@ impl SpindleRun {
         share(&self.motion).max(share(&self.idle))
     }
 
+    /// The brake resistor that a braking torque (% of the rated one) of the form assumes: all energy that comes back in a run without stock, over
+    /// the run and its pause (s).
+    pub fn resistor(&self, percent: f64, pause: f64) -> Option<ResistorDemand> {
+        let energies = self.idle.returns(self.rotor);
+        let seconds: f64 = self.idle.turns().iter().map(|turn| turn.seconds).sum();
+        let is_asked = percent > WITHOUT_RESISTOR && !energies.is_empty();
+        is_asked.then_some(ResistorDemand { name: self.name, percent, energies, cycle: seconds + pause })
+    }
+
     /// The operating point of cut and friction with the largest fraction of the torque that this curve gives.
     pub fn worst_point_steady(&self, motor: &MotorCurve) -> OperatingPoint {
         self.motion.clone().without_inertia().worst_point_under(0.0, |_, speed| motor.torque(speed))

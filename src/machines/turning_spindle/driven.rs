@@ -6,7 +6,7 @@ use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
-use crate::machines::driven::{GaugeRow, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, WITHOUT_RESISTOR};
+use crate::machines::driven::{GaugeRow, InverterDrive, SpindleEncoder};
 use crate::machines::slides::{HasSlides, ServoSlide, SlideAxis, SlideMachine};
 use crate::math::RPM;
 use crate::view::Limit;
@@ -68,16 +68,6 @@ pub(super) fn turned(lathe: &TurningSpindle) -> Load {
         torque: through_gear(p.spindle_friction, gear, efficiency),
         efficiency,
     }
-}
-
-/// The brake resistor that the form's braking torque assumes: all energy that comes back in a run without stock, over the run and its pause.
-pub(super) fn resistor(run: &SpindleRun, lathe: &TurningSpindle) -> Option<ResistorDemand> {
-    let p = &lathe.p;
-    let energies = run.idle.returns(run.rotor);
-    let seconds: f64 = run.idle.turns().iter().map(|turn| turn.seconds).sum();
-    let is_asked = p.motor_braking > WITHOUT_RESISTOR && !energies.is_empty();
-    let asked = ResistorDemand { name: NAME, percent: p.motor_braking, energies, cycle: seconds + p.pause };
-    is_asked.then_some(asked)
 }
 
 /// The encoder of the spindle: the control counts the speed by it in every gear stage.

@@ -180,7 +180,7 @@ impl Prepared for TurningSpindle {
     }
 
     fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
-        driven::resistor(&self.spindle_run(run, stretches)?, self)
+        self.spindle_run(run, stretches)?.resistor(self.p.motor_braking, self.p.pause)
     }
 
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {

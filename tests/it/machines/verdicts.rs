@@ -125,6 +125,12 @@ const RARE: &[Entered] = &[
         "gsk-980tdc",
         &[("material", "c45"), ("cutting-speed", "1"), ("depth", "10"), ("feed", "1"), ("motor-power", "0.2")],
     ),
+    // A slot that is too deep for the main spindle.
+    (
+        "polygon-lathe",
+        "knd-k2000t",
+        &[("from-face", "30"), ("before", "true"), ("before-depth", "6"), ("before-feed", "0.6"), ("main-power", "3")],
+    ),
     // A fixed speed beyond the chosen stage, and a faster stage beside it.
     (
         "turning-spindle",
