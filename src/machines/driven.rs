@@ -35,6 +35,8 @@ pub struct DrivenAxis {
     pub cut: Option<f64>,
     /// Torque (Nm) that the whole cut may ask without a pause, with friction and weight; none where no cut adds to the load.
     pub lasting: Option<f64>,
+    /// Starts per minute by the formulas of the form, while the work lasts; 0 where those of the run alone count.
+    pub starts: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// The motor that the form has.

@@ -7,7 +7,7 @@ use super::run_up;
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
 use crate::machines::driven::{GaugeRow, InverterDrive, SpindleEncoder};
-use crate::machines::slides::{HasSlides, ServoSlide, SlideAxis, SlideMachine};
+use crate::machines::slides::{self, HasSlides, ServoSlide, SlideAxis, SlideMachine};
 use crate::math::RPM;
 use crate::view::Limit;
 
@@ -75,6 +75,22 @@ pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
     SpindleEncoder { name: NAME, speed: run_up::highest(lathe) }
 }
 
+/// Starts and motions of a pass: each slide goes to its place or cuts, and comes back.
+const STARTS: f64 = 2.0;
+const MOTIONS: f64 = 4.0;
+
+/// Starts per minute of the slides over all passes, with the knob at its highest position.
+fn starts(lathe: &TurningSpindle) -> f64 {
+    let (p, d) = (&lathe.p, &lathe.d);
+    let fast = lathe.at_highest_knob().map_or(f64::INFINITY, |(_, fast)| fast.cutting_time);
+    // The way back over the whole cut, along its longer axis.
+    let length = p.cuts(1.0).map(|cut| cut.length).sum::<f64>();
+    let rapid = if p.path == Path::Facing { p.rapid_x } else { p.rapid_z };
+    let back = 60.0 * if p.path == Path::Taper { p.length + p.clearance } else { length } / rapid;
+    let seconds = d.cutting_time.min(fast) + d.passes * back;
+    slides::starts_per_minute(STARTS * d.passes, seconds, (MOTIONS * d.passes, p.time_constant))
+}
+
 impl HasSlides for TurningSpindle {
     fn slides(&self) -> [ServoSlide; 2] {
         let (p, [x, z]) = (&self.p, self.drives());
@@ -83,6 +99,7 @@ impl HasSlides for TurningSpindle {
             ramp: (p.time_constant, p.position_gain),
             site_share: p.site_share,
             feed_force: self.p.cutting_force * p.feed_force / 100.0,
+            starts: starts(self),
         };
         [
             ServoSlide::new(

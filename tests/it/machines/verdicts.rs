@@ -125,6 +125,20 @@ const RARE: &[Entered] = &[
         "gsk-980tdc",
         &[("material", "c45"), ("cutting-speed", "1"), ("depth", "10"), ("feed", "1"), ("motor-power", "0.2")],
     ),
+    // Passes so short that the slides start often, with a light rotor.
+    (
+        "turning-spindle",
+        "gsk-980tdc",
+        &[
+            ("path", "turning"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "40"),
+            ("length", "3"),
+            ("depth", "0.5"),
+            ("feed", "0.6"),
+            ("motor-rotor-z", "5"),
+        ],
+    ),
     // A slot that is too deep for the main spindle.
     (
         "polygon-lathe",
@@ -288,6 +302,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("scaling.drifts", "a fact of gear and lead: another gear"),
     ("scaling.no-ratio", "a fact of gear and lead: another gear"),
     ("slides.cut-too-hard", "a deed: less depth, or another motor"),
+    ("slides.inertia-at-starts", "a deed: longer passes, another screw, belt or motor"),
     ("slides.inertia-ratio", "a deed: another screw, belt or motor"),
     ("ribbon.brake-at-core", "a deed: a brake that follows the diameter"),
     ("slides.no-ramp", "a deed: another motor"),
