@@ -29,8 +29,8 @@ pub fn no_load_speed(rated_speed: f64, frequency: f64) -> f64 {
     60.0 * frequency / (60.0 * RATED_FREQUENCY / rated_speed).floor().max(1.0)
 }
 
-/// Share (0.5 to 1) of its continuous torque that a motor with its own fan gives at a frequency in Hz: `0.5 + 0.5 f / 50 Hz`, because the
-/// fan turns with the rotor. Source: sizing facts 2.10, from memory.
-pub fn own_fan_torque_share(frequency: f64) -> f64 {
-    math::clamp(0.5 + 0.5 * frequency / RATED_FREQUENCY, 0.5, 1.0)
+/// Share (0.5 to 1) of its continuous torque that a motor with its own fan gives at `x` times its rated speed or frequency:
+/// `0.5 + 0.5 x`, because the fan turns with the rotor. Source: sizing facts 2.10, from memory.
+pub fn own_fan_torque_share(x: f64) -> f64 {
+    math::clamp(0.5 + 0.5 * x, 0.5, 1.0)
 }

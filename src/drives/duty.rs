@@ -270,10 +270,14 @@ impl Motion {
         for turn in &self.turns {
             let signed = self.torque(turn, rotor);
             let (torque, _) = self.greatest(turn, signed);
-            let speed = turn.from.abs().max(turn.to.abs()) / RPM;
-            let share = torque / most(signed * (turn.from + turn.to) < 0.0, speed);
-            if share > worst_point.share {
-                worst_point = OperatingPoint { torque, speed, share };
+            let brakes = signed * (turn.from + turn.to) < 0.0;
+            // A motor that its own fan cools has less torque at the slow end; without one the fast end comes first.
+            let ends = (turn.from.abs().max(turn.to.abs()), turn.from.abs().min(turn.to.abs()));
+            for speed in [ends.0 / RPM, ends.1 / RPM] {
+                let share = torque / most(brakes, speed);
+                if share > worst_point.share {
+                    worst_point = OperatingPoint { torque, speed, share };
+                }
             }
         }
         worst_point

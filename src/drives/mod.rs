@@ -28,6 +28,8 @@ pub mod cutting;
 
 pub mod spindle_motor;
 
+pub mod main_spindle;
+
 pub mod web;
 
 pub mod reel;
@@ -45,5 +47,6 @@ pub mod polygon;
 pub mod scaling;
 
 pub use analog::Analog;
+pub use main_spindle::MainSpindle;
 pub use orient::{Approach, Positioning};
 pub use speed::{Bound, SpeedLimits, Stage};

@@ -35,6 +35,8 @@ pub struct DrivenAxis {
     pub cut: Option<f64>,
     /// Torque (Nm) that the whole cut may ask without a pause, with friction and weight; none where no cut adds to the load.
     pub lasting: Option<f64>,
+    /// Starts per minute by the formulas of the form, while the work lasts; 0 where those of the run alone count.
+    pub starts: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// The motor that the form has.
@@ -341,6 +343,15 @@ impl SpindleRun {
     pub fn share_of_rated(&self, motor: &MotorCurve, rotor: f64) -> f64 {
         let share = |motion: &Motion| motion.worst_point_under(rotor, |_, speed| motor.torque(speed)).share;
         share(&self.motion).max(share(&self.idle))
+    }
+
+    /// The brake resistor that a braking torque (% of the rated one) of the form assumes: all energy that comes back in a run without stock, over
+    /// the run and its pause (s).
+    pub fn resistor(&self, percent: f64, pause: f64) -> Option<ResistorDemand> {
+        let energies = self.idle.returns(self.rotor);
+        let seconds: f64 = self.idle.turns().iter().map(|turn| turn.seconds).sum();
+        let is_asked = percent > WITHOUT_RESISTOR && !energies.is_empty();
+        is_asked.then_some(ResistorDemand { name: self.name, percent, energies, cycle: seconds + pause })
     }
 
     /// The operating point of cut and friction with the largest fraction of the torque that this curve gives.

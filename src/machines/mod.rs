@@ -28,6 +28,8 @@ mod materials;
 
 mod slides;
 
+mod main_spindle;
+
 pub mod ladder;
 
 pub mod header;

@@ -95,7 +95,7 @@ impl SpindleReaction {
 pub struct Reaction {
     /// The interruption.
     pub at: Interruption,
-    /// Catalog id of its cause, where the PLC itself interrupts; else the operator or the control does.
+    /// Catalog id of its cause, where the PLC itself interrupts or a part of the program has a row of its own; else that of `at`.
     pub cause: Option<&'static str>,
     /// Reaction of the spindle.
     pub spindle: SpindleReaction,

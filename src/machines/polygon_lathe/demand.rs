@@ -3,8 +3,7 @@
 use super::load::{FEEDS, Spindle};
 use super::params::Slot;
 use super::resolved::PolygonLathe;
-use crate::drives::cutting::{self, kienzle};
-use crate::drives::speed::surface_speed;
+use crate::drives::cutting::kienzle;
 use crate::drives::spindle_motor::{power, run_up};
 
 /// Quantity of a spindle's demand.
@@ -60,7 +59,7 @@ impl PolygonLathe {
     }
 
     /// Cutting force (N) of a slot: the chip is as wide as the cut is deep, and as thick as the feed.
-    fn slot_force(&self, slot: &Slot) -> f64 {
+    pub(super) fn slot_force(&self, slot: &Slot) -> f64 {
         let row = self.p.specific();
         kienzle(row.unit_force, row.exponent, (slot.depth, slot.feed), (90.0, self.p.rake))
     }
@@ -68,14 +67,6 @@ impl PolygonLathe {
     /// Greatest cutting force of a slot, N; 0 without slots.
     pub(super) fn slots_force(&self) -> f64 {
         self.p.slots.iter().filter(|slot| slot.on).map(|slot| self.slot_force(slot)).fold(0.0, f64::max)
-    }
-
-    /// Greatest power (kW) that the slots ask of the main spindle, and its speed in r/min; none without slots.
-    pub(super) fn slots_power(&self) -> Option<(f64, f64)> {
-        let power =
-            |slot: &Slot| cutting::power(self.slot_force(slot), surface_speed(slot.speed, self.p.stock_diameter));
-        let all = self.p.slots.iter().filter(|slot| slot.on).map(|slot| (power(slot), slot.speed));
-        all.max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// The shortest ramp (s) in which both drives run up to every speed of the program.

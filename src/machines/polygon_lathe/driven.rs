@@ -2,6 +2,8 @@
 
 use super::demand::Asked;
 use super::load::Spindle;
+use super::params::Params;
+use super::path::{self, PassStep, time};
 use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, through_gear};
@@ -45,6 +47,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             taut: 0.0,
             cut: None,
             lasting: None,
+            starts: 0.0,
             // Wheels of the lathe itself.
             gear: None,
             fitted: Fitted { motor, limits: WHOLE.derated(p.site_share / 100.0) },
@@ -60,6 +63,23 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
     turned.into_iter().chain(slides::axes(lathe)).collect()
 }
 
+/// Starts per minute of the slide that starts more often, over the passes of all polygons and slots.
+fn starts(lathe: &PolygonLathe) -> f64 {
+    let (p, rapids) = (&lathe.p, [lathe.p.rapid_x, lathe.p.rapid_z]);
+    let of = |p: &Params, steps: Vec<PassStep>, rpm: f64| {
+        let begin = (p.clear_diameter(), p.clearance);
+        let motions = steps.len() as f64;
+        (path::starts(begin, &steps), time(begin, steps.into_iter(), rpm, rapids), motions)
+    };
+    let polygons = lathe.polygons().filter(|lathe| lathe.d.cuts);
+    let polygons = polygons.map(|lathe| of(&lathe.p, lathe.p.all_steps().collect(), 0.0));
+    let slots = p.slots.iter().filter(|slot| slot.on);
+    let slots = slots.flat_map(|slot| [slot.steps(p), slot.thread(p)].map(|steps| of(p, steps, slot.speed)));
+    let (starts, seconds, motions) =
+        polygons.chain(slots).fold((0.0, 0.0, 0.0), |all, next| (all.0 + next.0, all.1 + next.1, all.2 + next.2));
+    slides::starts_per_minute(starts, seconds, (motions, p.time_constant))
+}
+
 impl HasSlides for PolygonLathe {
     fn slides(&self) -> [ServoSlide; 2] {
         let (p, [x, z]) = (&self.p, self.drives());
@@ -68,6 +88,7 @@ impl HasSlides for PolygonLathe {
             ramp: (p.time_constant, p.position_gain),
             site_share: p.site_share,
             feed_force: self.force().max(self.slots_force()) * p.feed_force / 100.0,
+            starts: starts(self),
         };
         [
             ServoSlide::new(

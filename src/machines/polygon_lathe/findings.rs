@@ -52,11 +52,6 @@ fn errors_of(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     found
 }
 
-/// Greatest speed of the spindle that turns the bar, r/min: the speed of the control's test bench, because the form has no field for it.
-fn spindle_top(lathe: &PolygonLathe) -> f64 {
-    lathe.control.bench.speed_clamp
-}
-
 /// Faults of the slots before and after the polygons, with the field of each.
 fn slot_errors(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     let p = &lathe.p;
@@ -103,8 +98,8 @@ fn slot_errors(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
                 chamfer,
             ));
         }
-        if slot.speed > spindle_top(lathe) {
-            found.push((msg!("polygon.fast-spindle", most = (spindle_top(lathe), 0)), speed));
+        if slot.speed > p.main.speed {
+            found.push((msg!("polygon.fast-spindle", most = (p.main.speed, 0)), speed));
         }
         let clamp = p.clamp_x.min(p.clamp_z);
         let (least, most) = (lathe.control.limits.feed_increment, lathe.control.limits.feed_max.min(clamp));
@@ -174,9 +169,6 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
                 tool = p.tool
             )));
         }
-    }
-    if let Some((power, speed)) = lathe.slots_power() {
-        found.push(Diagnostic::info(msg!("polygon.spindle-not-sized", power = (power, 2), speed = (speed, 0))));
     }
     found.push(Diagnostic::info(msg!("polygon.reconstructed")));
     found

@@ -8,8 +8,10 @@ use super::program::{
     AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
 use super::resolved::PolygonLathe;
+use super::stops;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
+use crate::machines::ladder::codes::SpindleRequirements;
 use crate::machines::ladder::{Bit, Ladder, Operator, PlcNumber, off, on};
 use crate::motion::PMC_AXES;
 use crate::text::{Citation, Grade};
@@ -39,6 +41,14 @@ const TURNING: Bit = Bit::Relay("turning");
 pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     let mut book = Book::new(lathe.control, &lathe.dialect);
     book.emergency();
+    if lathe.has_main_spindle() {
+        book.program_state();
+        book.spindle_override();
+        let rules = lathe.dialect.spindle();
+        let reaction = |at| stops::main_spindle(lathe, at);
+        let reports_speed = rules.reached.is_some();
+        book.spindle(&rules, &SpindleRequirements { reaction: &reaction, reports_speed, holds: &[] });
+    }
     channels(&mut book);
     sequence(&mut book, lathe.p.settling());
     answers(&mut book);

@@ -22,6 +22,8 @@ mod resolved;
 
 mod load;
 
+mod main_spindle;
+
 mod demand;
 
 mod readouts;
@@ -70,7 +72,10 @@ pub(crate) use resolved::PolygonLathe;
 use resolved::WORK;
 
 use crate::machines::chart_rows;
-use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, read};
+use crate::machines::devices::AskedDevice;
+use crate::machines::driven::{
+    CoastedAxes, DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read,
+};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
@@ -78,7 +83,7 @@ use crate::machines::machine::{
     ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples,
 };
 use crate::machines::site::SevereSite;
-use crate::motion::{Plant, Plc, Snapshot};
+use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
 use crate::nc::File;
 use crate::text::{Message, units};
@@ -185,6 +190,26 @@ impl Prepared for PolygonLathe {
         progress::progress(self, run, now).now().map(|_| "polygon.first-contact")
     }
 
+    fn inverter_drive(&self) -> Option<InverterDrive> {
+        main_spindle::inverter(self)
+    }
+
+    fn spindle_run(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
+        main_spindle::in_run(self, run, stretches)
+    }
+
+    fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
+        self.spindle_run(run, stretches)?.resistor(self.p.main.braking, self.p.pause)
+    }
+
+    fn spindle_encoder(&self) -> Option<SpindleEncoder> {
+        main_spindle::encoder(self)
+    }
+
+    fn devices(&self) -> Vec<AskedDevice> {
+        main_spindle::devices(self)
+    }
+
     fn severe_site(&self) -> Option<SevereSite> {
         SevereSite::leaving(self.p.site_share, "site-share")
     }
@@ -227,6 +252,7 @@ impl Prepared for PolygonLathe {
         let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
         all.extend(charts::deviation(self, points));
         all.extend(charts::over_radius(self, points));
+        all.extend(main_spindle::charts(self, points));
         all
     }
 }

@@ -72,6 +72,21 @@ pub(crate) struct Slot {
     pub thread_tool: f64,
 }
 
+/// The main spindle, which turns the bar before and after the polygons. Units as in the form.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct MainParams {
+    pub power: f64,
+    pub base: f64,
+    pub motor_top: f64,
+    pub speed: f64,
+    pub forced_cooling: bool,
+    pub peak: f64,
+    pub braking: f64,
+    pub rotor: f64,
+    pub friction: f64,
+    pub ramp: f64,
+}
+
 /// The member of a slot that a row fills.
 macro_rules! slot {
     ($at:literal.$member:ident) => {
@@ -134,6 +149,7 @@ pub(crate) struct Params {
     pub tool: f64,
     pub further: [Further; 2],
     pub slots: [Slot; 2],
+    pub main: MainParams,
     pub work_limit: f64,
     pub tool_limit: f64,
     pub work_time_constant: f64,
@@ -218,6 +234,11 @@ impl Params {
     /// The bar is turned after the polygons.
     fn turns_after(&self, _: &Control) -> bool {
         self.slots[1].on
+    }
+
+    /// The bar is turned by the main spindle.
+    fn turns(&self, _: &Control) -> bool {
+        self.slots.iter().any(|slot| slot.on)
     }
 
     /// The slot before the polygons has a thread.
@@ -430,6 +451,26 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(0.01..=5.0).default(0.25).decimals(3).step(0.05).when(Params::threads_after),
     number("after-thread-tool", slot!(1.thread_tool)).group("polygon.group.after").label("polygon.slot.thread-tool").help("polygon.slot.thread-tool.help").symbol("T")
         .range(1.0..=99.0).default(4.0).decimals(0).step(1.0).when(Params::threads_after),
+    number("main-power", member!(Params.main.power)).group("polygon.group.main").label("polygon.main.power").help("polygon.main.power.help").symbol("P")
+        .unit("kW").range(0.01..=1000.0).default(7.5).decimals(2).step(0.5).fact().when(Params::turns),
+    number("main-base", member!(Params.main.base)).group("polygon.group.main").label("polygon.main.base").help("polygon.base.help").symbol("n b")
+        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact().when(Params::turns),
+    number("main-motor-top", member!(Params.main.motor_top)).group("polygon.group.main").label("polygon.main.motor-top").help("polygon.main.motor-top.help").symbol("n m")
+        .unit("r/min").range(1.0..=60000.0).default(2250.0).decimals(0).step(100.0).fact().when(Params::turns),
+    number("main-speed", member!(Params.main.speed)).group("polygon.group.main").label("polygon.main.speed").help("polygon.main.speed.help").symbol("n10")
+        .unit("r/min").range(1.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact().when(Params::turns),
+    flag("main-forced-cooling", member!(Params.main.forced_cooling)).group("polygon.group.main").label("polygon.main.forced-cooling").help("turning.motor-forced-cooling.help")
+        .fact().when(Params::turns),
+    number("main-peak", member!(Params.main.peak)).group("polygon.group.main").label("polygon.main.peak").help("turning.motor-peak.help")
+        .unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact().when(Params::turns),
+    number("main-braking", member!(Params.main.braking)).group("polygon.group.main").label("polygon.main.braking").help("turning.motor-braking.help")
+        .unit("%").range(1.0..=600.0).default(150.0).decimals(0).step(10.0).fact().when(Params::turns),
+    number("main-rotor", member!(Params.main.rotor)).group("polygon.group.main").label("polygon.main.rotor").help("polygon.main.rotor.help")
+        .unit("kg m²").range(0.0..=1000.0).default(0.03).decimals(4).step(0.001).fact().when(Params::turns),
+    number("main-friction", member!(Params.main.friction)).group("polygon.group.main").label("polygon.main.friction").help("polygon.main.friction.help")
+        .unit("Nm").range(0.01..=10000.0).default(2.0).decimals(2).step(0.1).fact().when(Params::turns),
+    number("main-ramp", member!(Params.main.ramp)).group("polygon.group.main").label("polygon.main.ramp").help("polygon.main.ramp.help")
+        .unit("s").range(0.1..=600.0).default(2.0).decimals(2).step(0.1).fact().when(Params::turns),
     number("work-limit", member!(Params.work_limit)).group("polygon.group.drives").label("polygon.work-limit").help("polygon.work-limit.help")
         .unit("r/min").range(1.0..=20000.0).default(1000.0).decimals(0).step(100.0).fact(),
     number("tool-limit", member!(Params.tool_limit)).group("polygon.group.drives").label("polygon.tool-limit").help("polygon.tool-limit.help")

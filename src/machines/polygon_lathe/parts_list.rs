@@ -1,5 +1,6 @@
 //! The parts list of the polygon lathe: work with its drive, cutters with theirs, slides.
 
+use super::main_spindle;
 use super::resolved::PolygonLathe;
 use super::scene::{Layout, group};
 use crate::machines::driven::FormMotor;
@@ -19,6 +20,17 @@ pub(super) const MOTORS: &[FormMotor] = &[
         name: "polygon.drive.tool",
         is_on_inverter: false,
         figures: &[("size.figure.rated-power", "tool-power"), ("size.figure.rated-speed", "tool-base")],
+    },
+    FormMotor {
+        drive: "main",
+        name: main_spindle::NAME,
+        is_on_inverter: true,
+        figures: &[
+            ("size.figure.rated-power", "main-power"),
+            ("size.figure.rated-speed", "main-base"),
+            ("size.figure.top-speed", "main-motor-top"),
+            ("size.figure.rotor", "main-rotor"),
+        ],
     },
     slides::MOTORS[0],
     slides::MOTORS[1],

@@ -95,12 +95,49 @@ impl Params {
     /// Time of all passes but for rapid traverse, s.
     pub(super) fn cutting_time(&self) -> f64 {
         let begin = (self.clear_diameter(), self.clearance);
-        time(begin, (1..=self.passes() as u32).flat_map(|pass| self.steps(f64::from(pass))), 0.0)
+        time(begin, self.all_steps(), 0.0, NO_RAPIDS)
+    }
+
+    /// The steps of all passes.
+    pub(super) fn all_steps(&self) -> impl Iterator<Item = PassStep> {
+        (1..=self.passes() as u32).flat_map(|pass| self.steps(f64::from(pass)))
     }
 }
 
-/// Time of steps from a diameter and a place along the work but for rapid traverse, s: `60 way / F`, step by step; threads at a speed in r/min.
-pub(super) fn time((mut across, mut along): (f64, f64), steps: impl Iterator<Item = PassStep>, rpm: f64) -> f64 {
+/// Starts from standstill of the axis that starts more often, in steps from a diameter and a place along the work: a motion starts an axis
+/// unless it goes on in the direction of the step before.
+pub(super) fn starts((mut across, mut along): (f64, f64), steps: &[PassStep]) -> f64 {
+    let (mut moving, mut count) = ([0.0_f64; 2], [0.0_f64; 2]);
+    for step in steps {
+        let from = [across, along];
+        match *step {
+            PassStep::Rapid(To::Across(to)) | PassStep::Feed(To::Across(to), _) => across = to,
+            PassStep::Rapid(To::Along(to)) | PassStep::Feed(To::Along(to), _) | PassStep::Thread(to, _) => along = to,
+            PassStep::Slope(x, z, _) => (across, along) = (x, z),
+            PassStep::Dwell(_) => {}
+        }
+        let ways = [across - from[0], along - from[1]];
+        for ((way, moving), count) in ways.into_iter().zip(&mut moving).zip(&mut count) {
+            if way * *moving <= 0.0 && way != 0.0 {
+                *count += 1.0;
+            }
+            *moving = way;
+        }
+    }
+    count[0].max(count[1])
+}
+
+/// Rapid traverse that takes no time.
+pub(super) const NO_RAPIDS: [f64; 2] = [f64::INFINITY; 2];
+
+/// Time of steps from a diameter and a place along the work, s: `60 way / F`, step by step; threads at a speed in r/min, rapids across and
+/// along at speeds in mm/min.
+pub(super) fn time(
+    (mut across, mut along): (f64, f64),
+    steps: impl Iterator<Item = PassStep>,
+    rpm: f64,
+    rapids: [f64; 2],
+) -> f64 {
     let mut total = 0.0;
     for step in steps {
         let from = (across, along);
@@ -112,7 +149,8 @@ pub(super) fn time((mut across, mut along): (f64, f64), steps: impl Iterator<Ite
         }
         let way = math::hypot(0.5 * (across - from.0), along - from.1);
         total += match step {
-            PassStep::Rapid(_) => 0.0,
+            PassStep::Rapid(To::Across(_)) => 60.0 * way / rapids[0],
+            PassStep::Rapid(To::Along(_)) => 60.0 * way / rapids[1],
             PassStep::Feed(_, feed) | PassStep::Slope(_, _, feed) => 60.0 * way / feed,
             PassStep::Thread(_, pitch) => 60.0 * way / (pitch * rpm),
             PassStep::Dwell(seconds) => seconds,

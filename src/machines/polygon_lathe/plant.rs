@@ -2,7 +2,27 @@
 
 use super::resolved::{ALONG, CROSS, PolygonLathe};
 use crate::controls::Address;
+use crate::drives::Stage;
+use crate::drives::speed::STAGES;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
+
+/// The main spindle where the program turns by it; else that of the control's test bench, at rest.
+fn spindle(lathe: &PolygonLathe) -> SpindlePlant {
+    let bench = SpindlePlant::bench(lathe.control, lathe.dialect.spindle());
+    if !lathe.has_main_spindle() {
+        return bench;
+    }
+    let (speed, ramp) = (lathe.p.main.speed, lathe.p.main.ramp);
+    let coasting = lathe.p.main_spindle().coasting(speed);
+    SpindlePlant {
+        analog: lathe.control.analog_output.with_speed(speed),
+        speed_clamp: speed,
+        ramp,
+        coasting: Some([coasting; STAGES]),
+        ..bench
+    }
+    .with_stages([Stage::new(speed)])
+}
 
 /// The plant with the project's clamps and time constants.
 pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
@@ -25,7 +45,7 @@ pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
             slide(ALONG, false, p.rapid_z, p.clamp_z, p.start_z),
         ],
         pmc: vec![turns(p.work_time_constant, p.work_gain), turns(p.tool_time_constant, p.tool_gain)],
-        spindle: SpindlePlant::bench(lathe.control, lathe.dialect.spindle()),
+        spindle: spindle(lathe),
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,
         preread: p.preread as u8,

@@ -135,8 +135,8 @@ pub(super) fn slot(lathe: &PolygonLathe, slot: &Slot) -> Vec<(Vec<NewWord>, &'st
         all.push((writing::tool(lathe.control, tool as u32), note));
         if at == 0 {
             all.push((vec![m(3), s(slot.speed as u32)], ""));
-            // The bench's ramp to its highest speed is long enough for every S and override.
-            let ramp = writing::dwell(lathe.control, lathe.control.bench.ramp);
+            // The ramp to the speed at 10 V is long enough for every S and override.
+            let ramp = writing::dwell(lathe.control, p.main.ramp);
             all.push((ramp.to_vec(), "SPINDLE COMES TO ITS SPEED"));
         }
         all.push((rapid([cross(lathe, p.clear_diameter())]), ""));

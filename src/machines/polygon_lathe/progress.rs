@@ -99,6 +99,16 @@ pub(super) fn cuts(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<(
     of_tool.map(|visit| (visit.begin, visit.end)).collect()
 }
 
+/// Spans (s) up to a time in which the slide is in the stock while the main spindle turns it.
+pub(super) fn turned(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<(f64, f64)> {
+    let visits = run.visits([(lathe.cross(), 0.5 * lathe.p.stock_diameter), (lathe.along(), 0.0)], until);
+    let is_turned = |t: f64| {
+        let now = run.at(t);
+        now.pmc[TOOL].feed == 0.0 && now.spindle.actual != 0.0
+    };
+    visits.into_iter().filter(|visit| is_turned(visit.begin)).map(|visit| (visit.begin, visit.end)).collect()
+}
+
 /// Index (from 0) of the polygon being turned: the polygon of the newest pass, or the next one as soon as the program has begun with it.
 pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, progress: &Progress) -> usize {
     let holds = |lathe: &PolygonLathe, at: f64| (lathe.p.from_face..=lathe.p.far_end()).contains(&at);

@@ -2,6 +2,7 @@
 
 use super::demand::Asked;
 use super::load::Spindle;
+use super::main_spindle;
 use super::resolved::PolygonLathe;
 use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
@@ -14,6 +15,11 @@ const GEOMETRY: Citation =
     Citation::new("polygon turning facts 3, derived and checked by two methods", Grade::Inferred);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
+
+const SLOTS: Citation = Citation::new("turning spindle facts, 4", Grade::Inferred);
+const RUN_UP: Citation = Citation::new("turning spindle facts, 5", Grade::Inferred);
+const INERTIA: Citation = Citation::new("sizing facts 2.1", Grade::Inferred);
+const TORQUE: Citation = Citation::new("sizing facts 2.2", Grade::Inferred);
 
 const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
@@ -104,6 +110,14 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     }, |lathe| lathe.p.slots.iter().any(|slot| slot.on)),
     row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[0].run_in(&lathe.p), |lathe| lathe.p.slots[0].threads()),
     row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[1].run_in(&lathe.p), |lathe| lathe.p.slots[1].threads()),
+    row!("main-torque", "polygon.readout.main-torque", "Nm", 1, false, "F D / 2000 + friction", SLOTS, main_spindle::torque, PolygonLathe::has_main_spindle),
+    row!("main-cutting-power", "polygon.readout.main-power", "kW", 2, false, "M n / 9549.3", SLOTS, main_spindle::power, PolygonLathe::has_main_spindle),
+    row!("main-volts", "polygon.readout.main-volts", "V", 3, false, "10 V · n / n10, in steps", SLOTS, main_spindle::volts, PolygonLathe::has_main_spindle),
+    row!("main-inertia", "polygon.readout.main-inertia", "kg m²", 4, false, "J work + J rotor · (n m / n10)²", INERTIA, |lathe| lathe.p.main_spindle().turned.inertia, PolygonLathe::has_main_spindle),
+    row!("main-shortest-ramp", "polygon.readout.main-shortest-ramp", "s", 2, false, "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", RUN_UP, |lathe| lathe.p.main_spindle().shortest_ramp(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
+    row!("main-run-up-time", "polygon.readout.main-run-up-time", "s", 2, false, "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", RUN_UP, |lathe| lathe.p.main_spindle().run_up(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
+    row!("main-braking-time", "polygon.readout.main-braking-time", "s", 2, false, "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", RUN_UP, |lathe| lathe.p.main_spindle().braking(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
+    row!("main-coasting-time", "polygon.readout.main-coasting-time", "s", 1, false, "J · 2π n / 60 / friction, from the highest speed", TORQUE, |lathe| lathe.p.main_spindle().coasting(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
     row!("milling-time", "polygon.readout.milling-time", "s", 1, false, "60 ⌈L / depth⌉ · 2 N (AF/2 + D/2) tan(π/N) / F", SILENT, |lathe| lathe.polygons().map(|lathe| lathe.p.milling_time()).sum(), cuts),
     row!("milling-ratio", "polygon.readout.milling-ratio", "", 2, false, "milling time / (time until ready + cutting time)", SILENT, |lathe| {
         let turning: f64 = lathe.polygons().map(|lathe| lathe.d.ready + lathe.d.cutting_time).sum();

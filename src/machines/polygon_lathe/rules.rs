@@ -2,6 +2,7 @@
 
 use super::derive::ways_as_set;
 use super::geometry::own_shape;
+use super::main_spindle;
 use super::params::{FIELDS, Params, Slot};
 use super::resolved::PolygonLathe;
 use super::rules_of_drives as drives;
@@ -64,6 +65,12 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("work-torque-effective", drives::work_effective, MOTOR),
     Rule::new("work-power", drives::work_power, MOTOR),
     Rule::new("work-run-up", drives::work_run_up, MOTOR),
+    Rule::new("main-torque", main_spindle::judge_torque, MOTOR),
+    Rule::new(
+        "main-shortest-ramp",
+        main_spindle::judge_ramp,
+        Citation::new("turning spindle facts, 5", Grade::Inferred),
+    ),
 ];
 
 fn scaling_x(lathe: &PolygonLathe) -> Option<Judgement> {

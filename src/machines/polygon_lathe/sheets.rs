@@ -2,6 +2,7 @@
 
 use super::derive::ways;
 use super::geometry::own_shape;
+use super::main_spindle;
 use super::program::{self, MACROS};
 use super::resolved::PolygonLathe;
 use super::stops::reactions;
@@ -49,6 +50,19 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
         (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
     ];
+    if lathe.has_main_spindle() {
+        let number = |value: f64| vec![("", ParamValue::Number(value))];
+        let yes = || vec![("", ParamValue::Answer(true))];
+        values.extend([
+            (ParamRole::SpindleCount, yes()),
+            (ParamRole::SpindleConnection, yes()),
+            (ParamRole::SpindleLimit, number(p.main.speed)),
+            (ParamRole::SpindleMaximum, number(p.main.speed)),
+            (ParamRole::SpindleUnipolar, yes()),
+            (ParamRole::SpindleRatedVolts, number(100.0)),
+        ]);
+        values.extend(main_spindle::encoder(lathe).map(|_| (ParamRole::SpindleEncoder, yes())));
+    }
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
     values.extend(scaling::parameters(lathe.control, &lathe.turning_drives()));
     let axes = AxisUnits { in_diameters: if lathe.words() > 1.0 { &["X"] } else { &[] }, rotary: &["3", "4"] };

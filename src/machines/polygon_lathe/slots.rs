@@ -1,7 +1,7 @@
 //! Turning before and after the polygons: to a diameter from the face, with a chamfer and a thread. The spindle turns the work.
 
 use super::params::{Params, Slot};
-use super::path::{PassStep, To, time};
+use super::path::{NO_RAPIDS, PassStep, To, time};
 use crate::math;
 
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.
@@ -99,6 +99,7 @@ impl Slot {
     /// Time at feed, s.
     pub(super) fn time(&self, p: &Params) -> f64 {
         let begin = (p.clear_diameter(), p.clearance);
-        time(begin, self.steps(p).into_iter(), self.speed) + time(begin, self.thread(p).into_iter(), self.speed)
+        let of = |steps: Vec<PassStep>| time(begin, steps.into_iter(), self.speed, NO_RAPIDS);
+        of(self.steps(p)) + of(self.thread(p))
     }
 }

@@ -1,5 +1,6 @@
 //! Hold, alarm, reset, emergency stop and power failure of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
 
+use super::main_spindle::highest;
 use super::resolved::PolygonLathe;
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
@@ -10,6 +11,8 @@ use crate::machines::stops::{
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 
+const DESIGN: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
+
 const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
 /// Reaction of work and tool to an interruption.
@@ -18,11 +21,59 @@ pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::TurnsInRatio,
         Interruption::PowerFailure => SpindleReaction::Coasts,
         Interruption::EmergencyStop if lathe.p.coasts(lathe.control) => SpindleReaction::Coasts,
-        // Work and tool have servo drives, no inverter.
+        // Work and tool have servo drives, no inverter: that of the main spindle holds the program.
         Interruption::Reset | Interruption::EmergencyStop | Interruption::InverterFault => {
             SpindleReaction::StopsInRatio
         }
     }
+}
+
+/// Reaction of the main spindle to an interruption while it turns the bar.
+pub(super) fn main_spindle(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
+    match at {
+        Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Turns,
+        Interruption::Reset if lathe.dialect.spindle().turns_through_reset => SpindleReaction::Turns,
+        Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::Off,
+        Interruption::InverterFault | Interruption::PowerFailure => SpindleReaction::OutputOff,
+    }
+}
+
+/// Rows about the main spindle, where the program turns the bar by it.
+fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
+    if !lathe.has_main_spindle() {
+        return Vec::new();
+    }
+    let row = |at, cause: Option<&'static str>, axes: Message, material: Message, operator: Message| Reaction {
+        at,
+        cause,
+        spindle: main_spindle(lathe, at),
+        axes,
+        material,
+        operator,
+        cite: DESIGN,
+    };
+    let turns = main_spindle(lathe, Interruption::Reset) == SpindleReaction::Turns;
+    let after_reset = if turns { msg!("turning.stops.work-turns") } else { msg!("turning.stops.work-slows") };
+    let coasts = lathe.p.main_spindle().coasting(highest(lathe));
+    let (reset, emergency) = (Some("polygon.stops.main-reset"), Some("polygon.stops.main-emergency"));
+    let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
+    vec![
+        row(Interruption::Reset, reset, msg!("lathe.stops.axes-reset"), after_reset, msg!("turning.stops.anew")),
+        row(
+            Interruption::EmergencyStop,
+            emergency,
+            slides_at_emergency_stop(sinks),
+            msg!("turning.stops.work-slows"),
+            msg!("turning.stops.clear"),
+        ),
+        row(
+            Interruption::InverterFault,
+            None,
+            msg!("lathe.stops.axes-reset"),
+            msg!("turning.stops.work-coasts", time = (coasts, 1)),
+            msg!("turning.stops.fault"),
+        ),
+    ]
 }
 
 /// The table.
@@ -61,5 +112,6 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
     if let (Some(dark), Some(_)) = (rows.last_mut(), sinks) {
         dark.cite = CLOSING;
     }
+    rows.extend(of_main_spindle(lathe));
     rows
 }

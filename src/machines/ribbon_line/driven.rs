@@ -66,6 +66,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         taut: of.taut.abs(),
         cut: None,
         lasting: None,
+        starts: 0.0,
         gear: is_geared(ratio).then(|| gear(ratio, of, gear_fields)),
         fitted: Fitted { motor: of.motor, limits: of.limits },
         site_share: p.site().share(),

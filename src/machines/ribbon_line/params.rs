@@ -3,7 +3,7 @@
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control, ParamRole, VarKind};
-use crate::drives::cage_motor::own_fan_torque_share;
+use crate::drives::cage_motor::{RATED_FREQUENCY, own_fan_torque_share};
 use crate::drives::derating::Site;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
@@ -359,7 +359,7 @@ fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
 impl UnwindingParams {
     /// Continuous torque (Nm) of its motor at a frequency in Hz, derated for the site and for its own fan.
     pub(super) fn continuous(&self, frequency: f64) -> f64 {
-        let cooled = if self.forced_cooling { 1.0 } else { own_fan_torque_share(frequency) };
+        let cooled = if self.forced_cooling { 1.0 } else { own_fan_torque_share(frequency / RATED_FREQUENCY) };
         self.torque * self.site_share / 100.0 * cooled
     }
 }

@@ -2,6 +2,7 @@
 
 use super::resolved::RibbonLine;
 use super::scene::layout::Station;
+use super::scene::parts::group;
 use crate::machines::driven::FormMotor;
 use crate::view::DrawnPart;
 
@@ -37,6 +38,9 @@ pub(super) const MOTORS: &[FormMotor] = &[
     },
 ];
 
+/// Catalog id of the loop.
+const LOOP: &str = "ribbon.part.loop";
+
 /// All parts with their places in the drawing.
 pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
     let layout = line.layout();
@@ -54,7 +58,8 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
         quantity: line.p.heads as u32,
         ..part("ribbon.part.head", (print.x + 0.7 * print.r, -1.7 * print.r), &[("", "head-mass"), ("", "head-length")])
     };
-    vec![
+    let dancer = DrawnPart { group: group::DANCER, ..part("ribbon.part.dancer", (0.0, 0.0), &[("", "loop-capacity")]) };
+    let mut all = vec![
         part(
             "ribbon.part.supply",
             (supply.x - 0.55 * supply.r, supply.y + 0.4 * supply.r),
@@ -75,7 +80,7 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
             door(&layout.unwinder, -5.0, 165.0),
             &[("", "frequency-at-10v"), ("", "inverter-ramp")],
         ),
-        part("ribbon.part.loop", (hangs, layout.full), &[("", "loop-capacity")]),
+        part(LOOP, (hangs, layout.full), &[("", "loop-capacity")]),
         part(
             "ribbon.part.pull",
             (layout.pull.x, layout.pull.r),
@@ -101,5 +106,9 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
         ),
         part("ribbon.part.deflector", (layout.deflector.0, layout.deflector.1), &[]),
         part("ribbon.part.take-up", (take_up.x - 0.4 * take_up.r, take_up.y + 0.3 * take_up.r), &[]),
-    ]
+    ];
+    // Behind the loop that it lies in.
+    let loop_ends = all.iter().position(|part| part.name == LOOP).map_or(all.len(), |at| at + 1);
+    all.splice(loop_ends..loop_ends, line.p.dancer.then_some(dancer));
+    all
 }

@@ -6,7 +6,7 @@ use super::scene::layout::DrawnReel;
 use super::scene::lens::Lens;
 use super::scene::parts::group::{self, Station as Part};
 use super::scene::parts::node;
-use super::scene::{self, band};
+use super::scene::{self, band, dancer};
 use crate::machines::machine::Frame;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
@@ -228,6 +228,7 @@ fn slack_loop(line: &RibbonLine, state: &LineState, pose: &mut Pose) {
     pose.paths.extend(node::LOOP.into_iter().zip(band(layout, &layout.slack.web(layout.unwinder.x, slack))));
     let depth = layout.slack.depth(slack);
     pose.placements.push(Placement { dy: depth, ..Placement::of(group::POINTER) });
+    pose.placements.extend(dancer::pose(line, slack));
     let paint = if holds(line, state) { Paint::Ink } else { Paint::Bad };
     pose.fills.extend([(node::SLACK, paint), (node::LOOP_STATE, paint)]);
 }

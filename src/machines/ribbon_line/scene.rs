@@ -18,6 +18,8 @@ mod reels;
 
 mod printing;
 
+pub(super) mod dancer;
+
 pub(super) mod lens;
 
 pub(super) mod labels;
@@ -63,7 +65,9 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     printing::behind(&mut drawing, layout, &print);
     drawing.showing("loop-capacity", |drawing| labels::ruler(drawing, line, layout));
     reels::behind(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);
+    dancer::behind(&mut drawing, line);
     drawing.showing("ribbon-thickness", |drawing| ribbon(drawing, line));
+    dancer::before(&mut drawing, line);
     drawing.showing("loop-capacity", |drawing| labels::limit(drawing, line, layout));
     reels::before(&mut drawing, layout, &layout.supply, reels::SUPPLY, wound);
     reels::before(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);

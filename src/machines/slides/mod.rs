@@ -9,7 +9,7 @@ pub(super) use form::{
     peak, rated, rated_speed, rotor, screw_diameter, screw_length, stall, top_speed,
 };
 pub(super) use results::results;
-pub(super) use servo::{HasSlides, ServoSlide, SlideAxis, SlideMachine};
+pub(super) use servo::{HasSlides, ServoSlide, SlideAxis, SlideMachine, starts_per_minute};
 
 use super::driven::DrivenAxis;
 

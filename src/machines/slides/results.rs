@@ -125,7 +125,13 @@ fn inertia(slide: &ServoSlide) -> Option<Judgement> {
     if ratio <= most {
         return ok(AtMost(most));
     }
-    warn(AtMost(most), [msg!("slides.inertia-ratio", ratio = (ratio, 1), limit = (most, 1)).into()])
+    let (shown, limit) = ((ratio, 1), (most, 1));
+    // The limit of the form, or that of many starts.
+    let said = match most < slide.form_inertia_limit {
+        true => msg!("slides.inertia-at-starts", ratio = shown, starts = (slide.starts, 0), limit),
+        false => msg!("slides.inertia-ratio", ratio = shown, limit),
+    };
+    warn(AtMost(most), [said.into()])
 }
 
 fn rapid<M: HasSlides>(slide: &ServoSlide) -> Option<Judgement> {

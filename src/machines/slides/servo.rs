@@ -25,6 +25,8 @@ pub(in crate::machines) struct ServoSlide {
     pub slide: Slide,
     pub motor: Servo,
     pub limits: Acceptance,
+    /// Greatest ratio of inertias by the form, before that of many starts.
+    pub form_inertia_limit: f64,
     /// Share of its continuous torque that the site leaves the motor, 0 to 1.
     pub site_share: f64,
     /// Rapid traverse, mm/min.
@@ -33,6 +35,8 @@ pub(in crate::machines) struct ServoSlide {
     pub ramp: f64,
     /// Greatest force of the cut against the feed, N.
     pub feed_force: f64,
+    /// Starts per minute of its passes.
+    pub starts: f64,
     /// Whether it cuts only on its way down.
     pub cuts_downhill: bool,
 }
@@ -48,6 +52,15 @@ pub(in crate::machines) struct SlideMachine {
     pub site_share: f64,
     /// Greatest force of the cut against the feed, N.
     pub feed_force: f64,
+    /// Starts per minute of each slide while pass follows pass; see [`starts_per_minute`].
+    pub starts: f64,
+}
+
+/// Starts per minute of a slide with so many starts in passes whose ways take `seconds` together at their speeds, without pauses. Each of
+/// the `motions` takes as long as a ramp (ms) besides: linear acceleration after the interpolation.
+pub(in crate::machines) fn starts_per_minute(starts: f64, seconds: f64, (motions, ramp): (f64, f64)) -> f64 {
+    let all = seconds + motions * ramp / 1e3;
+    if starts > 0.0 && all > 0.0 { 60.0 * starts / all } else { 0.0 }
 }
 
 /// Data of a slide's axis that are neither in its form nor given by its screw.
@@ -99,12 +112,14 @@ impl ServoSlide {
                 top_speed: form.top_speed,
                 rotor: form.rotor * CM2,
             },
-            limits: limits.derated(site_share),
+            form_inertia_limit: form.inertia_limit,
+            limits: limits.at_starts(of.starts).derated(site_share),
             site_share,
             rapid: axis.rapid,
             // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
             ramp: (of.ramp.0 / 1e3).max(1.0 / of.ramp.1),
             feed_force: of.feed_force,
+            starts: of.starts,
             cuts_downhill: axis.cuts_downhill,
         }
     }
@@ -178,6 +193,7 @@ impl ServoSlide {
             taut: 0.0,
             cut: Some(self.slide.torque(self.feed_force)),
             lasting: Some(self.cut_torque()),
+            starts: self.starts,
             // Wheels or a belt of the lathe itself.
             gear: None,
             fitted: Fitted { motor: self.motor, limits: self.limits },

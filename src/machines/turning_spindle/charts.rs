@@ -3,8 +3,8 @@
 use super::resolved::TurningSpindle;
 use crate::controls::Address;
 use crate::drives::speed::surface_speed;
-use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::machines::chart_rows::{ChartLine, ChartRow, unlimited};
+use crate::machines::main_spindle::{self, CurvesOfSpeed};
 use crate::view::{Chart, ChartLimit, Series};
 
 /// Charts over time, from top to bottom.
@@ -82,47 +82,23 @@ const STAGES: [(&str, u8); 4] = [
     ("turning.chart.stage-4", 3),
 ];
 
-/// Colours of the cut, and of the short-time rating in the engaged stage.
-const CUT: u8 = 4;
-const SHORT: u8 = 5;
-
 /// Charts over the speed of the spindle: torque and power of the motor in each gear stage, and the demand of the cut.
 pub(super) fn over_speed(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
     let (p, d) = (&lathe.p, &lathe.d);
     let points = points.max(2);
-    let share = |at: usize| at as f64 / (points - 1) as f64;
-    let along = |most: f64, value: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
-        (0..points).map(|at| most * share(at)).map(|speed| (speed, value(speed))).collect()
+    let stages = STAGES.into_iter().zip(p.stages());
+    let stages = stages.map(|((label, tone), rated)| (label, tone, p.continuous(rated), rated)).collect();
+    let short = p.motor(d.stage_speed).share(p.motor_peak / 100.0);
+    let cut = |at: usize| {
+        let diameter = d.smallest + (d.largest - d.smallest) * at as f64 / (points - 1) as f64;
+        (d.speed_at(p, diameter), p.steady_torque(diameter))
     };
-    // Power is that of the torque: below base speed it grows with the speed.
-    let lines = |of: fn(f64, f64) -> f64| -> Vec<Series> {
-        let line = |label, tone, points| Series { label, tone, address: None, points };
-        let curve = |motor: MotorCurve, rated: f64| along(rated, &|speed| of(motor.torque(speed), speed));
-        let stages = STAGES.into_iter().zip(p.stages());
-        let stages = stages.map(|((label, tone), rated)| line(label, tone, curve(p.continuous(rated), rated)));
-        let short = p.motor(d.stage_speed).share(p.motor_peak / 100.0);
-        let short = (d.stage_speed > 0.0).then(|| line("turning.chart.short-time", SHORT, curve(short, d.stage_speed)));
-        let cut = (p.cutting_force > 0.0).then(|| {
-            let at = |at: usize| {
-                let diameter = d.smallest + (d.largest - d.smallest) * share(at);
-                let speed = d.speed_at(p, diameter);
-                (speed, of(p.steady_torque(diameter), speed))
-            };
-            line("turning.chart.cut", CUT, (0..points).map(at).collect())
-        });
-        stages.chain(short).chain(cut).collect()
-    };
-    let chart = |id, title, unit, series| Chart {
-        id,
-        title,
-        unit,
-        least_span: 0.0,
-        x_unit: "r/min",
-        series,
-        limits: Vec::new(),
-    };
-    vec![
-        chart("torque-speed", "turning.chart.torque-speed", "Nm", lines(|torque, _| torque)),
-        chart("power-speed", "turning.chart.power-speed", "kW", lines(spindle_motor::power)),
-    ]
+    main_spindle::over_speed(
+        CurvesOfSpeed {
+            stages,
+            short_time: (d.stage_speed > 0.0).then_some((short, d.stage_speed)),
+            cut: if p.cutting_force > 0.0 { (0..points).map(cut).collect() } else { Vec::new() },
+        },
+        points,
+    )
 }

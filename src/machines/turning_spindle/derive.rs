@@ -10,6 +10,9 @@ use crate::math;
 /// Greatest number of passes.
 pub(super) const PASSES: f64 = 2000.0;
 
+/// Longest time (s) in which a motor may give its overload without a pause. Source: duty S6-40 % of IEC 60034-1, 4 minutes in 10.
+const OVERLOAD_TIME: f64 = 240.0;
+
 /// Speed of the spindle over the diameter, as the control limits it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Held {
@@ -80,8 +83,6 @@ pub(super) struct Derived {
     pub torque: f64,
     /// Continuous torque of the motor at the spindle at the largest diameter, Nm.
     pub torque_available: f64,
-    /// Continuous torque of the motor at the spindle below base speed, Nm: its maximum.
-    pub torque_most: f64,
     pub acceleration_needed: f64,
     pub acceleration: f64,
     pub feed_top: f64,
@@ -94,6 +95,11 @@ impl Derived {
     /// Speed of the spindle (r/min) that the program has at a diameter in mm.
     pub(super) fn speed_at(&self, p: &Params, diameter: f64) -> f64 {
         if p.speed_mode == SpeedMode::Fixed { self.fixed_speed } else { self.held.at(diameter).0 }
+    }
+
+    /// What the motor may give for the time of the cut, of a continuous rating: its overload in a short one.
+    pub(super) fn for_the_cut(&self, p: &Params, rated: f64) -> f64 {
+        if self.cutting_time <= OVERLOAD_TIME { rated * p.motor_overload / 100.0 } else { rated }
     }
 }
 
@@ -252,7 +258,6 @@ impl Derived {
             power_available: motor.power,
             torque: p.steady_torque(largest),
             torque_available: motor.torque(speed(largest)),
-            torque_most: motor.torque(0.0),
             acceleration_needed: if fixed { 0.0 } else { acceleration(p, v, limit.max(smallest)) },
             acceleration: if p.spindle_ramp > 0.0 { stage_speed / p.spindle_ramp } else { f64::INFINITY },
             feed_top: p.feed * speed(smallest).max(speed(largest)),

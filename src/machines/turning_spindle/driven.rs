@@ -1,12 +1,13 @@
 //! Drives that the turning spindle is sized by: its motor on the inverter with its gear, and its speed against the limit of the chuck.
 
+use super::derive::Derived;
 use super::params::Path;
 use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
-use crate::machines::driven::{GaugeRow, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, WITHOUT_RESISTOR};
-use crate::machines::slides::{HasSlides, ServoSlide, SlideAxis, SlideMachine};
+use crate::machines::driven::{GaugeRow, InverterDrive, SpindleEncoder};
+use crate::machines::slides::{self, HasSlides, ServoSlide, SlideAxis, SlideMachine};
 use crate::math::RPM;
 use crate::view::Limit;
 
@@ -34,7 +35,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         // Stages of the headstock.
         gear: None,
         full: None,
-        cooled_at: None,
+        cooled_at: cooled_at(lathe),
         fields: None,
     })
 }
@@ -47,6 +48,18 @@ pub(super) fn gear(lathe: &TurningSpindle) -> f64 {
     lathe.p.motor_top / lathe.d.stage_speed
 }
 
+/// Speed (r/min) of the motor in the cut at the largest diameter, where it turns slowest.
+pub(super) fn motor_speed(lathe: &TurningSpindle, d: &Derived) -> f64 {
+    d.speed_largest * gear(lathe)
+}
+
+/// Lowest speed (r/min) at which the motor's own fan has to cool it in the cut: at the slow end of the knob. None with forced cooling.
+fn cooled_at(lathe: &TurningSpindle) -> Option<f64> {
+    let slow = lathe.at_lowest_knob();
+    let slowest = slow.map_or(f64::INFINITY, |(_, slow)| motor_speed(lathe, &slow));
+    (!lathe.p.forced_cooling).then(|| slowest.min(motor_speed(lathe, &lathe.d)))
+}
+
 /// Chuck and work at the motor, against the friction of the spindle.
 pub(super) fn turned(lathe: &TurningSpindle) -> Load {
     let (p, gear, efficiency) = (&lathe.p, gear(lathe), lathe.p.efficiency / 100.0);
@@ -57,19 +70,25 @@ pub(super) fn turned(lathe: &TurningSpindle) -> Load {
     }
 }
 
-/// The brake resistor that the form's braking torque assumes: all energy that comes back in a run without stock, over the run and its pause.
-pub(super) fn resistor(run: &SpindleRun, lathe: &TurningSpindle) -> Option<ResistorDemand> {
-    let p = &lathe.p;
-    let energies = run.idle.returns(run.rotor);
-    let seconds: f64 = run.idle.turns().iter().map(|turn| turn.seconds).sum();
-    let is_asked = p.motor_braking > WITHOUT_RESISTOR && !energies.is_empty();
-    let asked = ResistorDemand { name: NAME, percent: p.motor_braking, energies, cycle: seconds + p.pause };
-    is_asked.then_some(asked)
-}
-
 /// The encoder of the spindle: the control counts the speed by it in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
     SpindleEncoder { name: NAME, speed: run_up::highest(lathe) }
+}
+
+/// Starts and motions of a pass: each slide goes to its place or cuts, and comes back.
+const STARTS: f64 = 2.0;
+const MOTIONS: f64 = 4.0;
+
+/// Starts per minute of the slides over all passes, with the knob at its highest position.
+fn starts(lathe: &TurningSpindle) -> f64 {
+    let (p, d) = (&lathe.p, &lathe.d);
+    let fast = lathe.at_highest_knob().map_or(f64::INFINITY, |(_, fast)| fast.cutting_time);
+    // The way back over the whole cut, along its longer axis.
+    let length = p.cuts(1.0).map(|cut| cut.length).sum::<f64>();
+    let rapid = if p.path == Path::Facing { p.rapid_x } else { p.rapid_z };
+    let back = 60.0 * if p.path == Path::Taper { p.length + p.clearance } else { length } / rapid;
+    let seconds = d.cutting_time.min(fast) + d.passes * back;
+    slides::starts_per_minute(STARTS * d.passes, seconds, (MOTIONS * d.passes, p.time_constant))
 }
 
 impl HasSlides for TurningSpindle {
@@ -80,6 +99,7 @@ impl HasSlides for TurningSpindle {
             ramp: (p.time_constant, p.position_gain),
             site_share: p.site_share,
             feed_force: self.p.cutting_force * p.feed_force / 100.0,
+            starts: starts(self),
         };
         [
             ServoSlide::new(

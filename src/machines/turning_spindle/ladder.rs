@@ -6,7 +6,7 @@ use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{BUSY, SpindleRequirements};
-use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, RungContact, off, on};
+use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungContact, off, on};
 
 /// Relays of the stages that the control requests by number.
 const WANTED: [Bit; 4] =
@@ -21,13 +21,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     let mut book = Book::new(lathe.control, &lathe.dialect);
     book.emergency();
     book.program_state();
-    if book.has(SignalRole::SpindleOverrideCode) {
-        let code = PlcNumber::Signal(SignalRole::SpindleOverrideCode);
-        book.compute(Operator::Divide, [PlcNumber::Knob, PlcNumber::Constant(10), code], false, "turning.ladder.code");
-    } else {
-        let register = PlcNumber::Signal(SignalRole::SpindleOverride);
-        book.copy(PlcNumber::Knob, register, Book::always(), "turning.ladder.override");
-    }
+    book.spindle_override();
     if book.has(SignalRole::FeedOverride) {
         let feed = PlcNumber::Signal(SignalRole::FeedOverride);
         book.copy(PlcNumber::FeedKnob, feed, Book::always(), "turning.ladder.feed");

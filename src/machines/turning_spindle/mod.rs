@@ -18,6 +18,8 @@ mod rules;
 
 mod run_up;
 
+mod cooling;
+
 mod program;
 
 mod gears;
@@ -46,6 +48,7 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
+use crate::machines::devices::AskedDevice;
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read};
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -177,11 +180,15 @@ impl Prepared for TurningSpindle {
     }
 
     fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
-        driven::resistor(&self.spindle_run(run, stretches)?, self)
+        self.spindle_run(run, stretches)?.resistor(self.p.motor_braking, self.p.pause)
     }
 
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         Some(driven::encoder(self))
+    }
+
+    fn devices(&self) -> Vec<AskedDevice> {
+        cooling::devices(self)
     }
 
     fn severe_site(&self) -> Option<SevereSite> {

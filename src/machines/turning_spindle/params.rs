@@ -133,6 +133,7 @@ pub(crate) struct Params {
     pub motor_base: f64,
     pub motor_top: f64,
     pub motor_overload: f64,
+    pub forced_cooling: bool,
     pub site_share: f64,
     pub motor_peak: f64,
     pub motor_braking: f64,
@@ -368,6 +369,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
     number("motor-overload", member!(Params.motor_overload)).group("turning.group.power").label("turning.motor-overload").help("turning.motor-overload.help")
         .unit("%").range(100.0..=400.0).default(100.0).decimals(0).step(10.0).fact(),
+    flag("motor-forced-cooling", member!(Params.forced_cooling)).group("turning.group.power").label("turning.motor-forced-cooling").help("turning.motor-forced-cooling.help")
+        .fact(),
     site::share("site-share", "turning.group.power", member!(Params.site_share)),
     number("motor-peak", member!(Params.motor_peak)).group("turning.group.power").label("turning.motor-peak").help("turning.motor-peak.help")
         .unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact(),

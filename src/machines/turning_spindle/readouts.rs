@@ -125,7 +125,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1,
-        formula: "9549 P η x / max(n, n b · n10 / n m)", cite: MOTOR, value: |lathe| lathe.d.torque_available, ..ReadoutRow::BASE
+        formula: "9549 P η x / max(n, n b · n10 / n m), with its own fan · (0.5 + 0.5 n motor / n b)", cite: MOTOR, value: |lathe| lathe.d.torque_available, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "force", label: "turning.readout.force", unit: "N", decimals: 0,

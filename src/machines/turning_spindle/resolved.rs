@@ -70,13 +70,20 @@ impl TurningSpindle {
 
     /// The highest position (%) of the override knob with the results there; none if the form has it there.
     pub(super) fn at_highest_knob(&self) -> Option<(f64, &Derived)> {
-        let rules = self.rules();
-        let highest = rules.knob.high;
-        let results = || {
-            let p = Params { override_percent: highest, ..self.p.clone() };
-            Derived::new(&p, &self.control.analog_output, &rules)
-        };
+        let highest = self.rules().knob.high;
+        let results = || self.at_knob(highest);
         (self.p.override_percent < highest).then(|| (highest, self.at_highest_knob.get_or_init(results)))
+    }
+
+    /// The lowest position (%) of the override knob with the results there; none if the form has it there, or the spindle stops there.
+    pub(super) fn at_lowest_knob(&self) -> Option<(f64, Derived)> {
+        let lowest = self.rules().knob.low;
+        (lowest > 0.0 && lowest < self.p.override_percent).then(|| (lowest, self.at_knob(lowest)))
+    }
+
+    fn at_knob(&self, percent: f64) -> Derived {
+        let p = Params { override_percent: percent, ..self.p.clone() };
+        Derived::new(&p, &self.control.analog_output, &self.rules())
     }
 
     /// Drives of the slides across and along the work.

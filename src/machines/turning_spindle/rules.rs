@@ -1,5 +1,6 @@
 //! The rules of the turning spindle, as rows: result, limit, remedy.
 
+use super::cooling;
 use super::demand::CutPoint;
 use super::derive::Derived;
 use super::gears::{gear_times, judge_delay};
@@ -42,6 +43,7 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("cutting-time", block_time, Citation::new("what a block costs, a parameter", Grade::Open)),
     Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
     Rule::new("torque", torque, Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred)),
+    Rule::new("torque", cooling::judge, Citation::new("sizing facts 2.10", Grade::Open)),
     Rule::new("peak-torque", peak_torque, Citation::new("turning spindle facts, 4", Grade::Inferred)),
 ];
 
@@ -211,14 +213,6 @@ fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     ok(Some(AtMost(d.acceleration)).filter(|_| d.acceleration.is_finite()))
 }
 
-/// Longest time (s) in which a motor may give its overload without a pause. Source: duty S6-40 % of IEC 60034-1, 4 minutes in 10.
-const OVERLOAD_TIME: f64 = 240.0;
-
-/// What a motor may give for the time of a cut, of a continuous rating: its overload in a short one.
-fn for_the_cut(p: &Params, d: &Derived, rated: f64) -> f64 {
-    if d.cutting_time <= OVERLOAD_TIME { rated * p.motor_overload / 100.0 } else { rated }
-}
-
 /// Warning that the motor's short-time rating suffices, with its share in percent.
 fn overloaded(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
     warn(AtMost(limit), [msg!("turning.overload", percent = (lathe.p.motor_overload, 0)).into()])
@@ -241,10 +235,10 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let (rated, most) = (d.power_available, for_the_cut(p, d, d.power_available));
+    let (rated, most) = (d.power_available, d.for_the_cut(p, d.power_available));
     if d.power <= rated {
         return holds_up_to(lathe, rated, |percent, fast| {
-            let limit = for_the_cut(p, fast, fast.power_available);
+            let limit = fast.for_the_cut(p, fast.power_available);
             let message =
                 || msg!("turning.power-at-knob", percent = (percent, 0), power = (fast.power, 2), limit = (limit, 2));
             (fast.power > limit).then(message)
@@ -258,7 +252,8 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     let friction = spindle_motor::power(p.spindle_friction, d.speed_largest.max(d.speed_smallest));
     let part = (rated - friction) / (d.power - friction);
     // Below base speed a slower cut needs the same torque, and the motor has no more.
-    let advice = match slower >= 1.0 && d.torque <= d.torque_most {
+    let turns_slower = d.speed_largest * slower / p.cutting_speed;
+    let advice = match slower >= 1.0 && d.torque <= p.continuous(d.stage_speed).torque(turns_slower) {
         true => {
             let set = down(FIELDS, "cutting-speed", slower);
             Advice::from(msg!(
@@ -302,26 +297,31 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let (rated, most) = (d.torque_available, for_the_cut(p, d, d.torque_available));
+    let (rated, most) = (d.torque_available, d.for_the_cut(p, d.torque_available));
     if d.torque <= rated {
         return holds_up_to(lathe, rated, |percent, fast| {
-            let limit = for_the_cut(p, fast, fast.torque_available);
+            let limit = fast.for_the_cut(p, fast.torque_available);
             let message = || {
                 msg!("turning.torque-at-knob", percent = (percent, 0), torque = (fast.torque, 1), limit = (limit, 1))
             };
             (fast.torque > limit).then(message)
         });
     }
+    let cooled = cooling::remedy(lathe);
     if d.torque <= most {
-        return overloaded(lathe, rated);
+        let judgement = overloaded(lathe, rated)?;
+        return Some(Judgement { advice: judgement.advice.into_iter().chain(cooled).collect(), ..judgement });
     }
-    let message = msg!(
-        "turning.too-little-torque",
-        torque = (d.torque, 1),
-        speed = (d.speed_largest, 0),
-        limit = (rated, 1),
-        stage = f64::from(d.stage)
-    );
+    let message = match cooled {
+        Some(_) => msg!("turning.own-fan-otherwise"),
+        None => msg!(
+            "turning.too-little-torque",
+            torque = (d.torque, 1),
+            speed = (d.speed_largest, 0),
+            limit = (rated, 1),
+            stage = f64::from(d.stage)
+        ),
+    };
     let advice = match stronger_stage(lathe) {
         Some(stage) => {
             let gear = (1..).zip(Gear::OPTIONS.iter().skip(1)).find(|(number, _)| *number == stage);
@@ -330,7 +330,7 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
         }
         None => with_depth(lathe, (rated - p.spindle_friction) / (d.torque - p.spindle_friction), message),
     };
-    fail(AtMost(most), [advice])
+    fail(AtMost(most), Vec::from_iter(cooled.into_iter().chain([advice])))
 }
 
 /// Cut, friction and acceleration together against the short-time curve of the motor, at the diameter where they ask most of it.

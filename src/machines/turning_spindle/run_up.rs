@@ -2,17 +2,16 @@
 
 use super::params::{FIELDS, Params, Path};
 use super::resolved::TurningSpindle;
+use crate::drives::MainSpindle;
 use crate::drives::inertia::{Cylinder, through_gear};
-use crate::drives::load::{self, Load};
+use crate::drives::load::Load;
 use crate::drives::spindle_motor::MotorCurve;
-use crate::machines::verdict::{Judgement, down, fail, ok, up};
+use crate::machines::main_spindle;
+use crate::machines::verdict::{Judgement, down, fail, ok};
 use crate::math::RPM;
 use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
-
-/// Longest ramp of the form, s.
-const LONGEST_RAMP: f64 = 600.0;
 
 impl Params {
     /// The motor at the spindle in a gear stage of `rated` r/min at 10 V, by its data sheet.
@@ -20,9 +19,9 @@ impl Params {
         MotorCurve::new(self.motor_power, self.efficiency / 100.0, (self.motor_base, self.motor_top), rated)
     }
 
-    /// Continuous curve of the motor at the spindle, derated for its site.
+    /// Continuous curve of the motor at the spindle, derated for its site and for its own fan.
     pub(super) fn continuous(&self, rated: f64) -> MotorCurve {
-        self.motor(rated).share(self.site_share / 100.0)
+        self.motor(rated).share(self.site_share / 100.0).with_own_fan(!self.forced_cooling)
     }
 
     /// Moment of inertia (kg m²) of the stock, a solid cylinder that is as long as the cut at least. Source: sizing facts 2.1.
@@ -45,13 +44,23 @@ impl Params {
 
     /// Seconds in which the spindle coasts to rest from `rpm` in a gear stage: friction alone slows it. Source: sizing facts 2.2.
     pub(super) fn coasting(&self, rated: f64, rpm: f64) -> f64 {
-        let turned = self.turned(rated);
-        load::coasting(turned.inertia, rpm * RPM, turned.torque)
+        self.main_spindle(rated).coasting(rpm)
     }
 
     /// Short-time torque of the motor at the spindle, in run-up and in braking.
     pub(super) fn for_moments(&self, rated: f64) -> [MotorCurve; 2] {
-        [self.motor_peak, self.motor_braking].map(|percent| self.motor(rated).share(percent / 100.0))
+        self.main_spindle(rated).short_time()
+    }
+
+    /// The spindle with its motor in a gear stage of `rated` r/min at 10 V.
+    fn main_spindle(&self, rated: f64) -> MainSpindle {
+        MainSpindle {
+            rated,
+            ramp: self.spindle_ramp,
+            turned: self.turned(rated),
+            motor: self.motor(rated),
+            peak: [self.motor_peak, self.motor_braking].map(|percent| percent / 100.0),
+        }
     }
 }
 
@@ -60,15 +69,14 @@ pub(super) fn highest(lathe: &TurningSpindle) -> f64 {
     lathe.d.speed_largest.max(lathe.d.speed_smallest)
 }
 
-/// Chuck, work and rotor in the program's gear stage, at the spindle.
-fn turned(lathe: &TurningSpindle) -> Load {
-    lathe.p.turned(lathe.d.stage_speed)
+/// The spindle in the program's gear stage.
+fn engaged(lathe: &TurningSpindle) -> MainSpindle {
+    lathe.p.main_spindle(lathe.d.stage_speed)
 }
 
-/// Load of braking: friction helps the motor.
-fn braked(lathe: &TurningSpindle) -> Load {
-    let turned = turned(lathe);
-    Load { torque: -turned.torque, ..turned }
+/// Chuck, work and rotor in the program's gear stage, at the spindle.
+fn turned(lathe: &TurningSpindle) -> Load {
+    engaged(lathe).turned
 }
 
 /// Moment of inertia (kg m²) of all that turns.
@@ -76,19 +84,14 @@ pub(super) fn inertia(lathe: &TurningSpindle) -> f64 {
     turned(lathe).inertia
 }
 
-/// Torque (Nm) at the spindle that the run-up asks at the form's ramp: `J ω10 / t + M_f`. Source: turning spindle facts, 5.
+/// Torque (Nm) at the spindle that the run-up asks at the form's ramp.
 pub(super) fn torque(lathe: &TurningSpindle) -> f64 {
-    let turned = turned(lathe);
-    turned.accelerating(0.0, lathe.d.stage_speed * RPM, lathe.p.spindle_ramp) + turned.torque
+    engaged(lathe).ramp_torque()
 }
 
-/// The shortest ramp (s to the speed at 10 V) whose run-up and braking the motor has the torque for at the highest speed of the program,
-/// where it has the least. Source: turning spindle facts, 5.
+/// The shortest ramp (s to the speed at 10 V) that the motor has the torque for at the highest speed of the program.
 pub(super) fn shortest_ramp(lathe: &TurningSpindle) -> f64 {
-    let rated = lathe.d.stage_speed;
-    let [up, down] = lathe.p.for_moments(rated).map(|motor| motor.torque(highest(lathe)));
-    let ramp = |load: Load, torque: f64| load.shortest_ramp(0.0, rated * RPM, torque);
-    ramp(turned(lathe), up).max(ramp(braked(lathe), down))
+    engaged(lathe).shortest_ramp(highest(lathe))
 }
 
 /// Torque (Nm) at the spindle for its acceleration to the positioning speed: `J α + M_f`. Source: turning spindle facts, 5.
@@ -114,45 +117,25 @@ pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// Seconds to the highest speed of the program with the short-time torque of the motor.
 pub(super) fn run_up(lathe: &TurningSpindle) -> f64 {
-    let (turned, [motor, _]) = (turned(lathe), lathe.p.for_moments(lathe.d.stage_speed));
-    motor.seconds_to(highest(lathe), turned.inertia, turned.torque)
+    engaged(lathe).run_up(highest(lathe))
 }
 
 /// Braking time (s) from the highest speed to rest.
 pub(super) fn braking(lathe: &TurningSpindle) -> f64 {
-    let (braked, [_, motor]) = (braked(lathe), lathe.p.for_moments(lathe.d.stage_speed));
-    motor.seconds_to(highest(lathe), braked.inertia, braked.torque)
+    engaged(lathe).braking(highest(lathe))
 }
 
 /// Coasting time (s) without current, from the highest speed to rest.
 pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
-    lathe.p.coasting(lathe.d.stage_speed, highest(lathe))
+    engaged(lathe).coasting(highest(lathe))
 }
 
-/// Energy (J) that a stop over the ramp from the highest speed gives back at the spindle, less what friction takes; 0 where that takes all.
-/// Source: sizing facts 2.4.
+/// Energy (J) that a stop over the ramp from the highest speed gives back at the spindle.
 pub(super) fn stop_energy(lathe: &TurningSpindle) -> f64 {
-    let seconds = lathe.p.spindle_ramp * highest(lathe) / lathe.d.stage_speed;
-    turned(lathe).stop_energy(0.0, highest(lathe) * RPM, seconds).max(0.0)
+    engaged(lathe).stop_energy(highest(lathe))
 }
 
 /// The form's ramp against the shortest one.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
-    let (ramp, shortest) = (lathe.p.spindle_ramp, shortest_ramp(lathe));
-    let limit = AtMost(ramp);
-    if limit.holds(shortest) {
-        return ok(limit);
-    }
-    if shortest == f64::INFINITY {
-        let [motor, _] = lathe.p.for_moments(lathe.d.stage_speed);
-        let gives = motor.torque(highest(lathe));
-        return fail(
-            limit,
-            [msg!("turning.friction-stalls", friction = (lathe.p.spindle_friction, 1), torque = (gives, 1)).into()],
-        );
-    }
-    let set = up(FIELDS, "spindle-ramp", shortest);
-    let advice = Advice::from(msg!("turning.ramp-too-short", needed = (shortest, 2), ramp = (ramp, 2)));
-    let button = msg!("advice.set-ramp", time = set.1.as_str());
-    fail(limit, [if shortest <= LONGEST_RAMP { advice.setting(button, [set]) } else { advice }])
+    main_spindle::judge_ramp(&engaged(lathe), highest(lathe), (FIELDS, "spindle-ramp"))
 }

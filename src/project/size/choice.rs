@@ -382,7 +382,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
     let worst_point = asked.worst_point(&motor);
     let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &duty) };
-    let limits = part.acceptance().at_starts(asked.starts_per_minute).derated(axis.site_share);
+    let limits = part.acceptance().at_starts(asked.starts_per_minute.max(axis.starts)).derated(axis.site_share);
     let refused =
         shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &worst_point)));
     let back = amplifier.and_then(braking).map(|(back, own)| (asked.to_resistor(motor.rotor, &back), own));

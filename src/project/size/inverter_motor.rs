@@ -108,7 +108,7 @@ fn induction(
     let Ratings::Induction(of) = part.ratings else { return unknown(part) };
     let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
     let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
-    let cooled = drive.cooled_at.map_or(1.0, |speed| own_fan_torque_share(speed / no_load_speed(rated_speed, 1.0)));
+    let cooled = drive.cooled_at.map_or(1.0, |speed| own_fan_torque_share(speed / rated_speed));
     let (most, most_power) = (torque * drive.site_share * cooled, rated_power * drive.site_share);
     let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
     let top_speed = of.top_speed.unwrap_or_else(|| highest_speed(rated_power, rated_speed));
@@ -122,7 +122,7 @@ fn induction(
     let mut refusal = if drive.top_speed > top_speed {
         Some((Rank::Speed, msg!("size.refused-speed", speed = (drive.top_speed, 0), limit = (top_speed, 0))))
     } else if asked > most {
-        Some((Rank::Effective, msg!("size.refused-torque", torque = (asked, 3), limit = (most, 3))))
+        Some((Rank::Effective, too_weak(drive, asked, (most, torque * drive.site_share))))
     } else if needed > most_power {
         Some((Rank::Peak, msg!("size.refused-power", power = (needed, 0), limit = (most_power, 0))))
     } else {
@@ -156,7 +156,7 @@ fn induction(
     let curve = MotorCurve::with_torque(rated_power / 1000.0, torque);
     let in_runs = spindles
         .iter()
-        .map(|spindle| of_spindle(spindle, of.inertia.unwrap_or(drive.rotor), &curve, drive.site_share))
+        .map(|spindle| of_spindle(spindle, of.inertia.unwrap_or(drive.rotor), &curve, drive))
         .reduce(|worst, next| (worst.0.max(next.0), worst.1.max(next.1), worst.2.or(next.2)));
     if let Some((peak, effective, reason)) = in_runs {
         (shares.peak, shares.effective) = (peak, effective);
@@ -179,6 +179,15 @@ fn induction(
         refusal: refusal.map(|(rank, message)| Refusal { rank, message }),
         entries: entries.unwrap_or_default(),
         ..unknown(part)
+    }
+}
+
+/// The reason of a motor that gives less than the continuous torque asked (Nm): with its cooling, and with a fan that has a motor of its own.
+fn too_weak(drive: &InverterDrive, asked: f64, (most, forced): (f64, f64)) -> Message {
+    let (torque, limit) = ((asked, 3), (most, 3));
+    match drive.cooled_at.filter(|_| asked <= forced) {
+        Some(speed) => msg!("size.refused-own-fan", torque, limit, speed = (speed, 0), forced = (forced, 3)),
+        None => msg!("size.refused-torque", torque, limit),
     }
 }
 
@@ -230,9 +239,9 @@ fn of_spindle(
     spindle: &SpindleRun,
     rotor: f64,
     curve: &MotorCurve,
-    site_share: f64,
+    drive: &InverterDrive,
 ) -> (f64, f64, Option<(Rank, Message)>) {
-    let continuous = curve.share(site_share);
+    let continuous = curve.share(drive.site_share).with_own_fan(drive.cooled_at.is_some());
     let (steady, worst_point) = (spindle.worst_point_steady(&continuous), spindle.worst_point(curve, rotor));
     let ramps = spindle.worst_point_idle(curve, rotor);
     let effective = spindle.motion.effective_share(rotor, &continuous);
@@ -247,7 +256,7 @@ fn of_spindle(
         let (torque, speed, limit) = at(worst_point);
         Some((Rank::Peak, msg!("size.refused-cut-peak", torque, speed, limit)))
     } else if effective > 1.0 {
-        let most = continuous.torque(0.0);
+        let most = continuous.highest();
         let (torque, limit) = ((effective * most, 3), (most, 3));
         Some((Rank::Effective, msg!("size.refused-cycle", torque, limit)))
     } else {

@@ -39,6 +39,7 @@ use super::program::Written;
 use super::sensitivity::{Flip, Sensitivity};
 use crate::drives::duty::{Motion, on_one_bus};
 use crate::machines::PreparedMachine;
+use crate::machines::driven::FormMotor;
 use crate::motion::Mover;
 
 /// Time and energy of a part, from the run of its program.
@@ -174,8 +175,11 @@ fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Op
     let returned_on_one_bus = on_one_bus(&together).1 + inverter.map_or(0.0, |work| work.returned);
     let drives = axes.iter().map(|axis| axis.id).chain(prepared.inverter_drive().map(|drive| drive.id));
     let drives: Vec<&str> = drives.collect();
-    let is_known =
-        !drives.is_empty() && project.machine.info().motors.iter().all(|motor| drives.contains(&motor.drive));
+    // The form may leave a motor out.
+    let hidden = prepared.hidden();
+    let has = |motor: &&FormMotor| motor.figures.iter().any(|(_, field)| !hidden.contains(field));
+    let mut motors = project.machine.info().motors.iter().filter(has);
+    let is_known = !drives.is_empty() && motors.all(|motor| drives.contains(&motor.drive));
     let energy = PartEnergy { given, returned, returned_on_one_bus };
     Some(Cycle { seconds, pause: prepared.pause(), energy: is_known.then_some(energy) })
 }

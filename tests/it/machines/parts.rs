@@ -112,3 +112,20 @@ fn parts_list_tells_given_data_from_assumed() {
     project.provenance.insert("overhang".to_owned(), Provenance::DataSheet);
     assert_eq!(row(&project), "| 4 | 1 | Cutter disc | r 45 mm, h 8 mm | given |");
 }
+
+#[test]
+fn dancer_is_in_drawing_and_parts_list_where_it_is_chosen() {
+    let line = |chosen: bool| {
+        let line = Project::of("ribbon-line", None).unwrap();
+        line.with_entries(&[("dancer", chosen.to_string())]).unwrap()
+    };
+    for chosen in [true, false] {
+        let project = line(chosen);
+        let parts = project.prepared().parts();
+        let at = |name: &str| parts.iter().position(|part| part.name == name);
+        let scene = project.prepared().scene();
+        assert_eq!(scene.nodes.iter().any(|node| node.field == "dancer"), chosen);
+        assert_eq!(at("ribbon.part.dancer"), at("ribbon.part.loop").map(|at| at + 1).filter(|_| chosen));
+        assert_eq!(exported(&project, "report.md").contains("| Dancer | 500 mm |"), chosen);
+    }
+}

@@ -249,7 +249,7 @@ fn design_readouts_match_their_golden() {
         Warn stage-speed: Stage 1 ends at 1000 r/min, below the speed limit of 2500 r/min: the surface speed falls from there on. Take a faster stage. That makes another result fail: Highest feed.
         Warn acceleration-needed: The spindle would have to gain 1164 r/min each second, it can 333: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.
         Fail power: Cut and friction need 12.21 kW, 6 kW are available at the spindle, and at a lower cutting speed the torque is too small. Cut with less depth.
-        Fail torque: Cut and friction take 170 Nm at 682 r/min, and the motor gives 57.3 Nm in stage 1: the spindle stalls. Take a stage with more torque, or cut with less depth.
+        Fail torque: Cut and friction take 170 Nm at 682 r/min, and the motor gives 48.2 Nm in stage 1: the spindle stalls. Take a stage with more torque, or cut with less depth.
         Fail peak-torque: At Ø 84 mm cut, friction and the acceleration of the constant surface speed together take 179.4 Nm at 682 r/min; the motor gives 85.9 Nm there for a short time: the spindle lags or stalls. Feed more slowly, or limit the speed to less.
     "#]].assert_eq(&said(&[("cutting-force", "4000"), ("gear", "1"), ("feed", "2")]));
     expect![[r#"

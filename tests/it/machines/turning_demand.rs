@@ -26,7 +26,7 @@ fn near(value: f64, expected: f64, within: f64) {
 
 /// A face of C45 from Ø 160 to Ø 30 at 250 m/min, 3 mm by 0.3 mm/rev, κ 95°: 1760.9 N. A motor of 15 kW at 1500 r/min turns twice as fast as
 /// the spindle, 0.5 kg m² without the work.
-const FACE: [(&str, &str); 20] = [
+const FACE: [(&str, &str); 21] = [
     ("cutting-speed", "250"),
     ("feed", "0.3"),
     ("depth", "3"),
@@ -47,6 +47,7 @@ const FACE: [(&str, &str); 20] = [
     ("work-length", "100"),
     ("start-x", "200"),
     ("spindle-friction", "2"),
+    ("motor-forced-cooling", "true"),
 ];
 
 /// The spindle in the run of a project.
@@ -59,7 +60,13 @@ fn run(project: &Project) -> SpindleRun {
 #[test]
 fn friction_counts_in_torque_and_power() {
     // C45, 1 mm by 0.2 mm/rev, κ 95°: 427.8 N, at Ø 84 17.97 Nm beside 12 Nm of friction; 9549.3 · 7.5 · 0.8 / 3000 = 19.1 Nm are there.
-    let entries = [("material", "c45"), ("spindle-friction", "12"), ("spindle-ramp", "6"), ("upper-limit", "1800")];
+    let entries = [
+        ("material", "c45"),
+        ("spindle-friction", "12"),
+        ("spindle-ramp", "6"),
+        ("upper-limit", "1800"),
+        ("motor-forced-cooling", "true"),
+    ];
     let lathe = project("gsk-980tdc", &entries);
     let sine = math::sin(95_f64.to_radians());
     let force = 1500.0 / sine * math::pow(0.2 * sine, 0.78);

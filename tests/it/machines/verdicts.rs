@@ -86,6 +86,65 @@ const RARE: &[Entered] = &[
     // A tool that turns against its work, and a ratio that leaves the sides hollow.
     ("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("tool-ratio", "-2")]),
     ("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("tool-ratio", "3"), ("sides", "6")]),
+    // A slow cut that a motor with its own fan carries in a stage in which it turns faster, and one that it carries but for the slow end of
+    // the knob.
+    (
+        "turning-spindle",
+        "gsk-980tdc",
+        &[
+            ("path", "turning"),
+            ("stock-diameter", "400"),
+            ("finished-diameter", "390"),
+            ("depth", "2"),
+            ("cutting-speed", "40"),
+            ("cutting-force", "700"),
+            ("stage-1", "300"),
+            ("stage-2", "100"),
+            ("gear", "1"),
+            ("start-x", "500"),
+        ],
+    ),
+    (
+        "turning-spindle",
+        "gsk-980tdc",
+        &[
+            ("path", "turning"),
+            ("stock-diameter", "400"),
+            ("finished-diameter", "390"),
+            ("depth", "2"),
+            ("cutting-speed", "40"),
+            ("cutting-force", "510"),
+            ("stage-1", "300"),
+            ("stage-2", "0"),
+            ("start-x", "500"),
+        ],
+    ),
+    // A slow cut with more power than the motor has.
+    (
+        "turning-spindle",
+        "gsk-980tdc",
+        &[("material", "c45"), ("cutting-speed", "1"), ("depth", "10"), ("feed", "1"), ("motor-power", "0.2")],
+    ),
+    // Passes so short that the slides start often, with a light rotor.
+    (
+        "turning-spindle",
+        "gsk-980tdc",
+        &[
+            ("path", "turning"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "40"),
+            ("length", "3"),
+            ("depth", "0.5"),
+            ("feed", "0.6"),
+            ("motor-rotor-z", "5"),
+        ],
+    ),
+    // A slot that is too deep for the main spindle.
+    (
+        "polygon-lathe",
+        "knd-k2000t",
+        &[("from-face", "30"), ("before", "true"), ("before-depth", "6"), ("before-feed", "0.6"), ("main-power", "3")],
+    ),
     // A fixed speed beyond the chosen stage, and a faster stage beside it.
     (
         "turning-spindle",
@@ -243,6 +302,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("scaling.drifts", "a fact of gear and lead: another gear"),
     ("scaling.no-ratio", "a fact of gear and lead: another gear"),
     ("slides.cut-too-hard", "a deed: less depth, or another motor"),
+    ("slides.inertia-at-starts", "a deed: longer passes, another screw, belt or motor"),
     ("slides.inertia-ratio", "a deed: another screw, belt or motor"),
     ("ribbon.brake-at-core", "a deed: a brake that follows the diameter"),
     ("slides.no-ramp", "a deed: another motor"),

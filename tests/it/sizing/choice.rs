@@ -370,6 +370,7 @@ fn lathe(changes: &[(&'static str, &str)]) -> Project {
         ("material", "none"),
         ("cutting-force", "400"),
         ("efficiency", "100"),
+        ("motor-forced-cooling", "true"),
     ];
     let sets = form.iter().chain(changes).map(|(id, typed)| (*id, (*typed).to_owned())).collect::<Vec<_>>();
     project.with_entries(&sets).unwrap()

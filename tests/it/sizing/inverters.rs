@@ -30,6 +30,7 @@ fn lathe(ramp: &str, current: f64, inverters: &[(&str, f64, f64, &str)]) -> Sizi
         ("material", "none"),
         ("cutting-force", "400"),
         ("efficiency", "100"),
+        ("motor-forced-cooling", "true"),
         ("spindle-ramp", ramp),
     ];
     let project = project.with_entries(&form.map(|(id, typed)| (id, typed.to_owned()))).unwrap();

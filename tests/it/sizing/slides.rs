@@ -284,9 +284,35 @@ fn slot_turned_before_the_polygon_loads_the_slides() {
     let expected = (3150.0 + 250.0) * 0.005 / (2.0 * std::f64::consts::PI * 0.9);
     let deep = cut("6");
     assert!((result(&deep, "z-cut-torque").value - expected).abs() < 1e-9);
-    // The main spindle that turns it is not sized, which a remark says with its power.
-    let remark = |project: &Project| {
-        project.design().diagnostics.iter().filter(|found| found.message.id == "polygon.spindle-not-sized").count()
-    };
-    assert_eq!((remark(&deep), remark(&lathe("polygon-lathe", "knd-k2000t", &[]))), (1, 0));
+}
+
+/// A cylinder with short, quick passes, and a light rotor at the screw of Z: about 200 starts per minute.
+const QUICK: [(&str, &str); 8] = [
+    ("path", "turning"),
+    ("stock-diameter", "60"),
+    ("finished-diameter", "40"),
+    ("length", "3"),
+    ("depth", "0.5"),
+    ("feed", "0.6"),
+    ("material", "aluminium"),
+    ("motor-rotor-z", "5"),
+];
+
+#[test]
+fn many_starts_limit_the_inertia_in_form_and_list_alike() {
+    let quick = lathe("turning-spindle", "gsk-980tdc", &QUICK);
+    let ratio = result(&quick, "z-inertia-ratio");
+    assert!((4.0..5.0).contains(&ratio.value), "{}", ratio.value);
+    assert_eq!((ratio.verdict, ratio.limit.unwrap().value()), (Verdict::Warn, 3.0));
+    assert_eq!(ratio.advice[0].message.id, "slides.inertia-at-starts");
+    // No motor of the list has more than that: those that do are refused for it.
+    let load = result(&quick, "z-load-inertia").value;
+    let sizing = sized(&quick);
+    let ratios = axis(&sizing, "z").candidates.iter().filter(|motor| motor.refusal.is_none());
+    let ratios: Vec<f64> = ratios.filter_map(|motor| Some(load * 1e-4 / motor.part.servo()?.rotor)).collect();
+    assert!(!ratios.is_empty() && ratios.iter().all(|ratio| *ratio <= 3.0), "{ratios:?}");
+    // A slow feed makes the passes long.
+    let slow = lathe("turning-spindle", "gsk-980tdc", &[&QUICK[..], &[("feed", "0.05")]].concat());
+    let ratio = result(&slow, "z-inertia-ratio");
+    assert_eq!((ratio.verdict, ratio.limit.unwrap().value()), (Verdict::Ok, 5.0));
 }

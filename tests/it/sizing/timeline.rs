@@ -209,3 +209,33 @@ proptest! {
         prop_assert!((work.given - work.returned - kinetic).abs() <= 1e-9 * (work.given + work.returned).max(1e-9));
     }
 }
+
+#[test]
+fn starts_by_the_formulas_are_not_below_those_of_the_run() {
+    let quick = |machine, example, entries: &[(&'static str, &str)]| {
+        let project = Project::named(machine, None, example).unwrap();
+        let entries: Vec<_> = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+        project.with_entries(&entries).unwrap()
+    };
+    let short = [("length", "3"), ("depth", "0.5"), ("feed", "0.6"), ("material", "aluminium")];
+    let lathe = |example| quick("turning-spindle", Some(example), &short);
+    let polygon = [("length", "3"), ("depth", "0.2"), ("feed", "2"), ("finish-feed", "2")];
+    let all = [
+        quick("turning-spindle", None, &[&short[..], &[("allowance", "10")]].concat()),
+        lathe("shaft"),
+        lathe("taper"),
+        quick("polygon-lathe", None, &polygon),
+        quick("polygon-lathe", Some("threaded-shaft"), &[]),
+    ];
+    for project in all {
+        let run = run_of(&project);
+        for id in ["x", "z"] {
+            let axis = axis(&project, id);
+            let stretches = run.timeline().stretches(axis.mover, 0.0, run.timeline().end());
+            let starts = axis.motion(&stretches, None).starts_per_minute();
+            let about = format!("{} {id}: {starts} of {}", project.machine.id(), axis.starts);
+            // The ways to the first pass and after the last one count in the run alone.
+            assert!(starts <= 1.1 * axis.starts && starts > 0.3 * axis.starts, "{about}");
+        }
+    }
+}

@@ -82,12 +82,14 @@ fn options_of_the_form_change_bill_and_terminals_together() {
     let unwinder = |item| (item, Some("ribbon.drive.unwinder"));
     // 20 % is what an inverter takes back without a resistor.
     let (brakes, bare) = (Value::Number(150.0), Value::Number(20.0));
-    let rows: [(&str, &str, [Value; 2], Entry); 5] = [
+    let spindle = |item| (item, Some("turning.drive.spindle"));
+    let rows: [(&str, &str, [Value; 2], Entry); 6] = [
         ("ribbon-line", "dancer", [on.clone(), off.clone()], unwinder(BillItem::Dancer)),
         ("ribbon-line", "spindle-encoder", [on.clone(), off.clone()], unwinder(BillItem::Encoder)),
-        ("ribbon-line", "unwinder-forced-cooling", [on, off], unwinder(BillItem::Fan)),
+        ("ribbon-line", "unwinder-forced-cooling", [on.clone(), off.clone()], unwinder(BillItem::Fan)),
+        ("turning-spindle", "motor-forced-cooling", [on, off], spindle(BillItem::Fan)),
         ("ribbon-line", "unwinder-motor-brake", [5.0, 0.0].map(Value::Number), unwinder(BillItem::Brake)),
-        ("turning-spindle", "motor-braking", [brakes, bare], (BillItem::Resistor, Some("turning.drive.spindle"))),
+        ("turning-spindle", "motor-braking", [brakes, bare], spindle(BillItem::Resistor)),
     ];
     for (machine, field, [with, without], entry) in rows {
         for (value, has) in [(with, true), (without, false)] {

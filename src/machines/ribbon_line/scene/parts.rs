@@ -33,6 +33,8 @@ pub(crate) mod group {
     pub(crate) const LENS: u16 = 68;
     pub(crate) const LENS_HEADS: u16 = 69;
     pub(crate) const LENS_DOTS: u16 = 70;
+    /// Roller of the dancer in the loop.
+    pub(crate) const DANCER: u16 = 71;
 
     /// Layers that give the heads of the print roller their width, the rearmost first.
     pub(crate) const LAYERS: u16 = 10;

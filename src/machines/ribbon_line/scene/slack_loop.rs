@@ -32,6 +32,9 @@ pub(crate) struct SlackLoop {
 /// Greatest k: the sides are all but upright.
 const UPRIGHT: f64 = 0.999;
 
+/// Greatest radius of a roller in the loop as a share of that of the arc.
+const IN_THE_ARC: f64 = 0.75;
+
 impl SlackLoop {
     /// The loop between rollers of these radii with a gap between them, in which a slack of `capacity` hangs no deeper than `room`.
     pub(crate) fn new((r1, r2): (f64, f64), gap: f64, capacity: f64, room: f64) -> SlackLoop {
@@ -93,6 +96,19 @@ impl SlackLoop {
     pub(crate) fn slack_at_depth(&self, depth: f64) -> f64 {
         let angle = SlackLoop::angle_where(|angle| self.depth_at(angle) > depth);
         self.relative_slack(angle) * self.distance / self.share
+    }
+
+    /// Lowest point of the loop at a slack, from the first nip, mm of the drawing.
+    pub(crate) fn lowest(&self, slack: f64) -> (f64, f64) {
+        let angle = self.angle(slack);
+        let (s, c) = math::sin_cos(angle);
+        let (l1, _) = self.straights(angle);
+        (self.radii.0 * s + l1 * c + self.rho * s, self.depth_at(angle))
+    }
+
+    /// Greatest radius of a roller that lies in the loop, mm.
+    pub(crate) fn roller_in_it(&self) -> f64 {
+        IN_THE_ARC * self.rho
     }
 
     /// The ribbon from nip to nip, the first at (`x`, 0).

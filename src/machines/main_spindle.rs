@@ -1,0 +1,81 @@
+//! A main spindle on its inverter, for every lathe that has one: the verdict of its ramp, charts of torque and power over the speed.
+
+use super::form::Field;
+use super::verdict::{Judgement, fail, ok, up};
+use crate::drives::MainSpindle;
+use crate::drives::spindle_motor::{self, MotorCurve};
+use crate::msg;
+use crate::view::Limit::AtMost;
+use crate::view::{Advice, Chart, Series};
+
+/// Longest ramp of a form, s.
+const LONGEST_RAMP: f64 = 600.0;
+
+/// The ramp of the form, its field `id`, against the shortest one to a highest speed of the program in r/min.
+pub(super) fn judge_ramp<P>(
+    spindle: &MainSpindle,
+    highest: f64,
+    (fields, id): (&[Field<P>], &'static str),
+) -> Option<Judgement> {
+    let (ramp, shortest) = (spindle.ramp, spindle.shortest_ramp(highest));
+    let limit = AtMost(ramp);
+    if limit.holds(shortest) {
+        return ok(limit);
+    }
+    if shortest == f64::INFINITY {
+        let [motor, _] = spindle.short_time();
+        let gives = motor.torque(highest);
+        let friction = (spindle.turned.torque, 1);
+        return fail(limit, [msg!("turning.friction-stalls", friction, torque = (gives, 1)).into()]);
+    }
+    let set = up(fields, id, shortest);
+    let advice = Advice::from(msg!("turning.ramp-too-short", needed = (shortest, 2), ramp = (ramp, 2)));
+    let button = msg!("advice.set-ramp", time = set.1.as_str());
+    fail(limit, [if shortest <= LONGEST_RAMP { advice.setting(button, [set]) } else { advice }])
+}
+
+/// Colours of the cut, and of the short-time rating in the engaged stage.
+const CUT: u8 = 4;
+const SHORT: u8 = 5;
+
+/// Curves of the motor over the speed of the spindle, each up to the speed (r/min) at the full analog signal, and the demand of the cut.
+pub(super) struct CurvesOfSpeed {
+    /// Continuous curve of each gear stage, with label and colour.
+    pub stages: Vec<(&'static str, u8, MotorCurve, f64)>,
+    /// Short-time curve in the engaged stage.
+    pub short_time: Option<(MotorCurve, f64)>,
+    /// Speeds (r/min) with the torque (Nm) of cut and friction; empty where none is known.
+    pub cut: Vec<(f64, f64)>,
+}
+
+/// Charts over the speed of the spindle: torque and power of the motor, and the demand of the cut.
+pub(super) fn over_speed(curves: CurvesOfSpeed, points: usize) -> Vec<Chart> {
+    let points = points.max(2);
+    // Power is that of the torque: below base speed it grows with the speed.
+    let lines = |of: fn(f64, f64) -> f64| -> Vec<Series> {
+        let line = |label, tone, points| Series { label, tone, address: None, points };
+        let curve = |motor: &MotorCurve, rated: f64| {
+            let speeds = (0..points).map(|at| rated * (at as f64 / (points - 1) as f64));
+            speeds.map(|speed| (speed, of(motor.torque(speed), speed))).collect::<Vec<_>>()
+        };
+        let stages = curves.stages.iter().map(|(label, tone, motor, rated)| line(label, *tone, curve(motor, *rated)));
+        let short = curves.short_time.as_ref();
+        let short = short.map(|(motor, rated)| line("turning.chart.short-time", SHORT, curve(motor, *rated)));
+        let cut = curves.cut.iter().map(|(speed, torque)| (*speed, of(*torque, *speed))).collect::<Vec<_>>();
+        let cut = (!cut.is_empty()).then(|| line("turning.chart.cut", CUT, cut));
+        stages.chain(short).chain(cut).collect()
+    };
+    let chart = |id, title, unit, series| Chart {
+        id,
+        title,
+        unit,
+        least_span: 0.0,
+        x_unit: "r/min",
+        series,
+        limits: Vec::new(),
+    };
+    vec![
+        chart("torque-speed", "turning.chart.torque-speed", "Nm", lines(|torque, _| torque)),
+        chart("power-speed", "turning.chart.power-speed", "kW", lines(spindle_motor::power)),
+    ]
+}

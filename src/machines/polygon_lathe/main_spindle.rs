@@ -1,0 +1,219 @@
+//! The main spindle of the polygon lathe, which turns the bar before and after the polygons: its motor on the inverter, demand, verdicts.
+
+use super::params::{FIELDS, Params, Slot};
+use super::resolved::PolygonLathe;
+use crate::drives::MainSpindle;
+use crate::drives::cutting;
+use crate::drives::duty::{CutSpan, Motion};
+use crate::drives::inertia::through_gear as inertia_through_gear;
+use crate::drives::load::{Load, through_gear};
+use crate::drives::spindle_motor::{self, MotorCurve};
+use crate::machines::devices::{AskedDevice, BillItem};
+use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
+use crate::machines::machine::Samples;
+use crate::machines::main_spindle::{self, CurvesOfSpeed};
+use crate::machines::verdict::{Judgement, down, fail, ok};
+use crate::math::RPM;
+use crate::motion::Stretch;
+use crate::msg;
+use crate::view::Limit::AtMost;
+use crate::view::{Advice, Chart};
+
+/// Catalog id of the name of the drive.
+pub(super) const NAME: &str = "polygon.drive.main";
+
+/// Least depth of cut (mm) that an advice names: below it an edge rubs.
+const LEAST_DEPTH: f64 = 0.1;
+
+impl Params {
+    /// The spindle with its motor. The work's motor stays on the spindle, so that its inertia includes that of the work axis.
+    pub(super) fn main_spindle(&self) -> MainSpindle {
+        let main = &self.main;
+        MainSpindle {
+            rated: main.speed,
+            ramp: main.ramp,
+            turned: Load {
+                inertia: self.work_inertia + inertia_through_gear(main.rotor, main.speed / main.motor_top),
+                torque: main.friction,
+                efficiency: 1.0,
+            },
+            motor: MotorCurve::new(main.power, self.drive_efficiency / 100.0, (main.base, main.motor_top), main.speed),
+            peak: self.main_peak(),
+        }
+    }
+
+    /// Continuous curve of its motor at the spindle, derated for the site and cooled by its own fan or by another one.
+    fn main_continuous(&self, own_fan: bool) -> MotorCurve {
+        self.main_spindle().motor.share(self.site_share / 100.0).with_own_fan(own_fan)
+    }
+
+    fn main_peak(&self) -> [f64; 2] {
+        [self.main.peak, self.main.braking].map(|percent| percent / 100.0)
+    }
+
+    /// Speed of its motor over that of the spindle.
+    fn main_gear(&self) -> f64 {
+        self.main.motor_top / self.main.speed
+    }
+}
+
+impl PolygonLathe {
+    /// The slots that the main spindle turns, with the fields of their depths.
+    fn turned_slots(&self) -> impl Iterator<Item = (&Slot, &'static str)> {
+        self.p.slots.iter().zip(["before-depth", "after-depth"]).filter(|(slot, _)| slot.on)
+    }
+
+    /// The program turns the bar by its main spindle.
+    pub(super) fn has_main_spindle(&self) -> bool {
+        self.turned_slots().next().is_some()
+    }
+
+    /// Torque (Nm) of cut and friction in a slot, at the stock's diameter: `F D / 2000 + M_f`. Source: turning spindle facts, 4.
+    fn slot_torque(&self, slot: &Slot) -> f64 {
+        cutting::torque(self.slot_force(slot), self.p.stock_diameter) + self.p.main.friction
+    }
+
+    /// The slot that asks most of the motor's continuous torque, with the field of its depth.
+    fn hardest_slot(&self) -> Option<(&Slot, &'static str)> {
+        let curve = self.p.main_continuous(!self.p.main.forced_cooling);
+        let share = |slot: &Slot| self.slot_torque(slot) / curve.torque(slot.speed);
+        self.turned_slots().max_by(|a, b| share(a.0).total_cmp(&share(b.0)))
+    }
+}
+
+/// Greatest speed of the slots, r/min.
+pub(super) fn highest(lathe: &PolygonLathe) -> f64 {
+    lathe.turned_slots().map(|(slot, _)| slot.speed).fold(0.0, f64::max)
+}
+
+/// Torque (Nm) of cut and friction where they ask most of the motor.
+pub(super) fn torque(lathe: &PolygonLathe) -> f64 {
+    lathe.hardest_slot().map_or(0.0, |(slot, _)| lathe.slot_torque(slot))
+}
+
+/// Greatest power (kW) of cut and friction.
+pub(super) fn power(lathe: &PolygonLathe) -> f64 {
+    let power = |slot: &Slot| spindle_motor::power(lathe.slot_torque(slot), slot.speed);
+    lathe.turned_slots().map(|(slot, _)| power(slot)).fold(0.0, f64::max)
+}
+
+/// Voltage (V) of the control's output at the greatest speed.
+pub(super) fn volts(lathe: &PolygonLathe) -> f64 {
+    lathe.control.analog_output.with_speed(lathe.p.main.speed).output(highest(lathe))
+}
+
+/// Cut and friction against the continuous torque of the motor.
+pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
+    let (p, (slot, field)) = (&lathe.p, lathe.hardest_slot()?);
+    let (torque, speed) = (lathe.slot_torque(slot), slot.speed);
+    let most = p.main_continuous(!p.main.forced_cooling).torque(speed);
+    if torque <= most {
+        return ok(AtMost(most));
+    }
+    let (shown, limit) = ((torque, 1), (most, 1));
+    let mut advice = Vec::new();
+    if torque <= p.main_continuous(false).torque(speed) {
+        let said = msg!("turning.own-fan", speed = (speed * p.main_gear(), 0), torque = shown, limit);
+        let set = [("main-forced-cooling", "true".to_owned())];
+        advice.push(Advice::from(said).setting(msg!("advice.forced-cooling"), set));
+    }
+    let weak = Advice::from(msg!("polygon.main-spindle-weak", torque = shown, speed = (speed, 0), limit));
+    let share = (most - p.main.friction) / (torque - p.main.friction);
+    let set = down(FIELDS, field, slot.depth * share);
+    let depth = set.1.parse().unwrap_or(0.0);
+    let is_endless = Slot { depth, ..slot.clone() }.is_endless(p.stock_diameter);
+    advice.push(match depth >= LEAST_DEPTH && !is_endless {
+        true => weak.setting(msg!("advice.set-depth", depth = set.1.as_str()), [set]),
+        false => weak,
+    });
+    fail(AtMost(most), advice)
+}
+
+/// The ramp of the inverter against the shortest one to the greatest speed of the slots.
+pub(super) fn judge_ramp(lathe: &PolygonLathe) -> Option<Judgement> {
+    main_spindle::judge_ramp(&lathe.p.main_spindle(), highest(lathe), (FIELDS, "main-ramp"))
+}
+
+/// Its motor for the sizing, at the slot that asks most of it; none where no slot is turned or nothing is known of the cutting force.
+pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
+    let (p, (slot, _)) = (&lathe.p, lathe.hardest_slot()?);
+    let gear = p.main_gear();
+    (lathe.slots_force() > 0.0).then(|| InverterDrive {
+        id: "main",
+        name: NAME,
+        torque: through_gear(lathe.slot_torque(slot), gear, p.drive_efficiency / 100.0),
+        speed: slot.speed * gear,
+        top_speed: p.main.motor_top,
+        site_share: p.site_share / 100.0,
+        brake: 0.0,
+        cycle: None,
+        turn: gear * RPM,
+        turned: turned(p),
+        rotor: p.main.rotor,
+        gear: None,
+        full: None,
+        cooled_at: (!p.main.forced_cooling).then_some(slot.speed * gear),
+        fields: None,
+    })
+}
+
+/// Chuck, work and the work's motor at the shaft of the main motor, against the friction of the spindle.
+fn turned(p: &Params) -> Load {
+    let (gear, efficiency) = (p.main_gear(), p.drive_efficiency / 100.0);
+    Load {
+        inertia: inertia_through_gear(p.work_inertia, gear),
+        torque: through_gear(p.main.friction, gear, efficiency),
+        efficiency,
+    }
+}
+
+/// Its motor in a part of a run: friction always, the greatest cut while the slide is in the stock and the spindle turns it.
+pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
+    let p = &lathe.p;
+    let until = stretches.last().map(|stretch| stretch.t + stretch.seconds)?;
+    let cut = cutting::torque(lathe.slots_force(), p.stock_diameter);
+    let torque = through_gear(cut, p.main_gear(), p.drive_efficiency / 100.0);
+    let idle = Motion::new(turns(stretches, p.main_gear() * RPM), turned(p), 0.0);
+    let spans = super::progress::turned(lathe, run, until);
+    let cuts = spans.into_iter().map(|(begin, end)| CutSpan { begin, end, torque }).collect();
+    lathe.has_main_spindle().then(|| SpindleRun {
+        name: NAME,
+        motion: idle.clone().with_cuts(cuts),
+        idle,
+        rotor: p.main.rotor,
+        motor: MotorCurve::new(p.main.power, 1.0, (p.main.base, 1.0), 1.0),
+        peak: p.main_peak(),
+    })
+}
+
+/// The encoder by which the control cuts a thread.
+pub(super) fn encoder(lathe: &PolygonLathe) -> Option<SpindleEncoder> {
+    let threads = lathe.turned_slots().any(|(slot, _)| slot.threads());
+    threads.then(|| SpindleEncoder { name: NAME, speed: highest(lathe) })
+}
+
+/// The fan of its motor with forced cooling.
+pub(super) fn devices(lathe: &PolygonLathe) -> Vec<AskedDevice> {
+    let is_forced = lathe.has_main_spindle() && lathe.p.main.forced_cooling;
+    let fan = || AskedDevice { item: BillItem::Fan, drive: Some(NAME), asked: msg!("turning.device.fan") };
+    Vec::from_iter(is_forced.then(fan))
+}
+
+/// Charts of its torque and power over its speed, with the slots.
+pub(super) fn charts(lathe: &PolygonLathe, points: usize) -> Vec<Chart> {
+    if !lathe.has_main_spindle() {
+        return Vec::new();
+    }
+    let (p, spindle) = (&lathe.p, lathe.p.main_spindle());
+    let continuous = p.main_continuous(!p.main.forced_cooling);
+    let [short, _] = spindle.short_time();
+    let cut = lathe.turned_slots().map(|(slot, _)| (slot.speed, lathe.slot_torque(slot)));
+    main_spindle::over_speed(
+        CurvesOfSpeed {
+            stages: vec![("polygon.chart.main-continuous", 0, continuous, spindle.rated)],
+            short_time: Some((short, spindle.rated)),
+            cut: if lathe.slots_force() > 0.0 { cut.collect() } else { Vec::new() },
+        },
+        points,
+    )
+}

@@ -1,0 +1,157 @@
+//! The main spindle of the polygon lathe, sized where the program turns the bar before or after the polygons.
+
+use macroline::machines::devices::BillItem;
+use macroline::project::Project;
+use macroline::project::size::{OperatingEvent, Sizing, SizingRuns, answers, size};
+use macroline::text::catalog::sentence;
+use macroline::view::{Readout, Verdict};
+
+use super::polygon_shaft::whole;
+
+const NAME: &str = "polygon.drive.main";
+
+/// The threaded shaft with other entries: 25 mm stock, turned to 12 mm at 800 r/min, 1750 N/mm².
+fn shaft(entries: &[(&'static str, &str)]) -> Project {
+    let shaft = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
+    let force = [("material", "none"), ("specific-force", "1750"), ("rake", "0")];
+    let entries: Vec<_> = force.iter().chain(entries).map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+    shaft.with_entries(&entries).unwrap()
+}
+
+fn row(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
+}
+
+fn sized(project: &Project) -> Sizing {
+    answers(project, &SizingRuns::new(project, &project.written()))
+}
+
+#[track_caller]
+fn near(value: f64, expected: f64, within: f64) {
+    assert!((value - expected).abs() <= within, "{value} is not {expected}");
+}
+
+/// Newton metres of the motor at the spindle: 7.5 kW with 90 %, base speed 1500 · 3000 / 2250 = 2000 r/min.
+const RATED: f64 = 9_549.297 * 7.5 * 0.9 / 2000.0;
+
+#[test]
+fn cut_of_a_slot_is_judged_by_the_main_motor() {
+    // 1750 N/mm² · 2 mm · 0.2 mm = 700 N at Ø 25, and 2 Nm of friction; the motor's own fan leaves 0.5 + 0.5 · 800 / 2000.
+    let light = shaft(&[]);
+    let torque = row(&light, "main-torque");
+    near(torque.value, 700.0 * 25.0 / 2000.0 + 2.0, 1e-9);
+    near(torque.limit.unwrap().value(), 0.7 * RATED, 1e-3);
+    assert_eq!(torque.verdict, Verdict::Ok);
+    near(row(&light, "main-cutting-power").value, 10.75 * 800.0 / 9_549.297, 1e-6);
+    near(row(&light, "main-volts").value, 10.0 * 800.0 / 3000.0, 0.003);
+    // 6 mm by 0.6 mm: less depth is offered.
+    let deep = shaft(&[("before-depth", "6"), ("before-feed", "0.6")]);
+    let torque = row(&deep, "main-torque");
+    assert_eq!((torque.verdict, torque.advice[0].sets[0].0), (Verdict::Fail, "before-depth"));
+    let less = deep.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!(row(&less, "main-torque").verdict, Verdict::Ok);
+}
+
+#[test]
+fn slot_too_heavy_for_the_own_fan_gets_forced_cooling() {
+    // 1750 N: 23.9 Nm of 22.6 with the motor's own fan, of 32.2 with another one.
+    let heavy = shaft(&[("before-feed", "0.5")]);
+    let torque = row(&heavy, "main-torque");
+    assert_eq!(torque.verdict, Verdict::Fail);
+    assert_eq!(torque.advice[0].sets, [("main-forced-cooling", "true".to_owned())]);
+    let cooled = heavy.with_entries(&torque.advice[0].sets).unwrap();
+    let torque = row(&cooled, "main-torque");
+    assert_eq!(torque.verdict, Verdict::Ok);
+    near(torque.limit.unwrap().value(), RATED, 1e-3);
+    for (project, fans) in [(&heavy, 0), (&cooled, 1)] {
+        let sizing = sized(project);
+        assert_eq!(sizing.bill.iter().filter(|row| row.item == BillItem::Fan && row.axis == Some(NAME)).count(), fans);
+        assert_eq!(sizing.terminals.iter().filter(|row| row.to.item == BillItem::Fan).count(), 2 * fans);
+    }
+}
+
+#[test]
+fn ramp_shorter_than_the_main_motor_gives_fails() {
+    // Chuck and work 0.2 kg m², the rotor 0.03 at three quarters of the speed; 150 % of the rated torque below base speed.
+    let inertia = 0.2 + 0.03 * 0.75 * 0.75;
+    let omega = 3000.0 * std::f64::consts::PI / 30.0;
+    let hasty = shaft(&[("main-ramp", "1")]);
+    let shortest = row(&hasty, "main-shortest-ramp");
+    near(shortest.value, inertia * omega / (1.5 * RATED - 2.0), 1e-6);
+    assert_eq!(shortest.verdict, Verdict::Fail);
+    let slower = hasty.with_entries(&shortest.advice[0].sets).unwrap();
+    assert_eq!(row(&slower, "main-shortest-ramp").verdict, Verdict::Ok);
+    let to_speed = inertia * 800.0 * std::f64::consts::PI / 30.0 / (1.5 * RATED - 2.0);
+    near(row(&hasty, "main-run-up-time").value, to_speed, 1e-6);
+    near(row(&hasty, "main-coasting-time").value, inertia * 800.0 * std::f64::consts::PI / 30.0 / 2.0, 1e-6);
+}
+
+#[test]
+fn main_spindle_is_ordered_and_wired_where_the_program_turns() {
+    let items = |project: &Project| {
+        let sizing = sized(project);
+        let own = sizing.bill.iter().filter(|row| row.axis == Some(NAME)).map(|row| row.item);
+        let mut items: Vec<BillItem> = own.collect();
+        items.sort();
+        items.dedup();
+        let wired =
+            |item| sizing.terminals.iter().filter(|row| row.to.item == item && row.to.axis == Some(NAME)).count();
+        // Mains and earth, the set speed with its screen, the run commands of M03 and M04; three phases and earth.
+        (items, wired(BillItem::Inverter), wired(BillItem::Motor))
+    };
+    let (motor, inverter, resistor, encoder) =
+        (BillItem::Motor, BillItem::Inverter, BillItem::Resistor, BillItem::Encoder);
+    assert_eq!(items(&shaft(&[])), (vec![motor, inverter, resistor, encoder], 7, 4));
+    assert_eq!(items(&shaft(&[("before-pitch", "0")])), (vec![motor, inverter, resistor], 7, 4));
+    assert_eq!(items(&shaft(&[("before-pitch", "0"), ("main-braking", "20")])), (vec![motor, inverter], 7, 4));
+    assert_eq!(items(&shaft(&[("before", "false")])), (vec![], 0, 0));
+}
+
+#[test]
+fn list_refuses_main_motors_too_weak_for_the_slot() {
+    let sizing = size(&shaft(&[]), &shaft(&[]).written());
+    let axis = sizing.axes.iter().find(|axis| axis.id == "main").unwrap();
+    // (8.75 + 2) Nm through 0.75 : 1 with 90 %.
+    near(axis.asked.effective, 10.75 / (0.75 * 0.9), 1e-9);
+    assert!(axis.least().is_some());
+    let weak: Vec<String> =
+        axis.candidates.iter().filter_map(|motor| Some(sentence(&motor.refusal.as_ref()?.message))).collect();
+    assert!(weak.iter().any(|reason| reason.contains("15.926 Nm")), "{weak:?}");
+    // The run has its torque on the list of the operating envelope, below that of the motor.
+    let row =
+        sizing.envelope.iter().find(|row| row.id == "spindle-torque" && row.event == OperatingEvent::Run).unwrap();
+    assert_eq!(row.verdict, Verdict::Ok);
+}
+
+#[test]
+fn bar_is_turned_at_the_speed_of_the_form() {
+    let (planner, _) = whole(&shaft(&[("main-speed", "1000"), ("main-motor-top", "1000"), ("main-ramp", "3")]));
+    let timeline = planner.timeline();
+    let (mut fastest, mut volts) = (0.0_f64, 0.0_f64);
+    for at in 0..2000 {
+        let now = timeline.at(timeline.end() * f64::from(at) / 2000.0);
+        (fastest, volts) = (fastest.max(now.spindle.actual), volts.max(now.spindle.volts));
+    }
+    near(fastest, 800.0, 1.0);
+    near(volts, 8.0, 0.01);
+}
+
+#[test]
+fn stops_name_the_inverter_where_the_bar_is_turned() {
+    let stops = |project: &Project| {
+        let sheets = project.prepared().sheets();
+        let sheet = sheets.into_iter().find(|sheet| sheet.id == "stops").unwrap();
+        (sheet.title, sheet.rows.len())
+    };
+    let (with, without) = (stops(&shaft(&[])), stops(&shaft(&[("before", "false")])));
+    assert_eq!((with.0, without.0, with.1 - without.1), ("sheet.stops-and-fault", "sheet.stops", 3));
+}
+
+#[test]
+fn slot_speed_above_that_of_the_main_spindle_is_an_error() {
+    let errors = |speed: &'static str| {
+        let design = shaft(&[("main-speed", "700"), ("before-speed", speed)]).design();
+        design.diagnostics.iter().filter(|found| found.message.id == "polygon.fast-spindle").count()
+    };
+    assert_eq!((errors("701"), errors("700")), (1, 0));
+}
