@@ -12,7 +12,7 @@ use crate::machines::devices::{AskedDevice, BillItem};
 use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
 use crate::machines::machine::Samples;
 use crate::machines::main_spindle::{self, CurvesOfSpeed};
-use crate::machines::verdict::{Judgement, down, fail, ok};
+use crate::machines::verdict::{Judgement, down, fail, ok, warn};
 use crate::math::RPM;
 use crate::motion::Stretch;
 use crate::msg;
@@ -108,7 +108,7 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let (torque, speed) = (lathe.slot_torque(slot), slot.speed);
     let most = p.main_continuous(!p.main.forced_cooling).torque(speed);
     if torque <= most {
-        return ok(AtMost(most));
+        return at_highest_knob(lathe, most);
     }
     let (shown, limit) = ((torque, 1), (most, 1));
     let mut advice = Vec::new();
@@ -127,6 +127,35 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
         false => weak,
     });
     fail(AtMost(most), advice)
+}
+
+/// A cut that the motor carries at the speed of the form: a warning where it does not at the highest position of the spindle's knob, with the
+/// same torque at a greater speed.
+fn at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
+    let (p, percent) = (&lathe.p, lathe.dialect.spindle().knob.high);
+    let curve = p.main_continuous(!p.main.forced_cooling);
+    let at_end = |slot: &Slot| curve.torque((slot.speed * percent / 100.0).min(p.main.speed));
+    let slots = lathe.turned_slots().map(|(slot, _)| (lathe.slot_torque(slot), at_end(slot)));
+    match slots.into_iter().find(|(torque, most)| torque > most) {
+        Some((torque, most)) => {
+            let (torque, shown) = ((torque, 1), (most, 1));
+            warn(AtMost(limit), [msg!("turning.torque-at-knob", percent = (percent, 0), torque, limit = shown).into()])
+        }
+        None => ok(AtMost(limit)),
+    }
+}
+
+/// The greatest speed of the slots against that of the work axis, whose motor runs along.
+pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
+    let (speed, most) = (highest(lathe), lathe.p.work_limit);
+    if speed <= most {
+        return ok(AtMost(most));
+    }
+    let fields = ["before-speed", "after-speed"].into_iter().zip(&lathe.p.slots);
+    let fast = fields.filter(|(_, slot)| slot.on && slot.speed > most);
+    let sets: Vec<_> = fast.map(|(field, _)| down(FIELDS, field, most)).collect();
+    let said = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));
+    warn(AtMost(most), [said.setting(msg!("advice.set-speed", speed = (most, 0)), sets)])
 }
 
 /// The ramp of the inverter against the shortest one to the greatest speed of the slots.

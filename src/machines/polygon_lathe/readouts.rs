@@ -110,6 +110,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     }, |lathe| lathe.p.slots.iter().any(|slot| slot.on)),
     row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[0].run_in(&lathe.p), |lathe| lathe.p.slots[0].threads()),
     row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[1].run_in(&lathe.p), |lathe| lathe.p.slots[1].threads()),
+    row!("main-top-speed", "polygon.readout.main-top-speed", "r/min", 0, false, "S", SLOTS, main_spindle::highest, PolygonLathe::has_main_spindle),
     row!("main-torque", "polygon.readout.main-torque", "Nm", 1, false, "F D / 2000 + friction", SLOTS, main_spindle::torque, PolygonLathe::has_main_spindle),
     row!("main-cutting-power", "polygon.readout.main-power", "kW", 2, false, "M n / 9549.3", SLOTS, main_spindle::power, PolygonLathe::has_main_spindle),
     row!("main-volts", "polygon.readout.main-volts", "V", 3, false, "10 V · n / n10, in steps", SLOTS, main_spindle::volts, PolygonLathe::has_main_spindle),

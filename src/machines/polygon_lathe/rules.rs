@@ -65,6 +65,11 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("work-torque-effective", drives::work_effective, MOTOR),
     Rule::new("work-power", drives::work_power, MOTOR),
     Rule::new("work-run-up", drives::work_run_up, MOTOR),
+    Rule::new(
+        "main-top-speed",
+        main_spindle::judge_speed,
+        Citation::new("greatest speed of the work axis", Grade::Manual),
+    ),
     Rule::new("main-torque", main_spindle::judge_torque, MOTOR),
     Rule::new(
         "main-shortest-ramp",

@@ -148,6 +148,26 @@ fn stops_name_the_inverter_where_the_bar_is_turned() {
 }
 
 #[test]
+fn slot_faster_than_the_motor_that_runs_along_warns() {
+    let fast = shaft(&[("before-speed", "1200")]);
+    let speed = row(&fast, "main-top-speed");
+    assert_eq!((speed.value, speed.limit.unwrap().value(), speed.verdict), (1200.0, 1000.0, Verdict::Warn));
+    assert_eq!(speed.advice[0].sets, [("before-speed", "1000".to_owned())]);
+    let slower = fast.with_entries(&speed.advice[0].sets).unwrap();
+    assert_eq!(row(&slower, "main-top-speed").verdict, Verdict::Ok);
+}
+
+#[test]
+fn slot_is_judged_with_the_knob_at_its_highest_position_too() {
+    // 1400 N: 19.5 Nm of 22.6 at 800 r/min; the knob of 254 % takes the spindle to 2032 r/min, where a base speed of 1000 r/min leaves less.
+    let at = |base: &'static str| row(&shaft(&[("before-feed", "0.4"), ("main-base", base)]), "main-torque");
+    assert_eq!(at("1500").verdict, Verdict::Ok);
+    let weak = shaft(&[("before-feed", "0.4"), ("main-base", "1000"), ("main-power", "4.5")]);
+    let weak = row(&weak, "main-torque");
+    assert_eq!((weak.verdict, weak.advice[0].message.id), (Verdict::Warn, "turning.torque-at-knob"));
+}
+
+#[test]
 fn slot_speed_above_that_of_the_main_spindle_is_an_error() {
     let errors = |speed: &'static str| {
         let design = shaft(&[("main-speed", "700"), ("before-speed", speed)]).design();
