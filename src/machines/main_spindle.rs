@@ -26,10 +26,10 @@ pub(super) fn judge_ramp<P>(
         let [motor, _] = spindle.short_time();
         let gives = motor.torque(highest);
         let friction = (spindle.turned.torque, 1);
-        return fail(limit, [msg!("turning.friction-stalls", friction, torque = (gives, 1)).into()]);
+        return fail(limit, [msg!("lathe.friction-stalls", friction, torque = (gives, 1)).into()]);
     }
     let set = up(fields, id, shortest);
-    let advice = Advice::from(msg!("turning.ramp-too-short", needed = (shortest, 2), ramp = (ramp, 2)));
+    let advice = Advice::from(msg!("lathe.ramp-too-short", needed = (shortest, 2), ramp = (ramp, 2)));
     let button = msg!("advice.set-ramp", time = set.1.as_str());
     fail(limit, [if shortest <= LONGEST_RAMP { advice.setting(button, [set]) } else { advice }])
 }
@@ -60,9 +60,9 @@ pub(super) fn over_speed(curves: CurvesOfSpeed, points: usize) -> Vec<Chart> {
         };
         let stages = curves.stages.iter().map(|(label, tone, motor, rated)| line(label, *tone, curve(motor, *rated)));
         let short = curves.short_time.as_ref();
-        let short = short.map(|(motor, rated)| line("turning.chart.short-time", SHORT, curve(motor, *rated)));
+        let short = short.map(|(motor, rated)| line("lathe.chart.short-time", SHORT, curve(motor, *rated)));
         let cut = curves.cut.iter().map(|(speed, torque)| (*speed, of(*torque, *speed))).collect::<Vec<_>>();
-        let cut = (!cut.is_empty()).then(|| line("turning.chart.cut", CUT, cut));
+        let cut = (!cut.is_empty()).then(|| line("lathe.chart.cut", CUT, cut));
         stages.chain(short).chain(cut).collect()
     };
     let chart = |id, title, unit, series| Chart {
@@ -75,7 +75,7 @@ pub(super) fn over_speed(curves: CurvesOfSpeed, points: usize) -> Vec<Chart> {
         limits: Vec::new(),
     };
     vec![
-        chart("torque-speed", "turning.chart.torque-speed", "Nm", lines(|torque, _| torque)),
-        chart("power-speed", "turning.chart.power-speed", "kW", lines(spindle_motor::power)),
+        chart("torque-speed", "lathe.chart.torque-speed", "Nm", lines(|torque, _| torque)),
+        chart("power-speed", "lathe.chart.power-speed", "kW", lines(spindle_motor::power)),
     ]
 }

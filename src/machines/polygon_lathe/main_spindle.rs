@@ -113,7 +113,7 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let (shown, limit) = ((torque, 1), (most, 1));
     let mut advice = Vec::new();
     if torque <= p.main_continuous(false).torque(speed) {
-        let said = msg!("turning.own-fan", speed = (speed * p.main_gear(), 0), torque = shown, limit);
+        let said = msg!("lathe.own-fan", speed = (speed * p.main_gear(), 0), torque = shown, limit);
         let set = [("main-forced-cooling", "true".to_owned())];
         advice.push(Advice::from(said).setting(msg!("advice.forced-cooling"), set));
     }
@@ -139,7 +139,7 @@ fn at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
     match slots.into_iter().find(|(torque, most)| torque > most) {
         Some((torque, most)) => {
             let (torque, shown) = ((torque, 1), (most, 1));
-            warn(AtMost(limit), [msg!("turning.torque-at-knob", percent = (percent, 0), torque, limit = shown).into()])
+            warn(AtMost(limit), [msg!("lathe.torque-at-knob", percent = (percent, 0), torque, limit = shown).into()])
         }
         None => ok(AtMost(limit)),
     }
@@ -224,7 +224,7 @@ pub(super) fn encoder(lathe: &PolygonLathe) -> Option<SpindleEncoder> {
 /// The fan of its motor with forced cooling.
 pub(super) fn devices(lathe: &PolygonLathe) -> Vec<AskedDevice> {
     let is_forced = lathe.has_main_spindle() && lathe.p.main.forced_cooling;
-    let fan = || AskedDevice { item: BillItem::Fan, drive: Some(NAME), asked: msg!("turning.device.fan") };
+    let fan = || AskedDevice { item: BillItem::Fan, drive: Some(NAME), asked: msg!("lathe.device.fan") };
     Vec::from_iter(is_forced.then(fan))
 }
 

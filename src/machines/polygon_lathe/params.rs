@@ -459,11 +459,11 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=60000.0).default(2250.0).decimals(0).step(100.0).fact().when(Params::turns),
     number("main-speed", member!(Params.main.speed)).group("polygon.group.main").label("polygon.main.speed").help("polygon.main.speed.help").symbol("n10")
         .unit("r/min").range(1.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact().when(Params::turns),
-    flag("main-forced-cooling", member!(Params.main.forced_cooling)).group("polygon.group.main").label("polygon.main.forced-cooling").help("turning.motor-forced-cooling.help")
+    flag("main-forced-cooling", member!(Params.main.forced_cooling)).group("polygon.group.main").label("polygon.main.forced-cooling").help("lathe.motor-forced-cooling.help")
         .fact().when(Params::turns),
-    number("main-peak", member!(Params.main.peak)).group("polygon.group.main").label("polygon.main.peak").help("turning.motor-peak.help")
+    number("main-peak", member!(Params.main.peak)).group("polygon.group.main").label("polygon.main.peak").help("lathe.motor-peak.help")
         .unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact().when(Params::turns),
-    number("main-braking", member!(Params.main.braking)).group("polygon.group.main").label("polygon.main.braking").help("turning.motor-braking.help")
+    number("main-braking", member!(Params.main.braking)).group("polygon.group.main").label("polygon.main.braking").help("lathe.motor-braking.help")
         .unit("%").range(1.0..=600.0).default(150.0).decimals(0).step(10.0).fact().when(Params::turns),
     number("main-rotor", member!(Params.main.rotor)).group("polygon.group.main").label("polygon.main.rotor").help("polygon.main.rotor.help")
         .unit("kg m²").range(0.0..=1000.0).default(0.03).decimals(4).step(0.001).fact().when(Params::turns),

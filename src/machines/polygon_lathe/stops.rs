@@ -53,25 +53,25 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
         cite: DESIGN,
     };
     let turns = main_spindle(lathe, Interruption::Reset) == SpindleReaction::Turns;
-    let after_reset = if turns { msg!("turning.stops.work-turns") } else { msg!("turning.stops.work-slows") };
+    let after_reset = if turns { msg!("lathe.stops.work-turns") } else { msg!("lathe.stops.work-slows") };
     let coasts = lathe.p.main_spindle().coasting(highest(lathe));
     let (reset, emergency) = (Some("polygon.stops.main-reset"), Some("polygon.stops.main-emergency"));
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
     vec![
-        row(Interruption::Reset, reset, msg!("lathe.stops.axes-reset"), after_reset, msg!("turning.stops.anew")),
+        row(Interruption::Reset, reset, msg!("lathe.stops.axes-reset"), after_reset, msg!("lathe.stops.anew")),
         row(
             Interruption::EmergencyStop,
             emergency,
             slides_at_emergency_stop(sinks),
-            msg!("turning.stops.work-slows"),
-            msg!("turning.stops.clear"),
+            msg!("lathe.stops.work-slows"),
+            msg!("lathe.stops.clear"),
         ),
         row(
             Interruption::InverterFault,
             None,
             msg!("lathe.stops.axes-reset"),
-            msg!("turning.stops.work-coasts", time = (coasts, 1)),
-            msg!("turning.stops.fault"),
+            msg!("lathe.stops.work-coasts", time = (coasts, 1)),
+            msg!("lathe.stops.fault"),
         ),
     ]
 }

@@ -13,7 +13,7 @@ use crate::view::Limit::AtMost;
 
 /// The fan of a motor with forced cooling.
 pub(super) fn devices(lathe: &TurningSpindle) -> Vec<AskedDevice> {
-    let fan = || AskedDevice { item: BillItem::Fan, drive: Some(driven::NAME), asked: msg!("turning.device.fan") };
+    let fan = || AskedDevice { item: BillItem::Fan, drive: Some(driven::NAME), asked: msg!("lathe.device.fan") };
     Vec::from_iter(lathe.p.forced_cooling.then(fan))
 }
 
@@ -21,7 +21,7 @@ pub(super) fn devices(lathe: &TurningSpindle) -> Vec<AskedDevice> {
 pub(super) fn remedy(lathe: &TurningSpindle) -> Option<Advice> {
     let (d, limit) = (&lathe.d, lathe.d.torque_available);
     let speed = motor_speed(lathe, d);
-    let said = msg!("turning.own-fan", speed = (speed, 0), torque = (d.torque, 1), limit = (limit, 1));
+    let said = msg!("lathe.own-fan", speed = (speed, 0), torque = (d.torque, 1), limit = (limit, 1));
     carries_with_forced(lathe, d).then(|| advice(said))
 }
 

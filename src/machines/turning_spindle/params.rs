@@ -369,12 +369,12 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
     number("motor-overload", member!(Params.motor_overload)).group("turning.group.power").label("turning.motor-overload").help("turning.motor-overload.help")
         .unit("%").range(100.0..=400.0).default(100.0).decimals(0).step(10.0).fact(),
-    flag("motor-forced-cooling", member!(Params.forced_cooling)).group("turning.group.power").label("turning.motor-forced-cooling").help("turning.motor-forced-cooling.help")
+    flag("motor-forced-cooling", member!(Params.forced_cooling)).group("turning.group.power").label("turning.motor-forced-cooling").help("lathe.motor-forced-cooling.help")
         .fact(),
     site::share("site-share", "turning.group.power", member!(Params.site_share)),
-    number("motor-peak", member!(Params.motor_peak)).group("turning.group.power").label("turning.motor-peak").help("turning.motor-peak.help")
+    number("motor-peak", member!(Params.motor_peak)).group("turning.group.power").label("turning.motor-peak").help("lathe.motor-peak.help")
         .unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact(),
-    number("motor-braking", member!(Params.motor_braking)).group("turning.group.power").label("turning.motor-braking").help("turning.motor-braking.help")
+    number("motor-braking", member!(Params.motor_braking)).group("turning.group.power").label("turning.motor-braking").help("lathe.motor-braking.help")
         .unit("%").range(1.0..=600.0).default(150.0).decimals(0).step(10.0).fact(),
     number("rotor-inertia", member!(Params.rotor_inertia)).group("turning.group.power").label("turning.rotor-inertia").help("turning.rotor-inertia.help")
         .unit("kg m²").range(0.0..=1000.0).default(0.03).decimals(4).step(0.001).fact(),

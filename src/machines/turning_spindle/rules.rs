@@ -302,7 +302,7 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
         return holds_up_to(lathe, rated, |percent, fast| {
             let limit = fast.for_the_cut(p, fast.torque_available);
             let message = || {
-                msg!("turning.torque-at-knob", percent = (percent, 0), torque = (fast.torque, 1), limit = (limit, 1))
+                msg!("lathe.torque-at-knob", percent = (percent, 0), torque = (fast.torque, 1), limit = (limit, 1))
             };
             (fast.torque > limit).then(message)
         });

@@ -35,8 +35,8 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         cite: DESIGN,
     };
     let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
-    let (block, retract) = (msg!("lathe.stops.axes-block"), msg!("turning.stops.anew"));
-    let reset = if off { msg!("turning.stops.work-slows") } else { msg!("turning.stops.work-turns") };
+    let (block, retract) = (msg!("lathe.stops.axes-block"), msg!("lathe.stops.anew"));
+    let reset = if off { msg!("lathe.stops.work-slows") } else { msg!("lathe.stops.work-turns") };
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
     let mut rows = vec![
         row(
@@ -45,20 +45,20 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             msg!("turning.stops.work-rubs"),
             msg!("lathe.stops.start"),
         ),
-        row(Interruption::BlockStop, block.clone(), msg!("turning.stops.work-turns"), msg!("lathe.stops.start")),
+        row(Interruption::BlockStop, block.clone(), msg!("lathe.stops.work-turns"), msg!("lathe.stops.start")),
         row(Interruption::Alarm, block, msg!("turning.stops.work-rubs"), msg!("turning.stops.mend")),
         row(Interruption::Reset, msg!("lathe.stops.axes-reset"), reset, retract),
         row(
             Interruption::EmergencyStop,
             slides_at_emergency_stop(sinks),
-            msg!("turning.stops.work-slows"),
-            msg!("turning.stops.clear"),
+            msg!("lathe.stops.work-slows"),
+            msg!("lathe.stops.clear"),
         ),
         row(
             Interruption::InverterFault,
             msg!("lathe.stops.axes-reset"),
-            msg!("turning.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
-            msg!("turning.stops.fault"),
+            msg!("lathe.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
+            msg!("lathe.stops.fault"),
         ),
     ];
     rows.extend(sinks.map(|way| Reaction {
@@ -66,8 +66,8 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         ..row(
             Interruption::PowerFailure,
             slides_without_supply(Some(way)),
-            msg!("turning.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
-            msg!("turning.stops.anew"),
+            msg!("lathe.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
+            msg!("lathe.stops.anew"),
         )
     }));
     rows

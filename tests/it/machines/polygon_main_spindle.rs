@@ -164,7 +164,7 @@ fn slot_is_judged_with_the_knob_at_its_highest_position_too() {
     assert_eq!(at("1500").verdict, Verdict::Ok);
     let weak = shaft(&[("before-feed", "0.4"), ("main-base", "1000"), ("main-power", "4.5")]);
     let weak = row(&weak, "main-torque");
-    assert_eq!((weak.verdict, weak.advice[0].message.id), (Verdict::Warn, "turning.torque-at-knob"));
+    assert_eq!((weak.verdict, weak.advice[0].message.id), (Verdict::Warn, "lathe.torque-at-knob"));
 }
 
 #[test]

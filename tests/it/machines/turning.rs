@@ -506,7 +506,7 @@ fn charts_over_the_speed_have_every_gear_stage() {
             // A stage ends at the end of its analog output, and the torque of the cut at the largest diameter is the result.
             let first = torque.series[0].points.last().unwrap();
             assert_eq!(first.0, number(&project, "stage-1"));
-            let cut = torque.series.iter().find(|line| line.label == "turning.chart.cut").unwrap();
+            let cut = torque.series.iter().find(|line| line.label == "lathe.chart.cut").unwrap();
             assert!((cut.points.last().unwrap().1 - result(&project, "torque")).abs() < 1e-9, "{control} {changes:?}");
             assert!(
                 (cut.points.last().unwrap().0 - result(&project, "speed-largest")).abs() < 1e-9,
