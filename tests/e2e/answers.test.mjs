@@ -2,7 +2,7 @@
 // labels at every size.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, saved, showSteps, start, withPage } from './page.mjs';
+import { PAPER, accessible, saved, showSteps, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -47,6 +47,23 @@ test('a result shows the parts and fields that it depends on', () =>
     assert.ok(fields.includes('press-roller-diameter') && !fields.includes('pitch'), `${fields}`);
     await page.mouse.move(5, 400);
     await page.locator('.scene .cause').first().waitFor({ state: 'detached' });
+  }));
+
+test('repair makes failing results hold, one undo restores them', () =>
+  withPage(app, {}, async ({ page }) => {
+    await takeExample(page, PAPER);
+    await page.getByRole('tab', { name: /Results/ }).click();
+    const failing = page.locator('.result.fail');
+    await page.locator('.repairs').getByText('7 results fail').waitFor();
+    assert.equal(await failing.count(), 7);
+    await page.locator('.repairs').getByRole('button', { name: 'Repair', exact: true }).click();
+    await page.getByText('All results hold now: Add a dancer; Set Ø 15.28 mm').waitFor();
+    await page.locator('.repairs').waitFor({ state: 'detached' });
+    assert.equal(await failing.count(), 0);
+    assert.equal(await page.locator('#pitch').inputValue(), '8');
+    await page.getByRole('button', { name: /^Undo/ }).click();
+    await page.locator('.repairs').waitFor();
+    assert.equal(await failing.count(), 7);
   }));
 
 test('dragging a name changes its number, one undo restores it', () =>
