@@ -208,8 +208,17 @@ export interface Assumption {
   flips: { readout: string; factor: number; from: Verdict; to: Verdict } | null;
 }
 
+export interface Repairs {
+  /** Each with its entries by the id of their field, in the order in which they are taken. */
+  changes: { change: string; sets: Record<string, string> }[];
+  /** Number of results that fail with all changes too. */
+  still_failing: number;
+}
+
 export interface Design {
   readouts: Readout[];
+  /** Changes with which the failing results hold. */
+  repairs: Repairs;
   values: Entry[];
   assumed: Assumption[];
   /** Assumed facts whose change flips a verdict, those that lead to a failure first. */

@@ -5,14 +5,16 @@ use serde_json::{Value as Json, json};
 use super::chance::Chance;
 use super::export::{Export, ExportOptions};
 use super::file_findings::{FileFindings, Sources, list_json};
+use super::repairs::repairs;
 use super::size::{Sizing, size};
 use super::{Project, list, origins};
 
-/// Results of a project with limits and verdicts, origins of its values and diagnostics; `file` has the diagnostics about its file.
+/// Results of a project with limits and verdicts, the changes with which failing ones hold, origins of its values and diagnostics; `file` has the diagnostics about its file.
 pub fn design(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>) {
     let design = project.design();
     let mut told = origins::json(project);
     told["readouts"] = list::readouts_json(&design.readouts);
+    told["repairs"] = list::repairs_json(&repairs(project));
     let mut list = design.diagnostics;
     origins::shorten(project, &mut list);
     let all = vec![file, FileFindings { sources: Sources::default(), list }];

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use crate::msg;
-use crate::text::{Citation, Message, MessageValue, Phrase, units};
+use crate::text::catalog::sentence;
+use crate::text::{Citation, Message, MessageValue, Phrase, clauses, units};
 
 /// Engineering verdict of a result. It never prevents the export of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -122,6 +123,24 @@ pub struct Repairs {
     pub changes: Vec<Advice>,
     /// Number of results that fail with all of them too.
     pub left: usize,
+}
+
+impl Repairs {
+    /// The words of their buttons.
+    pub fn texts(&self) -> Vec<String> {
+        self.changes.iter().filter_map(|change| change.button.as_ref()).map(sentence).collect()
+    }
+
+    /// The changes with which every result holds, or all but some; none where no change helps.
+    pub fn message(&self) -> Option<Message> {
+        let texts = self.texts();
+        let (count, changes) = (texts.len() as u32, clauses(&texts));
+        match (count, self.left as u32) {
+            (0, _) => None,
+            (_, 0) => Some(msg!("form.report.changes", count, changes)),
+            (_, left) => Some(msg!("form.report.changes-left", count, changes, left)),
+        }
+    }
 }
 
 impl From<Message> for Advice {

@@ -12,6 +12,7 @@ use macroline::project::file_findings::list_json;
 use macroline::project::help::texts::Texts;
 use macroline::project::help::{Help, explain, pages};
 use macroline::project::render::summary;
+use macroline::project::repairs::repairs;
 use macroline::project::run::AtStop;
 use macroline::project::size::tell::sheet_text;
 use macroline::project::{Project, answers, drawing, list, origins, parts, request, variants};
@@ -136,7 +137,8 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
         print_json(&told)?;
     } else {
         let readouts = list::readouts_text(&project.design().readouts);
-        print(&(origins::faults_text(&project) + &readouts + &origins::text(&project)))?;
+        let repairs = list::repairs_text(&repairs(&project));
+        print(&(origins::faults_text(&project) + &readouts + &repairs + &origins::text(&project)))?;
         print_findings(&all)?;
     }
     verdict(&all)

@@ -301,9 +301,8 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if d.torque <= rated {
         return holds_up_to(lathe, rated, |percent, fast| {
             let limit = fast.for_the_cut(p, fast.torque_available);
-            let message = || {
-                msg!("lathe.torque-at-knob", percent = (percent, 0), torque = (fast.torque, 1), limit = (limit, 1))
-            };
+            let message =
+                || msg!("lathe.torque-at-knob", percent = (percent, 0), torque = (fast.torque, 1), limit = (limit, 1));
             (fast.torque > limit).then(message)
         });
     }

@@ -36,7 +36,7 @@ pub(in crate::ui) fn repairs(project: &Project) -> FoundRepairs {
     let found = repairs::repairs(project);
     let entry = |(id, text): &(&'static str, String)| ((*id).to_owned(), text.clone());
     FoundRepairs {
-        changes: found.changes.iter().filter_map(|change| change.button.as_ref()).map(sentence).collect(),
+        changes: found.texts(),
         entries: found.changes.iter().flat_map(|change| &change.sets).map(entry).collect(),
         left: found.left as u32,
     }

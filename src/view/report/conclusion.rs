@@ -6,7 +6,7 @@ use crate::text::catalog::{pieces, sentence, words};
 use crate::text::number::four_digits;
 use crate::text::{Message, clauses, listed, sentences};
 use crate::view::svg::escape;
-use crate::view::{Readout, Repairs, Verdict};
+use crate::view::{Readout, Verdict};
 
 /// Maximum failing verdicts named.
 const NAMED: usize = 3;
@@ -15,7 +15,7 @@ const NAMED: usize = 3;
 pub(super) fn conclusion(report: &Report) -> String {
     let emphasized = [Some(work(report)), part(report)].into_iter().flatten().map(|message| emphasized(&message));
     let [said, exceeded] = [Some(verdicts(report)), exceeded(report)].map(|message| message.as_ref().map(plain));
-    let changes = changes(&report.repairs).as_ref().map(self::emphasized);
+    let changes = report.repairs.message().as_ref().map(self::emphasized);
     sentences(emphasized.chain([said, changes, exceeded].into_iter().flatten()))
 }
 
@@ -74,17 +74,6 @@ fn verdicts(report: &Report) -> Message {
             };
             msg!("form.report.some-fail", count = n as u32, all = judged.len() as u32, results = names)
         }
-    }
-}
-
-/// The changes with which all verdicts hold, or all but some; none where no change helps.
-fn changes(Repairs { changes, left }: &Repairs) -> Option<Message> {
-    let buttons: Vec<String> = changes.iter().filter_map(|change| change.button.as_ref()).map(sentence).collect();
-    let (count, list) = (buttons.len() as u32, clauses(&buttons));
-    match (count, *left as u32) {
-        (0, _) => None,
-        (_, 0) => Some(msg!("form.report.changes", count, changes = list)),
-        (_, left) => Some(msg!("form.report.changes-left", count, changes = list, left)),
     }
 }
 

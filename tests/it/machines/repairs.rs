@@ -2,6 +2,9 @@
 
 use macroline::machines;
 use macroline::project::Project;
+use macroline::project::answers;
+use macroline::project::file_findings::FileFindings;
+use macroline::project::list::repairs_text;
 use macroline::project::repairs::repairs;
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
@@ -32,6 +35,19 @@ fn repairs_of_the_published_line_change_the_machine_only() {
     let buttons: Vec<String> =
         repairs(&paper).changes.iter().map(|change| sentence(change.button.as_ref().unwrap())).collect();
     assert_eq!(buttons, ["Add a dancer", "Set Ø 15.28 mm", "Set a loop of 1773.5 mm", "Set 2 pitches per block"]);
+}
+
+#[test]
+fn answer_names_the_repairs_with_their_entries() {
+    let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
+    let (told, _) = answers::design(&paper, FileFindings::default());
+    let repairs = &told["repairs"];
+    assert_eq!(repairs["still_failing"], 0);
+    assert_eq!(repairs["changes"][0], serde_json::json!({ "change": "Add a dancer", "sets": { "dancer": "true" } }));
+    assert_eq!(
+        repairs_text(&self::repairs(&paper)),
+        "With these changes every result holds: Add a dancer; Set Ø 15.28 mm; Set a loop of 1773.5 mm; Set 2 pitches per block.\n"
+    );
 }
 
 #[test]
