@@ -57,6 +57,10 @@ fn take(page: Page, found: &FoundRepairs) {
     }
     page.take_entries(&entries);
     let (changes, left) = (clauses(&found.changes), found.left);
+    if left == 0 {
+        // The notice that results of this project fail is no longer true.
+        page.notices.leave_project();
+    }
     let (tone, message) = match left {
         0 => (Tone::Info, crate::msg!("page.repaired", changes)),
         _ => (Tone::Warn, crate::msg!("page.repaired-but", changes, left)),
@@ -91,10 +95,11 @@ mod tests {
     async fn repair_makes_every_result_hold_in_one_step() {
         let bench = failing().await;
         assert!(bench.text(".repairs p").contains(&sentence(&crate::msg!("page.results-fail", count = 7_u32))));
+        bench.page.notices.notify_of_project(Tone::Warn, "7 results fail".to_owned());
         bench.worker.answer_here(answer);
         bench.press(".repairs button").await;
         settled().await;
-        assert!(!bench.has(".repairs"));
+        assert!(!bench.has(".repairs") && !bench.notices().contains(&"7 results fail".to_owned()));
         assert!(bench.notices().iter().any(|notice| notice.contains("15.28")), "{:?}", bench.notices());
         bench.page.undo();
         settled().await;
