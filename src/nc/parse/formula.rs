@@ -20,7 +20,7 @@ const PARTS: u32 = 250;
 const DEPTH: u32 = 40;
 
 /// An open bracket: its position and its closing byte.
-pub(in crate::nc) struct OpenBracket {
+pub(super) struct OpenBracket {
     pub(super) at: usize,
     close: u8,
 }
@@ -38,7 +38,7 @@ const OTHER_NAMES: [(&str, &str); 7] = [
 
 impl Reader<'_> {
     /// Reads this word if it is at the cursor.
-    pub(in crate::nc) fn take(&mut self, word: &str) -> bool {
+    pub(super) fn take(&mut self, word: &str) -> bool {
         let ahead = self.cursor.ahead(word);
         if ahead {
             for at in self.cursor.at..self.cursor.at + word.len() {
@@ -50,7 +50,7 @@ impl Reader<'_> {
     }
 
     /// Counts a part of a formula, from `start` to the cursor, and adds it to the tree.
-    pub(in crate::nc) fn part(&mut self, expr: Expr, start: usize) -> Read<ExprId> {
+    pub(super) fn part(&mut self, expr: Expr, start: usize) -> Read<ExprId> {
         self.formulas.parts += 1;
         if self.formulas.parts > PARTS {
             return Err(self.failure(
@@ -70,7 +70,7 @@ impl Reader<'_> {
     }
 
     /// Reads an expression. After an address (`word`) a `/` before a letter is a block skip, not a division.
-    pub(in crate::nc) fn formula(&mut self, word: bool) -> Read<ExprId> {
+    pub(super) fn formula(&mut self, word: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.term(word)?;
         while let Some(op) = self.operator(word, false) {
@@ -123,7 +123,7 @@ impl Reader<'_> {
     }
 
     /// Whether an operator follows the value of a word.
-    pub(in crate::nc) fn operator_ahead(&self) -> bool {
+    pub(super) fn operator_ahead(&self) -> bool {
         match self.cursor.peek() {
             b'+' | b'-' | b'*' => true,
             b'/' => !self.skip_mark_ahead(),
@@ -136,7 +136,7 @@ impl Reader<'_> {
     }
 
     /// Whether the `/` at the cursor precedes a word: a block skip inside a block.
-    pub(in crate::nc) fn skip_mark_ahead(&self) -> bool {
+    pub(super) fn skip_mark_ahead(&self) -> bool {
         let mut rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
         // `/2 Z1.` after a blank: skip switch 2.
         if let [b'1'..=b'9', b' ', ..] = rest
@@ -175,7 +175,7 @@ impl Reader<'_> {
     }
 
     /// Enters one nesting level, within the budget.
-    pub(in crate::nc) fn deeper(&mut self) -> Read<()> {
+    pub(super) fn deeper(&mut self) -> Read<()> {
         self.formulas.depth += 1;
         if self.formulas.depth > DEPTH {
             return Err(self.failure(Alarm::BracketDepth, self.cursor.at, self.cursor.at, self.too_deep(), false));
@@ -187,7 +187,7 @@ impl Reader<'_> {
         msg!("nc.bracket-depth", most = u32::from(self.control.syntax.bracket_depth))
     }
 
-    pub(in crate::nc) fn factor(&mut self) -> Read<ExprId> {
+    pub(super) fn factor(&mut self) -> Read<ExprId> {
         let byte = self.skip();
         let start = self.cursor.at;
         match byte {
@@ -294,7 +294,7 @@ impl Reader<'_> {
     }
 
     /// Reads `[left,right]` after the name of a function of two numbers; the cursor is at the bracket, closed by `close`.
-    pub(in crate::nc) fn two_arguments(&mut self, op: Op, close: u8, start: usize) -> Read<ExprId> {
+    pub(super) fn two_arguments(&mut self, op: Op, close: u8, start: usize) -> Read<ExprId> {
         let name = String::from_utf8_lossy(self.cursor.line.get(start..self.cursor.at).unwrap_or_default())
             .trim()
             .to_ascii_uppercase();
@@ -439,7 +439,7 @@ impl Reader<'_> {
     }
 
     /// Whether a function with its argument follows.
-    pub(in crate::nc) fn function_ahead(&self) -> bool {
+    pub(super) fn function_ahead(&self) -> bool {
         self.function_here().is_some_and(|(name, _)| {
             let rest = self.cursor.line.get(self.cursor.at + name.len()..).unwrap_or_default();
             match rest.iter().find(|b| !b.is_ascii_whitespace()) {
@@ -451,7 +451,7 @@ impl Reader<'_> {
     }
 
     /// Reads the bracketed expression at the cursor.
-    pub(in crate::nc) fn group(&mut self, close: u8) -> Read<ExprId> {
+    pub(super) fn group(&mut self, close: u8) -> Read<ExprId> {
         let open = self.open_group(close)?;
         let inner = self.inner_formula()?;
         self.close(open)?;
@@ -475,13 +475,13 @@ impl Reader<'_> {
         if self.names().is_some() { self.named_formula(false) } else { self.formula(false) }
     }
 
-    pub(in crate::nc) fn open(&mut self, close: u8) -> OpenBracket {
+    pub(super) fn open(&mut self, close: u8) -> OpenBracket {
         let at = self.cursor.at;
         self.cursor.at += 1;
         OpenBracket { at, close }
     }
 
-    pub(in crate::nc) fn close(&mut self, open: OpenBracket) -> Read<()> {
+    pub(super) fn close(&mut self, open: OpenBracket) -> Read<()> {
         let byte = self.skip();
         if byte == open.close {
             if byte == b')' && self.names().is_none() {
@@ -526,7 +526,7 @@ impl Reader<'_> {
     }
 
     /// Reads `#n`, `#[expr]`, `##n` or `#9nnn`, from the `#` on.
-    pub(in crate::nc) fn variable(&mut self, written: bool) -> Read<ExprId> {
+    pub(super) fn variable(&mut self, written: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         self.cursor.at += 1;
         match self.skip() {

@@ -20,12 +20,13 @@ use crate::nc::lex::names::begins_as_name;
 use crate::nc::lex::spelling::{meant, prose};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::file::begins_character;
-use crate::nc::parse::reader::{BLOCK_BYTES, FINDINGS, Reader};
+use crate::nc::parse::reader::{BLOCK_BYTES, Reader};
+use crate::nc::parsed::FINDINGS;
 use crate::text::{Place, Span};
 
 impl<'a> Reader<'a> {
     /// Reads a line of a file: one block, `from < to`, without white space around it.
-    pub(in crate::nc) fn named_block(&mut self, from: usize, to: usize) {
+    pub(in crate::nc::parse) fn named_block(&mut self, from: usize, to: usize) {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         if self.path(line) {
@@ -58,7 +59,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Sets the cursor to a line without its comment, stores the comment, and returns the length without it.
-    pub(in crate::nc) fn take_named(&mut self, from: usize, to: usize) -> usize {
+    pub(in crate::nc::parse) fn take_named(&mut self, from: usize, to: usize) -> usize {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         let mut quoted = false;
@@ -90,7 +91,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads block skip, block number and label, then the statement.
-    pub(in crate::nc) fn named_statement(&mut self) -> Read<Stmt> {
+    pub(in crate::nc::parse) fn named_statement(&mut self) -> Read<Stmt> {
         let mut first = self.optional_skip();
         let second = self.cursor.byte(1);
         if first == b':' || first | 0x20 == b'n' && (second.is_ascii_digit() || second == b' ') {
@@ -296,7 +297,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The failure of an unknown name, with a fix for one wrong letter.
-    pub(in crate::nc) fn unknown_name(&self, start: usize, name: &str) -> Box<ParseFailure> {
+    pub(in crate::nc::parse) fn unknown_name(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, control = self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);

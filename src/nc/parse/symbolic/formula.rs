@@ -16,14 +16,14 @@ use crate::nc::parse::reader::Reader;
 impl Reader<'_> {
     /// Whether a variable follows: its letter with a number or an index.
     #[inline]
-    pub(in crate::nc) fn parameter_ahead(&self) -> bool {
+    pub(in crate::nc::parse) fn parameter_ahead(&self) -> bool {
         self.names().is_some()
             && self.cursor.peek() | 0x20 == b'r'
             && (self.cursor.byte(1).is_ascii_digit() || self.cursor.byte(1) == b'[')
     }
 
     /// Reads an expression with comparisons as the weakest operators; in a condition a single `=` counts as `==`.
-    pub(in crate::nc) fn named_formula(&mut self, condition: bool) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn named_formula(&mut self, condition: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.logic(0)?;
         while let Some(op) = self.named_comparison(condition) {
@@ -75,7 +75,7 @@ impl Reader<'_> {
 
     /// Reads `DIV`, the integer division.
     #[cold]
-    pub(in crate::nc) fn quotient_ahead(&mut self) -> bool {
+    pub(in crate::nc::parse) fn quotient_ahead(&mut self) -> bool {
         self.take_word("DIV")
     }
 
@@ -116,7 +116,7 @@ impl Reader<'_> {
 
     /// Reports `[ expr ]` for grouping, as on other controls; reads it as intended.
     #[cold]
-    pub(in crate::nc) fn square_group(&mut self) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn square_group(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
         let inner = self.group(b']')?;
         let finding =
@@ -129,7 +129,7 @@ impl Reader<'_> {
 
     /// Reports `#1`, the spelling of variables on other controls, once per file.
     #[cold]
-    pub(in crate::nc) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
         let finding = self.span(self.cursor.at, self.cursor.at + 1);
         self.notes.hash.get_or_insert(finding.start);
         self.block.bad.get_or_insert(BadBlock { alarm: Alarm::Format, finding });
@@ -138,7 +138,7 @@ impl Reader<'_> {
 
     /// The failure of `$P_S`: system data that the simulation does not keep.
     #[cold]
-    pub(in crate::nc) fn system_variable(&self) -> Box<ParseFailure> {
+    pub(in crate::nc::parse) fn system_variable(&self) -> Box<ParseFailure> {
         let rest = self.cursor.rest();
         let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
         let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();
@@ -153,6 +153,6 @@ impl Reader<'_> {
 }
 
 /// The sign of a comparison.
-pub(in crate::nc) fn sign_of(op: Op) -> &'static str {
+pub(in crate::nc::parse) fn sign_of(op: Op) -> &'static str {
     SIGNS.iter().find(|row| row.1 == op && row.2).map_or("", |row| row.0)
 }

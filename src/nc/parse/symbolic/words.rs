@@ -48,7 +48,7 @@ impl Seen {
 }
 
 impl Reader<'_> {
-    pub(in crate::nc) fn named_words(&mut self) -> Read<Stmt> {
+    pub(in crate::nc::parse) fn named_words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
         let mut seen = Seen::default();
         loop {
@@ -166,14 +166,14 @@ impl Reader<'_> {
 
     /// Completes a number of a formula, which ends at the cursor: reads its exponent and checks its range.
     #[inline]
-    pub(in crate::nc) fn named_number(&mut self, number: Dec, start: usize) -> Dec {
+    pub(in crate::nc::parse) fn named_number(&mut self, number: Dec, start: usize) -> Dec {
         let number = if self.cursor.peek() | 0x20 == b'e' { self.exponent(number, start) } else { number };
         self.whole_number(number, start)
     }
 
     /// Reports a number without a point above the range of whole numbers.
     #[inline]
-    pub(in crate::nc) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
+    pub(in crate::nc::parse) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
         if number.mantissa.unsigned_abs() > 2_147_483_647 && !number.point {
             self.check_whole(number, start);
         }
@@ -316,7 +316,7 @@ impl Reader<'_> {
     }
 
     /// Whether a name is an address with a variable or number and a missing `=`: `XR1`, `LIMS3000`.
-    pub(in crate::nc) fn missing_equals(&self, name: &str) -> bool {
+    pub(in crate::nc::parse) fn missing_equals(&self, name: &str) -> bool {
         let variable = |rest: &str| rest.len() > 1 && rest.bytes().skip(1).all(|b| b.is_ascii_digit());
         let known =
             name.bytes().next().and_then(Address::of).is_some_and(|letter| self.tables.letters.contains(letter));
@@ -499,7 +499,7 @@ impl Reader<'_> {
 
     /// Reports `( remark )` of other controls, with its fix, and skips it.
     #[cold]
-    pub(in crate::nc) fn foreign_comment(&mut self) -> bool {
+    pub(in crate::nc::parse) fn foreign_comment(&mut self) -> bool {
         let start = self.cursor.at;
         let rest = self.cursor.line.get(start..).unwrap_or_default();
         let Some(close) = rest.iter().position(|&b| b == b')') else { return false };

@@ -1,11 +1,11 @@
 //! Checks of whole programs in a language with names: labels, jumps to them, messages.
 
-use super::programs::Check;
+use super::context::Check;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ast::{Block, Expr, Jump, JumpDirection, Stmt, TextId};
 use crate::nc::lex::spelling::meant;
-use crate::nc::parse::reader::FINDINGS;
+use crate::nc::parsed::FINDINGS;
 use crate::text::{Diagnostic, Place, Span};
 
 impl Check<'_> {

@@ -23,7 +23,7 @@ const PI: &str = "3.14159265";
 
 impl Reader<'_> {
     /// The finding that replaces a failure caused by foreign syntax; the alarm stays.
-    pub(in crate::nc) fn foreign_syntax(&self, failure: &ParseFailure) -> Option<Diagnostic> {
+    pub(in crate::nc::parse) fn foreign_syntax(&self, failure: &ParseFailure) -> Option<Diagnostic> {
         if self.names().is_some() {
             return None;
         }
