@@ -32,7 +32,11 @@ impl<'a> Imports<'a> {
         for (from, file) in imports.files.iter().enumerate() {
             let own = file.home();
             let used = file.imports.iter().filter(|import| !import.is_public);
-            let used = used.map(|import| (import.path.iter().map(String::as_str).collect(), import.line));
+            let used = used.map(|import| {
+                // The names of a module that a `use` takes all together are of the module's file.
+                let all = (import.name == "*").then_some("*");
+                (import.path.iter().map(String::as_str).chain(all).collect(), import.line)
+            });
             for (path, _) in used.chain(file.paths()) {
                 let path: Vec<&str> = path;
                 if let Some(to) = imports.definition(&own, &path, DEPTH).filter(|to| *to != from) {
@@ -96,6 +100,13 @@ impl<'a> Imports<'a> {
         through.into_iter().next().or((!module.1.is_empty()).then_some(at))
     }
 
+    /// The file that defines a path, as written in a file of the list.
+    pub(super) fn defining(&self, file: &Source, path: &[String]) -> Option<&'a Source> {
+        let own = self.files.iter().find(|other| other.path == file.path)?.home();
+        let path: Vec<&str> = path.iter().map(String::as_str).collect();
+        Some(self.files[self.definition(&own, &path, DEPTH)?])
+    }
+
     /// Every import between two files: importing file, defining file, the names.
     pub(super) fn between(&self) -> impl Iterator<Item = (&'a Source, &'a Source, &BTreeSet<String>)> {
         self.ties.iter().map(|((from, to), names)| (self.files[*from], self.files[*to], names))
@@ -148,6 +159,14 @@ fn circle_through_the_root_of_the_crate_is_found() {
     let circle = "2 files:\n    src/a.rs -> src/b.rs: B\n    src/b.rs -> src/a.rs: A";
     assert_eq!(circles_of(&[root, a, b, through_the_binary]), [circle]);
     assert!(circles_of(&[root, a, ("src/b.rs", "pub struct B;"), through_the_binary]).is_empty());
+}
+
+#[test]
+fn circle_through_all_names_of_a_module_is_found() {
+    let root = ("src/lib.rs", "mod a;\nmod b;");
+    let a = ("src/a.rs", "use crate::b::*;\npub struct A;");
+    let b = ("src/b.rs", "pub fn b(a: &crate::a::A) {}");
+    assert_eq!(circles_of(&[root, a, b]), ["2 files:\n    src/a.rs -> src/b.rs: *\n    src/b.rs -> src/a.rs: A"]);
 }
 
 #[test]

@@ -35,6 +35,13 @@ pub(super) struct Import {
     pub(super) line: usize,
 }
 
+/// An `impl` block of a type's own methods, not of a trait.
+pub(super) struct OwnMethods {
+    /// The type, as written.
+    pub(super) path: Vec<String>,
+    pub(super) line: usize,
+}
+
 /// A function with a body, or a struct with named fields.
 pub(super) struct Measured {
     pub(super) name: String,
@@ -58,6 +65,7 @@ pub(super) struct Source {
     /// Types and traits that are visible outside their module, with their lines.
     pub(super) visible_types: Vec<(String, usize)>,
     pub(super) imports: Vec<Import>,
+    pub(super) own_methods: Vec<OwnMethods>,
     pub(super) functions: Vec<Measured>,
     pub(super) structs: Vec<Measured>,
 }
@@ -107,6 +115,7 @@ impl Source {
             children: Vec::new(),
             visible_types: Vec::new(),
             imports: Vec::new(),
+            own_methods: Vec::new(),
             functions: Vec::new(),
             structs: Vec::new(),
         };
@@ -147,6 +156,13 @@ impl Source {
             syn::Item::Use(item) => {
                 let is_public = !matches!(item.vis, syn::Visibility::Inherited);
                 import(&item.tree, Vec::new(), is_public, &mut self.imports);
+                return;
+            }
+            syn::Item::Impl(item) => {
+                if let (None, syn::Type::Path(path)) = (&item.trait_, &*item.self_ty) {
+                    let path = path.path.segments.iter().map(|part| part.ident.to_string()).collect();
+                    self.own_methods.push(OwnMethods { path, line: line(item.impl_token.span) });
+                }
                 return;
             }
             _ => return,
