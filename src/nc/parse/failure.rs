@@ -39,7 +39,7 @@ pub(super) struct Misused {
 }
 
 /// Fix of a mistake in a line.
-pub(super) enum Mend<'t> {
+pub(super) enum LineFix<'t> {
     /// Replaces some bytes.
     Write(usize, usize, &'t str),
     /// Puts some bytes in square brackets.

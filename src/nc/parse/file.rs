@@ -24,7 +24,7 @@ impl<'a> Reader<'a> {
 
     pub(super) fn file(&mut self) {
         let bytes = self.file.text.as_bytes();
-        // A byte order mark is not part of the program; `mend_file` reports it.
+        // A byte order mark is not part of the program; `report_file` reports it.
         let mut at = if self.file.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
         // Whether a `%` opens the record (only comments so far) or closes it.
         let mut opened = false;
@@ -72,7 +72,7 @@ impl<'a> Reader<'a> {
             }
             at = end + 1;
         }
-        self.mend_file(opened, closed.is_some());
+        self.report_file(opened, closed.is_some());
     }
 
     /// Whether a line begins with a program number, or with a comment, which may precede one.

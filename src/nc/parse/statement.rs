@@ -58,15 +58,15 @@ impl Reader<'_> {
                 if !self.take("DO") {
                     return Err(self.while_without_do(start));
                 }
-                let (label, keyword) = self.label("DO", head)?;
+                let (label, keyword) = self.loop_number("DO", head)?;
                 Stmt::While { cond: Some(cond), label, keyword }
             }
             Some("DO") => {
-                let (label, keyword) = self.label("DO", start)?;
+                let (label, keyword) = self.loop_number("DO", start)?;
                 Stmt::While { cond: None, label, keyword }
             }
             Some(_) => {
-                let (label, keyword) = self.label("END", start)?;
+                let (label, keyword) = self.loop_number("END", start)?;
                 Stmt::End { label, keyword }
             }
         }))
@@ -197,7 +197,7 @@ impl Reader<'_> {
         let right = self.formula(false)?;
         if self.skip() == close {
             self.close(open)?;
-            return self.part(Expr::Binary(op, left, right), start);
+            return self.add_expr(Expr::Binary(op, left, right), start);
         }
         if let Some(lost) = self.lost_comparison(alarm) {
             return Err(lost);
@@ -210,7 +210,7 @@ impl Reader<'_> {
         } else {
             self.close(open)?;
         }
-        self.part(Expr::Binary(op, left, right), start)
+        self.add_expr(Expr::Binary(op, left, right), start)
     }
 
     /// Reads a condition with missing brackets.
@@ -233,7 +233,7 @@ impl Reader<'_> {
         } else {
             self.enclose(alarm, finding, from, to);
         }
-        self.part(Expr::Binary(op, left, right), from)
+        self.add_expr(Expr::Binary(op, left, right), from)
     }
 
     /// Reads a comparison, as letters or signs.
@@ -286,7 +286,7 @@ impl Reader<'_> {
     }
 
     /// Reads the number after `DO` or `END`; the keyword starts at `head`. Returns the number and the bytes of both.
-    fn label(&mut self, keyword: &str, head: usize) -> Read<(u16, Extent)> {
+    fn loop_number(&mut self, keyword: &str, head: usize) -> Read<(u16, Extent)> {
         let start = self.cursor.at;
         self.skip();
         let from = self.cursor.at;

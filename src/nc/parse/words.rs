@@ -9,7 +9,7 @@ use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
-use crate::nc::parse::failure::{IgnoredFeature, Mend, ParseFailure, Read};
+use crate::nc::parse::failure::{IgnoredFeature, LineFix, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::{DiagnosticKind, Message};
 
@@ -569,7 +569,7 @@ impl<'a> Reader<'a> {
                 let edit = (self.place(self.span(0, line)), text.replace('\0', ""));
                 failure.finding.fix(msg!("nc.fix.drop-nul"), vec![edit])
             } else {
-                self.mend(failure.finding, Mend::Plain(character))
+                self.with_fix(failure.finding, LineFix::Plain(character))
             };
             failure
         }

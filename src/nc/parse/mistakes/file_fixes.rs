@@ -14,7 +14,7 @@ const WHOLE: usize = 1 << 20;
 
 impl Reader<'_> {
     /// Reports findings about the whole file: `%`, small letters, missing variables.
-    pub(in crate::nc::parse) fn mend_file(&mut self, opened: bool, closed: bool) {
+    pub(in crate::nc::parse) fn report_file(&mut self, opened: bool, closed: bool) {
         if self.foreign_bytes() {
             return;
         }

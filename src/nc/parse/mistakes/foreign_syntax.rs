@@ -2,7 +2,7 @@
 
 use crate::msg;
 use crate::nc::lex::spelling::prose;
-use crate::nc::parse::failure::{Mend, ParseFailure};
+use crate::nc::parse::failure::{LineFix, ParseFailure};
 use crate::nc::parse::reader::Reader;
 use crate::text::{Diagnostic, Message};
 
@@ -62,7 +62,7 @@ impl Reader<'_> {
         }
         if word == "PI" {
             let finding = self.finding(failure.alarm, at, end, msg!("nc.no-pi"));
-            return Some(self.mend(finding, Mend::Write(at, end, PI)));
+            return Some(self.with_fix(finding, LineFix::Write(at, end, PI)));
         }
         let &(_, id) = WORDS.iter().find(|row| row.0.contains(&word.as_str()))?;
         if word == "MOD" && self.tables.rules.modulo {
@@ -91,7 +91,7 @@ impl Reader<'_> {
                 _ => return None,
             };
             let finding = self.finding(failure.alarm, at, at + digits, msg!("nc.number-without-address"));
-            return Some(self.mend(finding, Mend::Write(at, at, &letter)));
+            return Some(self.with_fix(finding, LineFix::Write(at, at, &letter)));
         }
         let value = before.last().is_some_and(|b| b.is_ascii_digit() || matches!(b, b']' | b'.'));
         let value_ahead = byte.is_ascii_digit() || matches!(byte, b'#' | b'[');

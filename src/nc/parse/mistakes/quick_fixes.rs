@@ -7,7 +7,7 @@ use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
 use crate::nc::dec::{Dec, POW10};
 use crate::nc::lex::keywords::letters_of;
 use crate::nc::lex::spelling::prose;
-use crate::nc::parse::failure::{Mend, ParseFailure, Read};
+use crate::nc::parse::failure::{LineFix, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
@@ -25,7 +25,7 @@ impl Reader<'_> {
         to: usize,
         new: &str,
     ) {
-        let finding = self.mend(finding, Mend::Write(from, to, new));
+        let finding = self.with_fix(finding, LineFix::Write(from, to, new));
         self.report_as(alarm, finding);
     }
 
@@ -37,15 +37,15 @@ impl Reader<'_> {
 
     /// Reports a finding, with a fix that puts some bytes of the line in square brackets.
     pub(in crate::nc::parse) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
-        let finding = self.mend(finding, Mend::Enclose(from, to));
+        let finding = self.with_fix(finding, LineFix::Enclose(from, to));
         self.report_as(alarm, finding);
     }
 
     /// Adds a fix to a finding.
-    pub(in crate::nc::parse) fn mend(&self, finding: Diagnostic, mend: Mend) -> Diagnostic {
+    pub(in crate::nc::parse) fn with_fix(&self, finding: Diagnostic, fix: LineFix) -> Diagnostic {
         let place = |from, to| self.place(self.span(from, to));
-        match mend {
-            Mend::Write(from, to, new) => {
+        match fix {
+            LineFix::Write(from, to, new) => {
                 let old = String::from_utf8_lossy(self.cursor.line.get(from..to).unwrap_or_default()).into_owned();
                 let title = match (old.trim(), new.trim()) {
                     (old, "") => msg!("nc.fix.drop", text = old),
@@ -54,11 +54,11 @@ impl Reader<'_> {
                 };
                 finding.fix(title, vec![(place(from, to), new.to_owned())])
             }
-            Mend::Enclose(from, to) => {
+            LineFix::Enclose(from, to) => {
                 let edit = |at, bracket: &str| (place(at, at), bracket.to_owned());
                 finding.fix(msg!("nc.fix.square"), vec![edit(from, "["), edit(to, "]")])
             }
-            Mend::Plain(character) => {
+            LineFix::Plain(character) => {
                 let start = self.cursor.base as usize;
                 let text =
                     self.file.text.get(start..start + self.cursor.line.len()).filter(|_| plain(character) != character);
@@ -240,7 +240,7 @@ impl Reader<'_> {
             }
             _ => self.report_as(Alarm::Format, finding),
         }
-        self.part(Expr::Binary(Op::Multiply, base, exponent), start)
+        self.add_expr(Expr::Binary(Op::Multiply, base, exponent), start)
     }
 }
 

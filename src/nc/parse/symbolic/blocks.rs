@@ -448,7 +448,7 @@ impl<'a> Reader<'a> {
                 self.report_as(Alarm::NoSequence, finding.hint(msg!("nc.hint.number-jump")));
             }
             let number = Dec::int(number.parse().unwrap_or(i64::from(u32::MAX)));
-            return Ok((self.part(Expr::Number(number), start)?, way, keyword));
+            return Ok((self.add_expr(Expr::Number(number), start)?, way, keyword));
         }
         if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
             let text =
@@ -458,7 +458,7 @@ impl<'a> Reader<'a> {
         // Errors of the name are reported at the label itself.
         self.cursor.at += name.len();
         let label = self.add_text(name.to_ascii_uppercase(), self.span(start, self.cursor.at));
-        Ok((self.part(Expr::Label(label), start)?, way, keyword))
+        Ok((self.add_expr(Expr::Label(label), start)?, way, keyword))
     }
 
     /// Reads `MSG("text")`.

@@ -28,7 +28,7 @@ impl Reader<'_> {
         let mut left = self.logic(0)?;
         while let Some(op) = self.named_comparison(condition) {
             let right = self.logic(0)?;
-            left = self.part(Expr::Binary(op, left, right), start)?;
+            left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
         Ok(left)
     }
@@ -54,7 +54,7 @@ impl Reader<'_> {
             self.cursor.at += name.len();
             self.skip();
             let right = self.logic(level + 1)?;
-            left = self.part(Expr::Binary(LOGIC[level].1, left, right), start)?;
+            left = self.add_expr(Expr::Binary(LOGIC[level].1, left, right), start)?;
         }
     }
 
@@ -69,8 +69,8 @@ impl Reader<'_> {
         self.deeper()?;
         let inner = self.factor()?;
         self.formulas.depth -= 1;
-        let zero = self.part(Expr::Number(Dec::int(0)), start)?;
-        self.part(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
+        let zero = self.add_expr(Expr::Number(Dec::int(0)), start)?;
+        self.add_expr(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
     }
 
     /// Reads `DIV`, the integer division.

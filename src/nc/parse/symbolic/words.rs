@@ -262,7 +262,7 @@ impl Reader<'_> {
             let message = msg!("nc.no-formula", address = letter.to_string());
             return Err(self.failure(Alarm::Format, start, self.cursor.at, message, false));
         }
-        let form = self.form();
+        let form = self.dimensioning();
         if form != Dimensioning::Plain {
             self.skip();
             self.deeper()?;
@@ -276,7 +276,7 @@ impl Reader<'_> {
     }
 
     /// Reads `AC` or the like in front of a bracket.
-    fn form(&mut self) -> Dimensioning {
+    fn dimensioning(&mut self) -> Dimensioning {
         if !self.skip().is_ascii_alphabetic() {
             return Dimensioning::Plain;
         }
