@@ -51,7 +51,7 @@ pub(in crate::nc) fn programs(
         };
         check.loops();
         match control.syntax.names() {
-            Some(_) => check.named(),
+            Some(_) => check.symbolic(),
             None => check.numbered_jumps(),
         }
         check.end();

@@ -10,7 +10,7 @@ use crate::text::{Diagnostic, Place, Span};
 
 impl Check<'_> {
     /// Checks labels, jumps to labels, calls and messages.
-    pub(super) fn named(&mut self) {
+    pub(super) fn symbolic(&mut self) {
         if self.control.raises(Alarm::LabelTwice) {
             self.labels_twice();
         }

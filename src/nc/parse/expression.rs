@@ -53,7 +53,7 @@ impl Reader<'_> {
         self.skip();
         let start = self.cursor.at;
         if self.names().is_some() {
-            let root = self.named_formula(true)?;
+            let root = self.symbolic_formula(true)?;
             self.skip();
             return if self.cursor.ended() { Ok(root) } else { Err(self.unexpected()) };
         }

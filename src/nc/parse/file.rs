@@ -41,7 +41,7 @@ impl<'a> Reader<'a> {
             match bytes.get(from) {
                 _ if from == to => {}
                 Some(b'%') if self.names().is_some() => self.head(from, to),
-                _ if self.names().is_some() => self.named_block(from, to),
+                _ if self.names().is_some() => self.symbolic_block(from, to),
                 Some(b'%') => {
                     if !self.only_comments() {
                         closed = Some(from);

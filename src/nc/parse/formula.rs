@@ -199,7 +199,7 @@ impl Reader<'_> {
             b'0'..=b'9' | b'.' => {
                 let mut number = self.digits()?;
                 if self.names().is_some() {
-                    number = self.named_number(number, start);
+                    number = self.symbolic_number(number, start);
                 }
                 self.add_expr(Expr::Number(number), start)
             }
@@ -212,7 +212,7 @@ impl Reader<'_> {
                 if next.is_ascii_digit() || next == b'.' {
                     let mut number = self.digits()?;
                     if self.names().is_some() {
-                        number = self.named_number(number, start);
+                        number = self.symbolic_number(number, start);
                     }
                     number.mantissa *= if byte == b'-' { -1 } else { 1 };
                     return self.add_expr(Expr::Number(number), start);
@@ -472,7 +472,7 @@ impl Reader<'_> {
 
     /// A formula within brackets.
     fn inner_formula(&mut self) -> Read<ExprId> {
-        if self.names().is_some() { self.named_formula(false) } else { self.formula(false) }
+        if self.names().is_some() { self.symbolic_formula(false) } else { self.formula(false) }
     }
 
     pub(super) fn open(&mut self, close: u8) -> OpenBracket {

@@ -23,10 +23,10 @@ impl Reader<'_> {
     }
 
     /// Reads an expression with comparisons as the weakest operators; in a condition a single `=` counts as `==`.
-    pub(in crate::nc::parse) fn named_formula(&mut self, condition: bool) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn symbolic_formula(&mut self, condition: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.logic(0)?;
-        while let Some(op) = self.named_comparison(condition) {
+        while let Some(op) = self.symbolic_comparison(condition) {
             let right = self.logic(0)?;
             left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
@@ -79,7 +79,7 @@ impl Reader<'_> {
         self.take_word("DIV")
     }
 
-    fn named_comparison(&mut self, condition: bool) -> Option<Op> {
+    fn symbolic_comparison(&mut self, condition: bool) -> Option<Op> {
         let byte = self.skip();
         let from = self.cursor.at;
         if byte.is_ascii_alphabetic() {
