@@ -114,9 +114,41 @@ impl<'a> Imports<'a> {
 
     /// Files that import one another in a circle, each circle with its imports as lines of text.
     pub(super) fn circles(&self) -> Vec<String> {
+        self.circles_among(&self.ties)
+    }
+
+    /// Circles through imports and through methods in other files than their type, which callers do not import. A name of several functions
+    /// is left out, because the text does not tell which of them is called; so are the methods of some types.
+    pub(super) fn circles_with_methods(&self, except: &[&str]) -> Vec<String> {
+        let mut functions: BTreeMap<&str, usize> = BTreeMap::new();
+        for name in self.files.iter().flat_map(|file| &file.functions) {
+            *functions.entry(&name.name).or_default() += 1;
+        }
+        let mut homes = BTreeMap::new();
+        for (at, file) in self.files.iter().enumerate() {
+            for methods in &file.own_methods {
+                let away = self.defining(file, &methods.path).is_some_and(|home| home.path != file.path);
+                if away && methods.path.last().is_none_or(|name| !except.contains(&name.as_str())) {
+                    let single = methods.names.iter().filter(|name| functions.get(name.as_str()) == Some(&1));
+                    homes.extend(single.map(|name| (name.as_str(), at)));
+                }
+            }
+        }
+        let mut ties = self.ties.clone();
+        for (from, file) in self.files.iter().enumerate() {
+            for name in file.methods_named() {
+                if let Some(&to) = homes.get(name).filter(|to| **to != from) {
+                    ties.entry((from, to)).or_default().insert(format!(".{name}()"));
+                }
+            }
+        }
+        self.circles_among(&ties)
+    }
+
+    fn circles_among(&self, ties: &Ties) -> Vec<String> {
         let count = self.files.len();
         let mut reaches = vec![vec![false; count]; count];
-        for (from, to) in self.ties.keys() {
+        for (from, to) in ties.keys() {
             reaches[*from][*to] = true;
         }
         for by in 0..count {
@@ -134,7 +166,7 @@ impl<'a> Imports<'a> {
             }
             let inside =
                 |tie: &(&(usize, usize), &BTreeSet<String>)| circle.contains(&tie.0.0) && circle.contains(&tie.0.1);
-            let lines = self.ties.iter().filter(inside).map(|((from, to), names)| {
+            let lines = ties.iter().filter(inside).map(|((from, to), names)| {
                 let names: Vec<&str> = names.iter().map(String::as_str).collect();
                 format!("\n    {} -> {}: {}", self.files[*from].path, self.files[*to].path, names.join(", "))
             });

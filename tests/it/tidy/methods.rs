@@ -40,6 +40,42 @@ fn methods_are_in_the_folder_of_their_type_or_below() {
     hold("The methods of a type are in the folder of its definition or below.", mend, strayed(sources));
 }
 
+/// Types whose methods call one another across files of one folder.
+const KNOTS: [&str; 3] = [
+    // A formula stands in a block and a block is read again as a formula: one recursive descent.
+    "Reader", // Feed waits for spindle, spindle for feed: one state of the machine under one clock.
+    "Sim",    // Head, planning and stepping of one run.
+    "Player",
+];
+
+#[test]
+fn methods_of_a_type_form_no_circle_of_files() {
+    let imports = Imports::new(Source::all().iter().filter(|source| source.path.starts_with("src/")).collect());
+    let mut broken = imports.circles_with_methods(&KNOTS);
+    let needed = |name: &&&str| {
+        let others: Vec<&str> = KNOTS.into_iter().filter(|other| other != *name).collect();
+        !imports.circles_with_methods(&others).is_empty()
+    };
+    broken.extend(KNOTS.iter().filter(|name| !needed(name)).map(|name| format!("{name} is no knot (KNOTS)")));
+    let mend = "move the methods that both files need into a file below them";
+    hold("Calls of methods between files lead one way, as imports do.", mend, broken);
+}
+
+#[test]
+fn circle_through_a_method_is_found() {
+    let source = |path: &str, code: &str| Source::new(path.to_owned(), format!("//! A file.\n{code}"));
+    let planted = [
+        source("src/lib.rs", "mod a;\nmod b;\nmod state;"),
+        source("src/state.rs", "pub struct State;"),
+        source("src/a.rs", "use crate::state::State;\nimpl State { fn speed(&self) { self.travel() } }"),
+        source("src/b.rs", "use crate::state::State;\nimpl State { fn travel(&self) { State::speed(self); } }"),
+    ];
+    let imports = Imports::new(planted.iter().collect());
+    let circle = "2 files:\n    src/a.rs -> src/b.rs: .travel()\n    src/b.rs -> src/a.rs: .speed()";
+    assert_eq!((imports.circles_with_methods(&[]), imports.circles().len()), (vec![circle.to_owned()], 0));
+    assert!(imports.circles_with_methods(&["State"]).is_empty());
+}
+
 #[test]
 fn methods_outside_the_folder_of_their_type_are_found() {
     let source = |path: &str, code: &str| Source::new(path.to_owned(), format!("//! A file.\n{code}"));

@@ -39,6 +39,8 @@ pub(super) struct Import {
 pub(super) struct OwnMethods {
     /// The type, as written.
     pub(super) path: Vec<String>,
+    /// Names of the functions.
+    pub(super) names: Vec<String>,
     pub(super) line: usize,
 }
 
@@ -161,7 +163,12 @@ impl Source {
             syn::Item::Impl(item) => {
                 if let (None, syn::Type::Path(path)) = (&item.trait_, &*item.self_ty) {
                     let path = path.path.segments.iter().map(|part| part.ident.to_string()).collect();
-                    self.own_methods.push(OwnMethods { path, line: line(item.impl_token.span) });
+                    let name = |item: &syn::ImplItem| match item {
+                        syn::ImplItem::Fn(function) => Some(function.sig.ident.to_string()),
+                        _ => None,
+                    };
+                    let names = item.items.iter().filter_map(name).collect();
+                    self.own_methods.push(OwnMethods { path, names, line: line(item.impl_token.span) });
                 }
                 return;
             }
@@ -255,6 +262,15 @@ impl Source {
             }
         }
         found
+    }
+
+    /// Names of functions that the shipped code calls on a value, or names with their type.
+    pub(super) fn methods_named(&self) -> impl Iterator<Item = &str> {
+        self.shipped().windows(3).filter_map(|part| match [&*part[0].text, &*part[2].text] {
+            [".", "("] => Some(part[1].text.as_str()),
+            [":", behind] if behind != ":" && part[1].kind == TokenKind::Word => Some(part[1].text.as_str()),
+            _ => None,
+        })
     }
 
     /// Every path of two or more words in the shipped code, outside `use`.
