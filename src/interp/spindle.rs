@@ -122,4 +122,10 @@ impl RunState {
         self.queue.push(Canon::Orient { angle: if within { angle } else { turn(angle) }, approach });
         Ok(())
     }
+
+    /// The alarm for a command that is not simulated with the second spindle as master spindle.
+    #[cold]
+    pub(super) fn other_spindle_asked(&self) -> Trap {
+        Trap::alarm(Alarm::Budget, msg!("interp.other-spindle", spindle = u32::from(self.modal.spindle.master)))
+    }
 }

@@ -165,12 +165,6 @@ impl RunState {
         Ok(Canon::Linear { to, feed: Feed::PerMinute(lead * rpm), exact: true })
     }
 
-    /// The alarm for a command that is not simulated with the second spindle as master spindle.
-    #[cold]
-    pub(super) fn other_spindle_asked(&self) -> Trap {
-        Trap::alarm(Alarm::Budget, msg!("interp.other-spindle", spindle = u32::from(self.modal.spindle.master)))
-    }
-
     /// End point of a rotary axis for an absolute angle, by the shortest, positive or negative way or without passing 0: less than a turn
     /// away.
     #[cold]

@@ -95,39 +95,35 @@ pub struct AskedDevice {
     pub asked: Message,
 }
 
-impl MachineContact {
-    /// The item that has the contact.
-    pub fn device(self) -> BillItem {
-        match self {
-            MachineContact::Emergency => BillItem::EmergencyStop,
-            MachineContact::ResetKey
-            | MachineContact::ForwardKey
-            | MachineContact::ReverseKey
-            | MachineContact::StopKey => BillItem::Key,
-            MachineContact::InverterReady
-            | MachineContact::InverterEnabled
-            | MachineContact::AtSpeed
-            | MachineContact::AtShiftSpeed => BillItem::Inverter,
-            MachineContact::InGear(_) => BillItem::GearSwitch,
-            MachineContact::LoopNotFull => BillItem::LoopSensor,
-            MachineContact::WebNotTight => BillItem::TensionSwitch,
-            MachineContact::ReelNotEmpty => BillItem::ReelSensor,
-        }
+/// The item that has the contact.
+pub fn item_of_contact(contact: MachineContact) -> BillItem {
+    match contact {
+        MachineContact::Emergency => BillItem::EmergencyStop,
+        MachineContact::ResetKey
+        | MachineContact::ForwardKey
+        | MachineContact::ReverseKey
+        | MachineContact::StopKey => BillItem::Key,
+        MachineContact::InverterReady
+        | MachineContact::InverterEnabled
+        | MachineContact::AtSpeed
+        | MachineContact::AtShiftSpeed => BillItem::Inverter,
+        MachineContact::InGear(_) => BillItem::GearSwitch,
+        MachineContact::LoopNotFull => BillItem::LoopSensor,
+        MachineContact::WebNotTight => BillItem::TensionSwitch,
+        MachineContact::ReelNotEmpty => BillItem::ReelSensor,
     }
 }
 
-impl MachineOutput {
-    /// The item that a wire leads to; none for texts, and for a voltage that the control itself puts out.
-    pub fn device(self) -> Option<BillItem> {
-        match self {
-            MachineOutput::Forward | MachineOutput::Reverse => Some(BillItem::Inverter),
-            MachineOutput::Gear(_) => Some(BillItem::GearValve),
-            MachineOutput::ShiftVolts
-            | MachineOutput::InverterAlarm
-            | MachineOutput::ReversalAlarm
-            | MachineOutput::GearAlarm
-            | MachineOutput::Message(_) => None,
-        }
+/// The item that a wire leads to; none for texts, and for a voltage that the control itself puts out.
+pub fn item_of_output(output: MachineOutput) -> Option<BillItem> {
+    match output {
+        MachineOutput::Forward | MachineOutput::Reverse => Some(BillItem::Inverter),
+        MachineOutput::Gear(_) => Some(BillItem::GearValve),
+        MachineOutput::ShiftVolts
+        | MachineOutput::InverterAlarm
+        | MachineOutput::ReversalAlarm
+        | MachineOutput::GearAlarm
+        | MachineOutput::Message(_) => None,
     }
 }
 
@@ -136,8 +132,8 @@ pub fn wired(ladder: Option<&Ladder>) -> Vec<(BillItem, Device)> {
     let bits = ladder.into_iter().flat_map(|ladder| ladder.bits.iter());
     let device = |(bit, device): &(Bit, Device)| {
         let item = match bit {
-            Bit::Input(contact) => Some(contact.device()),
-            Bit::Output(output) => output.device(),
+            Bit::Input(contact) => Some(item_of_contact(*contact)),
+            Bit::Output(output) => item_of_output(*output),
             _ => None,
         };
         Some((item?, device.clone()))

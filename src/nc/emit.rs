@@ -6,7 +6,7 @@ use crate::controls::syntax::Percent;
 use crate::msg;
 use crate::nc::ast::{Block, Deck, Program, Stmt};
 use crate::nc::files::{File, Files};
-use crate::nc::lower::lowered;
+use crate::nc::lower::lower_with_origins;
 use crate::nc::write::{DEPTH, Writer};
 use crate::text::{Diagnostic, FileId, Place, Span};
 
@@ -48,7 +48,7 @@ pub fn emit(deck: &Deck, control: &Control) -> Emitted {
 
 /// Writes a deck with a line end and the characters allowed in comments. Total.
 pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: CommentCharacters) -> Emitted {
-    let (low, origins) = lowered(deck, control, characters);
+    let (low, origins) = lower_with_origins(deck, control, characters);
     let mut out = Emitted { places: vec![Place::default(); deck.blocks.len()], ..Emitted::default() };
     let eol = newline.text();
     for (index, program) in low.programs.iter().enumerate() {

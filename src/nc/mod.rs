@@ -10,7 +10,7 @@ pub mod files;
 
 pub mod build;
 
-mod advice;
+mod checks;
 mod codes;
 mod deck_eq;
 mod emit;

@@ -8,6 +8,9 @@ use super::files::Files;
 use crate::controls::{Control, Dialect, Switches};
 use crate::text::{Diagnostic, Place, Severity, Span};
 
+/// Maximum findings of a program; a file of garbage has millions.
+pub(in crate::nc) const FINDINGS: usize = 1000;
+
 /// Place of an expression in its file, blanks around it included.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::nc) struct ExprSpan {

@@ -1,17 +1,15 @@
-//! Text to tree: every file of a program, block by block.
+//! [`Parsed`] from files: text to tree, then the checks of whole programs.
 
 use std::rc::Rc;
 
-use super::advice::programs::programs;
-use super::ast::Deck;
+use super::checks::programs::programs;
 use super::codes::Codes;
 use super::files::Files;
-use super::parse::reader::{FINDINGS, Reader};
-use super::parse::tables::Tables;
-use super::parsed::{Parsed, PartPlaces};
+use super::parse::files::{ReadFiles, read_files};
+use super::parsed::{FINDINGS, Parsed};
 use crate::controls::{Control, Dialect, Switches};
 use crate::msg;
-use crate::text::{Diagnostic, FileId};
+use crate::text::Diagnostic;
 
 /// Parses files as on a control with default settings. Total: any text gives a value.
 pub fn parse(files: &Files, control: &'static Control) -> Parsed {
@@ -22,29 +20,7 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
 pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
     let dialect = Rc::new(Dialect::resolve(control, switches));
     let codes = Codes::new(control, &dialect);
-    let tables = Tables::new(control, &dialect, &codes);
-    let mut deck = Deck::default();
-    let mut places = PartPlaces::default();
-    let mut found = Vec::new();
-    let mut later = Vec::new();
-    for (index, file) in files.0.iter().enumerate() {
-        let Ok(id) = u16::try_from(index) else {
-            found.push(Diagnostic::error(msg!("nc.too-many-files", most = u32::from(u16::MAX))));
-            break;
-        };
-        if u32::try_from(file.text.len()).is_err() {
-            found.push(Diagnostic::error(msg!("nc.file-too-large", file = file.name.as_str())));
-            continue;
-        }
-        let mut reader = Reader::new(control, &tables, FileId(id), &file.text, deck);
-        reader.file.name = &file.name;
-        reader.places = places;
-        reader.reserve();
-        reader.file();
-        (deck, places) = (reader.deck, reader.places);
-        found.append(&mut reader.findings.list);
-        later.append(&mut reader.findings.later);
-    }
+    let ReadFiles { mut deck, mut places, mut found, later } = read_files(files, control, &dialect, &codes);
     programs((&deck, &places), (control, &codes), files, &later, &mut found);
     Diagnostic::in_order(&mut found);
     if found.len() > FINDINGS {

@@ -155,40 +155,38 @@ fn differ<C: PartialEq>(cells: &[C]) -> bool {
     cells.windows(2).any(|pair| pair[0] != pair[1])
 }
 
-impl Comparison {
-    /// The comparison as an object.
-    pub fn json(&self) -> Json {
-        let row = |row: &ComparedRow| {
-            let cell = |cell: &Option<VariantCell>| {
-                cell.as_ref().map(|(text, verdict)| json!({ "value": text, "verdict": verdict_word(*verdict) }))
-            };
-            json!({ "id": row.id, "unit": row.unit, "differs": row.differs, "variants": row.cells.iter().map(cell).collect::<Vec<_>>() })
+/// A comparison as an object.
+pub fn comparison_json(comparison: &Comparison) -> Json {
+    let row = |row: &ComparedRow| {
+        let cell = |cell: &Option<VariantCell>| {
+            cell.as_ref().map(|(text, verdict)| json!({ "value": text, "verdict": verdict_word(*verdict) }))
         };
-        let rows = |rows: &[ComparedRow]| rows.iter().map(row).collect::<Vec<_>>();
-        json!({
-            "variants": self.names,
-            "controls": self.control.cells.iter().flatten().map(|(name, _)| name).collect::<Vec<_>>(),
-            "switches": rows(&self.switches),
-            "entries": rows(&self.entries),
-            "results": rows(&self.results),
-        })
-    }
+        json!({ "id": row.id, "unit": row.unit, "differs": row.differs, "variants": row.cells.iter().map(cell).collect::<Vec<_>>() })
+    };
+    let rows = |rows: &[ComparedRow]| rows.iter().map(row).collect::<Vec<_>>();
+    json!({
+        "variants": comparison.names,
+        "controls": comparison.control.cells.iter().flatten().map(|(name, _)| name).collect::<Vec<_>>(),
+        "switches": rows(&comparison.switches),
+        "entries": rows(&comparison.entries),
+        "results": rows(&comparison.results),
+    })
+}
 
-    /// The comparison as lines: the entries, results and controls that differ; results that fail have a cross.
-    pub fn text(&self) -> String {
-        let mut out = line("", "", self.names.iter().map(String::as_str));
-        let groups = self.differences();
-        if groups.is_empty() {
-            out += &format!("\n{}\n", words("variants.same"));
-        }
-        for (title, rows) in groups {
-            out += &format!("\n{}\n", words(title));
-            for row in rows {
-                out += &line(&row.label, row.unit, row.marked().iter().map(String::as_str));
-            }
-        }
-        out
+/// A comparison as lines: the entries, results and controls that differ; results that fail have a cross.
+pub fn comparison_text(comparison: &Comparison) -> String {
+    let mut out = line("", "", comparison.names.iter().map(String::as_str));
+    let groups = comparison.differences();
+    if groups.is_empty() {
+        out += &format!("\n{}\n", words("variants.same"));
     }
+    for (title, rows) in groups {
+        out += &format!("\n{}\n", words(title));
+        for row in rows {
+            out += &line(&row.label, row.unit, row.marked().iter().map(String::as_str));
+        }
+    }
+    out
 }
 
 /// Columns of a terminal for the first column, and of each further one.

@@ -5,6 +5,7 @@ mod citations;
 mod imports;
 mod links;
 mod lists;
+mod methods;
 mod source;
 mod test_names;
 mod views;

@@ -174,11 +174,11 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
         _ => variants::compare(&variants),
     };
     if json {
-        let mut told = comparison.json();
+        let mut told = variants::comparison_json(&comparison);
         told["diagnostics"] = list_json(&all);
         print_json(&told)?;
     } else {
-        print(&comparison.text())?;
+        print(&variants::comparison_text(&comparison))?;
         print_findings(&all)?;
     }
     verdict(&all)

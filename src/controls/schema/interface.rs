@@ -16,6 +16,16 @@ pub enum PlcLanguage {
     Step7,
 }
 
+impl PlcLanguage {
+    /// Unit of timers in ms.
+    pub fn timer_unit(self) -> u32 {
+        match self {
+            PlcLanguage::Pmc | PlcLanguage::Gsk => 1,
+            PlcLanguage::Melsec | PlcLanguage::Step7 => 10,
+        }
+    }
+}
+
 /// Purpose of a register or signal, independent of its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SignalRole {

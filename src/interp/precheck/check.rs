@@ -8,6 +8,7 @@ use super::super::modal::Modal;
 use super::super::state::RunState;
 use super::super::world::{MachineAtRest, World};
 use super::clean::Clean;
+use super::modal_states;
 use crate::controls::{Alarm, VarKind};
 use crate::nc::{Block, Expr, ExprId, Word, WordValue};
 use crate::text::{Diagnostic, Place};
@@ -72,11 +73,9 @@ impl<'a> Precheck<'a> {
                 Expr::Binary(_, left, right) => known(left) && known(right),
             });
         }
-        let modals = vec![state.modal.clone()];
-        let mut oracle =
-            Precheck { cx, heard, state, constant, modals, words: true, found: Vec::new(), clean: Vec::new() };
-        oracle.note_codes();
-        oracle
+        let mut modals = vec![state.modal.clone()];
+        let words = modal_states::reachable(&cx, &mut modals);
+        Precheck { cx, heard, state, constant, modals, words, found: Vec::new(), clean: Vec::new() }
     }
 
     pub(super) fn is_constant(&self, id: ExprId) -> bool {

@@ -1,7 +1,7 @@
 //! Modal states that the codes of all programs can produce, reduced to the parts that change the meaning of words.
 
+use super::super::context::BlockContext;
 use super::super::modal::Modal;
-use super::check::Precheck;
 use super::clean::is_code;
 use crate::controls::macros::CallKind;
 use crate::controls::{Code, CodeDef, Group};
@@ -29,38 +29,37 @@ fn key(modal: &Modal) -> ([bool; 5], u8) {
     ([modal.inch, modal.inch_feed, modal.per_revolution, modal.spindle.surface, leads], words)
 }
 
-impl Precheck<'_> {
-    /// Collects the modal states that the codes of all programs can produce.
-    pub(super) fn note_codes(&mut self) {
-        let control = self.cx.control;
-        let mut rows: Vec<&CodeDef> = Vec::new();
-        let mut any = false;
-        for word in self.cx.deck.words.iter().filter(|word| is_code(word)) {
-            let WordValue::Number(_) = word.value else {
-                any = true;
-                continue;
-            };
-            if let Some(row) = self.cx.codes().row_of(word) {
-                self.words &= row.code != Code::MacroModalBlock;
-                if matters(row) && !rows.iter().any(|other| core::ptr::eq(*other, row)) {
-                    rows.push(row);
-                }
+/// Adds the modal states that the codes of all programs can produce. Returns whether no modal call uses the words of blocks as arguments.
+pub(super) fn reachable(cx: &BlockContext, modals: &mut Vec<Modal>) -> bool {
+    let control = cx.control;
+    let mut rows: Vec<&CodeDef> = Vec::new();
+    let (mut any, mut words) = (false, true);
+    for word in cx.deck.words.iter().filter(|word| is_code(word)) {
+        let WordValue::Number(_) = word.value else {
+            any = true;
+            continue;
+        };
+        if let Some(row) = cx.codes().row_of(word) {
+            words &= row.code != Code::MacroModalBlock;
+            if matters(row) && !rows.iter().any(|other| core::ptr::eq(*other, row)) {
+                rows.push(row);
             }
-        }
-        self.words &= self.cx.codes().calls().iter().all(|call| call.kind != CallKind::ModalBlock);
-        if any {
-            rows = control.codes.iter().filter(|row| matters(row)).collect();
-        }
-        let mut at = 0;
-        while let Some(modal) = self.modals.get(at).cloned() {
-            for row in &rows {
-                let mut next = modal.clone();
-                next.set(control, row);
-                if self.modals.iter().all(|other| key(other) != key(&next)) {
-                    self.modals.push(next);
-                }
-            }
-            at += 1;
         }
     }
+    words &= cx.codes().calls().iter().all(|call| call.kind != CallKind::ModalBlock);
+    if any {
+        rows = control.codes.iter().filter(|row| matters(row)).collect();
+    }
+    let mut at = 0;
+    while let Some(modal) = modals.get(at).cloned() {
+        for row in &rows {
+            let mut next = modal.clone();
+            next.set(control, row);
+            if modals.iter().all(|other| key(other) != key(&next)) {
+                modals.push(next);
+            }
+        }
+        at += 1;
+    }
+    words
 }

@@ -163,15 +163,15 @@ impl<'a> Book<'a> {
                 Device { variable: format!("#{variable}"), ..device }
             }
             Bit::Decoded(_) | Bit::Relay(_) | Bit::Timer(_) => {
-                open(plc.internal(bit, places), (PlcSide::Plc, PlcSide::Plc), "")
+                open(internal_device(plc, bit, places), (PlcSide::Plc, PlcSide::Plc), "")
             }
             Bit::Input(input) => open(
-                plc.input(input, places.inputs.get(&input).copied().unwrap_or(0)),
+                input_device(plc, input, places.inputs.get(&input).copied().unwrap_or(0)),
                 (PlcSide::Machine, PlcSide::Plc),
                 input_meaning(input),
             ),
             Bit::Output(output) => open(
-                plc.output(places.outputs.get(&output).copied().unwrap_or(0)),
+                output_device(plc, places.outputs.get(&output).copied().unwrap_or(0)),
                 (PlcSide::Plc, PlcSide::Machine),
                 output_meaning(output),
             ),
@@ -198,11 +198,16 @@ impl<'a> Book<'a> {
                 let device = self.signal(role, written);
                 Device { unit: self.unit(role), ..device }
             }
-            PlcNumber::Knob => open(plc.data(0), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.knob"),
-            PlcNumber::FeedKnob => open(plc.data(1), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.feed-knob"),
-            PlcNumber::Data(_) => {
-                open(plc.data(places.data.get(&word).copied().unwrap_or(0)), (PlcSide::Plc, PlcSide::Plc), "", "")
+            PlcNumber::Knob => open(data_device(plc, 0), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.knob"),
+            PlcNumber::FeedKnob => {
+                open(data_device(plc, 1), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.feed-knob")
             }
+            PlcNumber::Data(_) => open(
+                data_device(plc, places.data.get(&word).copied().unwrap_or(0)),
+                (PlcSide::Plc, PlcSide::Plc),
+                "",
+                "",
+            ),
             PlcNumber::Constant(_) => open(String::new(), (PlcSide::Plc, PlcSide::Plc), "", ""),
             PlcNumber::Block(name) => open(name.to_owned(), (PlcSide::Plc, PlcSide::Block), "", ""),
         }
@@ -294,61 +299,61 @@ impl Places {
     }
 }
 
-/// Device names of the builder's own signals.
-impl PlcLanguage {
-    /// A bit of a byte, in octal numbers from a first byte on.
-    fn byte_bit(letter: char, first: u32, number: u32) -> String {
-        format!("{letter}{}.{}", first + number / 8, number % 8)
-    }
+/// A bit of a byte, in octal numbers from a first byte on.
+fn byte_bit(letter: char, first: u32, number: u32) -> String {
+    format!("{letter}{}.{}", first + number / 8, number % 8)
+}
 
-    fn internal(self, bit: Bit, places: &Places) -> String {
-        let timer = places.timers.get(&bit).copied().unwrap_or(0);
-        let relay = |number: u32| match self {
-            PlcLanguage::Pmc | PlcLanguage::Gsk => PlcLanguage::byte_bit('R', 10, number),
-            PlcLanguage::Melsec => format!("M{}", 200 + number),
-            PlcLanguage::Step7 => PlcLanguage::byte_bit('M', 10, number),
-        };
-        match (bit, self) {
-            (Bit::Timer(_), PlcLanguage::Pmc) => PlcLanguage::byte_bit('R', 30, timer),
-            (Bit::Timer(_), PlcLanguage::Gsk) => format!("T{timer}"),
-            (Bit::Timer(_), PlcLanguage::Melsec) => format!("T{}", 20 + timer),
-            // Timers of 10 ms: T33 to T36, then T97 on.
-            (Bit::Timer(_), PlcLanguage::Step7) => format!("T{}", if timer < 4 { 33 + timer } else { 93 + timer }),
-            (Bit::Decoded(function), PlcLanguage::Melsec | PlcLanguage::Step7) => format!("M{}", 300 + function),
-            (Bit::Decoded(function), _) => {
-                let group = places.decoders.iter().rposition(|first| *first <= function).unwrap_or(0);
-                let first = places.decoders.get(group).copied().unwrap_or(0);
-                format!("R{}.{}", 40 + group, function - first)
-            }
-            _ => relay(places.relays.get(&bit).copied().unwrap_or(0)),
+/// Device of a relay, a timer or a decoded function.
+fn internal_device(plc: PlcLanguage, bit: Bit, places: &Places) -> String {
+    let timer = places.timers.get(&bit).copied().unwrap_or(0);
+    let relay = |number: u32| match plc {
+        PlcLanguage::Pmc | PlcLanguage::Gsk => byte_bit('R', 10, number),
+        PlcLanguage::Melsec => format!("M{}", 200 + number),
+        PlcLanguage::Step7 => byte_bit('M', 10, number),
+    };
+    match (bit, plc) {
+        (Bit::Timer(_), PlcLanguage::Pmc) => byte_bit('R', 30, timer),
+        (Bit::Timer(_), PlcLanguage::Gsk) => format!("T{timer}"),
+        (Bit::Timer(_), PlcLanguage::Melsec) => format!("T{}", 20 + timer),
+        // Timers of 10 ms: T33 to T36, then T97 on.
+        (Bit::Timer(_), PlcLanguage::Step7) => format!("T{}", if timer < 4 { 33 + timer } else { 93 + timer }),
+        (Bit::Decoded(function), PlcLanguage::Melsec | PlcLanguage::Step7) => format!("M{}", 300 + function),
+        (Bit::Decoded(function), _) => {
+            let group = places.decoders.iter().rposition(|first| *first <= function).unwrap_or(0);
+            let first = places.decoders.get(group).copied().unwrap_or(0);
+            format!("R{}.{}", 40 + group, function - first)
         }
+        _ => relay(places.relays.get(&bit).copied().unwrap_or(0)),
     }
+}
 
-    /// Emergency stop has an address of its own where the control reads it, too (FANUC X8.4, GSK X0.5).
-    fn input(self, input: MachineContact, number: u32) -> String {
-        match (self, input) {
-            (PlcLanguage::Pmc, MachineContact::Emergency) => "X8.4".to_owned(),
-            (PlcLanguage::Gsk, MachineContact::Emergency) => "X0.5".to_owned(),
-            (PlcLanguage::Pmc | PlcLanguage::Gsk, _) => PlcLanguage::byte_bit('X', 3, number),
-            (PlcLanguage::Melsec, _) => format!("X{:X}", 0x20 + number),
-            (PlcLanguage::Step7, _) => PlcLanguage::byte_bit('I', 0, number),
-        }
+/// Device of an input. Emergency stop has an address of its own where the control reads it, too (FANUC X8.4, GSK X0.5).
+fn input_device(plc: PlcLanguage, input: MachineContact, number: u32) -> String {
+    match (plc, input) {
+        (PlcLanguage::Pmc, MachineContact::Emergency) => "X8.4".to_owned(),
+        (PlcLanguage::Gsk, MachineContact::Emergency) => "X0.5".to_owned(),
+        (PlcLanguage::Pmc | PlcLanguage::Gsk, _) => byte_bit('X', 3, number),
+        (PlcLanguage::Melsec, _) => format!("X{:X}", 0x20 + number),
+        (PlcLanguage::Step7, _) => byte_bit('I', 0, number),
     }
+}
 
-    fn output(self, number: u32) -> String {
-        match self {
-            PlcLanguage::Pmc | PlcLanguage::Gsk => PlcLanguage::byte_bit('Y', 5, number),
-            PlcLanguage::Melsec => format!("Y{:X}", 0x20 + number),
-            PlcLanguage::Step7 => PlcLanguage::byte_bit('Q', 0, number),
-        }
+/// Device of an output.
+fn output_device(plc: PlcLanguage, number: u32) -> String {
+    match plc {
+        PlcLanguage::Pmc | PlcLanguage::Gsk => byte_bit('Y', 5, number),
+        PlcLanguage::Melsec => format!("Y{:X}", 0x20 + number),
+        PlcLanguage::Step7 => byte_bit('Q', 0, number),
     }
+}
 
-    fn data(self, number: u32) -> String {
-        match self {
-            PlcLanguage::Step7 => format!("VW{}", 100 + 4 * number),
-            PlcLanguage::Melsec => format!("D{}", 100 + 2 * number),
-            PlcLanguage::Pmc | PlcLanguage::Gsk => format!("D{}", 100 + 4 * number),
-        }
+/// Device of a number.
+fn data_device(plc: PlcLanguage, number: u32) -> String {
+    match plc {
+        PlcLanguage::Step7 => format!("VW{}", 100 + 4 * number),
+        PlcLanguage::Melsec => format!("D{}", 100 + 2 * number),
+        PlcLanguage::Pmc | PlcLanguage::Gsk => format!("D{}", 100 + 4 * number),
     }
 }
 

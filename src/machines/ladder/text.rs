@@ -14,42 +14,32 @@ struct Words {
     coil: &'static str,
 }
 
-impl PlcLanguage {
-    fn words(self) -> Words {
-        match self {
-            PlcLanguage::Pmc => Words {
-                load: ["RD", "RD.NOT"],
-                and: ["AND", "AND.NOT"],
-                or: ["OR", "OR.NOT"],
-                branch: ["RD.STK", "RD.NOT.STK"],
-                join: "OR.STK",
-                coil: "WRT",
-            },
-            PlcLanguage::Gsk | PlcLanguage::Melsec => Words {
-                load: ["LD", "LDI"],
-                and: ["AND", "ANI"],
-                or: ["OR", "ORI"],
-                branch: ["LD", "LDI"],
-                join: "ORB",
-                coil: "OUT",
-            },
-            PlcLanguage::Step7 => Words {
-                load: ["LD", "LDN"],
-                and: ["A", "AN"],
-                or: ["O", "ON"],
-                branch: ["LD", "LDN"],
-                join: "OLD",
-                coil: "=",
-            },
-        }
-    }
-
-    /// Unit of timers in ms.
-    pub fn timer_unit(self) -> u32 {
-        match self {
-            PlcLanguage::Pmc | PlcLanguage::Gsk => 1,
-            PlcLanguage::Melsec | PlcLanguage::Step7 => 10,
-        }
+fn words(language: PlcLanguage) -> Words {
+    match language {
+        PlcLanguage::Pmc => Words {
+            load: ["RD", "RD.NOT"],
+            and: ["AND", "AND.NOT"],
+            or: ["OR", "OR.NOT"],
+            branch: ["RD.STK", "RD.NOT.STK"],
+            join: "OR.STK",
+            coil: "WRT",
+        },
+        PlcLanguage::Gsk | PlcLanguage::Melsec => Words {
+            load: ["LD", "LDI"],
+            and: ["AND", "ANI"],
+            or: ["OR", "ORI"],
+            branch: ["LD", "LDI"],
+            join: "ORB",
+            coil: "OUT",
+        },
+        PlcLanguage::Step7 => Words {
+            load: ["LD", "LDN"],
+            and: ["A", "AN"],
+            or: ["O", "ON"],
+            branch: ["LD", "LDN"],
+            join: "OLD",
+            coil: "=",
+        },
     }
 }
 
@@ -63,7 +53,7 @@ impl Ladder {
     }
 
     fn contacts(&self, when: &Branches) -> Vec<String> {
-        let words = self.language.words();
+        let words = words(self.language);
         let mut list = Vec::new();
         for (number, branch) in when.iter().enumerate() {
             let alone = branch.len() == 1;
@@ -84,7 +74,7 @@ impl Ladder {
     }
 
     fn action(&self, rung: &Rung) -> Vec<String> {
-        let coil = |bit: Bit| format!("{} {}", self.language.words().coil, self.bit(bit));
+        let coil = |bit: Bit| format!("{} {}", words(self.language).coil, self.bit(bit));
         match rung.action {
             RungAction::Coil(bit) => vec![coil(bit)],
             RungAction::Timer(name, ms) => self.timer(Bit::Timer(name), ms),

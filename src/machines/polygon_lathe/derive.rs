@@ -5,10 +5,7 @@ use super::params::Params;
 use crate::drives::polygon::choose::{Choice, choices};
 use crate::drives::polygon::cut::{self, InsertLoad};
 use crate::drives::polygon::{CutterSetup, Ratio, Section};
-use crate::math::{self, PI};
-
-/// Greatest number of passes.
-pub(super) const PASSES: f64 = 60.0;
+use crate::math::PI;
 
 /// Degrees in a radian.
 const DEGREES: f64 = 180.0 / PI;
@@ -79,88 +76,6 @@ pub(super) struct Derived {
     pub cutting_time: f64,
     /// Force and torque of the cuts.
     pub load: PolygonLoad,
-}
-
-impl Params {
-    /// Depth of all roughing passes, on the radius.
-    fn rough(&self) -> f64 {
-        (0.5 * (self.stock_diameter - self.across_flats) - self.allowance).max(0.0)
-    }
-
-    /// How far the tips go into the stock, mm: `(stock - AF) / 2`. The body of the cutter, `h` behind the tips, touches stock beside the
-    /// polygon if this reach is more than `h`. Source: mechanics, with the distance of the axes a = AF/2 + r and a body of the radius r -
-    /// h.
-    fn reach(&self) -> f64 {
-        (0.5 * (self.stock_diameter - self.across_flats)).max(0.0)
-    }
-
-    /// Number of passes; the last one finishes.
-    pub(super) fn passes(&self) -> f64 {
-        // Nine decimals: 0.3 / 0.1 is three passes.
-        1.0 + math::clamp(math::whole_up(self.rough() / self.depth), 0.0, PASSES)
-    }
-
-    /// Across flats after a pass (from 1).
-    pub(super) fn size(&self, pass: f64) -> f64 {
-        let rough = self.across_flats + 2.0 * self.allowance;
-        if pass >= self.passes() {
-            self.across_flats
-        } else {
-            (self.stock_diameter - 2.0 * pass * self.depth).max(rough)
-        }
-    }
-
-    /// Feed of a pass in mm for each turn of the work.
-    pub(super) fn feed_of(&self, pass: f64) -> f64 {
-        if pass >= self.passes() { self.finish_feed } else { self.feed }
-    }
-
-    /// Speed of the work in r/min, signed: `n = B · D`. Source: K2000T facts 2.
-    pub(super) fn work_speed(&self) -> f64 {
-        self.speed * self.work_ratio
-    }
-
-    /// Speed of the tool in r/min, signed: `n = B · Q`. Source: K2000T facts 2.
-    pub(super) fn tool_speed(&self) -> f64 {
-        self.speed * self.tool_ratio
-    }
-
-    /// F in mm/min for a feed for each turn of the work.
-    pub(super) fn per_minute(&self, feed: f64) -> f64 {
-        feed * self.work_speed().abs()
-    }
-
-    /// Settling time of both axes, s: `max(τ) + 8 / min(K)`, with time constants τ [s] and position gains K [1/s].
-    pub(super) fn settling(&self) -> f64 {
-        self.work_time_constant.max(self.tool_time_constant) / 1000.0 + 8.0 / self.work_gain.min(self.tool_gain)
-    }
-
-    /// Phase of the tool ahead of the work at speed, degrees of the tool: `6 n_tool · ((τ_w/2 + 1/K_w) - (τ_t/2 + 1/K_t))`, with time
-    /// constants τ [s] and gains K [1/s] of work and tool. Source: servo lag after linear acceleration.
-    pub(super) fn phase(&self) -> f64 {
-        let lag = |ms: f64, gain: f64| 0.5 * ms / 1000.0 + 1.0 / gain;
-        let early = lag(self.work_time_constant, self.work_gain) - lag(self.tool_time_constant, self.tool_gain);
-        6.0 * self.tool_speed() * early + 0.0
-    }
-
-    /// Deceleration of work and tool by friction with the drives off, r/min per second.
-    pub(super) fn coasting(&self) -> [f64; 2] {
-        [self.work_limit / self.work_coast, self.tool_limit / self.tool_coast]
-    }
-
-    /// Phase of the tool ahead of the work after coasting to rest, degrees of the tool: each axis turns by `3 n² / a` degrees, with speed n
-    /// [r/min] and deceleration a [r/min per second].
-    pub(super) fn coast_phase(&self) -> f64 {
-        let [work, tool] = self.coasting();
-        let left = |rpm: f64, slows: f64| 3.0 * rpm * rpm.abs() / slows;
-        let ratio = self.tool_ratio / self.work_ratio;
-        left(self.tool_speed(), tool) - ratio * left(self.work_speed(), work) + 0.0
-    }
-
-    /// Time of the axes to their start angles, s: `max(|A|, |E|) / (6 n_index)`.
-    pub(super) fn index_time(&self) -> f64 {
-        self.work_start.abs().max(self.tool_start.abs()) / (6.0 * self.index_speed)
-    }
 }
 
 impl Derived {

@@ -1,8 +1,8 @@
 //! Findings about the form of the polygon lathe: errors that refuse the export, each with its field, and notes for the operator.
 
-use super::derive::PASSES;
 use super::further;
 use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, errors};
+use super::passes::PASSES;
 use super::program;
 use super::resolved::PolygonLathe;
 use crate::msg;

@@ -4,6 +4,12 @@ mod params;
 
 mod examples;
 
+mod passes;
+
+mod speeds;
+
+mod polygon_forms;
+
 mod derive;
 
 mod driven;

@@ -271,6 +271,11 @@ impl Params {
         self.has_third(control) && self.further[1].shape == Shape::Own
     }
 
+    /// The polygon begins at a distance from the face: there is stock at both of its ends.
+    pub(super) fn is_behind_face(&self) -> bool {
+        self.from_face > 0.0
+    }
+
     /// A polygon begins at a distance from the face, so that the insert goes down into the stock.
     fn goes_down(&self, _: &Control) -> bool {
         self.is_behind_face() || self.further[0].on

@@ -35,11 +35,6 @@ pub(super) enum PassStep {
 const LONGEST: f64 = 9_999.0;
 
 impl Params {
-    /// The polygon begins at a distance from the face: there is stock at both of its ends.
-    pub(super) fn is_behind_face(&self) -> bool {
-        self.from_face > 0.0
-    }
-
     /// Distance of the far end of the polygon from the face, mm.
     pub(super) fn far_end(&self) -> f64 {
         self.from_face + self.length

@@ -8,8 +8,7 @@ use super::resolved::TurningSpindle;
 use crate::drives::cutting;
 use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::load::through_gear;
-use crate::drives::speed::limit_diameter;
-use crate::drives::spindle_motor::{self, MotorCurve};
+use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::driven::{SpindleRun, turns};
 use crate::machines::machine::Samples;
 use crate::math::RPM;
@@ -38,13 +37,6 @@ pub(super) struct CutPoint {
     pub most: f64,
 }
 
-impl Params {
-    /// Torque (Nm) of cut and friction at a diameter in mm: `F d / 2000 + M_f`. Source: turning spindle facts, 4.
-    pub(super) fn steady_torque(&self, diameter: f64) -> f64 {
-        cutting::torque(self.cutting_force, diameter) + self.spindle_friction
-    }
-}
-
 impl Derived {
     /// Acceleration of the spindle (r/min per second) at a diameter (mm) of a cut towards smaller ones: `dn/dt = n² f s / (60 d)`, at most that of
     /// the ramp; 0 where the speed does not change with the diameter.
@@ -68,14 +60,6 @@ impl Derived {
         p.steady_torque(diameter) + inertia * self.acceleration_at(p, diameter) * RPM
     }
 
-    /// Diameters (mm) among which the cut asks most of a motor with a base speed at the spindle, in r/min. Above base speed its demand of power
-    /// falls with the diameter, `F v / 60 + ω (M_f + J dω/dt)`; below, torque of cut and acceleration have no greatest value between both ends.
-    fn asked_most(&self, base: f64) -> [f64; 3] {
-        let least = self.limit_diameter.max(self.smallest).min(self.largest);
-        let bend = limit_diameter(self.held.surface(), base);
-        [self.largest, if bend > least && bend < self.largest { bend } else { self.largest }, least]
-    }
-
     /// The point of the cut with the greatest fraction of a curve of the motor, by its torque at a diameter.
     fn worst_point(&self, p: &Params, motor: MotorCurve, torque: impl Fn(f64) -> f64) -> CutPoint {
         let at = |diameter: f64| {
@@ -91,12 +75,6 @@ impl Derived {
     pub(super) fn worst_cut_point(&self, p: &Params) -> CutPoint {
         let [motor, _] = p.for_moments(self.stage_speed);
         self.worst_point(p, motor, |diameter| self.torque_at(p, diameter))
-    }
-
-    /// Greatest power (kW) of cut and friction.
-    pub(super) fn steady_power(&self, p: &Params) -> f64 {
-        let power = |diameter: f64| spindle_motor::power(p.steady_torque(diameter), self.speed_at(p, diameter));
-        self.asked_most(f64::INFINITY).map(power).into_iter().fold(0.0, f64::max)
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::params::{Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::{AnalogOutput, SpindleRules};
-use crate::drives::cutting::Cut;
+use crate::drives::cutting::{self, Cut};
 use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_speed};
+use crate::drives::spindle_motor;
 use crate::drives::{Analog, Bound};
 use crate::math;
 
@@ -101,9 +102,28 @@ impl Derived {
     pub(super) fn for_the_cut(&self, p: &Params, rated: f64) -> f64 {
         if self.cutting_time <= OVERLOAD_TIME { rated * p.motor_overload / 100.0 } else { rated }
     }
+
+    /// Diameters (mm) among which the cut asks most of a motor with a base speed at the spindle, in r/min. Above base speed its demand of power
+    /// falls with the diameter, `F v / 60 + ω (M_f + J dω/dt)`; below, torque of cut and acceleration have no greatest value between both ends.
+    pub(super) fn asked_most(&self, base: f64) -> [f64; 3] {
+        let least = self.limit_diameter.max(self.smallest).min(self.largest);
+        let bend = limit_diameter(self.held.surface(), base);
+        [self.largest, if bend > least && bend < self.largest { bend } else { self.largest }, least]
+    }
+
+    /// Greatest power (kW) of cut and friction.
+    pub(super) fn steady_power(&self, p: &Params) -> f64 {
+        let power = |diameter: f64| spindle_motor::power(p.steady_torque(diameter), self.speed_at(p, diameter));
+        self.asked_most(f64::INFINITY).map(power).into_iter().fold(0.0, f64::max)
+    }
 }
 
 impl Params {
+    /// Torque (Nm) of cut and friction at a diameter in mm: `F d / 2000 + M_f`. Source: turning spindle facts, 4.
+    pub(super) fn steady_torque(&self, diameter: f64) -> f64 {
+        cutting::torque(self.cutting_force, diameter) + self.spindle_friction
+    }
+
     /// Passes from stock to finished part.
     pub(super) fn passes(&self) -> f64 {
         let depth = match self.path {

@@ -4,6 +4,8 @@ mod params;
 
 mod examples;
 
+mod gear_stage;
+
 mod derive;
 
 mod demand;

@@ -48,7 +48,7 @@ pub(in crate::nc) const OPERATORS: [(&str, Op); 4] =
 pub(in crate::nc) const LOGIC: [(&str, Op); 3] = [("OR", Op::Or), ("XOR", Op::Xor), ("AND", Op::And)];
 
 /// In a language with names: words that start a statement.
-pub(in crate::nc) const NAMED_STATEMENTS: [&str; 4] = ["IF", "GOTOF", "GOTOB", "MSG"];
+pub(in crate::nc) const SYMBOLIC_STATEMENTS: [&str; 4] = ["IF", "GOTOF", "GOTOB", "MSG"];
 
 /// In a language with names: statements of the macro languages of other controls.
 pub(in crate::nc) const FOREIGN_STATEMENTS: [&str; 5] = ["GOTO", "WHILE", "DO", "END", "THEN"];

@@ -1,7 +1,7 @@
 //! Tokens of a line for syntax colouring, without checks.
 
 use super::cursor::Cursor;
-use super::keywords::{COMPARISONS, KEYWORDS, NAMED_STATEMENTS, OPERATORS, OUTSIDE};
+use super::keywords::{COMPARISONS, KEYWORDS, OPERATORS, OUTSIDE, SYMBOLIC_STATEMENTS};
 use crate::controls::Control;
 use crate::controls::syntax::Names;
 use crate::text::Span;
@@ -38,7 +38,7 @@ const NAMED_OPERATORS: [&str; 2] = ["NOT", "DIV"];
 pub fn keywords(control: &Control) -> Vec<&'static str> {
     let operators = OPERATORS.iter().map(|(word, _)| *word);
     if control.syntax.names().is_some() {
-        return NAMED_STATEMENTS.iter().chain(&NAMED_OPERATORS).copied().chain(operators).collect();
+        return SYMBOLIC_STATEMENTS.iter().chain(&NAMED_OPERATORS).copied().chain(operators).collect();
     }
     let then = control.syntax.if_then.then_some("THEN");
     let operators = operators.filter(|word| *word != "MOD" || control.syntax.modulo);
@@ -55,7 +55,7 @@ pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
         cursor.blank();
         while !cursor.ended() {
             let start = cursor.at;
-            let named = control.syntax.names().and_then(|names| named_piece(&cursor, names, control));
+            let named = control.syntax.names().and_then(|names| symbolic_piece(&cursor, names, control));
             let (length, kind) = named.unwrap_or_else(|| piece(&cursor, control));
             cursor.at += length;
             out.push((Span::new(base + start as u32, base + cursor.at as u32), kind));
@@ -103,7 +103,7 @@ fn keyword(cursor: &Cursor, control: &Control) -> Option<usize> {
 }
 
 /// Length and kind of a token that only languages with names have.
-fn named_piece(cursor: &Cursor, names: &Names, control: &Control) -> Option<(usize, TokenKind)> {
+fn symbolic_piece(cursor: &Cursor, names: &Names, control: &Control) -> Option<(usize, TokenKind)> {
     match cursor.peek() {
         b';' => Some((cursor.rest().len(), TokenKind::Comment)),
         b'%' => Some((cursor.rest().len(), TokenKind::Sequence)),
@@ -127,7 +127,7 @@ fn name(cursor: &Cursor, names: &Names, control: &Control) -> (usize, TokenKind)
         };
     }
     let is = |word: &str| name.eq_ignore_ascii_case(word);
-    let words = NAMED_STATEMENTS.iter().chain(&NAMED_OPERATORS).copied();
+    let words = SYMBOLIC_STATEMENTS.iter().chain(&NAMED_OPERATORS).copied();
     let operators = OPERATORS.iter().map(|(word, _)| *word);
     let functions = control.syntax.functions.iter().map(|(word, _)| *word);
     let kind = if names.code(&name.to_ascii_uppercase()).is_some() {

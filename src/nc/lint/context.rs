@@ -2,7 +2,7 @@
 
 use super::super::ast::{Deck, ExprId, Word, WordValue};
 use super::super::dec::{Dec, POW10};
-use super::super::parsed::Parsed;
+use super::super::parsed::{FINDINGS, Parsed};
 use super::super::program_names::ProgramNames;
 use crate::controls::syntax::RoundBrackets;
 use crate::controls::{Address, AddressSet, Control};
@@ -10,9 +10,6 @@ use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, LineIndex, Message, P
 
 /// Missing index or number.
 pub(super) const NONE: u32 = u32::MAX;
-
-/// Maximum findings in the list, the reader's included.
-const FINDINGS: usize = 1000;
 
 /// The programs under check and the warnings so far.
 pub(super) struct Lint<'a> {

@@ -3,14 +3,14 @@
 //! | rewrite | where the control lacks | becomes |
 //! |---|---|---|
 //! | `plain_texts` | small letters, brackets, `%`, `;` and foreign characters in comments | capitals, `[ ]`, spaces, `?` |
-//! | `whole_signs` | nothing; one spelling for one thing | the sign of a constant is part of it |
-//! | `no_points` | the point in numbers of whole-number addresses | the number without it |
-//! | `no_if_then` | `IF … THEN` | a jump over the assignment on the opposite condition |
+//! | `fold_signs` | nothing; one spelling for one thing | the sign of a constant is part of it |
+//! | `drop_points` | the point in numbers of whole-number addresses | the number without it |
+//! | `replace_if_then` | `IF … THEN` | a jump over the assignment on the opposite condition |
 //! | `other_forms`: | | |
 //! | … `MOD` | `MOD` | `a-FIX[a/b]*b` |
 //! | … `ATAN` of two numbers | | `2*ATAN[y/[SQRT[x*x+y*y]+x]]` |
 //! | … `ATAN` of one number | | `ATAN[a]/[1]` |
-//! | `short_texts` | long blocks and messages | comments clipped |
+//! | `clip_texts` | long blocks and messages | comments clipped |
 
 mod characters;
 mod other_forms;
@@ -26,33 +26,33 @@ use crate::nc::write::{is_message, text_length};
 use crate::text::Span;
 use characters::shown;
 use other_forms::other_forms;
-use symbolic::{no_names, with_names};
+use symbolic::{adapt_to_names, replace_names};
 
 /// Rewrites the deck to forms that the control has.
 pub fn lower(deck: &Deck, control: &Control) -> Deck {
-    lowered(deck, control, CommentCharacters::Ascii).0
+    lower_with_origins(deck, control, CommentCharacters::Ascii).0
 }
 
 /// Rewrites the deck to forms that the control has; for each new block returns the index of its original.
-pub(super) fn lowered(deck: &Deck, control: &Control, characters: CommentCharacters) -> (Deck, Vec<u32>) {
+pub(super) fn lower_with_origins(deck: &Deck, control: &Control, characters: CommentCharacters) -> (Deck, Vec<u32>) {
     let mut low = deck.clone();
     if control.syntax.names().is_none() {
         plain_texts(&mut low, characters);
     }
-    whole_signs(&mut low);
+    fold_signs(&mut low);
     if control.syntax.point_alarm {
-        no_points(&mut low, control);
+        drop_points(&mut low, control);
     }
     let mut origins = (0..low.blocks.len() as u32).collect();
     if !control.syntax.if_then && low.blocks.iter().any(|block| matches!(block.stmt, Stmt::IfThen { .. })) {
-        origins = no_if_then(&mut low);
+        origins = replace_if_then(&mut low);
     }
     match &control.syntax.names() {
-        Some(names) => with_names(&mut low, (control, characters), names, &mut origins),
-        None => no_names(&mut low, control),
+        Some(names) => adapt_to_names(&mut low, (control, characters), names, &mut origins),
+        None => replace_names(&mut low, control),
     }
     other_forms(&mut low, control);
-    short_texts(&mut low, control, characters);
+    clip_texts(&mut low, control, characters);
     (low, origins)
 }
 
@@ -71,7 +71,7 @@ fn plain_texts(deck: &mut Deck, characters: CommentCharacters) {
     }
 }
 
-fn whole_signs(deck: &mut Deck) {
+fn fold_signs(deck: &mut Deck) {
     let whole = |dec: Dec| Dec { point: dec.point || dec.scale > 0, ..dec };
     for at in 0..deck.exprs.len() {
         let rewritten = match deck.exprs[at] {
@@ -92,7 +92,7 @@ fn whole_signs(deck: &mut Deck) {
     }
 }
 
-fn no_points(deck: &mut Deck, control: &Control) {
+fn drop_points(deck: &mut Deck, control: &Control) {
     for word in deck.words.iter_mut().filter(|word| word.letter != Address::G) {
         if let WordValue::Number(number @ Dec { scale: 0, .. }) = &mut word.value {
             number.point &= !control.syntax.integer_addresses.contains(word.letter);
@@ -101,7 +101,7 @@ fn no_points(deck: &mut Deck, control: &Control) {
 }
 
 /// `IF[c]THEN #1=2` becomes `IF[not c]GOTOn`, `#1=2`, and a block `Nn` unless the next block has a number.
-fn no_if_then(deck: &mut Deck) -> Vec<u32> {
+fn replace_if_then(deck: &mut Deck) -> Vec<u32> {
     let old = core::mem::take(&mut deck.blocks);
     let mut origins = Vec::with_capacity(old.len());
     let mut programs = core::mem::take(&mut deck.programs);
@@ -159,7 +159,7 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
 }
 
 /// Shortens comments, to keep blocks below the control's length and messages within its screen.
-fn short_texts(deck: &mut Deck, control: &Control, characters: CommentCharacters) {
+fn clip_texts(deck: &mut Deck, control: &Control, characters: CommentCharacters) {
     let clip = |deck: &mut Deck, text, room| clip(deck, text, room, characters);
     let room = control.syntax.block_chars.saturating_sub(1);
     for at in 0..deck.programs.len() {

@@ -4,9 +4,9 @@
 //! |---|---|---|
 //! | `texts` | foreign characters in comments, quotes in messages | `?`, `'` |
 //! | `programs` | a program without a name; the comment after its number | `L9100`, `MPF1`; a comment of its own |
-//! | `points` | the point of a whole number | the number without it |
+//! | `drop_points` | the point of a whole number | the number without it |
 //! | `jumps` | loops, jumps to block numbers | jumps to labels |
-//! | `no_names` | calls by name, messages, statements without a form there | `M98`, a comment |
+//! | `replace_names` | calls by name, messages, statements without a form there | `M98`, a comment |
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,7 +24,7 @@ use crate::nc::lower::characters::shown;
 use crate::text::Span;
 
 /// All rewrites for a language with names; `origins` is updated with the blocks.
-pub(super) fn with_names(
+pub(super) fn adapt_to_names(
     deck: &mut Deck,
     (control, characters): (&Control, CommentCharacters),
     names: &Names,
@@ -32,7 +32,7 @@ pub(super) fn with_names(
 ) {
     texts(deck, characters);
     programs(deck, control, names);
-    points(deck, names);
+    drop_points(deck, names);
     jumps(deck, origins);
     titles(deck, origins);
 }
@@ -90,7 +90,7 @@ fn returns(deck: &Deck, control: &Control, program: &Program) -> bool {
 }
 
 /// Removes the point of whole numbers unless they are too large without it; a constant expression as a word's value becomes a number.
-fn points(deck: &mut Deck, names: &Names) {
+fn drop_points(deck: &mut Deck, names: &Names) {
     let plain = |number: Dec| match number.scale {
         0 => Dec { point: number.mantissa.unsigned_abs() > names.whole_max.unsigned_abs(), ..number },
         _ => number,
@@ -326,7 +326,7 @@ fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
 }
 
 /// Rewrites a deck for a language without names.
-pub(super) fn no_names(deck: &mut Deck, control: &Control) {
+pub(super) fn replace_names(deck: &mut Deck, control: &Control) {
     let row = control.codes.iter().find_map(|row| match row.id {
         CodeId::M(number) if row.code == Code::SubCall => Some(number),
         _ => None,

@@ -15,7 +15,7 @@ use crate::text::Message;
 impl Reader<'_> {
     /// Reports errors of a macro call with the words from `first` on.
     #[cold]
-    pub(in crate::nc) fn check_call(&mut self, first: usize) {
+    pub(super) fn check_call(&mut self, first: usize) {
         let words = self.deck.words.get(first..).unwrap_or_default().to_vec();
         let Some((at, code)) = words.iter().enumerate().find_map(|(at, word)| Some((at, self.caller(word)?))) else {
             return;
@@ -82,13 +82,13 @@ impl Reader<'_> {
     }
 
     /// Whether a word calls a subprogram.
-    pub(in crate::nc) fn calls_sub(&self, word: &Word) -> bool {
+    pub(super) fn calls_sub(&self, word: &Word) -> bool {
         self.m_row(word) == Some(Code::SubCall)
     }
 
     /// Reports a call with the letter of a program number in place of P.
     #[cold]
-    pub(in crate::nc) fn named_by_letter(&mut self, alarm: Alarm, start: usize) {
+    pub(super) fn named_by_letter(&mut self, alarm: Alarm, start: usize) {
         let finding = self.finding(alarm, start, start + 1, msg!("interp.call-without-program"));
         let finding = finding.hint(msg!("nc.hint.program-letter", letter = "O"));
         self.replace(alarm, finding, start, start + 1, "P");

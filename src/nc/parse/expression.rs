@@ -35,7 +35,7 @@ pub fn formula(text: &str, program: &Parsed) -> Result<ParsedFormula, Box<Diagno
     let read = |bracketed: bool| {
         let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
         reader.take_line(text.as_bytes(), 0);
-        let mut wrong = match (reader.alone(bracketed), reader.findings.list.pop()) {
+        let mut wrong = match (reader.whole_line(bracketed), reader.findings.list.pop()) {
             (Ok(root), None) => return Ok(ParsedFormula { deck: reader.deck, root }),
             (Ok(_), Some(found)) => found,
             (Err(failure), _) => failure.finding,
@@ -49,18 +49,18 @@ pub fn formula(text: &str, program: &Parsed) -> Result<ParsedFormula, Box<Diagno
 
 impl Reader<'_> {
     /// Reads the whole line as an expression or a condition.
-    fn alone(&mut self, bracketed: bool) -> Read<ExprId> {
+    fn whole_line(&mut self, bracketed: bool) -> Read<ExprId> {
         self.skip();
         let start = self.cursor.at;
         if self.names().is_some() {
-            let root = self.named_formula(true)?;
+            let root = self.symbolic_formula(true)?;
             self.skip();
             return if self.cursor.ended() { Ok(root) } else { Err(self.unexpected()) };
         }
         let mut root = if bracketed { self.condition(Alarm::IfSentence, "")? } else { self.formula(false)? };
         if let Some(op) = self.comparison(Alarm::IfSentence) {
             let right = self.formula(false)?;
-            root = self.part(Expr::Binary(op, root, right), start)?;
+            root = self.add_expr(Expr::Binary(op, root, right), start)?;
         }
         self.skip();
         if self.cursor.ended() { Ok(root) } else { Err(self.unexpected()) }

@@ -4,20 +4,20 @@ use crate::controls::{Address, Alarm, CodeId};
 use crate::text::{Diagnostic, Span};
 
 /// A block that does not parse, and the reason.
-pub(in crate::nc) struct ParseFailure {
-    pub(in crate::nc) alarm: Alarm,
+pub(super) struct ParseFailure {
+    pub(super) alarm: Alarm,
     /// Position of the error, in bytes from the start of the block.
-    pub(in crate::nc) from: usize,
-    pub(in crate::nc) finding: Diagnostic,
+    pub(super) from: usize,
+    pub(super) finding: Diagnostic,
     /// The error is at the start of a word, so the rest may be an unbracketed comment.
-    pub(in crate::nc) at_word: bool,
+    pub(super) at_word: bool,
 }
 
-pub(in crate::nc) type Read<T> = Result<T, Box<ParseFailure>>;
+pub(super) type Read<T> = Result<T, Box<ParseFailure>>;
 
 /// A feature ignored by the simulation, reported once per file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::nc) enum IgnoredFeature {
+pub(super) enum IgnoredFeature {
     Code(CodeId),
     /// A cycle by the number in its name.
     Cycle(u32),
@@ -32,14 +32,14 @@ pub(in crate::nc) enum IgnoredFeature {
 
 /// A variable that is missing or read-only on the control.
 #[derive(Debug)]
-pub(in crate::nc) struct Misused {
-    pub(in crate::nc) number: u32,
-    pub(in crate::nc) alarm: Alarm,
-    pub(in crate::nc) span: Span,
+pub(super) struct Misused {
+    pub(super) number: u32,
+    pub(super) alarm: Alarm,
+    pub(super) span: Span,
 }
 
 /// Fix of a mistake in a line.
-pub(in crate::nc) enum Mend<'t> {
+pub(super) enum LineFix<'t> {
     /// Replaces some bytes.
     Write(usize, usize, &'t str),
     /// Puts some bytes in square brackets.

@@ -14,7 +14,7 @@ fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
 
 impl<'a> Reader<'a> {
     /// Reserves memory once; growth by doubling would copy, and use three times as much.
-    pub(in crate::nc) fn reserve(&mut self) {
+    pub(super) fn reserve(&mut self) {
         let bytes = self.file.text.as_bytes();
         let lines = count(bytes, |b| b == b'\n') + 1;
         let letters = count(bytes, |b| b.is_ascii_alphabetic());
@@ -22,9 +22,9 @@ impl<'a> Reader<'a> {
         self.deck.words.reserve(letters.min(bytes.len() / 4).min(5 * BLOCKS));
     }
 
-    pub(in crate::nc) fn file(&mut self) {
+    pub(super) fn file(&mut self) {
         let bytes = self.file.text.as_bytes();
-        // A byte order mark is not part of the program; `mend_file` reports it.
+        // A byte order mark is not part of the program; `report_file` reports it.
         let mut at = if self.file.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
         // Whether a `%` opens the record (only comments so far) or closes it.
         let mut opened = false;
@@ -41,7 +41,7 @@ impl<'a> Reader<'a> {
             match bytes.get(from) {
                 _ if from == to => {}
                 Some(b'%') if self.names().is_some() => self.head(from, to),
-                _ if self.names().is_some() => self.named_block(from, to),
+                _ if self.names().is_some() => self.symbolic_block(from, to),
                 Some(b'%') => {
                     if !self.only_comments() {
                         closed = Some(from);
@@ -72,11 +72,11 @@ impl<'a> Reader<'a> {
             }
             at = end + 1;
         }
-        self.mend_file(opened, closed.is_some());
+        self.report_file(opened, closed.is_some());
     }
 
     /// Whether a line begins with a program number, or with a comment, which may precede one.
-    pub(in crate::nc) fn begins_program(&self, at: usize) -> bool {
+    pub(super) fn begins_program(&self, at: usize) -> bool {
         let line = self.file.text.as_bytes().get(at..).unwrap_or_default();
         match line {
             [b'(', ..] => true,
@@ -86,7 +86,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Start of the record, if its `%` follows text other than comments and programs: the leader of a tape.
-    pub(in crate::nc) fn leader(&self, from: usize) -> Option<usize> {
+    pub(super) fn leader(&self, from: usize) -> Option<usize> {
         if self.control.syntax.percent != Percent::Both {
             return None;
         }
@@ -114,7 +114,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Warns about text after a `%` in the same line, which the control skips.
-    pub(in crate::nc) fn after_percent(&mut self, from: usize, to: usize) {
+    pub(super) fn after_percent(&mut self, from: usize, to: usize) {
         let (from, to) = self.trimmed(from, to);
         if from < to && self.file.text.as_bytes().get(from) != Some(&b'(') {
             self.warn(from, to, msg!("nc.skipped-lead"));
@@ -122,7 +122,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether the program has only comments so far.
-    pub(in crate::nc) fn only_comments(&self) -> bool {
+    pub(super) fn only_comments(&self) -> bool {
         match self.program.and_then(|index| self.deck.programs.get(index)) {
             None => true,
             Some(program) => {
@@ -143,7 +143,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads the blocks of a line: one, or several separated by `;`.
-    pub(in crate::nc) fn blocks(&mut self, from: usize, to: usize) {
+    pub(super) fn blocks(&mut self, from: usize, to: usize) {
         let bytes = self.file.text.as_bytes();
         let line = bytes.get(from..to).unwrap_or_default();
         if !line.contains(&b';') {
@@ -173,7 +173,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads one block, `from < to`, without white space around it.
-    pub(in crate::nc) fn block(&mut self, from: usize, to: usize) {
+    pub(super) fn block(&mut self, from: usize, to: usize) {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         if line.len() > BLOCK_BYTES {
@@ -228,7 +228,7 @@ impl<'a> Reader<'a> {
 
     /// Reports a block with too many characters; comments do not count.
     #[cold]
-    pub(in crate::nc) fn check_length(&mut self) {
+    pub(super) fn check_length(&mut self) {
         let (mut count, mut comment) = (0, false);
         let most = self.tables.rules.block_chars;
         for (at, &byte) in self.cursor.line.iter().enumerate() {
@@ -242,7 +242,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads `O9100(TITLE)` at the start of a line, which starts a program; false if the letter is an ordinary address.
-    pub(in crate::nc) fn program_number(&mut self) -> bool {
+    pub(super) fn program_number(&mut self) -> bool {
         let letter = self.cursor.line.first().map_or(0, u8::to_ascii_uppercase);
         let usual = self.control.syntax.program_letters.first() == Some(&letter);
         self.cursor.at = 1;
@@ -287,12 +287,12 @@ impl<'a> Reader<'a> {
     }
 
     /// The letter of program numbers on this control.
-    pub(in crate::nc) fn program_letter(&self) -> String {
+    pub(super) fn program_letter(&self) -> String {
         self.control.syntax.program_letters.first().map_or('O', |&letter| letter as char).to_string()
     }
 
     /// The comment after a program number.
-    pub(in crate::nc) fn title(&mut self) -> Option<(&'a str, Span)> {
+    pub(super) fn title(&mut self) -> Option<(&'a str, Span)> {
         self.cursor.blank();
         let rest = self.cursor.rest();
         let inner = rest.strip_prefix(b"(")?;
@@ -305,7 +305,7 @@ impl<'a> Reader<'a> {
         Some((title, Span::new(from as u32, (from + len) as u32)))
     }
 
-    pub(in crate::nc) fn push(&mut self, stmt: Stmt) {
+    pub(super) fn push(&mut self, stmt: Stmt) {
         let stmt = self.block.bad.map_or(stmt, Stmt::Bad);
         let span = Span::new(self.cursor.base, self.cursor.base + self.cursor.line.len() as u32);
         let BlockParts { number, number_at, skip_switch: skip, main, comment, label, .. } = self.block;
@@ -325,6 +325,6 @@ impl<'a> Reader<'a> {
 }
 
 /// Whether a byte of UTF-8 is the first of its character.
-pub(in crate::nc) fn begins_character(byte: u8) -> bool {
+pub(super) fn begins_character(byte: u8) -> bool {
     byte & 0b1100_0000 != 0b1000_0000
 }

@@ -8,7 +8,7 @@ use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::OPERATORS;
 use crate::nc::lex::spelling::meant;
-use crate::nc::parse::failure::{IgnoredFeature, Mend, Misused, ParseFailure, Read};
+use crate::nc::parse::failure::{IgnoredFeature, LineFix, Misused, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::nc::parsed::ExprSpan;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
@@ -20,7 +20,7 @@ const PARTS: u32 = 250;
 const DEPTH: u32 = 40;
 
 /// An open bracket: its position and its closing byte.
-pub(in crate::nc) struct OpenBracket {
+pub(super) struct OpenBracket {
     pub(super) at: usize,
     close: u8,
 }
@@ -38,7 +38,7 @@ const OTHER_NAMES: [(&str, &str); 7] = [
 
 impl Reader<'_> {
     /// Reads this word if it is at the cursor.
-    pub(in crate::nc) fn take(&mut self, word: &str) -> bool {
+    pub(super) fn take(&mut self, word: &str) -> bool {
         let ahead = self.cursor.ahead(word);
         if ahead {
             for at in self.cursor.at..self.cursor.at + word.len() {
@@ -50,7 +50,7 @@ impl Reader<'_> {
     }
 
     /// Counts a part of a formula, from `start` to the cursor, and adds it to the tree.
-    pub(in crate::nc) fn part(&mut self, expr: Expr, start: usize) -> Read<ExprId> {
+    pub(super) fn add_expr(&mut self, expr: Expr, start: usize) -> Read<ExprId> {
         self.formulas.parts += 1;
         if self.formulas.parts > PARTS {
             return Err(self.failure(
@@ -70,12 +70,12 @@ impl Reader<'_> {
     }
 
     /// Reads an expression. After an address (`word`) a `/` before a letter is a block skip, not a division.
-    pub(in crate::nc) fn formula(&mut self, word: bool) -> Read<ExprId> {
+    pub(super) fn formula(&mut self, word: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.term(word)?;
         while let Some(op) = self.operator(word, false) {
             let right = self.term(word)?;
-            left = self.part(Expr::Binary(op, left, right), start)?;
+            left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
         Ok(left)
     }
@@ -91,8 +91,8 @@ impl Reader<'_> {
                     return Ok(left);
                 }
                 let right = self.factor()?;
-                let ratio = self.part(Expr::Binary(Op::Divide, left, right), start)?;
-                left = self.part(Expr::Call(Function::Fix, ratio), start)?;
+                let ratio = self.add_expr(Expr::Binary(Op::Divide, left, right), start)?;
+                left = self.add_expr(Expr::Call(Function::Fix, ratio), start)?;
                 continue;
             };
             let behind = self.cursor.at;
@@ -104,7 +104,7 @@ impl Reader<'_> {
             if op == Op::Modulo && !self.tables.rules.modulo {
                 self.no_modulo(start, end, behind);
             }
-            left = self.part(Expr::Binary(op, left, right), start)?;
+            left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
     }
 
@@ -123,7 +123,7 @@ impl Reader<'_> {
     }
 
     /// Whether an operator follows the value of a word.
-    pub(in crate::nc) fn operator_ahead(&self) -> bool {
+    pub(super) fn operator_ahead(&self) -> bool {
         match self.cursor.peek() {
             b'+' | b'-' | b'*' => true,
             b'/' => !self.skip_mark_ahead(),
@@ -136,7 +136,7 @@ impl Reader<'_> {
     }
 
     /// Whether the `/` at the cursor precedes a word: a block skip inside a block.
-    pub(in crate::nc) fn skip_mark_ahead(&self) -> bool {
+    pub(super) fn skip_mark_ahead(&self) -> bool {
         let mut rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
         // `/2 Z1.` after a blank: skip switch 2.
         if let [b'1'..=b'9', b' ', ..] = rest
@@ -175,7 +175,7 @@ impl Reader<'_> {
     }
 
     /// Enters one nesting level, within the budget.
-    pub(in crate::nc) fn deeper(&mut self) -> Read<()> {
+    pub(super) fn deeper(&mut self) -> Read<()> {
         self.formulas.depth += 1;
         if self.formulas.depth > DEPTH {
             return Err(self.failure(Alarm::BracketDepth, self.cursor.at, self.cursor.at, self.too_deep(), false));
@@ -187,7 +187,7 @@ impl Reader<'_> {
         msg!("nc.bracket-depth", most = u32::from(self.control.syntax.bracket_depth))
     }
 
-    pub(in crate::nc) fn factor(&mut self) -> Read<ExprId> {
+    pub(super) fn factor(&mut self) -> Read<ExprId> {
         let byte = self.skip();
         let start = self.cursor.at;
         match byte {
@@ -199,9 +199,9 @@ impl Reader<'_> {
             b'0'..=b'9' | b'.' => {
                 let mut number = self.digits()?;
                 if self.names().is_some() {
-                    number = self.named_number(number, start);
+                    number = self.symbolic_number(number, start);
                 }
-                self.part(Expr::Number(number), start)
+                self.add_expr(Expr::Number(number), start)
             }
             b'+' | b'-' => {
                 self.cursor.at += 1;
@@ -212,15 +212,15 @@ impl Reader<'_> {
                 if next.is_ascii_digit() || next == b'.' {
                     let mut number = self.digits()?;
                     if self.names().is_some() {
-                        number = self.named_number(number, start);
+                        number = self.symbolic_number(number, start);
                     }
                     number.mantissa *= if byte == b'-' { -1 } else { 1 };
-                    return self.part(Expr::Number(number), start);
+                    return self.add_expr(Expr::Number(number), start);
                 }
                 self.deeper()?;
                 let inner = self.factor()?;
                 self.formulas.depth -= 1;
-                if byte == b'-' { self.part(Expr::Negate(inner), start) } else { Ok(inner) }
+                if byte == b'-' { self.add_expr(Expr::Negate(inner), start) } else { Ok(inner) }
             }
             b'[' => self.group(b']'),
             b'(' => self.group(b')'),
@@ -270,7 +270,7 @@ impl Reader<'_> {
             let message = msg!("nc.atan-alone", control = self.control.name);
             let mut failure = self.failure(Alarm::AtanForm, start, start + 4, message, false);
             failure.finding =
-                self.mend(failure.finding.hint(msg!("nc.hint.atan")), Mend::Write(comma, comma + 1, "]/["));
+                self.with_fix(failure.finding.hint(msg!("nc.hint.atan")), LineFix::Write(comma, comma + 1, "]/["));
             return Err(failure);
         }
         let inner = match self.skip() {
@@ -290,11 +290,11 @@ impl Reader<'_> {
         if function == Function::Atan && second {
             return self.second_argument(inner, start);
         }
-        self.part(Expr::Call(function, inner), start)
+        self.add_expr(Expr::Call(function, inner), start)
     }
 
     /// Reads `[left,right]` after the name of a function of two numbers; the cursor is at the bracket, closed by `close`.
-    pub(in crate::nc) fn two_arguments(&mut self, op: Op, close: u8, start: usize) -> Read<ExprId> {
+    pub(super) fn two_arguments(&mut self, op: Op, close: u8, start: usize) -> Read<ExprId> {
         let name = String::from_utf8_lossy(self.cursor.line.get(start..self.cursor.at).unwrap_or_default())
             .trim()
             .to_ascii_uppercase();
@@ -313,7 +313,7 @@ impl Reader<'_> {
         let right = self.inner_formula()?;
         self.close(open)?;
         self.formulas.depth -= 1;
-        self.part(Expr::Binary(op, left, right), start)
+        self.add_expr(Expr::Binary(op, left, right), start)
     }
 
     /// Whether an opening bracket follows the byte at the cursor.
@@ -424,13 +424,13 @@ impl Reader<'_> {
                 let finding = self.finding(Alarm::AtanForm, from, self.cursor.at, msg!("nc.atan-bracket"));
                 self.enclose(Alarm::AtanForm, finding, from, self.cursor.at);
             }
-            return self.part(Expr::Binary(Op::Atan, y, x), start);
+            return self.add_expr(Expr::Binary(Op::Atan, y, x), start);
         }
         self.cursor.at = end;
         let finding = self.finding(Alarm::AtanForm, start, name, msg!("nc.atan-alone", control = self.control.name));
         self.replace(Alarm::AtanForm, finding.hint(msg!("nc.hint.atan")), end, end, "/[1]");
-        let x = self.part(Expr::Number(Dec::int(1)), end)?;
-        self.part(Expr::Binary(Op::Atan, y, x), start)
+        let x = self.add_expr(Expr::Number(Dec::int(1)), end)?;
+        self.add_expr(Expr::Binary(Op::Atan, y, x), start)
     }
 
     /// The function at the cursor; the longest spelling wins.
@@ -439,7 +439,7 @@ impl Reader<'_> {
     }
 
     /// Whether a function with its argument follows.
-    pub(in crate::nc) fn function_ahead(&self) -> bool {
+    pub(super) fn function_ahead(&self) -> bool {
         self.function_here().is_some_and(|(name, _)| {
             let rest = self.cursor.line.get(self.cursor.at + name.len()..).unwrap_or_default();
             match rest.iter().find(|b| !b.is_ascii_whitespace()) {
@@ -451,7 +451,7 @@ impl Reader<'_> {
     }
 
     /// Reads the bracketed expression at the cursor.
-    pub(in crate::nc) fn group(&mut self, close: u8) -> Read<ExprId> {
+    pub(super) fn group(&mut self, close: u8) -> Read<ExprId> {
         let open = self.open_group(close)?;
         let inner = self.inner_formula()?;
         self.close(open)?;
@@ -472,16 +472,16 @@ impl Reader<'_> {
 
     /// A formula within brackets.
     fn inner_formula(&mut self) -> Read<ExprId> {
-        if self.names().is_some() { self.named_formula(false) } else { self.formula(false) }
+        if self.names().is_some() { self.symbolic_formula(false) } else { self.formula(false) }
     }
 
-    pub(in crate::nc) fn open(&mut self, close: u8) -> OpenBracket {
+    pub(super) fn open(&mut self, close: u8) -> OpenBracket {
         let at = self.cursor.at;
         self.cursor.at += 1;
         OpenBracket { at, close }
     }
 
-    pub(in crate::nc) fn close(&mut self, open: OpenBracket) -> Read<()> {
+    pub(super) fn close(&mut self, open: OpenBracket) -> Read<()> {
         let byte = self.skip();
         if byte == open.close {
             if byte == b')' && self.names().is_none() {
@@ -521,12 +521,12 @@ impl Reader<'_> {
         let message = msg!("nc.unclosed-before-word", bracket = opening, word = letter);
         let mut failure = self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false);
         let end = self.ended_at();
-        failure.finding = self.mend(failure.finding, Mend::Write(end, end, closing));
+        failure.finding = self.with_fix(failure.finding, LineFix::Write(end, end, closing));
         Some(failure)
     }
 
     /// Reads `#n`, `#[expr]`, `##n` or `#9nnn`, from the `#` on.
-    pub(in crate::nc) fn variable(&mut self, written: bool) -> Read<ExprId> {
+    pub(super) fn variable(&mut self, written: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         self.cursor.at += 1;
         match self.skip() {
@@ -540,15 +540,15 @@ impl Reader<'_> {
                     self.cursor.at += 1;
                 }
                 if matches!(self.cursor.peek(), b'O' | b'o') && self.zero_for_o() {
-                    return self.part(Expr::Var(0), start);
+                    return self.add_expr(Expr::Var(0), start);
                 }
                 if let (true, 4, 9000..=9999) = (self.control.syntax.nine_hash, self.cursor.at - from, number) {
                     self.check_variable(number - 9000, start, false);
-                    let inner = self.part(Expr::Var(number - 9000), start)?;
-                    return self.part(Expr::Indirect(inner), start);
+                    let inner = self.add_expr(Expr::Var(number - 9000), start)?;
+                    return self.add_expr(Expr::Indirect(inner), start);
                 }
                 self.check_variable(number, start, written);
-                self.part(Expr::Var(number), start)
+                self.add_expr(Expr::Var(number), start)
             }
             b'#' => {
                 let from = self.cursor.at;
@@ -564,15 +564,15 @@ impl Reader<'_> {
                     );
                     self.enclose(Alarm::Format, finding, from, self.cursor.at);
                 }
-                self.part(Expr::Indirect(inner), start)
+                self.add_expr(Expr::Indirect(inner), start)
             }
             b'[' => {
                 let inner = self.group(b']')?;
-                self.part(Expr::Indirect(inner), start)
+                self.add_expr(Expr::Indirect(inner), start)
             }
             b'(' if self.formulas.rounds => {
                 let inner = self.group(b')')?;
-                self.part(Expr::Indirect(inner), start)
+                self.add_expr(Expr::Indirect(inner), start)
             }
             _ => {
                 let name = self.cursor.line.get(start + 1..).unwrap_or_default();

@@ -20,15 +20,18 @@
 //!
 //! Spaces have no meaning; `( … )` up to the first `)` is a comment, allowed anywhere; EOB is a line end or `;`. Small letters are read as
 //! capitals. A block that does not parse becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with the control's alarm
-//! number. A known mistake comes with a fix (`nc/advice`).
+//! number. A known mistake comes with a fix (`mistakes`).
 
-pub(in crate::nc) mod calls;
-pub(in crate::nc) mod expression;
-pub(in crate::nc) mod failure;
-pub(in crate::nc) mod file;
-pub(in crate::nc) mod formula;
-pub(in crate::nc) mod reader;
-pub(in crate::nc) mod statement;
-pub(in crate::nc) mod symbolic;
-pub(in crate::nc) mod tables;
-pub(in crate::nc) mod words;
+pub(super) mod expression;
+pub(super) mod files;
+
+mod calls;
+mod failure;
+mod file;
+mod formula;
+mod mistakes;
+mod reader;
+mod statement;
+mod symbolic;
+mod tables;
+mod words;

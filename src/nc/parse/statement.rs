@@ -29,12 +29,12 @@ impl Reader<'_> {
     }
 
     /// Whether a macro statement starts here.
-    pub(in crate::nc) fn keyword_ahead(&self) -> bool {
+    pub(super) fn keyword_ahead(&self) -> bool {
         KEYWORDS.iter().any(|word| self.cursor.ahead(word)) || self.cursor.ahead("THEN")
     }
 
     /// Reads a statement that starts with a keyword; `None` without one.
-    pub(in crate::nc) fn keyword(&mut self) -> Read<Option<Stmt>> {
+    pub(super) fn keyword(&mut self) -> Read<Option<Stmt>> {
         let start = self.cursor.at;
         let word = KEYWORDS.into_iter().find(|word| self.take(word)).or_else(|| self.take_goto().then_some("GOTO"));
         if let Some(index) = OUTSIDE.iter().position(|name| word.is_none() && self.cursor.ahead(name)) {
@@ -58,15 +58,15 @@ impl Reader<'_> {
                 if !self.take("DO") {
                     return Err(self.while_without_do(start));
                 }
-                let (label, keyword) = self.label("DO", head)?;
+                let (label, keyword) = self.loop_number("DO", head)?;
                 Stmt::While { cond: Some(cond), label, keyword }
             }
             Some("DO") => {
-                let (label, keyword) = self.label("DO", start)?;
+                let (label, keyword) = self.loop_number("DO", start)?;
                 Stmt::While { cond: None, label, keyword }
             }
             Some(_) => {
-                let (label, keyword) = self.label("END", start)?;
+                let (label, keyword) = self.loop_number("END", start)?;
                 Stmt::End { label, keyword }
             }
         }))
@@ -156,7 +156,7 @@ impl Reader<'_> {
     }
 
     /// Reads `[ expr comparison expr ]`.
-    pub(in crate::nc) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
+    pub(super) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
         self.formulas.sentence = alarm;
         let cond = self.bracketed_condition(alarm, keyword);
         self.formulas.sentence = Alarm::Format;
@@ -197,7 +197,7 @@ impl Reader<'_> {
         let right = self.formula(false)?;
         if self.skip() == close {
             self.close(open)?;
-            return self.part(Expr::Binary(op, left, right), start);
+            return self.add_expr(Expr::Binary(op, left, right), start);
         }
         if let Some(lost) = self.lost_comparison(alarm) {
             return Err(lost);
@@ -210,7 +210,7 @@ impl Reader<'_> {
         } else {
             self.close(open)?;
         }
-        self.part(Expr::Binary(op, left, right), start)
+        self.add_expr(Expr::Binary(op, left, right), start)
     }
 
     /// Reads a condition with missing brackets.
@@ -233,11 +233,11 @@ impl Reader<'_> {
         } else {
             self.enclose(alarm, finding, from, to);
         }
-        self.part(Expr::Binary(op, left, right), from)
+        self.add_expr(Expr::Binary(op, left, right), from)
     }
 
     /// Reads a comparison, as letters or signs.
-    pub(in crate::nc) fn comparison(&mut self, alarm: Alarm) -> Option<Op> {
+    pub(super) fn comparison(&mut self, alarm: Alarm) -> Option<Op> {
         let from = self.cursor.at;
         if let Some((word, op)) = COMPARISONS.iter().find(|(word, _)| self.cursor.ahead(word)) {
             self.take(word);
@@ -257,7 +257,7 @@ impl Reader<'_> {
     }
 
     /// The failure of a comparison ahead that does not belong to a condition.
-    pub(in crate::nc) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<ParseFailure>> {
+    pub(super) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<ParseFailure>> {
         let signs = SIGNS.iter().map(|(sign, ..)| *sign).filter(|sign| *sign != "=");
         let word = COMPARISONS.iter().map(|(word, _)| *word).chain(signs).find(|word| self.cursor.ahead(word))?;
         Some(self.one_comparison(alarm, word.len()))
@@ -286,7 +286,7 @@ impl Reader<'_> {
     }
 
     /// Reads the number after `DO` or `END`; the keyword starts at `head`. Returns the number and the bytes of both.
-    fn label(&mut self, keyword: &str, head: usize) -> Read<(u16, Extent)> {
+    fn loop_number(&mut self, keyword: &str, head: usize) -> Read<(u16, Extent)> {
         let start = self.cursor.at;
         self.skip();
         let from = self.cursor.at;
@@ -311,7 +311,7 @@ impl Reader<'_> {
     }
 
     /// Reads `#… = expr`.
-    pub(in crate::nc) fn assignment(&mut self) -> Read<Stmt> {
+    pub(super) fn assignment(&mut self) -> Read<Stmt> {
         let (to, value) = self.assigned()?;
         if !self.tables.rules.assignments || self.skip() != b'#' {
             self.end_of_macro()?;
@@ -348,7 +348,7 @@ impl Reader<'_> {
     }
 
     /// Reads the `=` of an assignment to the variable from `start` to `end`; `==` is read as one, with a fix, and so are more of them.
-    pub(in crate::nc) fn equals_sign(&mut self, start: usize, end: usize) -> Read<()> {
+    pub(super) fn equals_sign(&mut self, start: usize, end: usize) -> Read<()> {
         if self.skip() != b'=' {
             return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
         }

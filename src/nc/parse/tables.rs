@@ -8,28 +8,28 @@ use crate::nc::codes::Codes;
 const ONCE: AddressSet = AddressSet::letters("ABCDEFHIJKLNOPQRSTUVWXYZ");
 
 /// Look-ups for every word.
-pub(in crate::nc) struct Tables<'a> {
-    pub(in crate::nc) codes: &'a Codes,
+pub(super) struct Tables<'a> {
+    pub(super) codes: &'a Codes,
     /// Letters of words outside macro calls.
-    pub(in crate::nc) letters: AddressSet,
+    pub(super) letters: AddressSet,
     /// Letters allowed only once in a block.
-    pub(in crate::nc) once: AddressSet,
+    pub(super) once: AddressSet,
     /// Letters of integer words: no decimal point allowed.
-    pub(in crate::nc) whole: AddressSet,
+    pub(super) whole: AddressSet,
     /// Letters of rotary axes.
-    pub(in crate::nc) rotary: AddressSet,
+    pub(super) rotary: AddressSet,
     /// Letters that insert a corner after a motion.
-    pub(in crate::nc) corners: AddressSet,
+    pub(super) corners: AddressSet,
     /// Maximum words of a block.
-    pub(in crate::nc) most_words: usize,
+    pub(super) most_words: usize,
     /// Maximum characters of a word with a number.
-    pub(in crate::nc) word_chars: usize,
+    pub(super) word_chars: usize,
     /// Reading rules of the control under its settings.
-    pub(in crate::nc) rules: ReadingRules,
+    pub(super) rules: ReadingRules,
 }
 
 impl<'a> Tables<'a> {
-    pub(in crate::nc) fn new(control: &Control, dialect: &Dialect, codes: &'a Codes) -> Tables<'a> {
+    pub(super) fn new(control: &Control, dialect: &Dialect, codes: &'a Codes) -> Tables<'a> {
         let mut tables = Tables {
             rules: dialect.reading,
             codes,

@@ -9,14 +9,14 @@ use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
-use crate::nc::parse::failure::{IgnoredFeature, Mend, ParseFailure, Read};
+use crate::nc::parse::failure::{IgnoredFeature, LineFix, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::{DiagnosticKind, Message};
 
 impl<'a> Reader<'a> {
     /// Skips white space and comments; returns the following byte, 0 at the end.
     #[inline]
-    pub(in crate::nc) fn skip(&mut self) -> u8 {
+    pub(super) fn skip(&mut self) -> u8 {
         let byte = self.cursor.peek();
         // White space and the bracket of a comment sort below all bytes of words.
         if byte > b'(' { byte } else { self.skip_on() }
@@ -55,7 +55,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Stores the first character of a comment that is missing on the control.
-    pub(in crate::nc) fn note_foreign(&mut self, from: usize, to: usize) {
+    pub(super) fn note_foreign(&mut self, from: usize, to: usize) {
         let text = self.file.text.get(from..to).unwrap_or("");
         if self.notes.foreign.is_none() && !text.is_ascii() {
             let characters = self.tables.rules.characters;
@@ -69,7 +69,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads a whole block: skip mark, sequence number, then macro text or words.
-    pub(in crate::nc) fn statement(&mut self) -> Read<Stmt> {
+    pub(super) fn statement(&mut self) -> Read<Stmt> {
         let mut first = self.optional_skip();
         if first | 0x20 == b'n' {
             self.sequence_number()?;
@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads the optional block skip, `/` or `/2`, at the start of the block; returns the following byte.
-    pub(in crate::nc) fn optional_skip(&mut self) -> u8 {
+    pub(super) fn optional_skip(&mut self) -> u8 {
         let first = self.skip();
         if first != b'/' {
             return first;
@@ -410,7 +410,7 @@ impl<'a> Reader<'a> {
 
     /// Reads an unsigned number, from a digit or a point on.
     #[inline]
-    pub(in crate::nc) fn digits(&mut self) -> Read<Dec> {
+    pub(super) fn digits(&mut self) -> Read<Dec> {
         let start = self.cursor.at;
         let Digits { value, length, full, behind } = self.cursor.take_digits();
         if matches!(behind, b',' | b'O' | b'o') {
@@ -432,7 +432,7 @@ impl<'a> Reader<'a> {
 
     /// Looks a G code up; returns whether it is a macro call, which allows any letter.
     #[inline(always)]
-    pub(in crate::nc) fn g_code(&mut self, number: Dec, start: usize) -> bool {
+    pub(super) fn g_code(&mut self, number: Dec, start: usize) -> bool {
         let Some(id) = g_number(number).map(CodeId::G) else { return self.unknown_g_code(number, start) };
         if let Some(call) = self.tables.codes.call(id) {
             return call.kind != CallKind::Sub;
@@ -453,7 +453,7 @@ impl<'a> Reader<'a> {
 
     /// Reports a code that is not or not fully simulated, once per kind; `code` is its name in the message.
     #[cold]
-    pub(in crate::nc) fn code_not_simulated(&mut self, row: &CodeDef, key: IgnoredFeature, code: &str, start: usize) {
+    pub(super) fn code_not_simulated(&mut self, row: &CodeDef, key: IgnoredFeature, code: &str, start: usize) {
         let message = match row.code {
             Code::Skip => msg!("nc.no-skip", code),
             Code::Tapping => msg!("nc.no-tapping", code),
@@ -479,7 +479,7 @@ impl<'a> Reader<'a> {
 
     /// Looks an M code up; returns whether it is a macro call.
     #[inline(always)]
-    pub(in crate::nc) fn m_code(&mut self, number: Dec, start: usize) -> bool {
+    pub(super) fn m_code(&mut self, number: Dec, start: usize) -> bool {
         let Some(id) = m_number(number).filter(|_| number.scale == 0).map(CodeId::M) else { return false };
         if let Some(call) = self.tables.codes.call(id) {
             return call.kind != CallKind::Sub;
@@ -496,12 +496,12 @@ impl<'a> Reader<'a> {
     }
 
     /// Reports a feature of the control that is not simulated, once per kind.
-    pub(in crate::nc) fn not_simulated(&mut self, key: IgnoredFeature, from: usize, to: usize, name: &str) {
+    pub(super) fn not_simulated(&mut self, key: IgnoredFeature, from: usize, to: usize, name: &str) {
         self.report_once(key, from, to, msg!("nc.not-simulated", code = name));
     }
 
     /// Adds a warning, once per kind.
-    pub(in crate::nc) fn report_once(&mut self, key: IgnoredFeature, from: usize, to: usize, message: Message) {
+    pub(super) fn report_once(&mut self, key: IgnoredFeature, from: usize, to: usize, message: Message) {
         if !self.findings.ignored.contains(&key) {
             self.findings.ignored.push(key);
             let base = self.cursor.base as usize;
@@ -511,14 +511,14 @@ impl<'a> Reader<'a> {
 
     /// Stores the place of the first small letter.
     #[inline]
-    pub(in crate::nc) fn note_case(&mut self, at: usize) {
+    pub(super) fn note_case(&mut self, at: usize) {
         if self.notes.small.is_none() && self.cursor.line.get(at).is_some_and(u8::is_ascii_lowercase) {
             self.notes.small = Some(self.cursor.base + at as u32);
         }
     }
 
     /// Reports a surplus decimal point, `X#107.` or `X1.5.`, with its fix, and skips it.
-    pub(in crate::nc) fn stray_point(&mut self) {
+    pub(super) fn stray_point(&mut self) {
         let start = self.cursor.at;
         while self.cursor.peek() == b'.' || self.cursor.peek().is_ascii_digit() {
             self.cursor.at += 1;
@@ -529,14 +529,14 @@ impl<'a> Reader<'a> {
     }
 
     /// Reports a `]` without its `[`, with its fix, and skips it.
-    pub(in crate::nc) fn stray_square(&mut self) {
+    pub(super) fn stray_square(&mut self) {
         let start = self.cursor.at;
         self.cursor.at += 1;
         self.slip(Alarm::BracketPair, start, self.cursor.at, msg!("nc.unopened-square"), "");
     }
 
     /// The failure of an unexpected byte.
-    pub(in crate::nc) fn unexpected(&self) -> Box<ParseFailure> {
+    pub(super) fn unexpected(&self) -> Box<ParseFailure> {
         let start = self.cursor.at;
         if self.cursor.ended() {
             let before = self.cursor.line.get(..start).unwrap_or_default();
@@ -569,13 +569,13 @@ impl<'a> Reader<'a> {
                 let edit = (self.place(self.span(0, line)), text.replace('\0', ""));
                 failure.finding.fix(msg!("nc.fix.drop-nul"), vec![edit])
             } else {
-                self.mend(failure.finding, Mend::Plain(character))
+                self.with_fix(failure.finding, LineFix::Plain(character))
             };
             failure
         }
     }
 
-    pub(in crate::nc) fn failure(
+    pub(super) fn failure(
         &self,
         alarm: Alarm,
         from: usize,

@@ -8,7 +8,7 @@ use crate::controls::syntax::{ArcTangent, Function, RoundBrackets};
 use crate::controls::{Control, VarKind};
 use crate::nc::ast::{Block, Deck, Expr, ExprId, Op, Stmt, TextId, WordValue};
 use crate::nc::dec::Dec;
-use operators::{named_operator, operator};
+use operators::{operator, symbolic_operator};
 
 /// Maximum depth of a tree, equal to the parser's maximum number of parts.
 pub(in crate::nc) const DEPTH: u32 = 250;
@@ -59,7 +59,7 @@ impl Writer<'_> {
             }
         }
         if self.control.syntax.names().is_some() {
-            return self.named_block(block);
+            return self.symbolic_block(block);
         }
         match block.stmt {
             // `lower` has removed these.
@@ -213,7 +213,8 @@ impl Writer<'_> {
                 self.text.push(']');
             }
             Expr::Binary(op, left, right) => {
-                let (own, sign) = if self.control.syntax.names().is_some() { named_operator(op) } else { operator(op) };
+                let (own, sign) =
+                    if self.control.syntax.names().is_some() { symbolic_operator(op) } else { operator(op) };
                 if own < level {
                     return self.bracketed(id, depth);
                 }

@@ -23,7 +23,7 @@ pub(super) fn operator(op: Op) -> (u8, &'static str) {
 }
 
 /// Level and spelling of an operator in a language with names.
-pub(super) fn named_operator(op: Op) -> (u8, &'static str) {
+pub(super) fn symbolic_operator(op: Op) -> (u8, &'static str) {
     match op {
         Op::Equal => (0, "=="),
         Op::NotEqual => (0, "<>"),

@@ -14,7 +14,7 @@ impl Writer<'_> {
     }
 
     /// Writes label and statement of a block, after its number.
-    pub(super) fn named_block(&mut self, block: &Block) {
+    pub(super) fn symbolic_block(&mut self, block: &Block) {
         if block.label.is_some() {
             self.text.push_str(self.deck.text(block.label));
             self.text.push(':');
@@ -28,7 +28,7 @@ impl Writer<'_> {
             Stmt::Words { .. } => {
                 for (at, word) in self.deck.words_of(block).iter().enumerate() {
                     self.gap(at);
-                    self.named_word(word);
+                    self.symbolic_word(word);
                 }
             }
             Stmt::Assign { to, value } => self.assignment(to, value),
@@ -76,7 +76,7 @@ impl Writer<'_> {
         }
     }
 
-    fn named_word(&mut self, word: &Word) {
+    fn symbolic_word(&mut self, word: &Word) {
         if let (Address::Name, WordValue::Number(place)) = (word.letter, word.value) {
             let place = u16::try_from(place.mantissa).unwrap_or(u16::MAX);
             self.text.push_str(&self.control.code_name(CodeId::Named(place)));

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use macroline::drives::parts::PartGrade;
 use macroline::machines::ALL;
-use macroline::machines::devices::BillItem;
+use macroline::machines::devices::{BillItem, item_of_contact, item_of_output};
 use macroline::machines::form::Value;
 use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::project::Project;
@@ -39,8 +39,8 @@ fn agree(name: &str, project: &Project) -> Sizing {
         .bits
         .iter()
         .filter_map(|(bit, device)| match bit {
-            Bit::Input(contact) => Some((contact.device(), device.name.as_str())),
-            Bit::Output(output) => Some((output.device()?, device.name.as_str())),
+            Bit::Input(contact) => Some((item_of_contact(*contact), device.name.as_str())),
+            Bit::Output(output) => Some((item_of_output(*output)?, device.name.as_str())),
             _ => None,
         })
         .collect();
@@ -134,6 +134,6 @@ fn dancer_asks_the_inverter_for_a_trim_input() {
 #[test]
 fn texts_of_the_ladder_have_no_wire() {
     for output in [MachineOutput::InverterAlarm, MachineOutput::Message(MachineContact::LoopNotFull)] {
-        assert_eq!(output.device(), None);
+        assert_eq!(item_of_output(output), None);
     }
 }

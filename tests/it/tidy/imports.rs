@@ -32,7 +32,11 @@ impl<'a> Imports<'a> {
         for (from, file) in imports.files.iter().enumerate() {
             let own = file.home();
             let used = file.imports.iter().filter(|import| !import.is_public);
-            let used = used.map(|import| (import.path.iter().map(String::as_str).collect(), import.line));
+            let used = used.map(|import| {
+                // The names of a module that a `use` takes all together are of the module's file.
+                let all = (import.name == "*").then_some("*");
+                (import.path.iter().map(String::as_str).chain(all).collect(), import.line)
+            });
             for (path, _) in used.chain(file.paths()) {
                 let path: Vec<&str> = path;
                 if let Some(to) = imports.definition(&own, &path, DEPTH).filter(|to| *to != from) {
@@ -96,6 +100,13 @@ impl<'a> Imports<'a> {
         through.into_iter().next().or((!module.1.is_empty()).then_some(at))
     }
 
+    /// The file that defines a path, as written in a file of the list.
+    pub(super) fn defining(&self, file: &Source, path: &[String]) -> Option<&'a Source> {
+        let own = self.files.iter().find(|other| other.path == file.path)?.home();
+        let path: Vec<&str> = path.iter().map(String::as_str).collect();
+        Some(self.files[self.definition(&own, &path, DEPTH)?])
+    }
+
     /// Every import between two files: importing file, defining file, the names.
     pub(super) fn between(&self) -> impl Iterator<Item = (&'a Source, &'a Source, &BTreeSet<String>)> {
         self.ties.iter().map(|((from, to), names)| (self.files[*from], self.files[*to], names))
@@ -103,9 +114,41 @@ impl<'a> Imports<'a> {
 
     /// Files that import one another in a circle, each circle with its imports as lines of text.
     pub(super) fn circles(&self) -> Vec<String> {
+        self.circles_among(&self.ties)
+    }
+
+    /// Circles through imports and through methods in other files than their type, which callers do not import. A name of several functions
+    /// is left out, because the text does not tell which of them is called; so are the methods of some types.
+    pub(super) fn circles_with_methods(&self, except: &[&str]) -> Vec<String> {
+        let mut functions: BTreeMap<&str, usize> = BTreeMap::new();
+        for name in self.files.iter().flat_map(|file| &file.functions) {
+            *functions.entry(&name.name).or_default() += 1;
+        }
+        let mut homes = BTreeMap::new();
+        for (at, file) in self.files.iter().enumerate() {
+            for methods in &file.own_methods {
+                let away = self.defining(file, &methods.path).is_some_and(|home| home.path != file.path);
+                if away && methods.path.last().is_none_or(|name| !except.contains(&name.as_str())) {
+                    let single = methods.names.iter().filter(|name| functions.get(name.as_str()) == Some(&1));
+                    homes.extend(single.map(|name| (name.as_str(), at)));
+                }
+            }
+        }
+        let mut ties = self.ties.clone();
+        for (from, file) in self.files.iter().enumerate() {
+            for name in file.methods_named() {
+                if let Some(&to) = homes.get(name).filter(|to| **to != from) {
+                    ties.entry((from, to)).or_default().insert(format!(".{name}()"));
+                }
+            }
+        }
+        self.circles_among(&ties)
+    }
+
+    fn circles_among(&self, ties: &Ties) -> Vec<String> {
         let count = self.files.len();
         let mut reaches = vec![vec![false; count]; count];
-        for (from, to) in self.ties.keys() {
+        for (from, to) in ties.keys() {
             reaches[*from][*to] = true;
         }
         for by in 0..count {
@@ -123,7 +166,7 @@ impl<'a> Imports<'a> {
             }
             let inside =
                 |tie: &(&(usize, usize), &BTreeSet<String>)| circle.contains(&tie.0.0) && circle.contains(&tie.0.1);
-            let lines = self.ties.iter().filter(inside).map(|((from, to), names)| {
+            let lines = ties.iter().filter(inside).map(|((from, to), names)| {
                 let names: Vec<&str> = names.iter().map(String::as_str).collect();
                 format!("\n    {} -> {}: {}", self.files[*from].path, self.files[*to].path, names.join(", "))
             });
@@ -148,6 +191,14 @@ fn circle_through_the_root_of_the_crate_is_found() {
     let circle = "2 files:\n    src/a.rs -> src/b.rs: B\n    src/b.rs -> src/a.rs: A";
     assert_eq!(circles_of(&[root, a, b, through_the_binary]), [circle]);
     assert!(circles_of(&[root, a, ("src/b.rs", "pub struct B;"), through_the_binary]).is_empty());
+}
+
+#[test]
+fn circle_through_all_names_of_a_module_is_found() {
+    let root = ("src/lib.rs", "mod a;\nmod b;");
+    let a = ("src/a.rs", "use crate::b::*;\npub struct A;");
+    let b = ("src/b.rs", "pub fn b(a: &crate::a::A) {}");
+    assert_eq!(circles_of(&[root, a, b]), ["2 files:\n    src/a.rs -> src/b.rs: *\n    src/b.rs -> src/a.rs: A"]);
 }
 
 #[test]

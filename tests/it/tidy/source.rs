@@ -35,6 +35,15 @@ pub(super) struct Import {
     pub(super) line: usize,
 }
 
+/// An `impl` block of a type's own methods, not of a trait.
+pub(super) struct OwnMethods {
+    /// The type, as written.
+    pub(super) path: Vec<String>,
+    /// Names of the functions.
+    pub(super) names: Vec<String>,
+    pub(super) line: usize,
+}
+
 /// A function with a body, or a struct with named fields.
 pub(super) struct Measured {
     pub(super) name: String,
@@ -58,6 +67,7 @@ pub(super) struct Source {
     /// Types and traits that are visible outside their module, with their lines.
     pub(super) visible_types: Vec<(String, usize)>,
     pub(super) imports: Vec<Import>,
+    pub(super) own_methods: Vec<OwnMethods>,
     pub(super) functions: Vec<Measured>,
     pub(super) structs: Vec<Measured>,
 }
@@ -107,6 +117,7 @@ impl Source {
             children: Vec::new(),
             visible_types: Vec::new(),
             imports: Vec::new(),
+            own_methods: Vec::new(),
             functions: Vec::new(),
             structs: Vec::new(),
         };
@@ -147,6 +158,18 @@ impl Source {
             syn::Item::Use(item) => {
                 let is_public = !matches!(item.vis, syn::Visibility::Inherited);
                 import(&item.tree, Vec::new(), is_public, &mut self.imports);
+                return;
+            }
+            syn::Item::Impl(item) => {
+                if let (None, syn::Type::Path(path)) = (&item.trait_, &*item.self_ty) {
+                    let path = path.path.segments.iter().map(|part| part.ident.to_string()).collect();
+                    let name = |item: &syn::ImplItem| match item {
+                        syn::ImplItem::Fn(function) => Some(function.sig.ident.to_string()),
+                        _ => None,
+                    };
+                    let names = item.items.iter().filter_map(name).collect();
+                    self.own_methods.push(OwnMethods { path, names, line: line(item.impl_token.span) });
+                }
                 return;
             }
             _ => return,
@@ -239,6 +262,15 @@ impl Source {
             }
         }
         found
+    }
+
+    /// Names of functions that the shipped code calls on a value, or names with their type.
+    pub(super) fn methods_named(&self) -> impl Iterator<Item = &str> {
+        self.shipped().windows(3).filter_map(|part| match [&*part[0].text, &*part[2].text] {
+            [".", "("] => Some(part[1].text.as_str()),
+            [":", behind] if behind != ":" && part[1].kind == TokenKind::Word => Some(part[1].text.as_str()),
+            _ => None,
+        })
     }
 
     /// Every path of two or more words in the shipped code, outside `use`.

@@ -15,17 +15,18 @@ use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Pair, Stmt};
 use crate::nc::dec::Dec;
-use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, NAMED_STATEMENTS};
+use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, SYMBOLIC_STATEMENTS};
 use crate::nc::lex::names::begins_as_name;
 use crate::nc::lex::spelling::{meant, prose};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::file::begins_character;
-use crate::nc::parse::reader::{BLOCK_BYTES, FINDINGS, Reader};
+use crate::nc::parse::reader::{BLOCK_BYTES, Reader};
+use crate::nc::parsed::FINDINGS;
 use crate::text::{Place, Span};
 
 impl<'a> Reader<'a> {
     /// Reads a line of a file: one block, `from < to`, without white space around it.
-    pub(in crate::nc) fn named_block(&mut self, from: usize, to: usize) {
+    pub(in crate::nc::parse) fn symbolic_block(&mut self, from: usize, to: usize) {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         if self.path(line) {
@@ -37,13 +38,13 @@ impl<'a> Reader<'a> {
             return self.push(Stmt::Empty);
         }
         let mark = self.mark();
-        let code = self.take_named(from, to);
-        let stmt = match self.named_statement() {
+        let code = self.take_without_comment(from, to);
+        let stmt = match self.symbolic_statement() {
             Ok(stmt) => stmt,
             Err(failure) => {
                 self.deck.words.truncate(mark.words);
                 self.deck.pairs.truncate(mark.pairs);
-                self.named_failure(*failure);
+                self.symbolic_failure(*failure);
                 Stmt::Empty
             }
         };
@@ -58,7 +59,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Sets the cursor to a line without its comment, stores the comment, and returns the length without it.
-    pub(in crate::nc) fn take_named(&mut self, from: usize, to: usize) -> usize {
+    pub(in crate::nc::parse) fn take_without_comment(&mut self, from: usize, to: usize) -> usize {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         let mut quoted = false;
@@ -78,7 +79,7 @@ impl<'a> Reader<'a> {
 
     /// Reports the reason why a block does not parse.
     #[cold]
-    fn named_failure(&mut self, failure: ParseFailure) {
+    fn symbolic_failure(&mut self, failure: ParseFailure) {
         let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
         let remark = failure.at_word && prose(rest) && self.block.comment.is_none();
         let ParseFailure { alarm, mut finding, from, .. } = failure;
@@ -90,21 +91,21 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads block skip, block number and label, then the statement.
-    pub(in crate::nc) fn named_statement(&mut self) -> Read<Stmt> {
+    pub(in crate::nc::parse) fn symbolic_statement(&mut self) -> Read<Stmt> {
         let mut first = self.optional_skip();
         let second = self.cursor.byte(1);
         if first == b':' || first | 0x20 == b'n' && (second.is_ascii_digit() || second == b' ') {
             self.block_number()?;
             first = self.skip();
         }
-        if self.named_ahead()
+        if self.name_ahead()
             && let Some(stmt) = self.name_first()?
         {
             return Ok(stmt);
         }
         if self.block.label.is_some() {
             first = self.skip();
-            if self.named_ahead()
+            if self.name_ahead()
                 && let Some(stmt) = self.name_first()?
             {
                 return Ok(stmt);
@@ -117,13 +118,13 @@ impl<'a> Reader<'a> {
             b'p' if self.cursor.byte(1).is_ascii_digit() && self.lone_name() => self.call(),
             b'o' if self.foreign_head() => Ok(Stmt::Empty),
             _ if first == b'#' => self.assignments(),
-            _ => self.named_words(),
+            _ => self.symbolic_words(),
         }
     }
 
     /// Whether a name of several letters follows, or a one-letter label.
     #[inline]
-    fn named_ahead(&self) -> bool {
+    fn name_ahead(&self) -> bool {
         let name = |b: u8| b.is_ascii_alphabetic() || b == b'_';
         name(self.cursor.peek()) && (name(self.cursor.byte(1)) || self.cursor.byte(1) == b':')
     }
@@ -148,7 +149,7 @@ impl<'a> Reader<'a> {
         self.report_as(Alarm::Format, finding);
         self.block.label = Some(self.add_text(name, self.span(start, end)));
         self.skip();
-        if self.cursor.ended() { Ok(Stmt::Empty) } else { self.named_words() }
+        if self.cursor.ended() { Ok(Stmt::Empty) } else { self.symbolic_words() }
     }
 
     /// Whether only a name and a number of repeats follow.
@@ -203,7 +204,7 @@ impl<'a> Reader<'a> {
             "IF" => return self.conditions().map(Some),
             "GOTOF" | "GOTOB" => {
                 let (target, way, keyword) = self.jump()?;
-                self.end_of_named()?;
+                self.end_of_symbolic_statement()?;
                 return Ok(Some(Stmt::Goto { target, way, keyword }));
             }
             "MSG" => return self.message().map(Some),
@@ -224,12 +225,12 @@ impl<'a> Reader<'a> {
         if others || behind.starts_with(b"[") && FOREIGN_STATEMENTS.contains(&name.as_str()) {
             return Err(self.other_statement(start, &name));
         }
-        if let Some(at) = (!behind.is_empty()).then(|| meant(&name, NAMED_STATEMENTS.into_iter())).flatten() {
+        if let Some(at) = (!behind.is_empty()).then(|| meant(&name, SYMBOLIC_STATEMENTS.into_iter())).flatten() {
             let message = msg!("nc.unknown-keyword", word = name);
             let mut failure = self.failure(Alarm::Format, start, start + written.len(), message, false);
             let place = self.place(self.span(start, start + written.len()));
-            let title = msg!("nc.fix.write", text = NAMED_STATEMENTS[at]);
-            failure.finding = failure.finding.fix(title, vec![(place, NAMED_STATEMENTS[at].to_owned())]);
+            let title = msg!("nc.fix.write", text = SYMBOLIC_STATEMENTS[at]);
+            failure.finding = failure.finding.fix(title, vec![(place, SYMBOLIC_STATEMENTS[at].to_owned())]);
             return Err(failure);
         }
         self.call().map(Some)
@@ -257,7 +258,7 @@ impl<'a> Reader<'a> {
             self.cursor.at += 1;
             if self.skip() == b'=' {
                 self.cursor.at += 1;
-                repeats = Some(self.named_formula(false)?);
+                repeats = Some(self.symbolic_formula(false)?);
             } else {
                 repeats = Some(self.factor()?);
             }
@@ -296,7 +297,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The failure of an unknown name, with a fix for one wrong letter.
-    pub(in crate::nc) fn unknown_name(&self, start: usize, name: &str) -> Box<ParseFailure> {
+    pub(in crate::nc::parse) fn unknown_name(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, control = self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);
@@ -379,13 +380,13 @@ impl<'a> Reader<'a> {
         while self.take_word("IF") {
             let start = self.cursor.at;
             self.skip();
-            if self.named_jump_ahead() || self.cursor.ended() {
+            if self.symbolic_jump_ahead() || self.cursor.ended() {
                 let message = msg!("nc.no-named-condition");
                 return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), start, message, false));
             }
-            let left = self.named_formula(true)?;
+            let left = self.symbolic_formula(true)?;
             self.skip();
-            if !self.named_jump_ahead() {
+            if !self.symbolic_jump_ahead() {
                 let end = self.cursor.line.len();
                 if self.cursor.ahead("GOTO") {
                     return Err(self.other_statement(self.cursor.at, "GOTO"));
@@ -402,7 +403,7 @@ impl<'a> Reader<'a> {
             self.deck.pairs.push(Pair { left, right, way, keyword });
             self.skip();
         }
-        self.end_of_named()?;
+        self.end_of_symbolic_statement()?;
         let count = self.deck.pairs.len() - first;
         match self.deck.pairs.last().copied() {
             Some(Pair { left: cond, right: target, way, keyword }) if count == 1 => {
@@ -413,7 +414,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn named_jump_ahead(&self) -> bool {
+    fn symbolic_jump_ahead(&self) -> bool {
         let name = self.cursor.name();
         name.eq_ignore_ascii_case("GOTOF") || name.eq_ignore_ascii_case("GOTOB")
     }
@@ -447,7 +448,7 @@ impl<'a> Reader<'a> {
                 self.report_as(Alarm::NoSequence, finding.hint(msg!("nc.hint.number-jump")));
             }
             let number = Dec::int(number.parse().unwrap_or(i64::from(u32::MAX)));
-            return Ok((self.part(Expr::Number(number), start)?, way, keyword));
+            return Ok((self.add_expr(Expr::Number(number), start)?, way, keyword));
         }
         if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
             let text =
@@ -457,7 +458,7 @@ impl<'a> Reader<'a> {
         // Errors of the name are reported at the label itself.
         self.cursor.at += name.len();
         let label = self.add_text(name.to_ascii_uppercase(), self.span(start, self.cursor.at));
-        Ok((self.part(Expr::Label(label), start)?, way, keyword))
+        Ok((self.add_expr(Expr::Label(label), start)?, way, keyword))
     }
 
     /// Reads `MSG("text")`.
@@ -502,7 +503,7 @@ impl<'a> Reader<'a> {
             let left = if self.cursor.peek() == b'#' { self.hash_variable(true)? } else { self.variable(true)? };
             let end = self.cursor.at;
             self.equals_sign(start, end)?;
-            let right = self.named_formula(false)?;
+            let right = self.symbolic_formula(false)?;
             self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around, keyword: Extent::default() });
             self.skip();
             if !(self.parameter_ahead() || self.cursor.peek() == b'#') {
@@ -518,7 +519,7 @@ impl<'a> Reader<'a> {
             self.report_as(Alarm::Mixed, finding);
             self.cursor.at = end;
         }
-        self.end_of_named()?;
+        self.end_of_symbolic_statement()?;
         let count = self.deck.pairs.len() - first;
         match self.deck.pairs.last().copied() {
             Some(Pair { left: to, right: value, .. }) if count == 1 => {
@@ -530,7 +531,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reports text after the statement.
-    fn end_of_named(&mut self) -> Read<()> {
+    fn end_of_symbolic_statement(&mut self) -> Read<()> {
         match self.skip() {
             _ if self.cursor.ended() => Ok(()),
             b'(' if self.foreign_comment() => Ok(()),

@@ -16,19 +16,19 @@ use crate::nc::parse::reader::Reader;
 impl Reader<'_> {
     /// Whether a variable follows: its letter with a number or an index.
     #[inline]
-    pub(in crate::nc) fn parameter_ahead(&self) -> bool {
+    pub(in crate::nc::parse) fn parameter_ahead(&self) -> bool {
         self.names().is_some()
             && self.cursor.peek() | 0x20 == b'r'
             && (self.cursor.byte(1).is_ascii_digit() || self.cursor.byte(1) == b'[')
     }
 
     /// Reads an expression with comparisons as the weakest operators; in a condition a single `=` counts as `==`.
-    pub(in crate::nc) fn named_formula(&mut self, condition: bool) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn symbolic_formula(&mut self, condition: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.logic(0)?;
-        while let Some(op) = self.named_comparison(condition) {
+        while let Some(op) = self.symbolic_comparison(condition) {
             let right = self.logic(0)?;
-            left = self.part(Expr::Binary(op, left, right), start)?;
+            left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
         Ok(left)
     }
@@ -54,7 +54,7 @@ impl Reader<'_> {
             self.cursor.at += name.len();
             self.skip();
             let right = self.logic(level + 1)?;
-            left = self.part(Expr::Binary(LOGIC[level].1, left, right), start)?;
+            left = self.add_expr(Expr::Binary(LOGIC[level].1, left, right), start)?;
         }
     }
 
@@ -69,17 +69,17 @@ impl Reader<'_> {
         self.deeper()?;
         let inner = self.factor()?;
         self.formulas.depth -= 1;
-        let zero = self.part(Expr::Number(Dec::int(0)), start)?;
-        self.part(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
+        let zero = self.add_expr(Expr::Number(Dec::int(0)), start)?;
+        self.add_expr(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
     }
 
     /// Reads `DIV`, the integer division.
     #[cold]
-    pub(in crate::nc) fn quotient_ahead(&mut self) -> bool {
+    pub(in crate::nc::parse) fn quotient_ahead(&mut self) -> bool {
         self.take_word("DIV")
     }
 
-    fn named_comparison(&mut self, condition: bool) -> Option<Op> {
+    fn symbolic_comparison(&mut self, condition: bool) -> Option<Op> {
         let byte = self.skip();
         let from = self.cursor.at;
         if byte.is_ascii_alphabetic() {
@@ -116,7 +116,7 @@ impl Reader<'_> {
 
     /// Reports `[ expr ]` for grouping, as on other controls; reads it as intended.
     #[cold]
-    pub(in crate::nc) fn square_group(&mut self) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn square_group(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
         let inner = self.group(b']')?;
         let finding =
@@ -129,7 +129,7 @@ impl Reader<'_> {
 
     /// Reports `#1`, the spelling of variables on other controls, once per file.
     #[cold]
-    pub(in crate::nc) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
         let finding = self.span(self.cursor.at, self.cursor.at + 1);
         self.notes.hash.get_or_insert(finding.start);
         self.block.bad.get_or_insert(BadBlock { alarm: Alarm::Format, finding });
@@ -138,7 +138,7 @@ impl Reader<'_> {
 
     /// The failure of `$P_S`: system data that the simulation does not keep.
     #[cold]
-    pub(in crate::nc) fn system_variable(&self) -> Box<ParseFailure> {
+    pub(in crate::nc::parse) fn system_variable(&self) -> Box<ParseFailure> {
         let rest = self.cursor.rest();
         let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
         let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();
@@ -153,6 +153,6 @@ impl Reader<'_> {
 }
 
 /// The sign of a comparison.
-pub(in crate::nc) fn sign_of(op: Op) -> &'static str {
+pub(in crate::nc::parse) fn sign_of(op: Op) -> &'static str {
     SIGNS.iter().find(|row| row.1 == op && row.2).map_or("", |row| row.0)
 }

@@ -13,7 +13,7 @@ const PATH: &[u8] = b";$PATH=";
 
 impl Reader<'_> {
     /// Reads `%_N_NAME_MPF` or `%NAME`, or reports the lone `%` of other controls.
-    pub(in crate::nc) fn head(&mut self, from: usize, to: usize) {
+    pub(in crate::nc::parse) fn head(&mut self, from: usize, to: usize) {
         let Some(names) = self.names() else { return };
         let line = self.file.text.get(from..to).unwrap_or("");
         let line = line.split(';').next().unwrap_or("").trim_end();
@@ -61,13 +61,13 @@ impl Reader<'_> {
     }
 
     /// Whether a line names the directory of the program in the header before it.
-    pub(in crate::nc) fn path(&mut self, line: &[u8]) -> bool {
+    pub(in crate::nc::parse) fn path(&mut self, line: &[u8]) -> bool {
         core::mem::take(&mut self.notes.headed)
             && line.get(..PATH.len()).is_some_and(|lead| lead.eq_ignore_ascii_case(PATH))
     }
 
     /// Name, kind and number of the program in a file without a header, from the file's name.
-    pub(in crate::nc) fn file_program(&mut self) -> (Option<TextId>, bool, u32) {
+    pub(in crate::nc::parse) fn file_program(&mut self) -> (Option<TextId>, bool, u32) {
         let Some(names) = self.names() else { return (None, false, 0) };
         let upper = self.file.name.to_ascii_uppercase();
         let (stem, ending) = upper.rsplit_once('.').unwrap_or((&upper, ""));
@@ -77,7 +77,7 @@ impl Reader<'_> {
     }
 
     /// Reports `O1234` of other controls at the start of a line.
-    pub(in crate::nc) fn foreign_head(&mut self) -> bool {
+    pub(in crate::nc::parse) fn foreign_head(&mut self) -> bool {
         let Some(names) = self.names() else { return false };
         let digits = self.cursor.line.get(1..).unwrap_or_default();
         let number = core::str::from_utf8(digits).unwrap_or("").trim();

@@ -20,7 +20,7 @@ const FORMS: [(&str, Dimensioning); 5] = [
     ("ACN", Dimensioning::Negative),
 ];
 
-/// Facts about the words of a block that decide whether [`Reader::check_named`] is needed.
+/// Facts about the words of a block that decide whether [`Reader::check_symbolic_words`] is needed.
 #[derive(Default)]
 struct Seen {
     letters: AddressSet,
@@ -48,7 +48,7 @@ impl Seen {
 }
 
 impl Reader<'_> {
-    pub(in crate::nc) fn named_words(&mut self) -> Read<Stmt> {
+    pub(in crate::nc::parse) fn symbolic_words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
         let mut seen = Seen::default();
         loop {
@@ -57,7 +57,7 @@ impl Reader<'_> {
                 if self.cursor.ended() {
                     break;
                 }
-                self.between_names(byte)?;
+                self.between_symbolic_words(byte)?;
                 continue;
             }
             let start = self.cursor.at;
@@ -68,19 +68,19 @@ impl Reader<'_> {
                 continue;
             }
             self.cursor.at += 1;
-            let (index, form, value) = self.named_value(start, letter)?;
+            let (index, form, value) = self.symbolic_value(start, letter)?;
             if !matches!(form, Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Incremental) {
                 self.check_way(start, letter, form);
             }
             match (letter, value) {
                 (Address::G, WordValue::Number(number)) => {
-                    self.named_code(Address::G, number, start);
+                    self.symbolic_code(Address::G, number, start);
                     if let Some(row) = self.row(Address::G, number) {
                         seen.code(row);
                     }
                 }
                 (Address::M, WordValue::Number(number)) => {
-                    self.named_code(Address::M, number, start);
+                    self.symbolic_code(Address::M, number, start);
                     if number == Dec::int(99) {
                         self.foreign_return(start);
                     }
@@ -97,7 +97,7 @@ impl Reader<'_> {
             self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
         }
         if seen.odd || !seen.letters.within(self.tables.letters) {
-            self.check_named(first);
+            self.check_symbolic_words(first);
         }
         let count = self.deck.words.len() - first;
         if count > self.tables.most_words {
@@ -109,7 +109,7 @@ impl Reader<'_> {
 
     /// Looks a code up. Not inlined: the words of languages without names have their own copy.
     #[inline(never)]
-    fn named_code(&mut self, letter: Address, number: Dec, start: usize) {
+    fn symbolic_code(&mut self, letter: Address, number: Dec, start: usize) {
         if letter == Address::G {
             self.g_code(number, start)
         } else {
@@ -138,7 +138,7 @@ impl Reader<'_> {
 
     /// Reads the value after a letter: a number, or a formula after `=`.
     #[inline]
-    fn named_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn symbolic_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut next = self.skip();
         let negative = next == b'-';
         if negative || next == b'+' {
@@ -166,14 +166,14 @@ impl Reader<'_> {
 
     /// Completes a number of a formula, which ends at the cursor: reads its exponent and checks its range.
     #[inline]
-    pub(in crate::nc) fn named_number(&mut self, number: Dec, start: usize) -> Dec {
+    pub(in crate::nc::parse) fn symbolic_number(&mut self, number: Dec, start: usize) -> Dec {
         let number = if self.cursor.peek() | 0x20 == b'e' { self.exponent(number, start) } else { number };
         self.whole_number(number, start)
     }
 
     /// Reports a number without a point above the range of whole numbers.
     #[inline]
-    pub(in crate::nc) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
+    pub(in crate::nc::parse) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
         if number.mantissa.unsigned_abs() > 2_147_483_647 && !number.point {
             self.check_whole(number, start);
         }
@@ -262,21 +262,21 @@ impl Reader<'_> {
             let message = msg!("nc.no-formula", address = letter.to_string());
             return Err(self.failure(Alarm::Format, start, self.cursor.at, message, false));
         }
-        let form = self.form();
+        let form = self.dimensioning();
         if form != Dimensioning::Plain {
             self.skip();
             self.deeper()?;
             let open = self.open(b')');
-            let inner = self.named_constant()?;
+            let inner = self.constant_or_formula()?;
             self.close(open)?;
             self.formulas.depth -= 1;
             return Ok((None, form, inner));
         }
-        Ok((None, form, self.named_constant()?))
+        Ok((None, form, self.constant_or_formula()?))
     }
 
     /// Reads `AC` or the like in front of a bracket.
-    fn form(&mut self) -> Dimensioning {
+    fn dimensioning(&mut self) -> Dimensioning {
         if !self.skip().is_ascii_alphabetic() {
             return Dimensioning::Plain;
         }
@@ -288,8 +288,8 @@ impl Reader<'_> {
     }
 
     /// Reads a formula; a constant one becomes a number.
-    fn named_constant(&mut self) -> Read<WordValue> {
-        let id = self.named_formula(false)?;
+    fn constant_or_formula(&mut self) -> Read<WordValue> {
+        let id = self.symbolic_formula(false)?;
         Ok(match self.deck.expr(id) {
             Expr::Number(number) => {
                 self.deck.exprs.pop();
@@ -304,7 +304,7 @@ impl Reader<'_> {
     #[cold]
     fn insert_equals(&mut self, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let from = self.cursor.at;
-        let value = self.named_constant()?;
+        let value = self.constant_or_formula()?;
         let finding = self.finding(
             Alarm::Format,
             from,
@@ -316,7 +316,7 @@ impl Reader<'_> {
     }
 
     /// Whether a name is an address with a variable or number and a missing `=`: `XR1`, `LIMS3000`.
-    pub(in crate::nc) fn missing_equals(&self, name: &str) -> bool {
+    pub(in crate::nc::parse) fn missing_equals(&self, name: &str) -> bool {
         let variable = |rest: &str| rest.len() > 1 && rest.bytes().skip(1).all(|b| b.is_ascii_digit());
         let known =
             name.bytes().next().and_then(Address::of).is_some_and(|letter| self.tables.letters.contains(letter));
@@ -476,7 +476,7 @@ impl Reader<'_> {
             return Err(self.failure(Alarm::NoNumber, start, end, message, false));
         }
         let from = self.cursor.at;
-        let value = self.named_constant()?;
+        let value = self.constant_or_formula()?;
         let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.no-equals-sign", address));
         self.replace(Alarm::Format, finding, end.min(from), from, "=");
         Ok((index, Dimensioning::Plain, value))
@@ -484,7 +484,7 @@ impl Reader<'_> {
 
     /// Handles text between words other than white space.
     #[cold]
-    fn between_names(&mut self, byte: u8) -> Read<()> {
+    fn between_symbolic_words(&mut self, byte: u8) -> Read<()> {
         match byte {
             b'(' if self.foreign_comment() => Ok(()),
             b'.' => {
@@ -499,7 +499,7 @@ impl Reader<'_> {
 
     /// Reports `( remark )` of other controls, with its fix, and skips it.
     #[cold]
-    pub(in crate::nc) fn foreign_comment(&mut self) -> bool {
+    pub(in crate::nc::parse) fn foreign_comment(&mut self) -> bool {
         let start = self.cursor.at;
         let rest = self.cursor.line.get(start..).unwrap_or_default();
         let Some(close) = rest.iter().position(|&b| b == b')') else { return false };
@@ -521,7 +521,7 @@ impl Reader<'_> {
 
     /// Reports words that exclude each other.
     #[cold]
-    fn check_named(&mut self, first: usize) {
+    fn check_symbolic_words(&mut self, first: usize) {
         let words = self.deck.words.get(first..).unwrap_or_default().to_vec();
         if self.foreign_call(&words) {
             return;

@@ -1,16 +1,16 @@
 //! Checks of whole programs in a language with names: labels, jumps to them, messages.
 
-use super::programs::Check;
+use super::context::Check;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ast::{Block, Expr, Jump, JumpDirection, Stmt, TextId};
 use crate::nc::lex::spelling::meant;
-use crate::nc::parse::reader::FINDINGS;
+use crate::nc::parsed::FINDINGS;
 use crate::text::{Diagnostic, Place, Span};
 
 impl Check<'_> {
     /// Checks labels, jumps to labels, calls and messages.
-    pub(super) fn named(&mut self) {
+    pub(super) fn symbolic(&mut self) {
         if self.control.raises(Alarm::LabelTwice) {
             self.labels_twice();
         }

@@ -8,8 +8,8 @@ use crate::msg;
 use crate::nc::lex::keywords::{COMPARISONS, OPERATORS};
 use crate::nc::lex::spelling::prose;
 use crate::nc::parse::failure::{ParseFailure, Read};
-use crate::nc::parse::reader::Mark;
-use crate::nc::parse::reader::{FINDINGS, Reader};
+use crate::nc::parse::reader::{Mark, Reader};
+use crate::nc::parsed::FINDINGS;
 use crate::text::escape::shortened;
 use crate::text::{DiagnosticKind, Place};
 
@@ -18,7 +18,7 @@ const LOOKED_AT: usize = 1000;
 
 impl Reader<'_> {
     /// Reports the reason why the present line does not parse.
-    pub(in crate::nc) fn recover(&mut self, mark: Mark, first: Box<ParseFailure>) {
+    pub(in crate::nc::parse) fn recover(&mut self, mark: Mark, first: Box<ParseFailure>) {
         let (alarm, whole) = (first.alarm, self.cursor.line);
         if whole.len() > LOOKED_AT || self.findings.list.len() > FINDINGS {
             return self.add_finding(first.finding);
@@ -185,7 +185,7 @@ impl Reader<'_> {
     }
 
     /// Reports a `)` without its `(`, with its fix, and skips it. Fails if it ends a comment with brackets in it.
-    pub(in crate::nc) fn stray_round(&mut self) -> Read<()> {
+    pub(in crate::nc::parse) fn stray_round(&mut self) -> Read<()> {
         let close = self.cursor.at;
         let short = self.cursor.line.len() <= LOOKED_AT;
         if short && self.nested_comment().is_some_and(|(_, _, end)| end == close) {
@@ -197,7 +197,7 @@ impl Reader<'_> {
     }
 
     /// Whether the round bracket at the cursor contains arithmetic and no prose.
-    pub(in crate::nc) fn arithmetic_ahead(&self) -> bool {
+    pub(in crate::nc::parse) fn arithmetic_ahead(&self) -> bool {
         self.arithmetic(self.cursor.at)
     }
 

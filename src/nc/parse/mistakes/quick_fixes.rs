@@ -7,7 +7,7 @@ use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
 use crate::nc::dec::{Dec, POW10};
 use crate::nc::lex::keywords::letters_of;
 use crate::nc::lex::spelling::prose;
-use crate::nc::parse::failure::{Mend, ParseFailure, Read};
+use crate::nc::parse::failure::{LineFix, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
@@ -17,28 +17,35 @@ const NUMBERED: usize = 1 << 20;
 
 impl Reader<'_> {
     /// Reports a finding, with a fix that replaces some bytes of the line.
-    pub(in crate::nc) fn replace(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize, new: &str) {
-        let finding = self.mend(finding, Mend::Write(from, to, new));
+    pub(in crate::nc::parse) fn replace(
+        &mut self,
+        alarm: Alarm,
+        finding: Diagnostic,
+        from: usize,
+        to: usize,
+        new: &str,
+    ) {
+        let finding = self.with_fix(finding, LineFix::Write(from, to, new));
         self.report_as(alarm, finding);
     }
 
     /// Reports some bytes of the line, with a fix that replaces them.
-    pub(in crate::nc) fn slip(&mut self, alarm: Alarm, from: usize, to: usize, message: Message, new: &str) {
+    pub(in crate::nc::parse) fn slip(&mut self, alarm: Alarm, from: usize, to: usize, message: Message, new: &str) {
         let finding = self.finding(alarm, from, to, message);
         self.replace(alarm, finding, from, to, new);
     }
 
     /// Reports a finding, with a fix that puts some bytes of the line in square brackets.
-    pub(in crate::nc) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
-        let finding = self.mend(finding, Mend::Enclose(from, to));
+    pub(in crate::nc::parse) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
+        let finding = self.with_fix(finding, LineFix::Enclose(from, to));
         self.report_as(alarm, finding);
     }
 
     /// Adds a fix to a finding.
-    pub(in crate::nc) fn mend(&self, finding: Diagnostic, mend: Mend) -> Diagnostic {
+    pub(in crate::nc::parse) fn with_fix(&self, finding: Diagnostic, fix: LineFix) -> Diagnostic {
         let place = |from, to| self.place(self.span(from, to));
-        match mend {
-            Mend::Write(from, to, new) => {
+        match fix {
+            LineFix::Write(from, to, new) => {
                 let old = String::from_utf8_lossy(self.cursor.line.get(from..to).unwrap_or_default()).into_owned();
                 let title = match (old.trim(), new.trim()) {
                     (old, "") => msg!("nc.fix.drop", text = old),
@@ -47,11 +54,11 @@ impl Reader<'_> {
                 };
                 finding.fix(title, vec![(place(from, to), new.to_owned())])
             }
-            Mend::Enclose(from, to) => {
+            LineFix::Enclose(from, to) => {
                 let edit = |at, bracket: &str| (place(at, at), bracket.to_owned());
                 finding.fix(msg!("nc.fix.square"), vec![edit(from, "["), edit(to, "]")])
             }
-            Mend::Plain(character) => {
+            LineFix::Plain(character) => {
                 let start = self.cursor.base as usize;
                 let text =
                     self.file.text.get(start..start + self.cursor.line.len()).filter(|_| plain(character) != character);
@@ -71,12 +78,12 @@ impl Reader<'_> {
     }
 
     /// End of the text read so far, without trailing blanks.
-    pub(in crate::nc) fn ended_at(&self) -> usize {
+    pub(in crate::nc::parse) fn ended_at(&self) -> usize {
         self.cursor.line.get(..self.cursor.at).unwrap_or_default().trim_ascii_end().len()
     }
 
     /// A word, with spaces around it if the text has none.
-    pub(in crate::nc) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
+    pub(in crate::nc::parse) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
         let blank =
             |at: Option<usize>| at.and_then(|at| self.cursor.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
         let gap = |blank: bool| if blank { "" } else { " " };
@@ -84,12 +91,12 @@ impl Reader<'_> {
     }
 
     /// The line end of the file.
-    pub(in crate::nc) fn newline(&self) -> &'static str {
+    pub(in crate::nc::parse) fn newline(&self) -> &'static str {
         line_end(self.file.text)
     }
 
     /// The optional block skip of the block, as written.
-    pub(in crate::nc) fn skip_mark(&self) -> String {
+    pub(in crate::nc::parse) fn skip_mark(&self) -> String {
         match self.block.skip_switch {
             0 => String::new(),
             1 => "/".to_owned(),
@@ -114,7 +121,7 @@ impl Reader<'_> {
     }
 
     /// Adds a fix for `IF … THEN`, from `then` to `behind`: a jump over the conditional part.
-    pub(in crate::nc) fn jump_instead(&mut self, finding: Diagnostic, then: usize, behind: usize) -> Diagnostic {
+    pub(in crate::nc::parse) fn jump_instead(&mut self, finding: Diagnostic, then: usize, behind: usize) -> Diagnostic {
         let rest = self.cursor.line.get(behind..).unwrap_or_default();
         let behind = behind + rest.len() - rest.trim_ascii_start().len();
         let end = self.cursor.line.len();
@@ -133,7 +140,7 @@ impl Reader<'_> {
     }
 
     /// Failure of a `WHILE` without `DO`. The check of the loops adds the fix, with the number of the next unpaired `END`.
-    pub(in crate::nc) fn while_without_do(&self, start: usize) -> Box<ParseFailure> {
+    pub(in crate::nc::parse) fn while_without_do(&self, start: usize) -> Box<ParseFailure> {
         let at = self.ended_at().max(start + 5);
         let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
         failure.finding.kind = DiagnosticKind::WhileWithoutDo;
@@ -141,7 +148,7 @@ impl Reader<'_> {
     }
 
     /// Reports and skips `=` after an address, which these controls do not have.
-    pub(in crate::nc) fn equals_in_word(&mut self) {
+    pub(in crate::nc::parse) fn equals_in_word(&mut self) {
         let at = self.cursor.at;
         while self.skip() == b'=' {
             self.cursor.at += 1;
@@ -151,7 +158,7 @@ impl Reader<'_> {
     }
 
     /// Whether a letter O directly after an address is a mistyped 0; it is read as 0.
-    pub(in crate::nc) fn zero_after_letter(&mut self, start: usize) -> bool {
+    pub(in crate::nc::parse) fn zero_after_letter(&mut self, start: usize) -> bool {
         let at = core::mem::replace(&mut self.cursor.at, start);
         let other = self.keyword_ahead() || prose(self.cursor.line.get(start..).unwrap_or_default());
         self.cursor.at = at;
@@ -160,7 +167,7 @@ impl Reader<'_> {
 
     /// Reports a comma or a letter O in a number, at the cursor.
     #[cold]
-    pub(in crate::nc) fn odd_digit(&mut self) {
+    pub(in crate::nc::parse) fn odd_digit(&mut self) {
         self.zero_for_o();
         // In brackets a comma separates two numbers.
         let parts = self.names().is_some() || self.control.syntax.has(Function::Power);
@@ -178,7 +185,7 @@ impl Reader<'_> {
 
     /// Reads an exponent `EX-3` after a number that starts at `start`, if present; the result has at most 18 digits.
     #[cold]
-    pub(in crate::nc) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
+    pub(in crate::nc::parse) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
         if !self.cursor.ahead("EX") {
             return number;
         }
@@ -206,7 +213,7 @@ impl Reader<'_> {
 
     /// Skips letters O in place of zeros in a number, with the following digits; returns whether there were any.
     #[cold]
-    pub(in crate::nc) fn zero_for_o(&mut self) -> bool {
+    pub(in crate::nc::parse) fn zero_for_o(&mut self) -> bool {
         let from = self.cursor.at;
         if !matches!(self.cursor.peek(), b'O' | b'o') || self.cursor.ahead("OR") {
             return false;
@@ -221,7 +228,7 @@ impl Reader<'_> {
 
     /// Reports `a**b`, which no control has; `a` is from `start` to `end`, the cursor is at the second `*`.
     #[cold]
-    pub(in crate::nc) fn power(&mut self, base: ExprId, start: usize, end: usize) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn power(&mut self, base: ExprId, start: usize, end: usize) -> Read<ExprId> {
         self.cursor.at += 1;
         let exponent = self.factor()?;
         let finding = self.finding(Alarm::Format, end, self.cursor.at, msg!("nc.no-power")).hint(msg!("nc.hint.power"));
@@ -233,7 +240,7 @@ impl Reader<'_> {
             }
             _ => self.report_as(Alarm::Format, finding),
         }
-        self.part(Expr::Binary(Op::Multiply, base, exponent), start)
+        self.add_expr(Expr::Binary(Op::Multiply, base, exponent), start)
     }
 }
 

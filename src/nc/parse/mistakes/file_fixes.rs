@@ -4,7 +4,8 @@ use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::nc::parse::failure::Misused;
-use crate::nc::parse::reader::{BYTE_ORDER_MARK, FINDINGS, Reader};
+use crate::nc::parse::reader::{BYTE_ORDER_MARK, Reader};
+use crate::nc::parsed::FINDINGS;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Span};
 
@@ -13,7 +14,7 @@ const WHOLE: usize = 1 << 20;
 
 impl Reader<'_> {
     /// Reports findings about the whole file: `%`, small letters, missing variables.
-    pub(in crate::nc) fn mend_file(&mut self, opened: bool, closed: bool) {
+    pub(in crate::nc::parse) fn report_file(&mut self, opened: bool, closed: bool) {
         if self.foreign_bytes() {
             return;
         }

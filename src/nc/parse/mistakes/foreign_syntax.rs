@@ -2,7 +2,7 @@
 
 use crate::msg;
 use crate::nc::lex::spelling::prose;
-use crate::nc::parse::failure::{Mend, ParseFailure};
+use crate::nc::parse::failure::{LineFix, ParseFailure};
 use crate::nc::parse::reader::Reader;
 use crate::text::{Diagnostic, Message};
 
@@ -23,7 +23,7 @@ const PI: &str = "3.14159265";
 
 impl Reader<'_> {
     /// The finding that replaces a failure caused by foreign syntax; the alarm stays.
-    pub(in crate::nc) fn foreign_syntax(&self, failure: &ParseFailure) -> Option<Diagnostic> {
+    pub(in crate::nc::parse) fn foreign_syntax(&self, failure: &ParseFailure) -> Option<Diagnostic> {
         if self.names().is_some() {
             return None;
         }
@@ -62,7 +62,7 @@ impl Reader<'_> {
         }
         if word == "PI" {
             let finding = self.finding(failure.alarm, at, end, msg!("nc.no-pi"));
-            return Some(self.mend(finding, Mend::Write(at, end, PI)));
+            return Some(self.with_fix(finding, LineFix::Write(at, end, PI)));
         }
         let &(_, id) = WORDS.iter().find(|row| row.0.contains(&word.as_str()))?;
         if word == "MOD" && self.tables.rules.modulo {
@@ -91,7 +91,7 @@ impl Reader<'_> {
                 _ => return None,
             };
             let finding = self.finding(failure.alarm, at, at + digits, msg!("nc.number-without-address"));
-            return Some(self.mend(finding, Mend::Write(at, at, &letter)));
+            return Some(self.with_fix(finding, LineFix::Write(at, at, &letter)));
         }
         let value = before.last().is_some_and(|b| b.is_ascii_digit() || matches!(b, b']' | b'.'));
         let value_ahead = byte.is_ascii_digit() || matches!(byte, b'#' | b'[');

@@ -1,20 +1,20 @@
 //! Checks of whole programs: jump targets, calls, the last block, several programs of one number.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
+use super::context::Check;
 use super::jump_targets::JumpTargets;
 use crate::controls::{Address, Alarm, Code, CodeId, Control, VarKind};
 use crate::msg;
-use crate::nc::ast::{Block, Deck, Expr, ExprId, Program, Stmt, WordValue};
+use crate::nc::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use crate::nc::codes::{Codes, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::files::Files;
-use crate::nc::parse::reader::FINDINGS;
-use crate::nc::parsed::PartPlaces;
+use crate::nc::parsed::{FINDINGS, PartPlaces};
 use crate::nc::program_names::ProgramNames;
 use crate::nc::unread;
 use crate::text::lines::line_end;
-use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
+use crate::text::{Diagnostic, DiagnosticKind, Place, Span};
 
 /// Checks every program. `later` are the blocks with calls and jumps in words.
 pub(in crate::nc) fn programs(
@@ -51,7 +51,7 @@ pub(in crate::nc) fn programs(
         };
         check.loops();
         match control.syntax.names() {
-            Some(_) => check.named(),
+            Some(_) => check.symbolic(),
             None => check.numbered_jumps(),
         }
         check.end();
@@ -82,37 +82,7 @@ fn repeated(deck: &Deck) -> Vec<bool> {
     deck.programs.iter().map(repeats).collect()
 }
 
-/// Checks of one program.
-pub(super) struct Check<'a> {
-    pub(super) deck: &'a Deck,
-    pub(super) places: &'a PartPlaces,
-    pub(super) known: &'a ProgramNames<'a>,
-    pub(super) control: &'a Control,
-    codes: &'a Codes,
-    pub(super) program: &'a Program,
-    pub(super) blocks: &'a [Block],
-    /// The program's file.
-    pub(super) text: &'a str,
-    pub(super) targets: JumpTargets<'a>,
-    /// Findings of WHILE without DO, by their places.
-    pub(super) without_do: &'a BTreeMap<Place, usize>,
-    pub(super) found: &'a mut Vec<Diagnostic>,
-}
-
 impl Check<'_> {
-    /// Span of an expression of the block; the block's span if unknown.
-    pub(super) fn expr_span(&self, block: &Block, expr: ExprId) -> Span {
-        let span = self.places.exprs.get(expr.0 as usize).and_then(|span| span.trimmed(self.text));
-        span.unwrap_or(block.span)
-    }
-
-    /// Reports an alarm of the control.
-    pub(super) fn report(&mut self, alarm: Alarm, span: Span, message: Message) {
-        let place = Place { file: self.program.file, span };
-        let finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(alarm));
-        self.found.push(finding);
-    }
-
     /// Checks jumps to constant numbers that are missing in the program.
     fn numbered_jumps(&mut self) {
         for block in self.blocks {

@@ -1,10 +1,10 @@
 //! Checks of loops: DO and END paired, not crossing, not nested too deep.
 
-use super::programs::Check;
+use super::context::Check;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ast::{Block, Stmt};
-use crate::nc::parse::reader::FINDINGS;
+use crate::nc::parsed::FINDINGS;
 use crate::nc::unread::{ANY_LOOP, loop_statement};
 use crate::text::{DiagnosticKind, Fix, Message, Place, Span};
 
