@@ -31,7 +31,6 @@ use super::words::{sentence, t};
 use super::worker::client::Client;
 use super::worker::diagnostics;
 use crate::msg;
-use crate::view::{Readout, Verdict};
 
 /// State with which the page is built: the project of the last visit, or a fresh one, with its program, its run and notices.
 pub struct Beginning {
@@ -177,15 +176,12 @@ fn Side() -> impl IntoView {
 /// Count of the results that fail, at the corner of their tab.
 #[component]
 fn Failures() -> impl IntoView {
-    let design = Page::here().results.design;
-    let count = Memo::new(move |_| {
-        let fails = |readout: &&Readout| readout.verdict == Verdict::Fail;
-        design.with(|design| design.readouts.iter().filter(fails).count())
-    });
+    let results = Page::here().results;
+    let count = Memo::new(move |_| results.failing());
     view! {
         <Show when=move || count.get() != 0>
             <b class="failures" aria-hidden="true">{move || count.get()}</b>
-            <span class="hidden">{move || sentence(&msg!("page.results-fail", count = count.get() as f64))}</span>
+            <span class="hidden">{move || sentence(&msg!("page.results-fail", count = count.get()))}</span>
         </Show>
     }
 }

@@ -7,18 +7,13 @@ use crate::ui::state::Page;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{FoundRepairs, Request, Response};
-use crate::view::Verdict;
 
 /// The number of failing results and the button; empty while every result holds.
 #[component]
 pub(super) fn RepairAll() -> impl IntoView {
     let (page, worker) = (Page::here(), Client::here());
     let searching = RwSignal::new(false);
-    let failing = Memo::new(move |_| {
-        page.results
-            .design
-            .with(|design| design.readouts.iter().filter(|readout| readout.verdict == Verdict::Fail).count() as u32)
-    });
+    let failing = Memo::new(move |_| page.results.failing());
     let repair = move |_| {
         searching.set(true);
         let asked = page.project.get_untracked();

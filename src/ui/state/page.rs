@@ -27,7 +27,7 @@ use crate::project::silence::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
 use crate::ui::words::{Tone, sentence, t};
-use crate::view::Scene;
+use crate::view::{Readout, Scene, Verdict};
 
 /// Fields by the result that depends on them.
 type Fields = BTreeMap<&'static str, Vec<&'static str>>;
@@ -45,6 +45,14 @@ pub(crate) struct Results {
     pub variables: RwSignal<Vec<(u32, &'static str, &'static str)>>,
     /// The drawing.
     pub scene: RwSignal<Rc<Scene>, LocalStorage>,
+}
+
+impl Results {
+    /// Number of results that fail.
+    pub(crate) fn failing(self) -> u32 {
+        let fails = |readout: &&Readout| readout.verdict == Verdict::Fail;
+        self.design.with(|design| design.readouts.iter().filter(fails).count() as u32)
+    }
 }
 
 /// The state of the page. A handle: copies share its state.
