@@ -55,7 +55,7 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
     }
     let r = lathe.p.tip_radius * layout.scale;
     let body = (lathe.p.tip_radius - lathe.p.overhang).max(0.0) * layout.scale;
-    vec![
+    let mut parts = vec![
         part(
             "polygon.part.headstock",
             0,
@@ -90,5 +90,10 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
         ),
         part("polygon.part.cross", 0, (layout.cutter.0, 542.0), &[("", "lead-x"), ("", "rapid-x"), ("", "motor-x")]),
         part("polygon.part.along", group::SIDE, (0.0, 88.0), &[("", "lead-z"), ("", "rapid-z"), ("", "motor-z")]),
-    ]
+    ];
+    if lathe.has_main_spindle() {
+        let data = [("", "main-power"), ("", "main-base"), ("", "main-motor-top")];
+        parts.insert(1, part("polygon.part.main-motor", 0, layout.main_motor(), &data));
+    }
+    parts
 }

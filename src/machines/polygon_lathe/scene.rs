@@ -36,7 +36,7 @@ pub(super) use side::{bar, edges, profile};
 pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
     let layout = Layout::new(lathe);
     let mut d = Drawing::new(UNIT);
-    front::draw_back(&mut d, &layout);
+    front::draw_back(&mut d, lathe, &layout);
     cutter::draw_base(&mut d, lathe, &layout);
     front::draw_chuck(&mut d, lathe, &layout);
     front::draw_work(&mut d, lathe, &layout);

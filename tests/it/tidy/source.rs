@@ -72,7 +72,7 @@ pub(super) struct Source {
     pub(super) structs: Vec<Measured>,
 }
 
-/// The folders with Rust files.
+/// The folders with Rust files; a build of the fuzz targets is none.
 const FOLDERS: [&str; 5] = ["src", "tests", "benches", "examples", "fuzz"];
 
 static ALL: LazyLock<Vec<Source>> = LazyLock::new(|| {
@@ -82,7 +82,9 @@ static ALL: LazyLock<Vec<Source>> = LazyLock::new(|| {
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(&folder).into_iter().flatten() {
             let path = entry.unwrap().path();
-            if path.is_dir() {
+            if path.ends_with("target") {
+                continue;
+            } else if path.is_dir() {
                 folders.push(path);
             } else if path.extension().is_some_and(|kind| kind == "rs") {
                 let name = path.strip_prefix(root).unwrap().to_string_lossy().replace('\\', "/");

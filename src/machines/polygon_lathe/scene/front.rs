@@ -1,12 +1,12 @@
 //! The machine from the front: floor, headstock, chuck and work, and the directions in which all turn.
 
 use super::ids::{group, node};
-use super::layout::{AXIS, FLOOR, Layout};
+use super::layout::{AXIS, FLOOR, Layout, MAIN_MOTOR};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::text::number::{fill, filled};
-use crate::view::drawing::{Drawing, barrel, polar, polygon, polyline};
+use crate::view::drawing::{Drawing, barrel, polar, polygon, polyline, spoke};
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, SceneGroup};
 
@@ -17,12 +17,14 @@ const TRACES: usize = 24;
 const POINTS: u32 = 24;
 const BEYOND: f64 = 1.6;
 
-/// Floor and headstock.
-pub(super) fn draw_back(d: &mut Drawing, layout: &Layout) {
+/// Floor, main motor and headstock.
+pub(super) fn draw_back(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     d.rect([-3000.0, 512.0, 7000.0, 900.0, 0.0], Look::fill(Paint::Floor));
     d.ellipse((290.0, FLOOR), (340.0, 20.0), Look::fill(Paint::GroundShade));
-    let (left, right, top) =
-        (layout.work.0 - layout.chuck - 14.0, layout.work.0 + layout.chuck + 14.0, AXIS - layout.chuck - 16.0);
+    if lathe.has_main_spindle() {
+        d.showing("main-power", |d| draw_main_motor(d, layout));
+    }
+    let [left, right, top] = layout.headstock();
     d.path(
         filled("M# #l# #H#l# #Z", &[left + 6.0, top, AWAY.0, AWAY.1, right + AWAY.0, -AWAY.0, -AWAY.1]),
         Look::fill(Paint::DarkLight),
@@ -45,6 +47,22 @@ pub(super) fn draw_back(d: &mut Drawing, layout: &Layout) {
     d.rect([left + 20.0, FLOOR - 44.0, 8.0, 26.0, 4.0], Look::fill(Paint::SteelBar).thin(Paint::Edge, 0.8));
     d.rect([left + 36.0, FLOOR - 42.0, 96.0, 22.0, 2.0], Look::fill(Paint::Steel).thin(Paint::Edge, 0.8));
     d.text((left + 84.0, FLOOR - 27.0), "middle", &say("polygon.name"), Font::Engraved(11.0), Paint::Black);
+}
+
+/// The motor of the main spindle on top of the headstock, with its fan's guard; its belt is inside.
+fn draw_main_motor(d: &mut Drawing, layout: &Layout) {
+    let (at, r) = (layout.main_motor(), MAIN_MOTOR);
+    d.path(barrel(at, r, AWAY), Look::fill(Paint::DarkShade));
+    d.circle((at.0, at.1, r), Look::DARK_FACE);
+    for share in [0.72, 0.54, 0.36] {
+        d.circle((at.0, at.1, share * r), Look::HAIR.faint(0.5));
+    }
+    for turn in 0..12 {
+        d.path(spoke(at, 30.0 * f64::from(turn), 0.2 * r, 0.84 * r), Look::HAIR.faint(0.5));
+    }
+    d.circle((at.0, at.1, 0.16 * r), Look::HOLE);
+    let (from, to) = (polar(at, 200.0, 0.96 * r), polar(at, 268.0, 0.96 * r));
+    d.path(filled("M# #A# # 0 0 1 # #", &[from.0, from.1, 0.96 * r, 0.96 * r, to.0, to.1]), Look::RIM.faint(0.6));
 }
 
 /// The chuck with its jaws, which turn with the work.

@@ -20,6 +20,9 @@ const CHUCK: (f64, f64) = (74.0, 134.0);
 /// At most so much smaller for the start of the slide to be in the drawing.
 const SMALLER: f64 = 0.6;
 
+/// Radius of the main motor.
+pub(super) const MAIN_MOTOR: f64 = 38.0;
+
 /// Centre of the section as the work sees it, radius of the stock in it, and of its glass.
 pub(in super::super) const CLOSE: (f64, f64, f64) = (918.0, 118.0, 74.0);
 pub(super) const GLASS: f64 = 86.0;
@@ -84,6 +87,19 @@ impl Layout {
         let p = &lathe.p;
         Layout { cutter: (self.work.0 + (0.5 * p.across_flats + p.tip_radius) * self.scale, AXIS), ..self }
     }
+
+    /// Left and right side and top of the headstock.
+    pub(super) fn headstock(&self) -> [f64; 3] {
+        let ((x, y), chuck) = (self.work, self.chuck);
+        [x - chuck - 14.0, x + chuck + 14.0, y - chuck - 16.0]
+    }
+
+    /// Centre of the main motor, which the headstock covers in part.
+    pub(in super::super) fn main_motor(&self) -> (f64, f64) {
+        let [left, _, top] = self.headstock();
+        (left + 18.0 + MAIN_MOTOR, top - 0.8 * MAIN_MOTOR)
+    }
+
     /// Where an insert touches the finished side of a polygon: at the level of the axes, towards the cutter.
     pub(in super::super) fn contact(&self, lathe: &PolygonLathe) -> (f64, f64) {
         (self.work.0 + 0.5 * lathe.p.across_flats.min(lathe.p.stock_diameter) * self.scale, AXIS)
