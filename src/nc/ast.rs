@@ -83,6 +83,20 @@ pub struct Block {
     pub main: bool,
 }
 
+impl Block {
+    /// A built block without content.
+    pub(super) const EMPTY: Block = Block {
+        span: Span { start: 0, end: 0 },
+        number: None,
+        number_at: Extent { offset: 0, len: 0 },
+        stmt: Stmt::Empty,
+        comment: None,
+        label: None,
+        skip: 0,
+        main: false,
+    };
+}
+
 /// Statement of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stmt {
@@ -473,6 +487,25 @@ impl Deck {
     /// Mutable access to a text.
     pub fn text_mut(&mut self, id: TextId) -> Option<&mut Box<str>> {
         self.texts.get_mut(id.index())
+    }
+
+    /// Adds an expression.
+    pub(super) fn add_expr(&mut self, expr: Expr) -> ExprId {
+        self.exprs.push(expr);
+        ExprId(self.exprs.len() as u32 - 1)
+    }
+
+    /// Adds the opposite of a condition: the opposite comparison, or `cond == 0` for a value.
+    pub(super) fn add_opposite(&mut self, cond: ExprId) -> ExprId {
+        match self.expr(cond) {
+            Expr::Binary(op, left, right) if op.opposite() != op => {
+                self.add_expr(Expr::Binary(op.opposite(), left, right))
+            }
+            _ => {
+                let zero = self.add_expr(Expr::Number(Dec::int(0)));
+                self.add_expr(Expr::Binary(Op::Equal, cond, zero))
+            }
+        }
     }
 
     /// Adds a text.

@@ -350,8 +350,7 @@ impl Builder {
     }
 
     fn add(&mut self, expr: Expr) -> ExprId {
-        self.deck.exprs.push(expr);
-        ExprId(self.deck.exprs.len() as u32 - 1)
+        self.deck.add_expr(expr)
     }
 
     fn intern(&mut self, formula: Formula) -> ExprId {

@@ -12,13 +12,12 @@ pub(in crate::nc) const ANY_LOOP: u16 = 0;
 
 /// Codes in the text of a block. Letters O in their numbers are read as zeros, as the parser reads them.
 pub(in crate::nc) fn codes(text: &str, control: &Control) -> Vec<CodeId> {
-    let code = |start: usize, kind: TokenKind| {
+    let code = |span: Span, kind: TokenKind| {
         if !matches!(kind, TokenKind::Code | TokenKind::Address) {
             return None;
         }
-        let rest = text.get(start..)?;
-        let name = Cursor { line: rest.as_bytes(), base: 0, at: 0 }.name().to_ascii_uppercase();
-        let named = control.syntax.names().and_then(|names| names.code(&name));
+        let rest = text.get(span.start as usize..)?;
+        let named = control.syntax.names().and_then(|names| names.code(&span.of(text).to_ascii_uppercase()));
         if let Some(at) = named.and_then(|at| u16::try_from(at).ok()) {
             return Some(CodeId::Named(at));
         }
@@ -32,7 +31,7 @@ pub(in crate::nc) fn codes(text: &str, control: &Control) -> Vec<CodeId> {
             _ => None,
         }
     };
-    tokens(text, control).into_iter().filter_map(|(span, kind)| code(span.start as usize, kind)).collect()
+    tokens(text, control).into_iter().filter_map(|(span, kind)| code(span, kind)).collect()
 }
 
 /// Whether the text of a block has a G word, with a constant number or a calculated one.

@@ -540,11 +540,17 @@ fn large_faulty_programs_take_no_quadratic_time() {
         ("sinumerik-802d", "%_N_A_MPF\n", "one label", &one_label),
         ("mitsubishi-e60", "", "comments between %", &records),
     ];
+    let path = folder.join("large.nc");
+    let command = |control: &str| format!("check \"$1\" --control {control} --json");
     for (control, head, name, block) in cases {
         let program = |count: usize| head.to_owned() + &(1..=count).map(block).collect::<String>() + "M30\n";
-        let command = format!("check \"$1\" --control {control} --json");
-        assert_no_quadratic_time(&folder.join("large.nc"), name, &[&command], &program);
+        assert_no_quadratic_time(&path, name, &[&command(control)], &program);
     }
+    // One line of brackets, in a file whose missing variable asks for the free ones.
+    let brackets = |count: usize| "O1\n#9999=1\n".to_owned() + &"(".repeat(10 * count);
+    assert_no_quadratic_time(&path, "open brackets", &[&command("mitsubishi-e60")], &brackets);
+    let words = |count: usize| ("X1Y1".repeat(count / 4) + "\n").repeat(20);
+    assert_no_quadratic_time(&path, "words of a block", &[&command("sinumerik-802d")], &words);
 }
 
 /// Programs without errors: warnings follow jumps, calls and variables, and a run executes every block.

@@ -271,6 +271,21 @@ fn each_of_many_rewritten_jumps_has_its_own_target() {
     }
 }
 
+/// A jump to a number of another block would change the program.
+#[test]
+fn condition_without_an_unused_number_is_an_error() {
+    let mut b = Builder::new();
+    b.program(1, "");
+    for number in 1..=9999 {
+        b.n(number).words([m(8)]);
+    }
+    b.if_then(v(1).eq(0), 2, 3).words([m(8)]);
+    let emitted = emit(&b.finish(), e60());
+    assert!(!emitted.files.0[0].text.contains("GOTO"));
+    let errors: Vec<_> = emitted.diagnostics.iter().map(|found| (found.severity, found.message.id)).collect();
+    assert_eq!(errors, [(Severity::Error, "nc.unreadable-block")]);
+}
+
 /// Jumps to a repeated number go to its next block, in the text too that replaces numbers by labels.
 #[test]
 fn jump_to_a_repeated_number_goes_to_the_next_block() {

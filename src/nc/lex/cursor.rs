@@ -80,9 +80,14 @@ impl<'a> Cursor<'a> {
         self.run(|byte| byte.is_ascii_digit())
     }
 
+    /// Whether the name at the cursor is `word`, ignoring case. Unlike [`name`](Self::name) it reads no more of the line than the word.
+    pub(in crate::nc) fn is_name(&self, word: &str) -> bool {
+        self.ahead(word) && !in_name(self.byte(word.len()))
+    }
+
     /// The name at the cursor: letters, digits and `_`; empty if there is none.
     pub(in crate::nc) fn name(&self) -> &'a str {
-        let len = self.run(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+        let len = self.run(in_name);
         core::str::from_utf8(self.rest().get(..len).unwrap_or_default()).unwrap_or("")
     }
 
@@ -120,4 +125,9 @@ impl<'a> Cursor<'a> {
         self.at += length;
         Digits { value: Dec { mantissa, scale, point }, length, full, behind }
     }
+}
+
+/// Whether a name may contain the byte.
+fn in_name(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_'
 }

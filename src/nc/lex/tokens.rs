@@ -116,16 +116,16 @@ fn symbolic_piece(cursor: &Cursor, names: &Names, control: &Control) -> Option<(
 
 /// Length and kind of the name or word at the cursor.
 fn name(cursor: &Cursor, names: &Names, control: &Control) -> (usize, TokenKind) {
-    let name = cursor.name();
-    let letters = cursor.run(|byte| byte.is_ascii_alphabetic());
-    if letters == 1 && name.len() > 1 || name.len() == 1 {
+    // An address is one letter, without another letter behind it.
+    if cursor.peek() != b'_' && !cursor.byte(1).is_ascii_alphabetic() && cursor.byte(1) != b'_' {
         return match (cursor.peek() | 0x20, number(cursor, 1)) {
             (b'g' | b'm', digits @ 1..) => (1 + digits, TokenKind::Code),
             (b'n', digits @ 1..) => (1 + digits, TokenKind::Sequence),
-            (b'r', digits @ 1..) => (1 + digits.min(name.len() - 1), TokenKind::Variable),
+            (b'r', 1..) => (1 + Cursor { at: cursor.at + 1, ..*cursor }.digits(), TokenKind::Variable),
             _ => (1, TokenKind::Address),
         };
     }
+    let name = cursor.name();
     let is = |word: &str| name.eq_ignore_ascii_case(word);
     let words = SYMBOLIC_STATEMENTS.iter().chain(&NAMED_OPERATORS).copied();
     let operators = OPERATORS.iter().map(|(word, _)| *word);

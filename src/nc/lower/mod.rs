@@ -7,9 +7,12 @@
 //! | `drop_points` | the point in numbers of whole-number addresses | the number without it |
 //! | `replace_if_then` | `IF … THEN` | a jump over the assignment on the opposite condition |
 //! | `other_forms`: | | |
+//! | … squares | the square function | `x*x` |
+//! | … powers | `POW` | `EXP[b*LN[a]]` |
+//! | … added points | `ADP` | the number alone |
 //! | … `MOD` | `MOD` | `a-FIX[a/b]*b` |
-//! | … `ATAN` of two numbers | | `2*ATAN[y/[SQRT[x*x+y*y]+x]]` |
-//! | … `ATAN` of one number | | `ATAN[a]/[1]` |
+//! | … `ATAN` of two numbers | the form with two numbers | `2*ATAN[y/[SQRT[x*x+y*y]+x]]` |
+//! | … `ATAN` of one number | the form with one number | `ATAN[a]/[1]` |
 //! | `clip_texts` | long blocks and messages | comments clipped |
 
 mod characters;
@@ -19,8 +22,8 @@ mod symbolic;
 use std::collections::BTreeMap;
 
 use crate::controls::options::CommentCharacters;
-use crate::controls::{Address, Control};
-use crate::nc::ast::{self, Block, Deck, Expr, ExprId, Extent, JumpDirection, Stmt, TextId, WordValue};
+use crate::controls::{Address, Alarm, Control};
+use crate::nc::ast::{self, BadBlock, Block, Deck, Expr, Extent, JumpDirection, Stmt, TextId, WordValue};
 use crate::nc::dec::Dec;
 use crate::nc::write::{is_message, text_length};
 use crate::text::Span;
@@ -122,33 +125,22 @@ fn replace_if_then(deck: &mut Deck) -> Vec<u32> {
             };
             let next = blocks.get(at + 1).filter(|next| next.skip == 0).and_then(|next| next.number);
             let next = next.filter(|next| numbers.get(next) == Some(&1));
-            let number = next.or_else(|| unused.next()).unwrap_or(1);
-            let opposite = match deck.expr(cond) {
-                Expr::Binary(op, left, right) => Expr::Binary(op.opposite(), left, right),
-                other => other,
+            let Some(number) = next.or_else(|| unused.next()) else {
+                // Every number is taken, so that no block is left to jump to.
+                deck.blocks.push(Block { stmt: Stmt::Bad(BadBlock::built(Alarm::NoSequence)), ..*block });
+                origins.push(origin);
+                continue;
             };
-            deck.exprs.extend([opposite, Expr::Number(Dec::int(number.into()))]);
-            let end = deck.exprs.len() as u32;
-            let jump = Stmt::If {
-                cond: ExprId(end - 2),
-                target: ExprId(end - 1),
-                way: JumpDirection::Around,
-                keyword: Extent::default(),
-            };
+            let cond = deck.add_opposite(cond);
+            let target = deck.add_expr(Expr::Number(Dec::int(number.into())));
+            let keyword = Extent::default();
+            let jump = Stmt::If { cond, target, way: JumpDirection::Around, keyword };
             let block = Block { span: Span::default(), number_at: Extent::default(), ..*block };
             deck.blocks.push(Block { stmt: jump, comment: None, ..block });
             deck.blocks.push(Block { stmt: Stmt::Assign { to, value }, number: None, label: None, ..block });
             origins.extend([origin; 2]);
             if next.is_none() {
-                deck.blocks.push(Block {
-                    stmt: Stmt::Empty,
-                    number: Some(number),
-                    comment: None,
-                    label: None,
-                    skip: 0,
-                    main: false,
-                    ..block
-                });
+                deck.blocks.push(Block { number: Some(number), ..Block::EMPTY });
                 origins.push(origin);
             }
         }

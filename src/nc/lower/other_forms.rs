@@ -86,14 +86,14 @@ impl Rewritten {
         self.push(Expr::Binary(Op::Subtract, left, multiple))
     }
 
-    /// `a^b = EXP(b · LN(a))`
+    /// `a^b = EXP(b · LN(a))`, for a > 0; the control raises an alarm for other bases.
     fn power(&mut self, base: ExprId, exponent: ExprId) -> ExprId {
         let logarithm = self.push(Expr::Call(Function::Ln, base));
         let product = self.push(Expr::Binary(Op::Multiply, exponent, logarithm));
         self.push(Expr::Call(Function::Exp, product))
     }
 
-    /// `ATAN2(y, x) = 2 · ATAN(y / (√(x² + y²) + x))`
+    /// `ATAN2(y, x) = 2 · ATAN(y / (√(x² + y²) + x))`, −180° < result < 180°; it divides by zero for y = 0, x ≤ 0.
     fn half_angle(&mut self, y: ExprId, x: ExprId) -> ExprId {
         let squares = [x, y].map(|side| self.push(Expr::Binary(Op::Multiply, side, side)));
         let sum = self.push(Expr::Binary(Op::Add, squares[0], squares[1]));

@@ -3,9 +3,10 @@
 //! | rewrite | where | becomes |
 //! |---|---|---|
 //! | `texts` | foreign characters in comments, quotes in messages | `?`, `'` |
-//! | `programs` | a program without a name; the comment after its number | `L9100`, `MPF1`; a comment of its own |
-//! | `drop_points` | the point of a whole number | the number without it |
+//! | `programs` | a program without a name | `L9100`, `MPF1` |
+//! | `plain_whole_numbers` | the point of a whole number | the number without it |
 //! | `jumps` | loops, jumps to block numbers | jumps to labels |
+//! | `titles` | the comment after a program's number | a block of its own |
 //! | `replace_names` | calls by name, messages, statements without a form there | `M98`, a comment |
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,9 +15,7 @@ use crate::controls::Address;
 use crate::controls::options::CommentCharacters;
 use crate::controls::syntax::Names;
 use crate::controls::{Alarm, Code, CodeId, Control};
-use crate::nc::ast::{
-    BadBlock, Block, Deck, Expr, ExprId, Extent, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue,
-};
+use crate::nc::ast::{BadBlock, Block, Deck, Expr, Extent, JumpDirection, Program, Stmt, TextId, Word, WordValue};
 use crate::nc::codes::code_of;
 use crate::nc::dec::Dec;
 use crate::nc::lex::names::number_in;
@@ -32,7 +31,7 @@ pub(super) fn adapt_to_names(
 ) {
     texts(deck, characters);
     programs(deck, control, names);
-    drop_points(deck, names);
+    plain_whole_numbers(deck, names);
     jumps(deck, origins);
     titles(deck, origins);
 }
@@ -90,7 +89,7 @@ fn returns(deck: &Deck, control: &Control, program: &Program) -> bool {
 }
 
 /// Removes the point of whole numbers unless they are too large without it; a constant expression as a word's value becomes a number.
-fn drop_points(deck: &mut Deck, names: &Names) {
+fn plain_whole_numbers(deck: &mut Deck, names: &Names) {
     let plain = |number: Dec| match number.scale {
         0 => Dec { point: number.mantissa.unsigned_abs() > names.whole_max.unsigned_abs(), ..number },
         _ => number,
@@ -203,17 +202,7 @@ impl Labels {
         }
         // A loop at the end of the program exits to after it.
         if let Some(label) = self.before.last().copied().flatten() {
-            let span = Span::default();
-            deck.blocks.push(Block {
-                span,
-                number: None,
-                number_at: Extent::default(),
-                stmt: Stmt::Empty,
-                comment: None,
-                label: Some(label),
-                skip: 0,
-                main: false,
-            });
+            deck.blocks.push(Block { label: Some(label), ..Block::EMPTY });
             origins.push(from.last().copied().unwrap_or(0));
         }
     }
@@ -223,37 +212,22 @@ impl Labels {
         let stmt = blocks[at].stmt;
         let to = self.to.get(at).copied().flatten();
         let way = if to.is_some_and(|to| to <= at) { JumpDirection::Backward } else { JumpDirection::Forward };
-        let mut add = |expr: Expr| {
-            deck.exprs.push(expr);
-            ExprId(deck.exprs.len() as u32 - 1)
-        };
         let label = to.and_then(|to| self.before.get(to).copied().flatten());
         match (stmt, label) {
             (Stmt::While { cond: None, .. }, Some(_)) => Stmt::Empty,
             (Stmt::While { cond: Some(cond), .. }, Some(label)) => {
-                let target = add(Expr::Label(label));
-                let cond = match deck.expr(cond) {
-                    Expr::Binary(op, left, right) if op.opposite() != op => {
-                        deck.exprs.push(Expr::Binary(op.opposite(), left, right));
-                        ExprId(deck.exprs.len() as u32 - 1)
-                    }
-                    _ => {
-                        deck.exprs.push(Expr::Number(Dec::int(0)));
-                        let zero = ExprId(deck.exprs.len() as u32 - 1);
-                        deck.exprs.push(Expr::Binary(Op::Equal, cond, zero));
-                        ExprId(deck.exprs.len() as u32 - 1)
-                    }
-                };
+                let target = deck.add_expr(Expr::Label(label));
+                let cond = deck.add_opposite(cond);
                 Stmt::If { cond, target, way, keyword: Extent::default() }
             }
             (Stmt::End { .. }, Some(label)) => {
-                Stmt::Goto { target: add(Expr::Label(label)), way, keyword: Extent::default() }
+                Stmt::Goto { target: deck.add_expr(Expr::Label(label)), way, keyword: Extent::default() }
             }
             (Stmt::If { cond, way: JumpDirection::Around, .. }, Some(label)) => {
-                Stmt::If { cond, target: add(Expr::Label(label)), way, keyword: Extent::default() }
+                Stmt::If { cond, target: deck.add_expr(Expr::Label(label)), way, keyword: Extent::default() }
             }
             (Stmt::Goto { way: JumpDirection::Around, .. }, Some(label)) => {
-                Stmt::Goto { target: add(Expr::Label(label)), way, keyword: Extent::default() }
+                Stmt::Goto { target: deck.add_expr(Expr::Label(label)), way, keyword: Extent::default() }
             }
             (
                 Stmt::If { target, way: JumpDirection::Around, .. }
@@ -266,8 +240,7 @@ impl Labels {
                     _ => return Stmt::Bad(BadBlock::built(Alarm::NoSequence)),
                 };
                 let label = deck.add_text(format!("LB{number}"));
-                deck.exprs.push(Expr::Label(label));
-                let (target, way) = (ExprId(deck.exprs.len() as u32 - 1), JumpDirection::Forward);
+                let (target, way) = (deck.add_expr(Expr::Label(label)), JumpDirection::Forward);
                 match stmt {
                     Stmt::If { cond, .. } => Stmt::If { cond, target, way, keyword: Extent::default() },
                     _ => Stmt::Goto { target, way, keyword: Extent::default() },
@@ -303,17 +276,7 @@ fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
         let range = program.first as usize..program.end as usize;
         let first = deck.blocks.len() as u32;
         if let Some(comment) = program.title.take() {
-            let (span, label) = (Span::default(), None);
-            deck.blocks.push(Block {
-                span,
-                number: None,
-                number_at: Extent::default(),
-                stmt: Stmt::Empty,
-                comment: Some(comment),
-                label,
-                skip: 0,
-                main: false,
-            });
+            deck.blocks.push(Block { comment: Some(comment), ..Block::EMPTY });
             // In a program without blocks the title has no original block.
             let own = from.get(range.start).filter(|_| !range.is_empty());
             origins.push(own.copied().unwrap_or(u32::MAX));

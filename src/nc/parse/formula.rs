@@ -311,8 +311,7 @@ impl Reader<'_> {
         }
         self.cursor.at += 1;
         let right = self.inner_formula()?;
-        self.close(open)?;
-        self.formulas.depth -= 1;
+        self.close_group(open)?;
         self.add_expr(Expr::Binary(op, left, right), start)
     }
 
@@ -454,20 +453,28 @@ impl Reader<'_> {
     pub(super) fn group(&mut self, close: u8) -> Read<ExprId> {
         let open = self.open_group(close)?;
         let inner = self.inner_formula()?;
-        self.close(open)?;
-        self.formulas.depth -= 1;
+        self.close_group(open)?;
         Ok(inner)
     }
 
     /// Opens a bracket around a formula, one level deeper.
     fn open_group(&mut self, close: u8) -> Read<OpenBracket> {
         self.deeper()?;
+        self.formulas.brackets += 1;
         let open = self.open(close);
-        if self.formulas.depth == u32::from(self.control.syntax.bracket_depth) + 1 {
+        if self.formulas.brackets == u32::from(self.control.syntax.bracket_depth) + 1 {
             let message = self.too_deep();
             self.report(Alarm::BracketDepth, open.at, open.at + 1, message);
         }
         Ok(open)
+    }
+
+    /// Closes a bracket around a formula.
+    fn close_group(&mut self, open: OpenBracket) -> Read<()> {
+        self.close(open)?;
+        self.formulas.brackets -= 1;
+        self.formulas.depth -= 1;
+        Ok(())
     }
 
     /// A formula within brackets.

@@ -90,8 +90,10 @@ pub(super) struct BlockParts {
 /// State of the formulas of a block.
 #[derive(Debug)]
 pub(super) struct Formulas {
-    /// Number of open square brackets.
+    /// Nesting depth of brackets, signs, NOT and functions without brackets, for the parser's own budget.
     pub(super) depth: u32,
+    /// Number of open brackets around formulas, which the control limits.
+    pub(super) brackets: u32,
     /// Number of expressions of the block so far.
     pub(super) parts: u32,
     /// Alarm for a mistake in the condition being read.
@@ -163,6 +165,7 @@ impl<'a> Reader<'a> {
             block: BlockParts::default(),
             formulas: Formulas {
                 depth: 0,
+                brackets: 0,
                 parts: 0,
                 sentence: Alarm::Format,
                 compared: (0, 0, Op::Equal),
@@ -174,7 +177,12 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Trims white space at both ends, and a `;`.
+    /// Whether a finding is still listed: a search of the file for the fix of another one would be in vain.
+    pub(super) fn lists_findings(&self) -> bool {
+        self.findings.list.len() <= FINDINGS
+    }
+
+    /// Trims blanks, tabs and carriage returns at both ends.
     pub(super) fn trimmed(&self, from: usize, to: usize) -> (usize, usize) {
         let bytes = self.file.text.as_bytes();
         let blank = |b: &u8| matches!(b, b' ' | b'\t' | b'\r');
@@ -195,6 +203,7 @@ impl<'a> Reader<'a> {
         self.cursor.at = 0;
         self.block = BlockParts::default();
         self.formulas.depth = 0;
+        self.formulas.brackets = 0;
         self.formulas.parts = 0;
         self.formulas.sentence = Alarm::Format;
     }

@@ -1,5 +1,7 @@
 //! Findings about a whole file, with fixes: `%`, small letters, line ends, variables missing on the control.
 
+use std::collections::BTreeSet;
+
 use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
@@ -152,30 +154,34 @@ impl Reader<'_> {
         }
         let known = self.file.text.len() <= WHOLE && self.names().is_none();
         let named = if known { variables_of(self.file.text) } else { Vec::new() };
-        let mut taken = Vec::new();
+        let numbers = |span_is: &dyn Fn(&Span) -> bool| -> BTreeSet<u32> {
+            named.iter().filter(|(_, span)| span_is(span)).map(|(number, _)| *number).collect()
+        };
+        let is_assigned = |span: &Span| {
+            let after = self.file.text.get(span.end as usize..).unwrap_or("");
+            after.trim_start_matches(' ').starts_with('=')
+        };
+        // P of a `G65 H` function is its result.
+        let is_result =
+            |span: &Span| self.file.text.get(..span.start as usize).is_some_and(|before| before.ends_with(['P', 'p']));
+        let (assigned, results) = (numbers(&is_assigned), numbers(&is_result));
+        let mut used = numbers(&|_| true);
         for row in &misused {
             let mut finding = self.misuse(row);
             // Only written variables are replaced as scratch variables; variables of another control's PLC, clock or screen are not.
-            let written = |span: &Span| {
-                let behind = self.file.text.get(span.end as usize..).unwrap_or("");
-                // P of a `G65 H` function is its result.
-                let result =
-                    || self.file.text.get(..span.start as usize).is_some_and(|before| before.ends_with(['P', 'p']));
-                behind.trim_start_matches(' ').starts_with('=') || result()
-            };
-            let scratch = row.alarm == Alarm::VariableRange
+            let is_scratch = row.alarm == Alarm::VariableRange
                 && matches!(row.number, 0..1000 | 1200..3000)
-                && named.iter().any(|(number, span)| *number == row.number && written(span));
-            let uses = named.iter().filter(|(number, _)| *number == row.number).take(FINDINGS);
-            let uses: Vec<Span> = uses.map(|&(_, span)| span).collect();
-            if let Some(free) = self.free_variable(&named, &taken).filter(|_| scratch && !uses.is_empty()) {
-                taken.push(free);
+                && (assigned.contains(&row.number) || results.contains(&row.number));
+            let free = if is_scratch { self.free_variable(&used, &assigned) } else { None };
+            if let Some(free) = free {
+                used.insert(free);
                 let title = msg!(
                     "nc.fix.variable",
                     variable = format!("#{free}"),
                     present = row.span.of(self.file.text).trim()
                 );
-                let edits = uses.into_iter().map(|span| (self.place(span), format!("#{free}"))).collect();
+                let uses = named.iter().filter(|(number, _)| *number == row.number).take(FINDINGS);
+                let edits = uses.map(|&(_, span)| (self.place(span), format!("#{free}"))).collect();
                 finding = finding.fix(title, edits);
             } else if row.alarm == Alarm::VariableRange {
                 finding.hints.extend(self.control.free_to_use());
@@ -184,33 +190,33 @@ impl Reader<'_> {
         }
     }
 
-    /// A common variable unused in the file: the one before the first computed one, else the lowest.
-    fn free_variable(&self, named: &[(u32, Span)], taken: &[u32]) -> Option<u32> {
+    /// A common variable unused in the file: the one before the lowest assigned one, else the lowest.
+    fn free_variable(&self, used: &BTreeSet<u32>, assigned: &BTreeSet<u32>) -> Option<u32> {
         let range = self.control.vars.iter().find(|row| row.kind == VarKind::Common)?;
-        let free = |number: &u32| {
-            let named = named.iter().any(|(other, _)| other == number) || taken.contains(number);
-            (range.first..=range.last).contains(number) && !named
-        };
-        let computed = |&&(number, span): &&(u32, Span)| {
-            let behind = self.file.text.get(span.end as usize..).unwrap_or("");
-            (range.first..=range.last).contains(&number) && behind.trim_start_matches(' ').starts_with('=')
-        };
-        let first = named.iter().filter(computed).map(|(number, _)| *number).min();
+        let free = |number: &u32| (range.first..=range.last).contains(number) && !used.contains(number);
+        let first = assigned.range(range.first..=range.last).next();
         first.and_then(|number| number.checked_sub(1)).filter(free).or_else(|| (range.first..=range.last).find(free))
     }
 }
 
-/// Every `#n` outside comments, in the order of the text.
+/// Every `#n` outside comments, in the order of the text. A round bracket without letters is no comment: its variables count.
 fn variables_of(text: &str) -> Vec<(u32, Span)> {
     let bytes = text.as_bytes();
     let mut found = Vec::new();
     let mut comment = false;
+    // End of the last round bracket: another one that opens in it belongs to it.
+    let mut closed = 0;
     let mut at = 0;
     while let Some(&byte) = bytes.get(at) {
         let start = at;
         at += 1;
         match byte {
-            b'(' => comment = !arithmetic(bytes.get(at..).unwrap_or_default()),
+            b'(' if at >= closed => {
+                let inner = bytes.get(at..).unwrap_or_default();
+                let inner = inner.split(|b| matches!(b, b')' | b'\n')).next().unwrap_or_default();
+                comment = inner.iter().any(u8::is_ascii_alphabetic);
+                closed = at + inner.len();
+            }
             b')' | b'\n' => comment = false,
             b'#' if !comment => {
                 let digits = bytes.get(at..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
@@ -222,10 +228,4 @@ fn variables_of(text: &str) -> Vec<(u32, Span)> {
         }
     }
     found
-}
-
-/// Whether a round bracket contains arithmetic, so that its variables count.
-fn arithmetic(inner: &[u8]) -> bool {
-    let inner = inner.iter().take_while(|b| !matches!(b, b')' | b'\n'));
-    !inner.clone().any(u8::is_ascii_alphabetic)
 }

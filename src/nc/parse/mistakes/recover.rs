@@ -9,7 +9,6 @@ use crate::nc::lex::keywords::{COMPARISONS, OPERATORS};
 use crate::nc::lex::spelling::prose;
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::{Mark, Reader};
-use crate::nc::parsed::FINDINGS;
 use crate::text::escape::shortened;
 use crate::text::{DiagnosticKind, Place};
 
@@ -20,7 +19,7 @@ impl Reader<'_> {
     /// Reports the reason why the present line does not parse.
     pub(in crate::nc::parse) fn recover(&mut self, mark: Mark, first: Box<ParseFailure>) {
         let (alarm, whole) = (first.alarm, self.cursor.line);
-        if whole.len() > LOOKED_AT || self.findings.list.len() > FINDINGS {
+        if whole.len() > LOOKED_AT || !self.lists_findings() {
             return self.add_finding(first.finding);
         }
         // An unclosed comment is already reported and hides the rest.

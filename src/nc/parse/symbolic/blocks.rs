@@ -284,7 +284,8 @@ impl<'a> Reader<'a> {
             return self.unexpected();
         }
         // Searching a large file for each such line would take too long.
-        if begins_as_name(name) && self.file.text.len() < 1 << 16 && self.jumped_to(name) {
+        let is_small = self.file.text.len() < 1 << 16;
+        if begins_as_name(name) && is_small && self.lists_findings() && self.jumped_to(name) {
             let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name), false);
             let place = self.place(self.span(end, end));
             failure.finding = failure.finding.fix(msg!("nc.fix.insert", text = ":"), vec![(place, ":".to_owned())]);
@@ -337,7 +338,8 @@ impl<'a> Reader<'a> {
         let message = msg!("nc.other-jump", keyword = name, control = self.control.name);
         let mut failure = self.failure(Alarm::Format, start, end, message, false);
         failure.finding = failure.finding.hint(msg!("nc.hint.other-jump"));
-        if let Some(edits) = self.label_instead(start, name) {
+        let edits = if self.lists_findings() { self.label_instead(start, name) } else { None };
+        if let Some(edits) = edits {
             failure.finding = failure.finding.fix(msg!("nc.fix.jump-to-label"), edits);
         }
         failure
@@ -415,13 +417,12 @@ impl<'a> Reader<'a> {
     }
 
     fn symbolic_jump_ahead(&self) -> bool {
-        let name = self.cursor.name();
-        name.eq_ignore_ascii_case("GOTOF") || name.eq_ignore_ascii_case("GOTOB")
+        self.cursor.is_name("GOTOF") || self.cursor.is_name("GOTOB")
     }
 
     /// Reads a keyword, if it is the next name.
     pub(super) fn take_word(&mut self, word: &str) -> bool {
-        let ahead = self.cursor.name().eq_ignore_ascii_case(word);
+        let ahead = self.cursor.is_name(word);
         self.cursor.at += if ahead { word.len() } else { 0 };
         ahead
     }

@@ -44,24 +44,24 @@ impl Reader<'_> {
             if !byte.is_ascii_alphabetic() {
                 return Ok(left);
             }
-            let name = self.cursor.name();
-            let Some(level) = LOGIC.iter().position(|(word, _)| name.eq_ignore_ascii_case(word)) else {
+            let Some(level) = LOGIC.iter().position(|(word, _)| self.cursor.is_name(word)) else {
                 return Ok(left);
             };
             if level < least {
                 return Ok(left);
             }
-            self.cursor.at += name.len();
+            let (word, op) = LOGIC[level];
+            self.cursor.at += word.len();
             self.skip();
             let right = self.logic(level + 1)?;
-            left = self.add_expr(Expr::Binary(LOGIC[level].1, left, right), start)?;
+            left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
     }
 
     /// Reads `NOT value` as `value == 0`.
     fn negation(&mut self) -> Read<Option<ExprId>> {
         let byte = self.skip();
-        if byte | 0x20 != b'n' || !self.cursor.name().eq_ignore_ascii_case("NOT") {
+        if byte | 0x20 != b'n' || !self.cursor.is_name("NOT") {
             return Ok(None);
         }
         let start = self.cursor.at;
@@ -83,8 +83,7 @@ impl Reader<'_> {
         let byte = self.skip();
         let from = self.cursor.at;
         if byte.is_ascii_alphabetic() {
-            let name = self.cursor.name();
-            let &(word, op) = COMPARISONS.iter().find(|(word, _)| name.eq_ignore_ascii_case(word))?;
+            let &(word, op) = COMPARISONS.iter().find(|(word, _)| self.cursor.is_name(word))?;
             self.cursor.at += 2;
             let sign = sign_of(op);
             self.slip(

@@ -96,13 +96,13 @@ impl Reader<'_> {
             let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
             self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
         }
-        if seen.odd || !seen.letters.within(self.tables.letters) {
-            self.check_symbolic_words(first);
-        }
         let count = self.deck.words.len() - first;
+        // Each word is compared with those before it, so only where their number is allowed.
         if count > self.tables.most_words {
             let message = msg!("nc.too-many-words", most = self.tables.most_words as u32);
             self.report(Alarm::BlockWords, 0, self.cursor.line.len(), message);
+        } else if seen.odd || !seen.letters.within(self.tables.letters) {
+            self.check_symbolic_words(first);
         }
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
     }

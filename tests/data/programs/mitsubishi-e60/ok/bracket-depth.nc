@@ -1,0 +1,8 @@
+%
+O12(FIVE BRACKETS, SIGNS COUNT FOR NONE)
+G91 G00
+#1=-[-[-[2]]]
+#2=[[[[-[3]]]]]
+X#1 Y#2
+M30
+%
