@@ -213,6 +213,8 @@ export interface Repairs {
   changes: { change: string; sets: Record<string, string> }[];
   /** Number of results that fail with all changes too. */
   still_failing: number;
+  /** Number of errors of the form that stay: the export is refused. */
+  errors: number;
 }
 
 export interface Design {

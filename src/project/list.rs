@@ -11,7 +11,7 @@ use crate::text::catalog::{number_text, sentence, words};
 use crate::text::columns::{columns, left, right};
 use crate::text::listed;
 use crate::text::number::Fixed;
-use crate::view::{Advice, Limit, Readout, Repairs, Verdict};
+use crate::view::{Limit, Readout, Repair, Repairs, Verdict};
 
 /// Machines with their controls, controls with their bench plant and their open points, as an object.
 pub fn json() -> Json {
@@ -127,13 +127,13 @@ pub fn readouts_json(readouts: &[Readout]) -> Json {
 
 /// The changes with which the failing results hold, as an object.
 pub fn repairs_json(repairs: &Repairs) -> Json {
-    let change = |(change, text): (&Advice, String)| {
+    let change = |change: &Repair| {
         let sets: serde_json::Map<String, Json> =
             change.sets.iter().map(|(id, text)| ((*id).to_owned(), json!(text))).collect();
-        json!({ "change": text, "sets": sets })
+        json!({ "change": sentence(&change.text), "sets": sets })
     };
-    let changes: Vec<Json> = repairs.changes.iter().zip(repairs.texts()).map(change).collect();
-    json!({ "changes": changes, "still_failing": repairs.left })
+    let changes: Vec<Json> = repairs.changes.iter().map(change).collect();
+    json!({ "changes": changes, "still_failing": repairs.still_failing, "errors": repairs.errors })
 }
 
 /// The changes with which the failing results hold, as a line; empty without one.

@@ -41,7 +41,7 @@ pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Knob};
 pub use look::{Look, Paint};
 pub use parts::DrawnPart;
-pub use readout::{Advice, Limit, Readout, Repairs, Verdict};
+pub use readout::{Advice, Limit, Readout, Repair, Repairs, Verdict};
 pub use scene::{Font, Node, Placement, Pose, Scene, SceneGroup, Shape};
 pub use sheet::{Column, Row, Sheet, SheetKind};
 pub use svg::Theme;

@@ -116,29 +116,41 @@ impl Advice {
     }
 }
 
+/// A change of the form.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Repair {
+    /// The change in words: those of the remedy's button.
+    pub text: Message,
+    /// Form entries, each the id of a field and its text.
+    pub sets: Vec<(&'static str, String)>,
+}
+
 /// Changes of the form with which the failing results of a design hold.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Repairs {
-    /// The changes, in the order in which they were found; each has a button.
-    pub changes: Vec<Advice>,
-    /// Number of results that fail with all of them too.
-    pub left: usize,
+    /// The changes, in the order in which they were found.
+    pub changes: Vec<Repair>,
+    /// Number of results that still fail with all of them.
+    pub still_failing: usize,
+    /// Number of errors that stay with all of them: the export is refused.
+    pub errors: usize,
 }
 
 impl Repairs {
-    /// The words of their buttons.
+    /// The changes in words.
     pub fn texts(&self) -> Vec<String> {
-        self.changes.iter().filter_map(|change| change.button.as_ref()).map(sentence).collect()
+        self.changes.iter().map(|change| sentence(&change.text)).collect()
     }
 
-    /// The changes with which every result holds, or all but some; none where no change helps.
+    /// The changes with which every result holds, or all but some, and the errors that stay; none where no change helps.
     pub fn message(&self) -> Option<Message> {
         let texts = self.texts();
         let (count, changes) = (texts.len() as u32, clauses(&texts));
-        match (count, self.left as u32) {
-            (0, _) => None,
-            (_, 0) => Some(msg!("form.report.changes", count, changes)),
-            (_, left) => Some(msg!("form.report.changes-left", count, changes, left)),
+        match (count, self.still_failing as u32, self.errors as u32) {
+            (0, ..) => None,
+            (_, 0, 0) => Some(msg!("form.report.changes", count, changes)),
+            (_, 0, errors) => Some(msg!("form.report.changes-errors", count, changes, errors)),
+            (_, left, _) => Some(msg!("form.report.changes-left", count, changes, left)),
         }
     }
 }

@@ -10,6 +10,7 @@ type Work = Box<dyn FnOnce()>;
 
 thread_local! {
     static WAITING: RefCell<VecDeque<Work>> = const { RefCell::new(VecDeque::new()) };
+    static LAST: RefCell<VecDeque<Work>> = const { RefCell::new(VecDeque::new()) };
 }
 
 /// Runs `work` in a task of its own, after all work that already waits.
@@ -32,6 +33,9 @@ fn next() {
     }
     let more = WAITING.with_borrow_mut(|waiting| {
         waiting.pop_front();
+        if waiting.is_empty() {
+            waiting.extend(LAST.with_borrow_mut(VecDeque::pop_front));
+        }
         !waiting.is_empty()
     });
     if more {
@@ -39,12 +43,11 @@ fn next() {
     }
 }
 
-/// Runs `work` once no other work waits.
+/// Runs `work` once no other work waits, but for such work added later.
 pub(crate) fn at_last(work: impl FnOnce() + 'static) {
-    in_turn(move || {
-        let alone = WAITING.with_borrow(|waiting| waiting.len() == 1);
-        if alone { work() } else { at_last(work) }
-    });
+    LAST.with_borrow_mut(|last| last.push_back(Box::new(work)));
+    // Where nothing waits, its turn comes after this.
+    in_turn(|| ());
 }
 
 /// Whether nothing waits.
@@ -81,5 +84,17 @@ mod tests {
         assert!(done.borrow().is_empty());
         until(are_over).await;
         assert_eq!(*done.borrow(), ["first", "second", "added", "last"]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn two_works_at_last_both_run() {
+        let _page = mount(|| view! { <p></p> }).await;
+        let done = Rc::new(RefCell::new(Vec::new()));
+        for name in ["one", "other"] {
+            let done = Rc::clone(&done);
+            at_last(move || done.borrow_mut().push(name));
+        }
+        until(are_over).await;
+        assert_eq!(*done.borrow(), ["one", "other"]);
     }
 }

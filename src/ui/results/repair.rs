@@ -51,13 +51,14 @@ fn take(page: Page, found: &FoundRepairs) {
         return page.notices.notify(Tone::Warn, t("page.no-repair").to_owned());
     }
     page.take_entries(&entries);
-    let (changes, left) = (clauses(&found.changes), found.left);
+    let (changes, left, errors) = (clauses(&found.changes), found.still_failing, found.errors);
     if left == 0 {
         // The notice that results of this project fail is no longer true.
         page.notices.leave_project();
     }
-    let (tone, message) = match left {
-        0 => (Tone::Info, crate::msg!("page.repaired", changes)),
+    let (tone, message) = match (left, errors) {
+        (0, 0) => (Tone::Info, crate::msg!("page.repaired", changes)),
+        (0, _) => (Tone::Warn, crate::msg!("page.repaired-errors", changes, errors)),
         _ => (Tone::Warn, crate::msg!("page.repaired-but", changes, left)),
     };
     page.notices.notify(tone, sentence(&message));

@@ -132,6 +132,8 @@ impl Player {
 
 /// Key in the browser's store of breakpoints and watches.
 const KEPT: &str = "macroline.stepping";
+/// The key under which former versions of the page kept them.
+const FORMER: &str = "macroline.walk";
 
 /// Key, sign and words of each command.
 pub(crate) const COMMANDS: [(&str, &str, &str); 8] = [
@@ -221,7 +223,7 @@ pub(crate) fn keep(page: Page) {
 
 /// Takes the kept breakpoints and watches, as far as the program has their lines.
 pub(crate) fn restore(page: Page) {
-    let Some(text) = remembered(KEPT) else { return };
+    let Some(text) = remembered(KEPT).or_else(|| remembered(FORMER)) else { return };
     let parsed = page.program.written.with_untracked(|written| written.parsed.clone());
     page.player.stepper.update_untracked(|stepper| {
         for line in text.lines() {

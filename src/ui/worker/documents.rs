@@ -38,7 +38,8 @@ pub(in crate::ui) fn repairs(project: &Project) -> FoundRepairs {
     FoundRepairs {
         changes: found.texts(),
         entries: found.changes.iter().flat_map(|change| &change.sets).map(entry).collect(),
-        left: found.left as u32,
+        still_failing: found.still_failing as u32,
+        errors: found.errors as u32,
     }
 }
 

@@ -117,8 +117,10 @@ pub(crate) struct FoundRepairs {
     pub changes: Vec<String>,
     /// Id of each field and its new text, in the order in which they are taken.
     pub entries: Vec<(String, String)>,
-    /// Number of results that fail with all of them too.
-    pub left: u32,
+    /// Number of results that still fail with all of them.
+    pub still_failing: u32,
+    /// Number of errors of the form that stay.
+    pub errors: u32,
 }
 
 /// A place in the editor.

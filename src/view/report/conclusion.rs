@@ -1,4 +1,4 @@
-//! The conclusion of a report: the work of the machine, the time of a part, whether the verdicts hold, and the changes with which they do.
+//! The conclusion of a report: the work of the machine, the time of a part, whether all results hold, and the changes with which they do.
 
 use super::document::Report;
 use crate::msg;
@@ -8,15 +8,15 @@ use crate::text::{Message, clauses, listed, sentences};
 use crate::view::svg::escape;
 use crate::view::{Readout, Verdict};
 
-/// Maximum failing verdicts named.
+/// Maximum failing results named.
 const NAMED: usize = 3;
 
 /// The conclusion as HTML, with its figures in bold.
 pub(super) fn conclusion(report: &Report) -> String {
-    let emphasized = [Some(work(report)), part(report)].into_iter().flatten().map(|message| emphasized(&message));
-    let [said, exceeded] = [Some(verdicts(report)), exceeded(report)].map(|message| message.as_ref().map(plain));
-    let changes = report.repairs.message().as_ref().map(self::emphasized);
-    sentences(emphasized.chain([said, changes, exceeded].into_iter().flatten()))
+    let [work, part, changes] =
+        [Some(work(report)), part(report), report.repairs.message()].map(|message| message.as_ref().map(emphasized));
+    let [verdicts, exceeded] = [Some(verdicts(report)), exceeded(report)].map(|message| message.as_ref().map(plain));
+    sentences([work, part, verdicts, changes, exceeded].into_iter().flatten())
 }
 
 /// A sentence as HTML, its values in bold.
@@ -59,7 +59,7 @@ fn part(report: &Report) -> Option<Message> {
     }
 }
 
-/// Whether all verdicts hold, or the first ones that fail.
+/// Whether all results hold, or the first ones that fail.
 fn verdicts(report: &Report) -> Message {
     let judged: Vec<&Readout> = report.readouts.iter().filter(|readout| readout.verdict != Verdict::None).collect();
     let failing: Vec<&str> =

@@ -132,7 +132,7 @@ pub struct Report {
     pub summary: Option<Message>,
     /// Results with verdicts.
     pub readouts: Vec<Readout>,
-    /// Changes with which the failing verdicts hold.
+    /// Changes with which the failing results hold.
     pub repairs: Repairs,
     /// Findings about fields and program.
     pub diagnostics: Vec<Diagnostic>,

@@ -135,7 +135,7 @@ impl Page<'_> {
             "form.report.unit",
             "form.report.against",
             "form.report.limit",
-            "form.report.repair",
+            "form.report.remedy",
         ];
         self.raw("<table class=\"verdicts\">");
         self.head(&columns, Some(""));

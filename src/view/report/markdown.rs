@@ -60,7 +60,7 @@ fn head(out: &mut String, ids: &[&'static str]) {
     let _ = writeln!(out, "|{}", "---|".repeat(ids.len()));
 }
 
-/// Errors and remarks, then the advice of the verdicts.
+/// Errors and remarks, the advice of the verdicts, then the changes with which the failing results hold.
 fn findings(out: &mut String, report: &Report) {
     for finding in report.diagnostics.iter().chain(&report.sizing.exceeded) {
         let _ = writeln!(out, "- {}", escape::markdown(&sentence(&finding.message)));
@@ -73,6 +73,9 @@ fn findings(out: &mut String, report: &Report) {
         for advice in &readout.advice {
             let _ = writeln!(out, "  - {}", escape::markdown(&sentence(&advice.message)));
         }
+    }
+    if let Some(changes) = report.repairs.message() {
+        let _ = writeln!(out, "\n{}", escape::markdown(&sentence(&changes)));
     }
 }
 

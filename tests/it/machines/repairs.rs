@@ -21,7 +21,7 @@ fn repaired(project: &Project) -> (Project, usize) {
     let found = repairs(project);
     let after =
         found.changes.iter().fold(project.clone(), |project, change| project.with_entries(&change.sets).unwrap());
-    (after, found.left)
+    (after, found.still_failing)
 }
 
 #[test]
@@ -32,8 +32,7 @@ fn repairs_of_the_published_line_change_the_machine_only() {
     for ordered in ["pitch", "speed"] {
         assert_eq!(after.values.get(ordered), paper.values.get(ordered), "{ordered}");
     }
-    let buttons: Vec<String> =
-        repairs(&paper).changes.iter().map(|change| sentence(change.button.as_ref().unwrap())).collect();
+    let buttons = repairs(&paper).texts();
     assert_eq!(buttons, ["Add a dancer", "Set Ø 15.28 mm", "Set a loop of 1773.5 mm", "Set 2 pitches per block"]);
 }
 
@@ -48,6 +47,17 @@ fn answer_names_the_repairs_with_their_entries() {
         repairs_text(&self::repairs(&paper)),
         "With these changes every result holds: Add a dancer; Set Ø 15.28 mm; Set a loop of 1773.5 mm; Set 2 pitches per block.\n"
     );
+}
+
+#[test]
+fn repairs_say_which_errors_stay() {
+    let project = Project::of("turning-spindle", None).unwrap();
+    let project = project.with_entries(&[("start-x", "70".to_owned()), ("spindle-ramp", "1".to_owned())]).unwrap();
+    let found = repairs(&project);
+    let (_, left) = repaired(&project);
+    assert_eq!((left, found.errors), (0, 1));
+    let said = sentence(&found.message().unwrap());
+    assert!(said.contains("every result holds, but 1 error of the form stays: Set a ramp of"), "{said}");
 }
 
 #[test]
