@@ -233,9 +233,9 @@ fn starts_by_the_formulas_are_not_below_those_of_the_run() {
             let axis = axis(&project, id);
             let stretches = run.timeline().stretches(axis.mover, 0.0, run.timeline().end());
             let starts = axis.motion(&stretches, None).starts_per_minute();
-            let about = format!("{} {id}: {starts} of {}", project.machine.id(), axis.starts);
+            let about = format!("{} {id}: {starts} of {}", project.machine.id(), axis.starts_per_minute);
             // The ways to the first pass and after the last one count in the run alone.
-            assert!(starts <= 1.1 * axis.starts && starts > 0.3 * axis.starts, "{about}");
+            assert!(starts <= 1.1 * axis.starts_per_minute && starts > 0.3 * axis.starts_per_minute, "{about}");
         }
     }
 }
