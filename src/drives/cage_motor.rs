@@ -1,4 +1,4 @@
-//! Standard cage induction motors on an inverter: poles, the highest speed that rotor and bearings bear, cooling by their own fan.
+//! Standard cage induction motors on an inverter: poles, the highest speed that rotor and bearings bear, cooling by the fan on the shaft.
 
 use crate::math;
 
@@ -29,8 +29,8 @@ pub fn no_load_speed(rated_speed: f64, frequency: f64) -> f64 {
     60.0 * frequency / (60.0 * RATED_FREQUENCY / rated_speed).floor().max(1.0)
 }
 
-/// Share (0.5 to 1) of its continuous torque that a motor with its own fan gives at `x` times its rated speed or frequency:
-/// `0.5 + 0.5 x`, because the fan turns with the rotor. Source: sizing facts 2.10, from memory.
-pub fn own_fan_torque_share(x: f64) -> f64 {
+/// Share (0.5 to 1) of its continuous torque that a motor with a fan on its shaft gives at `x` times its rated speed or frequency:
+/// `0.5 + 0.5 x`, because the fan turns with the rotor (IC 411). Source: sizing facts 2.10, from memory.
+pub fn shaft_fan_torque_share(x: f64) -> f64 {
     math::clamp(0.5 + 0.5 * x, 0.5, 1.0)
 }

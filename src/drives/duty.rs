@@ -271,9 +271,10 @@ impl Motion {
             let signed = self.torque(turn, rotor);
             let (torque, _) = self.greatest(turn, signed);
             let brakes = signed * (turn.from + turn.to) < 0.0;
-            // A motor that its own fan cools has less torque at the slow end; without one the fast end comes first.
-            let ends = (turn.from.abs().max(turn.to.abs()), turn.from.abs().min(turn.to.abs()));
-            for speed in [ends.0 / RPM, ends.1 / RPM] {
+            // Torque of a motor with a shaft fan is least at the slow end; of equal shares the fast end is taken.
+            let fast = turn.from.abs().max(turn.to.abs()) / RPM;
+            let slow = turn.from.abs().min(turn.to.abs()) / RPM;
+            for speed in [fast, slow] {
                 let share = torque / most(brakes, speed);
                 if share > worst_point.share {
                     worst_point = OperatingPoint { torque, speed, share };
@@ -295,7 +296,8 @@ impl Motion {
         if seconds > 0.0 { (square / seconds).sqrt() } else { 0.0 }
     }
 
-    /// Energies (J) that come back at the shaft, one for each time that the load drives the motor, in their order. Source: sizing facts 2.4.
+    /// Energies (J) that come back at the shaft, one for each time that the load drives the motor, in their order. Source: sizing facts
+    /// 2.4.
     pub fn returns(&self, rotor: f64) -> Vec<f64> {
         let mut all = vec![0.0];
         for turn in &self.turns {

@@ -20,8 +20,8 @@ pub fn torque(weight: f64) -> f64 {
     SERVICE_FACTOR * weight
 }
 
-/// Greatest turn (rad) of a shaft that a weight turns from rest until the brake has closed: `T t² / (2 (J_L + J_M))`, without friction; torque of
-/// the weight in Nm, inertia of load and rotor in kg m². Source: sizing facts 2.14.
+/// Greatest turn (rad) of a shaft that a weight turns from rest until the brake has closed: `T t² / (2 (J_L + J_M))`, without friction;
+/// torque of the weight in Nm, inertia of load and rotor in kg m². Source: sizing facts 2.14.
 pub fn turn_until_closed(weight: f64, inertia: f64) -> f64 {
     0.5 * weight / inertia * CLOSING_TIME * CLOSING_TIME
 }

@@ -27,8 +27,8 @@ pub struct Slide {
 }
 
 impl Slide {
-    /// Load at the motor's shaft: `(J_S + m (h / 2π)²) / i²`, and the torque of the friction. Source: a slide of mass m moves with the screw as a
-    /// mass on the radius h / 2π.
+    /// Load at the motor's shaft: `(J_S + m (h / 2π)²) / i²`, and the torque of the friction. Source: a slide of mass m moves with the
+    /// screw as a mass on the radius h / 2π.
     pub fn load(&self) -> Load {
         let at_screw = self.screw.inertia() + inertia::at_radius(self.mass, self.lead / (2.0 * PI));
         Load {
@@ -43,7 +43,8 @@ impl Slide {
         through_gear(force * self.lead / (2.0 * PI), self.gear, self.efficiency)
     }
 
-    /// Torque at the motor's shaft while the slide moves down its way against a force: the weight helps. Negative where it drives the motor.
+    /// Torque at the motor's shaft while the slide moves down its way against a force: the weight helps. Negative where it drives the
+    /// motor.
     pub fn downhill(&self, force: f64) -> f64 {
         self.torque(force + self.friction - self.mass * GRAVITY * math::sin(self.rise))
     }

@@ -1,6 +1,6 @@
 //! Motor of a main spindle with a gear: constant torque up to base speed, constant power above.
 
-use super::cage_motor::own_fan_torque_share;
+use super::cage_motor::shaft_fan_torque_share;
 use crate::math::{self, RPM};
 
 /// Newton metres times r/min per kilowatt: `60 000 / 2π`.
@@ -17,57 +17,62 @@ pub struct MotorCurve {
     /// Spindle speed up to which the torque is constant, r/min.
     pub base: f64,
     /// Whether a fan on the motor's shaft cools it: a continuous torque that falls with the speed below base speed.
-    pub own_fan: bool,
+    pub has_shaft_fan: bool,
 }
 
 impl MotorCurve {
     /// Curve of a motor of `power` kW with base speed `base` r/min, whose top speed `top` r/min turns the spindle at `stage` r/min, with
-    /// the efficiency of the gear: `P = P_m η`, `n_b = n_bm · stage / top`. With a base speed above the top speed the torque is constant up to
-    /// the top speed, and the motor never reaches its power.
+    /// the efficiency of the gear: `P = P_m η`, `n_b = n_bm · stage / top`. With a base speed above the top speed the torque is constant up
+    /// to the top speed, and the motor never reaches its power.
     ///
     /// Source: `reference/turning-spindle.md` section 4.
     pub fn new(power: f64, efficiency: f64, (base, top): (f64, f64), stage: f64) -> MotorCurve {
-        MotorCurve { power: power * efficiency, base: stage * base / top, own_fan: false }
+        MotorCurve { power: power * efficiency, base: stage * base / top, has_shaft_fan: false }
     }
 
     /// Curve of a motor of `power` kW with a rated torque in Nm: base speed `n_b = 9549.3 P / M`.
     pub fn with_torque(power: f64, torque: f64) -> MotorCurve {
-        MotorCurve { power, base: TORQUE * power / torque, own_fan: false }
+        MotorCurve { power, base: TORQUE * power / torque, has_shaft_fan: false }
     }
 
-    /// The continuous curve of the motor with a fan on its shaft, or with a fan that has a motor of its own.
-    pub fn with_own_fan(&self, own_fan: bool) -> MotorCurve {
-        MotorCurve { own_fan, ..*self }
+    /// Curve of a motor of `power` kW with base speed `base` r/min at its own shaft.
+    pub fn at_shaft(power: f64, base: f64) -> MotorCurve {
+        MotorCurve { power, base, has_shaft_fan: false }
     }
 
-    /// Greatest torque in Nm, that at base speed: `M_b = 9549.3 P / n_b`.
-    pub fn highest(&self) -> f64 {
+    /// The curve with a fan on the motor's shaft (IC 411), or with forced cooling (IC 416).
+    pub fn with_shaft_fan(&self, has_shaft_fan: bool) -> MotorCurve {
+        MotorCurve { has_shaft_fan, ..*self }
+    }
+
+    /// Torque in Nm at base speed, without the loss of a shaft fan: `M_b = 9549.3 P / n_b`.
+    pub fn base_torque(&self) -> f64 {
         TORQUE * self.power / self.base
     }
 
-    /// Torque in Nm at a spindle speed in r/min: `M = 9549.3 P / max(n, n_b)`, with the motor's own fan `M · (0.5 + 0.5 n / n_b)` below base
-    /// speed. Source: `reference/turning-spindle.md` section 4.
+    /// Torque in Nm at a spindle speed in r/min: `M = 9549.3 P / max(n, n_b)`, with a fan on the motor's shaft `M · (0.5 + 0.5 n / n_b)`
+    /// below base speed. Source: `reference/turning-spindle.md` section 4.
     pub fn torque(&self, rpm: f64) -> f64 {
         let speed = rpm.abs();
-        let cooled = if self.own_fan { own_fan_torque_share(speed / self.base) } else { 1.0 };
+        let cooled = if self.has_shaft_fan { shaft_fan_torque_share(speed / self.base) } else { 1.0 };
         cooled * TORQUE * self.power / speed.max(self.base)
     }
 
     /// Mean square of a torque (Nm) as a fraction of the curve, while the speed changes linearly from one value (r/min) to another:
-    /// `mean of (T / M(n))²`, with `M` inversely proportional to `max(n, n_b)`; with the motor's own fan
+    /// `mean of (T / M(n))²`, with `M` inversely proportional to `max(n, n_b)`; with a fan on the motor's shaft
     /// `∫ (T / M(n))² dn = (T / M_b)² · 4 (n_2 - n_1) / ((1 + n_1 / n_b) (1 + n_2 / n_b))` below base speed.
     ///
     /// Source: `reference/turning-spindle.md` section 4.
     pub fn mean_square(&self, torque: f64, (from, to): (f64, f64)) -> f64 {
         let (low, high) = (from.abs().min(to.abs()), from.abs().max(to.abs()));
-        let share = torque / self.highest();
+        let share = torque / self.base_torque();
         let bend = self.base.max(low).min(high);
         if high - low <= SMALL * high {
             let share = torque / self.torque(high);
             return share * share;
         }
         let cube = |speed: f64| speed * speed * speed;
-        let cooled = if self.own_fan { 4.0 / ((1.0 + low / self.base) * (1.0 + bend / self.base)) } else { 1.0 };
+        let cooled = if self.has_shaft_fan { 4.0 / ((1.0 + low / self.base) * (1.0 + bend / self.base)) } else { 1.0 };
         let mean = (cooled * (bend - low) + (cube(high) - cube(bend)) / (3.0 * self.base * self.base)) / (high - low);
         share * share * mean
     }
@@ -85,7 +90,7 @@ impl MotorCurve {
     pub fn seconds_to(&self, rpm: f64, inertia: f64, load: f64) -> f64 {
         let (speed, power) = (rpm.abs() * RPM, 1000.0 * self.power);
         let base = (self.base * RPM).min(speed);
-        let (over, left) = (self.highest() - load, power - load * speed);
+        let (over, left) = (self.base_torque() - load, power - load * speed);
         if speed == 0.0 {
             return 0.0;
         }

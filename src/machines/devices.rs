@@ -1,7 +1,9 @@
 //! Items of the bill of materials, and the devices that ladder and form of a machine ask for.
 
 use super::ladder::{Bit, Device, Ladder, MachineContact, MachineOutput};
+use crate::msg;
 use crate::text::Message;
+use crate::view::Advice;
 
 /// An item of the bill, in its order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,7 +28,7 @@ pub enum BillItem {
     Resistor,
     /// Encoder of a spindle.
     Encoder,
-    /// Fan with a motor of its own.
+    /// Fan of forced cooling, with a supply of its own.
     Fan,
     /// Dancer with the sensor of its position.
     Dancer,
@@ -93,6 +95,11 @@ pub struct AskedDevice {
     pub drive: Option<&'static str>,
     /// Range and kind of signal.
     pub asked: Message,
+}
+
+/// An advice to fit forced cooling (IC 416), with the field of the form that has it.
+pub fn forced_cooling_advice(field: &'static str, message: Message) -> Advice {
+    Advice::from(message).setting(msg!("advice.forced-cooling"), [(field, "true".to_owned())])
 }
 
 /// The item that has the contact.

@@ -36,7 +36,7 @@ pub struct DrivenAxis {
     /// Torque (Nm) that the whole cut may ask without a pause, with friction and weight; none where no cut adds to the load.
     pub lasting: Option<f64>,
     /// Starts per minute by the formulas of the form, while the work lasts; 0 where those of the run alone count.
-    pub starts: f64,
+    pub starts_per_minute: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// The motor that the form has.
@@ -182,7 +182,8 @@ pub struct FormMotor {
 }
 
 impl DrivenAxis {
-    /// Greatest way (in units of the run) that its weight moves it from rest until the brake at its motor has closed; none without a weight.
+    /// Greatest way (in units of the run) that its weight moves it from rest until the brake at its motor has closed; none without a
+    /// weight.
     pub fn sinks(&self) -> Option<f64> {
         let inertia = self.load.inertia + self.fitted.motor.rotor;
         (self.weight > 0.0).then(|| holding_brake::turn_until_closed(self.weight, inertia) / self.turn)
@@ -249,14 +250,14 @@ pub struct InverterDrive {
     /// Radians per second of the motor per r/min of the spindle in a run.
     pub turn: f64,
     /// Load at the motor's shaft, without the rotor: inertia, and torque besides that of the work.
-    pub turned: Load,
+    pub load_at_motor: Load,
     /// Inertia of its rotor, kg m²; 0 if the load includes it.
     pub rotor: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// Its frequency and speed at the full analog signal; none if its speed is not commanded in an open loop.
     pub full: Option<FullSignal>,
-    /// Lowest speed (r/min) at which its own fan has to cool it; none where another fan does, or nothing is known.
+    /// Lowest speed (r/min) at which the fan on its shaft has to cool it; none with forced cooling, or where nothing is known.
     pub cooled_at: Option<f64>,
     /// Fields of the form that take another motor.
     pub fields: Option<&'static InductionFields>,
@@ -265,7 +266,7 @@ pub struct InverterDrive {
 impl InverterDrive {
     /// Motion of the motor's shaft in a part of a run; for a main spindle without the torque of its cut.
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {
-        Motion::new(turns(stretches, self.turn), self.turned, 0.0)
+        Motion::new(turns(stretches, self.turn), self.load_at_motor, 0.0)
     }
 
     /// Turns of the motor's shaft in run-up, work and stop; without a cycle of ramps, in the work alone.
@@ -322,8 +323,8 @@ pub struct SpindleRun {
 }
 
 impl SpindleRun {
-    /// The operating point with the largest fraction of the short-time torque of a motor with this curve and rotor (kg m²), with and without
-    /// stock.
+    /// The operating point with the largest fraction of the short-time torque of a motor with this curve and rotor (kg m²), with and
+    /// without stock.
     pub fn worst_point(&self, motor: &MotorCurve, rotor: f64) -> OperatingPoint {
         let (cut, idle) = (self.under(&self.motion, motor, rotor), self.worst_point_idle(motor, rotor));
         if idle.share > cut.share { idle } else { cut }
@@ -345,8 +346,8 @@ impl SpindleRun {
         share(&self.motion).max(share(&self.idle))
     }
 
-    /// The brake resistor that a braking torque (% of the rated one) of the form assumes: all energy that comes back in a run without stock, over
-    /// the run and its pause (s).
+    /// The brake resistor that a braking torque (% of the rated one) of the form assumes: all energy that comes back in a run without
+    /// stock, over the run and its pause (s).
     pub fn resistor(&self, percent: f64, pause: f64) -> Option<ResistorDemand> {
         let energies = self.idle.returns(self.rotor);
         let seconds: f64 = self.idle.turns().iter().map(|turn| turn.seconds).sum();

@@ -1,15 +1,13 @@
-//! A main spindle on its inverter, for every lathe that has one: the verdict of its ramp, charts of torque and power over the speed.
+//! A main spindle on its inverter, for every lathe that has one: verdict of its ramp, fan, charts of torque and power over the speed.
 
+use super::devices::{AskedDevice, BillItem};
 use super::form::Field;
-use super::verdict::{Judgement, fail, ok, up};
+use super::verdict::{Judgement, fail, maximum, ok, up};
 use crate::drives::MainSpindle;
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::msg;
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Chart, Series};
-
-/// Longest ramp of a form, s.
-const LONGEST_RAMP: f64 = 600.0;
 
 /// The ramp of the form, its field `id`, against the shortest one to a highest speed of the program in r/min.
 pub(super) fn judge_ramp<P>(
@@ -25,21 +23,26 @@ pub(super) fn judge_ramp<P>(
     if shortest == f64::INFINITY {
         let [motor, _] = spindle.short_time();
         let gives = motor.torque(highest);
-        let friction = (spindle.turned.torque, 1);
+        let friction = (spindle.load_at_spindle.torque, 1);
         return fail(limit, [msg!("lathe.friction-stalls", friction, torque = (gives, 1)).into()]);
     }
     let set = up(fields, id, shortest);
     let advice = Advice::from(msg!("lathe.ramp-too-short", needed = (shortest, 2), ramp = (ramp, 2)));
     let button = msg!("advice.set-ramp", time = set.1.as_str());
-    fail(limit, [if shortest <= LONGEST_RAMP { advice.setting(button, [set]) } else { advice }])
+    fail(limit, [if shortest <= maximum(fields, id) { advice.setting(button, [set]) } else { advice }])
+}
+
+/// The fan with a supply of its own, where a drive has forced cooling (IC 416).
+pub(super) fn fan(drive: &'static str, is_forced: bool) -> Option<AskedDevice> {
+    is_forced.then(|| AskedDevice { item: BillItem::Fan, drive: Some(drive), asked: msg!("lathe.device.fan") })
 }
 
 /// Colours of the cut, and of the short-time rating in the engaged stage.
 const CUT: u8 = 4;
 const SHORT: u8 = 5;
 
-/// Curves of the motor over the speed of the spindle, each up to the speed (r/min) at the full analog signal, and the demand of the cut.
-pub(super) struct CurvesOfSpeed {
+/// Curves of the motor over the speed of the spindle, each up to the speed (r/min) at 10 V, and the demand of the cut.
+pub(super) struct SpeedCurves {
     /// Continuous curve of each gear stage, with label and colour.
     pub stages: Vec<(&'static str, u8, MotorCurve, f64)>,
     /// Short-time curve in the engaged stage.
@@ -49,18 +52,18 @@ pub(super) struct CurvesOfSpeed {
 }
 
 /// Charts over the speed of the spindle: torque and power of the motor, and the demand of the cut.
-pub(super) fn over_speed(curves: CurvesOfSpeed, points: usize) -> Vec<Chart> {
+pub(super) fn charts_by_speed(curves: SpeedCurves, points: usize) -> Vec<Chart> {
     let points = points.max(2);
-    // Power is that of the torque: below base speed it grows with the speed.
+    // P = M ω: it grows with the speed below base speed.
     let lines = |of: fn(f64, f64) -> f64| -> Vec<Series> {
         let line = |label, tone, points| Series { label, tone, address: None, points };
-        let curve = |motor: &MotorCurve, rated: f64| {
-            let speeds = (0..points).map(|at| rated * (at as f64 / (points - 1) as f64));
+        let curve = |motor: &MotorCurve, top: f64| {
+            let speeds = (0..points).map(|at| top * (at as f64 / (points - 1) as f64));
             speeds.map(|speed| (speed, of(motor.torque(speed), speed))).collect::<Vec<_>>()
         };
-        let stages = curves.stages.iter().map(|(label, tone, motor, rated)| line(label, *tone, curve(motor, *rated)));
+        let stages = curves.stages.iter().map(|(label, tone, motor, top)| line(label, *tone, curve(motor, *top)));
         let short = curves.short_time.as_ref();
-        let short = short.map(|(motor, rated)| line("lathe.chart.short-time", SHORT, curve(motor, *rated)));
+        let short = short.map(|(motor, top)| line("lathe.chart.short-time", SHORT, curve(motor, *top)));
         let cut = curves.cut.iter().map(|(speed, torque)| (*speed, of(*torque, *speed))).collect::<Vec<_>>();
         let cut = (!cut.is_empty()).then(|| line("lathe.chart.cut", CUT, cut));
         stages.chain(short).chain(cut).collect()

@@ -75,7 +75,8 @@ impl AxisDrive<'_> {
         Some(Scaling { values, travel: self.encoder * unit / fraction.value() })
     }
 
-    /// `over / under = travel / unit / feedback`, with the detection unit in mm of travel, the travel and the feedback counts per turn of the motor.
+    /// `over / under = travel / unit / feedback`, with the detection unit in mm of travel, the travel and the feedback counts per turn of
+    /// the motor.
     fn by_feed_gear(&self, unit: f64, feedback: f64, multiplier: f64, terms: u64) -> Option<Scaling> {
         let fraction = Fraction::nearest(self.travel() / unit / feedback, terms)?;
         let travel = fraction.value() * feedback * unit;

@@ -120,8 +120,8 @@ pub fn slides_at_emergency_stop(way: Option<f64>) -> Message {
 /// Reaction of the slides of a lathe to a power failure; with the brake where a slide with a weight sinks until it has closed (`way`, mm).
 pub fn slides_without_supply(way: Option<f64>) -> Message {
     match way {
-        Some(way) => msg!("lathe.stops.axes-dark-brake", way = (way, 2), time = (CLOSING_TIME, 1)),
-        None => msg!("lathe.stops.axes-dark"),
+        Some(way) => msg!("lathe.stops.axes-unpowered-brake", way = (way, 2), time = (CLOSING_TIME, 1)),
+        None => msg!("lathe.stops.axes-unpowered"),
     }
 }
 

@@ -114,6 +114,15 @@ pub fn near<P>(fields: &[Field<P>], id: &'static str, value: f64) -> (&'static s
     entry(fields, id, value, f64::round)
 }
 
+/// The greatest entry of a number field; infinite for other fields.
+pub fn maximum<P>(fields: &[Field<P>], id: &str) -> f64 {
+    let kind = fields.iter().find(|field| field.id == id).map(|field| &field.kind);
+    match kind {
+        Some(FieldKind::Number { max, .. }) => *max,
+        _ => f64::INFINITY,
+    }
+}
+
 fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> (&'static str, String) {
     let decimals = fields.iter().find(|field| field.id == id).map_or(0, |field| match field.kind {
         FieldKind::Number { decimals, .. } => decimals,

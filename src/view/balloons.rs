@@ -1,5 +1,4 @@
-//! Balloons: numbered circles beside the parts of a drawing, each with a leader to its part, clear of labels and of each other, and beside
-//! the parts where there is room.
+//! Balloons: numbered circles with a leader to each part of a drawing, beside the parts where there is room, clear of labels and of each other.
 
 use core::fmt::Write;
 

@@ -22,7 +22,7 @@ pub struct OperatingLine {
     /// Total duration in the run, s.
     pub seconds: f64,
     /// The line belongs to the run with the knob at its highest position, not to the shown run.
-    pub is_at_knob_end: bool,
+    pub is_at_highest_knob: bool,
 }
 
 /// The chart of a motor.
@@ -99,7 +99,7 @@ impl OperatingLine {
     /// Writes the line by its share of the run's time, with a tooltip.
     fn put(&self, out: &mut String, plane: &Plane, share: f64, words: &TorqueWords) {
         let (class, width) = match share {
-            _ if self.is_at_knob_end => ("s-dim", 1.5),
+            _ if self.is_at_highest_knob => ("s-dim", 1.5),
             share if share >= LASTING => ("s-accent", 5.0),
             share if share >= PASSING => ("s-accent", 2.5),
             _ => ("s-dim", 1.5),
@@ -108,7 +108,7 @@ impl OperatingLine {
         // A single point is drawn too.
         let to = if (to - from).abs() < 1.0 { from + 1.0 } else { to };
         out.push_str("<g");
-        if self.is_at_knob_end {
+        if self.is_at_highest_knob {
             out.push_str(" opacity=\"0.6\"");
         } else {
             let _ = write!(out, " data-at=\"{}\"", Plain(self.t, 3));
@@ -116,7 +116,7 @@ impl OperatingLine {
         out.push_str("><title>");
         escape(out, words.at);
         let _ = write!(out, " {} s", number_text(self.t, 2));
-        if self.is_at_knob_end {
+        if self.is_at_highest_knob {
             out.push_str(", ");
             escape(out, words.knob);
         }
@@ -155,11 +155,11 @@ impl TorqueChart {
         out
     }
 
-    /// Writes the lines of the runs in layers, longest-lasting on top, by their share of the run's time. Lines with the knob at its highest position
-    /// come first, in a lighter style.
+    /// Writes the lines of the runs in layers, longest-lasting on top, by their share of the run's time. Lines with the knob at its highest
+    /// position come first, in a lighter style.
     fn run(&self, out: &mut String, plane: &Plane, words: &TorqueWords) {
-        for at_end in [true, false] {
-            let of_run = || self.lines.iter().filter(|line| line.is_at_knob_end == at_end);
+        for at_highest_knob in [true, false] {
+            let of_run = || self.lines.iter().filter(|line| line.is_at_highest_knob == at_highest_knob);
             let all: f64 = of_run().map(|line| line.seconds).sum();
             let mut lines: Vec<&OperatingLine> = of_run().filter(|line| line.torque.is_finite()).collect();
             lines.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));

@@ -1,5 +1,6 @@
-//! Sizing against an independent calculation: the scalars, cams and motors of `sizing/oracle.json`, written by another program from the
-//! formulas and inputs of `docs/reference/sizing.md`.
+//! Sizing against an independent calculation: the scalars, cams and motors of `sizing/oracle.json`.
+//!
+//! Another program wrote them from the formulas and inputs of `docs/reference/sizing.md`.
 
 mod by_hand;
 mod cams;

@@ -329,8 +329,8 @@ fn files_are_short_and_open_with_a_sentence() {
             broken.push(format!("{}: {lines} lines; divide it", source.path));
         }
         let opening = source.text.lines().next().unwrap_or_default();
-        if opening.strip_prefix("//! ").is_none_or(|text| text.trim().is_empty()) {
-            broken.push(format!("{}: line 1 is no `//! ` sentence that says what the file is", source.path));
+        if opening.strip_prefix("//! ").is_none_or(|text| text.trim().len() < 2 || !text.ends_with(['.', ':'])) {
+            broken.push(format!("{}: line 1 is no whole `//! ` sentence that says what the file is", source.path));
         }
     }
     hold("A file has at most 800 lines and opens with what it is.", "see each place", broken);

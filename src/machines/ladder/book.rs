@@ -146,7 +146,7 @@ impl<'a> Book<'a> {
     }
 
     fn bit(&self, bit: Bit, driven: bool, places: &Places) -> Device {
-        let plc = self.control.plc;
+        let language = self.control.plc;
         let open = |name: String, sides, meaning| Device {
             name,
             variable: String::new(),
@@ -163,15 +163,15 @@ impl<'a> Book<'a> {
                 Device { variable: format!("#{variable}"), ..device }
             }
             Bit::Decoded(_) | Bit::Relay(_) | Bit::Timer(_) => {
-                open(internal_device(plc, bit, places), (PlcSide::Plc, PlcSide::Plc), "")
+                open(internal_device(language, bit, places), (PlcSide::Plc, PlcSide::Plc), "")
             }
             Bit::Input(input) => open(
-                input_device(plc, input, places.inputs.get(&input).copied().unwrap_or(0)),
+                input_device(language, input, places.inputs.get(&input).copied().unwrap_or(0)),
                 (PlcSide::Machine, PlcSide::Plc),
                 input_meaning(input),
             ),
             Bit::Output(output) => open(
-                output_device(plc, places.outputs.get(&output).copied().unwrap_or(0)),
+                output_device(language, places.outputs.get(&output).copied().unwrap_or(0)),
                 (PlcSide::Plc, PlcSide::Machine),
                 output_meaning(output),
             ),
@@ -184,7 +184,7 @@ impl<'a> Book<'a> {
     }
 
     fn word(&self, word: PlcNumber, written: bool, places: &Places) -> Device {
-        let plc = self.control.plc;
+        let language = self.control.plc;
         let open = |name: String, sides, unit, meaning| Device {
             name,
             variable: String::new(),
@@ -198,12 +198,12 @@ impl<'a> Book<'a> {
                 let device = self.signal(role, written);
                 Device { unit: self.unit(role), ..device }
             }
-            PlcNumber::Knob => open(data_device(plc, 0), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.knob"),
+            PlcNumber::Knob => open(data_device(language, 0), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.knob"),
             PlcNumber::FeedKnob => {
-                open(data_device(plc, 1), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.feed-knob")
+                open(data_device(language, 1), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.feed-knob")
             }
             PlcNumber::Data(_) => open(
-                data_device(plc, places.data.get(&word).copied().unwrap_or(0)),
+                data_device(language, places.data.get(&word).copied().unwrap_or(0)),
                 (PlcSide::Plc, PlcSide::Plc),
                 "",
                 "",
@@ -299,20 +299,20 @@ impl Places {
     }
 }
 
-/// A bit of a byte, in octal numbers from a first byte on.
+/// Address of a bit, eight to a byte, counted from byte `first`.
 fn byte_bit(letter: char, first: u32, number: u32) -> String {
     format!("{letter}{}.{}", first + number / 8, number % 8)
 }
 
 /// Device of a relay, a timer or a decoded function.
-fn internal_device(plc: PlcLanguage, bit: Bit, places: &Places) -> String {
+fn internal_device(language: PlcLanguage, bit: Bit, places: &Places) -> String {
     let timer = places.timers.get(&bit).copied().unwrap_or(0);
-    let relay = |number: u32| match plc {
+    let relay = |number: u32| match language {
         PlcLanguage::Pmc | PlcLanguage::Gsk => byte_bit('R', 10, number),
         PlcLanguage::Melsec => format!("M{}", 200 + number),
         PlcLanguage::Step7 => byte_bit('M', 10, number),
     };
-    match (bit, plc) {
+    match (bit, language) {
         (Bit::Timer(_), PlcLanguage::Pmc) => byte_bit('R', 30, timer),
         (Bit::Timer(_), PlcLanguage::Gsk) => format!("T{timer}"),
         (Bit::Timer(_), PlcLanguage::Melsec) => format!("T{}", 20 + timer),
@@ -329,8 +329,8 @@ fn internal_device(plc: PlcLanguage, bit: Bit, places: &Places) -> String {
 }
 
 /// Device of an input. Emergency stop has an address of its own where the control reads it, too (FANUC X8.4, GSK X0.5).
-fn input_device(plc: PlcLanguage, input: MachineContact, number: u32) -> String {
-    match (plc, input) {
+fn input_device(language: PlcLanguage, input: MachineContact, number: u32) -> String {
+    match (language, input) {
         (PlcLanguage::Pmc, MachineContact::Emergency) => "X8.4".to_owned(),
         (PlcLanguage::Gsk, MachineContact::Emergency) => "X0.5".to_owned(),
         (PlcLanguage::Pmc | PlcLanguage::Gsk, _) => byte_bit('X', 3, number),
@@ -340,17 +340,17 @@ fn input_device(plc: PlcLanguage, input: MachineContact, number: u32) -> String 
 }
 
 /// Device of an output.
-fn output_device(plc: PlcLanguage, number: u32) -> String {
-    match plc {
+fn output_device(language: PlcLanguage, number: u32) -> String {
+    match language {
         PlcLanguage::Pmc | PlcLanguage::Gsk => byte_bit('Y', 5, number),
         PlcLanguage::Melsec => format!("Y{:X}", 0x20 + number),
         PlcLanguage::Step7 => byte_bit('Q', 0, number),
     }
 }
 
-/// Device of a number.
-fn data_device(plc: PlcLanguage, number: u32) -> String {
-    match plc {
+/// Device of a data word.
+fn data_device(language: PlcLanguage, number: u32) -> String {
+    match language {
         PlcLanguage::Step7 => format!("VW{}", 100 + 4 * number),
         PlcLanguage::Melsec => format!("D{}", 100 + 2 * number),
         PlcLanguage::Pmc | PlcLanguage::Gsk => format!("D{}", 100 + 4 * number),

@@ -147,8 +147,8 @@ impl Book<'_> {
         );
     }
 
-    /// Holds the program while the inverter reports a fault or one of the contacts is open, with a text for each contact that stays until the
-    /// program runs again or reset is pressed.
+    /// Holds the program while the inverter reports a fault or one of the contacts is open, with a text for each contact that stays until
+    /// the program runs again or reset is pressed.
     fn hold_program(&mut self, ready: Bit, contacts: &[MachineContact]) {
         let all: Vec<Bit> = [ready].into_iter().chain(contacts.iter().copied().map(Bit::Input)).collect();
         self.one_of(

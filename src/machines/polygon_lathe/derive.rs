@@ -2,7 +2,7 @@
 
 use super::load::PolygonLoad;
 use super::params::Params;
-use crate::drives::polygon::choose::{Choice, choices};
+use crate::drives::polygon::choose::{self, Choice};
 use crate::drives::polygon::cut::{self, InsertLoad};
 use crate::drives::polygon::{CutterSetup, Ratio, Section};
 use crate::math::PI;
@@ -10,7 +10,7 @@ use crate::math::PI;
 /// Degrees in a radian.
 const DEGREES: f64 = 180.0 / PI;
 
-/// The results. Lengths in mm, angles in degrees, speeds in r/min, times in s.
+/// The results. Lengths in mm, angles in degrees, speeds of axes in r/min, times in s; other units at their fields.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Derived {
     /// The inserts cut a section out of the stock.
@@ -30,6 +30,7 @@ pub(super) struct Derived {
     pub across_corners: f64,
     /// Whether the sides meet in the stock.
     pub meets: bool,
+    /// Area of the section, mm².
     pub area: f64,
     pub distance: f64,
     /// How far the body of the cutter would be in the stock if it were as large as the tip circle.
@@ -42,7 +43,9 @@ pub(super) struct Derived {
     pub faces_forward: bool,
     pub work_speed: f64,
     pub tool_speed: f64,
+    /// Least cutting speed, m/min.
     pub slowest_cut: f64,
+    /// Greatest cutting speed, m/min.
     pub fastest_cut: f64,
     pub orientation: f64,
     pub orientation_error: f64,
@@ -66,11 +69,14 @@ pub(super) struct Derived {
     /// Speed of the tool that the twist needs during the last pass.
     pub twist_speed: f64,
     pub passes: f64,
+    /// Feed of roughing, mm/min.
     pub feed: f64,
+    /// Feed of finishing, mm/min.
     pub finish_feed: f64,
+    /// Feed down into the stock, mm/min.
     pub infeed: f64,
-    /// Length of stock between face and jaws that the cutter needs.
-    pub free_length: f64,
+    /// Length from face to jaws that the cutter needs.
+    pub length_to_jaws: f64,
     pub mark_pitch: f64,
     pub ready: f64,
     pub cutting_time: f64,
@@ -79,8 +85,8 @@ pub(super) struct Derived {
 }
 
 impl Derived {
-    /// Computes the results for passes of these `sizes` across flats; X words count `cross_words` units per mm of the slide.
-    pub(super) fn new(p: &Params, sizes: &[f64], cross_words: f64) -> Derived {
+    /// Computes the results for passes of these `sizes` across flats; X words count `x_per_mm` units per mm of the slide.
+    pub(super) fn new(p: &Params, sizes: &[f64], x_per_mm: f64) -> Derived {
         let passes = sizes.len() as f64;
         let rough = p.per_minute(p.feed);
         let finish = p.per_minute(p.finish_feed);
@@ -88,14 +94,14 @@ impl Derived {
             ratio: p.ratio().map_or(0.0, Ratio::value),
             work_speed: p.work_speed(),
             tool_speed: p.tool_speed(),
-            offset: -p.tip_radius * cross_words,
+            offset: -p.tip_radius * x_per_mm,
             distance: 0.5 * p.across_flats + p.tip_radius,
             reach: p.reach(),
             passes,
             feed: rough,
             finish_feed: finish,
             infeed: p.per_minute(p.infeed),
-            free_length: p.far_end() + p.clearance,
+            length_to_jaws: p.far_end() + p.clearance,
             ready: p.index_time() + 2.0 * p.settling(),
             cutting_time: p.cutting_time(),
             ..Derived::default()
@@ -171,15 +177,15 @@ impl Derived {
 }
 
 /// All cutters and ratios for the polygon, the best first.
-pub(super) fn ways(p: &Params, sizes: &[f64]) -> Vec<Choice> {
-    choices(&p.wanted(sizes), &p.means())
+pub(super) fn choices(p: &Params, sizes: &[f64]) -> Vec<Choice> {
+    choose::choices(&p.wanted(sizes), &p.means())
 }
 
 /// Cutters and ratios for the tip circle of the form alone: fast enough for every keystroke.
-pub(super) fn ways_as_set(p: &Params, sizes: &[f64]) -> Vec<Choice> {
+pub(super) fn choices_on_tip_circle(p: &Params, sizes: &[f64]) -> Vec<Choice> {
     let mut means = p.means();
     for cutter in &mut means.cutters {
         cutter.radius = (p.tip_radius, p.tip_radius);
     }
-    choices(&p.wanted(sizes), &means)
+    choose::choices(&p.wanted(sizes), &means)
 }

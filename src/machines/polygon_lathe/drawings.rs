@@ -30,7 +30,7 @@ pub(super) fn drawings(lathe: &PolygonLathe) -> Vec<File> {
 /// Names of the polygons in their order.
 pub(super) const NAMES: [&str; 3] = ["polygon.first", "polygon.second", "polygon.third"];
 
-/// Name and place of a section; none if it is the only one.
+/// Name and place of a section; empty if it is the only one.
 fn title(lathe: &PolygonLathe, one: &PolygonLathe, name: &'static str) -> String {
     if lathe.further.is_empty() {
         return String::new();

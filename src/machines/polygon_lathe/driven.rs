@@ -1,7 +1,7 @@
 //! Drives that the polygon lathe is sized by: the motors of work and tool, and the phase between them.
 
-use super::demand::Asked;
-use super::load::Spindle;
+use super::demand::DemandKind;
+use super::load::PolygonAxis;
 use super::params::Params;
 use super::path::{self, PassStep, time};
 use super::resolved::{PolygonLathe, TOOL, WORK};
@@ -18,14 +18,14 @@ const WHOLE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, 
 
 /// The motors of work and tool, under the greatest torque of all feeds while the slide is in the stock, and those of the slides.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
-    let axis = |id, name, at, spindle: Spindle, (motor_teeth, teeth): (f64, f64)| {
+    let driven = |id, name, at, axis: PolygonAxis, (motor_teeth, teeth): (f64, f64)| {
         let p = &lathe.p;
-        // Motor speed over spindle speed.
+        // Motor speed over that of the axis.
         let (gear, efficiency) = (teeth / motor_teeth, p.drive_efficiency / 100.0);
-        let drive = p.drive(spindle);
+        let drive = p.drive(axis);
         let rated = drive.motor.torque(0.0) / (gear * efficiency);
-        let at_motor = |asked| through_gear(lathe.demand(spindle, asked).0, gear, efficiency);
-        let (mean, peak) = (at_motor(Asked::Mean), at_motor(Asked::Peak));
+        let at_motor = |kind| through_gear(lathe.demand(axis, kind).0, gear, efficiency);
+        let (mean, peak) = (at_motor(DemandKind::Mean), at_motor(DemandKind::Peak));
         // The form has torque and inertia at the output of the gear, rotor included; its torque already includes the losses of the gear.
         let motor = Servo {
             rated,
@@ -47,7 +47,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             taut: 0.0,
             cut: None,
             lasting: None,
-            starts: 0.0,
+            starts_per_minute: 0.0,
             // Wheels of the lathe itself.
             gear: None,
             fitted: Fitted { motor, limits: WHOLE.derated(p.site_share / 100.0) },
@@ -56,15 +56,15 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
         }
     };
     let p = &lathe.p;
-    let turned = [
-        axis("work", "polygon.drive.work", WORK, Spindle::Work, (p.work_motor_teeth, p.work_teeth)),
-        axis("tool", "polygon.drive.tool", TOOL, Spindle::Tool, (p.tool_motor_teeth, p.tool_teeth)),
+    let in_ratio = [
+        driven("work", "polygon.drive.work", WORK, PolygonAxis::Work, (p.work_motor_teeth, p.work_teeth)),
+        driven("tool", "polygon.drive.tool", TOOL, PolygonAxis::Tool, (p.tool_motor_teeth, p.tool_teeth)),
     ];
-    turned.into_iter().chain(slides::axes(lathe)).collect()
+    in_ratio.into_iter().chain(slides::axes(lathe)).collect()
 }
 
-/// Starts per minute of the slide that starts more often, over the passes of all polygons and slots.
-fn starts(lathe: &PolygonLathe) -> f64 {
+/// Starts per minute of the slide that starts more often, over the passes of all polygons and turned ends.
+fn starts_per_minute(lathe: &PolygonLathe) -> f64 {
     let (p, rapids) = (&lathe.p, [lathe.p.rapid_x, lathe.p.rapid_z]);
     let of = |p: &Params, steps: Vec<PassStep>, rpm: f64| {
         let begin = (p.clear_diameter(), p.clearance);
@@ -73,10 +73,10 @@ fn starts(lathe: &PolygonLathe) -> f64 {
     };
     let polygons = lathe.polygons().filter(|lathe| lathe.d.cuts);
     let polygons = polygons.map(|lathe| of(&lathe.p, lathe.p.all_steps().collect(), 0.0));
-    let slots = p.slots.iter().filter(|slot| slot.on);
-    let slots = slots.flat_map(|slot| [slot.steps(p), slot.thread(p)].map(|steps| of(p, steps, slot.speed)));
+    let ends = p.turned_ends.iter().filter(|end| end.on);
+    let ends = ends.flat_map(|end| [end.steps(p), end.thread(p)].map(|steps| of(p, steps, end.speed)));
     let (starts, seconds, motions) =
-        polygons.chain(slots).fold((0.0, 0.0, 0.0), |all, next| (all.0 + next.0, all.1 + next.1, all.2 + next.2));
+        polygons.chain(ends).fold((0.0, 0.0, 0.0), |all, next| (all.0 + next.0, all.1 + next.1, all.2 + next.2));
     slides::starts_per_minute(starts, seconds, (motions, p.time_constant))
 }
 
@@ -87,8 +87,8 @@ impl HasSlides for PolygonLathe {
             efficiency: p.screw_efficiency,
             ramp: (p.time_constant, p.position_gain),
             site_share: p.site_share,
-            feed_force: self.force().max(self.slots_force()) * p.feed_force / 100.0,
-            starts: starts(self),
+            feed_force: self.force().max(self.greatest_end_force()) * p.feed_force / 100.0,
+            starts_per_minute: starts_per_minute(self),
         };
         [
             ServoSlide::new(
@@ -122,6 +122,7 @@ pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
 pub(super) fn without_supply(lathe: &PolygonLathe) -> Option<CoastedAxes> {
     let gauge = GAUGES.first()?.gauge(lathe, lathe.d.coast_phase.abs());
     let speeds = [lathe.p.work_speed(), lathe.p.tool_speed()];
-    let seconds = speeds.into_iter().zip(lathe.p.coasting()).map(|(speed, slows)| speed.abs() / slows);
+    let seconds = speeds.into_iter().zip(lathe.p.coasting_deceleration());
+    let seconds = seconds.map(|(speed, deceleration)| speed.abs() / deceleration);
     lathe.d.cuts.then(|| CoastedAxes { seconds: seconds.fold(0.0, f64::max), gauge })
 }

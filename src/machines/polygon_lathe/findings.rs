@@ -1,15 +1,19 @@
 //! Findings about the form of the polygon lathe: errors that refuse the export, each with its field, and notes for the operator.
 
 use super::further;
-use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, errors};
+use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, insert_deviations};
+use super::params::TurnedEnd;
 use super::passes::PASSES;
 use super::program;
 use super::resolved::PolygonLathe;
 use crate::msg;
 use crate::text::{Diagnostic, Message};
 
+/// A fault, with its field.
+type Fault = (Message, &'static str);
+
 /// Faults of one polygon, with the field of each.
-fn errors_of(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
+fn faults_of(lathe: &PolygonLathe) -> Vec<Fault> {
     let PolygonLathe { p, d, .. } = lathe;
     let mut found = Vec::new();
     let mut error = |message: Message, field: &'static str| found.push((message, field));
@@ -36,7 +40,7 @@ fn errors_of(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     for (text, most, field) in
         [(&p.radius_errors, RADIUS_ERROR, "radius-errors"), (&p.angle_errors, ANGLE_ERROR, "angle-errors")]
     {
-        if errors(text, p.inserts as usize, most).is_none() {
+        if insert_deviations(text, p.inserts as usize, most).is_none() {
             error(msg!("polygon.bad-errors", count = p.inserts, most), field);
         }
     }
@@ -52,99 +56,140 @@ fn errors_of(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     found
 }
 
-/// Faults of the slots before and after the polygons, with the field of each.
-fn slot_errors(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
-    let p = &lathe.p;
-    let fields = [
-        [
-            "before-diameter",
-            "before-length",
-            "before-chamfer",
-            "before-depth",
-            "before-pitch",
-            "before-thread-length",
-            "before-speed",
-            "before-feed",
-        ],
-        [
-            "after-diameter",
-            "after-length",
-            "after-chamfer",
-            "after-depth",
-            "after-pitch",
-            "after-thread-length",
-            "after-speed",
-            "after-feed",
-        ],
-    ];
+/// Fields of a turned end that faults name.
+struct TurnedEndFields {
+    diameter: &'static str,
+    length: &'static str,
+    chamfer: &'static str,
+    depth: &'static str,
+    pitch: &'static str,
+    thread_length: &'static str,
+    speed: &'static str,
+    feed: &'static str,
+}
+
+/// Fields of the end turned before the polygons, and of the one turned after them.
+const TURNED_ENDS: [TurnedEndFields; 2] = [
+    TurnedEndFields {
+        diameter: "before-diameter",
+        length: "before-length",
+        chamfer: "before-chamfer",
+        depth: "before-depth",
+        pitch: "before-pitch",
+        thread_length: "before-thread-length",
+        speed: "before-speed",
+        feed: "before-feed",
+    },
+    TurnedEndFields {
+        diameter: "after-diameter",
+        length: "after-length",
+        chamfer: "after-chamfer",
+        depth: "after-depth",
+        pitch: "after-pitch",
+        thread_length: "after-thread-length",
+        speed: "after-speed",
+        feed: "after-feed",
+    },
+];
+
+/// Faults of the ends turned before and after the polygons, with the field of each.
+fn turned_end_faults(lathe: &PolygonLathe) -> Vec<Fault> {
     let mut found = Vec::new();
-    for ((slot, fields), after) in p.slots.iter().zip(fields).zip([false, true]).filter(|((slot, _), _)| slot.on) {
-        let [diameter, length, chamfer, depth, pitch, thread_length, speed, feed] = fields;
-        if slot.diameter >= p.stock_diameter {
-            found.push((
-                msg!("polygon.nothing-to-turn", diameter = (slot.diameter, 3), stock = (p.stock_diameter, 3)),
-                diameter,
-            ));
-        }
-        if p.free_length > 0.0 && slot.length + p.clearance > p.free_length {
-            found.push((
-                msg!("polygon.near-jaws", needed = (slot.length + p.clearance, 3), length = (p.free_length, 3)),
-                length,
-            ));
-        }
-        if slot.chamfer >= 0.5 * slot.diameter || slot.chamfer > slot.length {
-            found.push((
-                msg!("polygon.wide-chamfer", diameter = (slot.diameter, 3), length = (slot.length, 3)),
-                chamfer,
-            ));
-        }
-        if slot.speed > p.main.speed {
-            found.push((msg!("polygon.fast-spindle", most = (p.main.speed, 0)), speed));
-        }
-        let clamp = p.clamp_x.min(p.clamp_z);
-        let (least, most) = (lathe.control.limits.feed_increment, lathe.control.limits.feed_max.min(clamp));
-        let threads = (slot.pitch > 0.0).then_some((slot.pitch, pitch));
-        for (each, field) in [(slot.feed, feed)].into_iter().chain(threads) {
-            let feed = each * slot.speed;
-            if feed < least {
-                found.push((msg!("polygon.feed-too-small", feed = (feed, 6), least), field));
-            } else if feed > most {
-                found.push((msg!("polygon.above-clamp", feed = (feed, 0), clamp = (most, 0)), field));
-            }
-        }
-        if slot.is_endless(p.stock_diameter) {
-            found.push((msg!("polygon.many-cuts"), depth));
-        }
-        if slot.pitch > 0.0 {
-            if slot.least_diameter() <= 0.0 {
-                found.push((msg!("polygon.coarse-thread", diameter = (slot.diameter, 3)), pitch));
-            }
-            if slot.thread_length > slot.length {
-                found.push((msg!("polygon.long-thread", length = (slot.length, 3)), thread_length));
-            }
-        }
-        let covers =
-            |lathe: &&PolygonLathe| after && lathe.p.from_face < slot.length && lathe.d.corner * 2.0 > slot.diameter;
-        for (number, other) in (1_u32..).zip(lathe.polygons()).filter(|(_, lathe)| covers(lathe)) {
-            found.push((msg!("polygon.turned-off", number, from = (other.p.from_face, 3)), length));
+    for ((end, fields), is_after) in lathe.p.turned_ends.iter().zip(&TURNED_ENDS).zip([false, true]) {
+        if end.on {
+            found.extend(size_faults(lathe, end, fields));
+            found.extend(cut_faults(lathe, end, fields));
+            found.extend(thread_faults(end, fields));
+            found.extend(is_after.then(|| overlaps(lathe, end, fields)).into_iter().flatten());
         }
     }
     found
 }
 
+/// Faults of diameter, length and chamfer.
+fn size_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
+    let p = &lathe.p;
+    let mut found = Vec::new();
+    if end.diameter >= p.stock_diameter {
+        found.push((
+            msg!("polygon.nothing-to-turn", diameter = (end.diameter, 3), stock = (p.stock_diameter, 3)),
+            fields.diameter,
+        ));
+    }
+    let needed = end.length + p.clearance;
+    if p.free_length > 0.0 && needed > p.free_length {
+        found.push((msg!("polygon.near-jaws", needed = (needed, 3), length = (p.free_length, 3)), fields.length));
+    }
+    if end.chamfer >= 0.5 * end.diameter || end.chamfer > end.length {
+        found.push((
+            msg!("polygon.wide-chamfer", diameter = (end.diameter, 3), length = (end.length, 3)),
+            fields.chamfer,
+        ));
+    }
+    found
+}
+
+/// Faults of speed, feeds and number of cuts.
+fn cut_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
+    let (p, limits) = (&lathe.p, &lathe.control.limits);
+    let mut found = Vec::new();
+    if end.speed > p.main.speed {
+        found.push((msg!("polygon.fast-spindle", most = (p.main.speed, 0)), fields.speed));
+    }
+    let (least, most) = (limits.feed_increment, limits.feed_max.min(p.clamp_x.min(p.clamp_z)));
+    let thread = (end.pitch > 0.0).then_some((end.pitch, fields.pitch));
+    for (per_turn, field) in [(end.feed, fields.feed)].into_iter().chain(thread) {
+        let feed = per_turn * end.speed;
+        if feed < least {
+            found.push((msg!("polygon.feed-too-small", feed = (feed, 6), least), field));
+        } else if feed > most {
+            found.push((msg!("polygon.above-clamp", feed = (feed, 0), clamp = (most, 0)), field));
+        }
+    }
+    if end.is_endless(p.stock_diameter) {
+        found.push((msg!("polygon.many-cuts"), fields.depth));
+    }
+    found
+}
+
+/// Faults of the thread.
+fn thread_faults(end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
+    let mut found = Vec::new();
+    if end.pitch > 0.0 && end.least_diameter() <= 0.0 {
+        found.push((msg!("polygon.coarse-thread", diameter = (end.diameter, 3)), fields.pitch));
+    }
+    if end.pitch > 0.0 && end.thread_length > end.length {
+        found.push((msg!("polygon.long-thread", length = (end.length, 3)), fields.thread_length));
+    }
+    found
+}
+
+/// Polygons that an end turned after them would turn off.
+fn overlaps(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
+    let covers = |polygon: &PolygonLathe| polygon.p.from_face < end.length && polygon.d.corner * 2.0 > end.diameter;
+    let covered = (1_u32..).zip(lathe.polygons()).filter(|(_, polygon)| covers(polygon));
+    let fault = |(number, polygon): (u32, &PolygonLathe)| {
+        (msg!("polygon.turned-off", number, from = (polygon.p.from_face, 3)), fields.length)
+    };
+    covered.map(fault).collect()
+}
+
 /// Errors that refuse the export, and notes for the operator.
 pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     let p = &lathe.p;
-    let mut faults = errors_of(lathe);
-    for fault in further::errors(lathe, errors_of) {
+    let mut faults = faults_of(lathe);
+    for fault in further::faults(lathe, faults_of) {
         if !faults.contains(&fault) {
             faults.push(fault);
         }
     }
-    faults.extend(slot_errors(lathe));
+    faults.extend(turned_end_faults(lathe));
     let mut error = |message: Message, field: &'static str| faults.push((message, field));
-    if p.free_length > 0.0 && lathe.free_length() > p.free_length {
-        error(msg!("polygon.near-jaws", needed = (lathe.free_length(), 3), length = (p.free_length, 3)), "free-length");
+    if p.free_length > 0.0 && lathe.length_to_jaws() > p.free_length {
+        error(
+            msg!("polygon.near-jaws", needed = (lathe.length_to_jaws(), 3), length = (p.free_length, 3)),
+            "free-length",
+        );
     }
     let least = p.clear_diameter();
     if p.start_x < least {

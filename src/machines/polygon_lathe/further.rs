@@ -5,7 +5,7 @@ use crate::msg;
 use crate::text::Message;
 
 /// Fields of the first polygon, and the corresponding ones of the others.
-const FIELDS: &[(&str, [&str; 2])] = &[
+const COUNTERPARTS: &[(&str, [&str; 2])] = &[
     ("shape", ["second-shape", "third-shape"]),
     ("sides", ["second-sides", "third-sides"]),
     ("across-flats", ["second-across-flats", "third-across-flats"]),
@@ -23,11 +23,11 @@ const FIELDS: &[(&str, [&str; 2])] = &[
 
 /// The field of a further polygon, from 0; none if it shares the first one's.
 pub(super) fn field(id: &str, at: usize) -> Option<&'static str> {
-    FIELDS.iter().find(|(first, _)| *first == id).and_then(|(_, others)| others.get(at).copied())
+    COUNTERPARTS.iter().find(|(first, _)| *first == id).and_then(|(_, others)| others.get(at).copied())
 }
 
 /// Faults of the further polygons, each with its field: faults of a single polygon, overlapping places, cutters that do not fit.
-pub(super) fn errors(
+pub(super) fn faults(
     lathe: &PolygonLathe,
     alone: impl Fn(&PolygonLathe) -> Vec<(Message, &'static str)>,
 ) -> Vec<(Message, &'static str)> {

@@ -25,8 +25,9 @@ impl Params {
     pub(super) fn setup(&self, across_flats: f64) -> Option<CutterSetup> {
         let mut setup = CutterSetup::even(across_flats, self.tip_radius, self.ratio()?, self.inserts as u32);
         (setup.work_start, setup.tool_start) = (self.work_start * RADIANS, self.tool_start * RADIANS);
-        let errors = |text: &str, most: f64| errors(text, setup.tips.len(), most).unwrap_or_default();
-        let (radii, angles) = (errors(&self.radius_errors, RADIUS_ERROR), errors(&self.angle_errors, ANGLE_ERROR));
+        let deviations = |text: &str, most: f64| insert_deviations(text, setup.tips.len(), most).unwrap_or_default();
+        let (radii, angles) =
+            (deviations(&self.radius_errors, RADIUS_ERROR), deviations(&self.angle_errors, ANGLE_ERROR));
         for (tip, error) in setup.tips.iter_mut().zip(radii) {
             tip.radius += error;
         }
@@ -74,12 +75,12 @@ impl Params {
     }
 }
 
-/// Errors of the inserts, in their order, from the text of the form; none where one is no number, is greater than `most`, or where
-/// there are more errors than inserts.
-pub(super) fn errors(text: &str, inserts: usize, most: f64) -> Option<Vec<f64>> {
-    let within = |error: &f64| error.abs() <= most;
-    let errors: Option<Vec<f64>> = text.split_whitespace().map(|error| number::read(error).filter(within)).collect();
-    errors.filter(|errors| errors.len() <= inserts)
+/// Deviations of the inserts from their places, in their order, from the text of the form; none where one is no number, is greater than
+/// `most`, or where there are more of them than inserts.
+pub(super) fn insert_deviations(text: &str, inserts: usize, most: f64) -> Option<Vec<f64>> {
+    let within = |deviation: &f64| deviation.abs() <= most;
+    let all: Option<Vec<f64>> = text.split_whitespace().map(|each| number::read(each).filter(within)).collect();
+    all.filter(|all| all.len() <= inserts)
 }
 
 /// Fields and values of a cutter and a ratio, with the shape set to the form's own.

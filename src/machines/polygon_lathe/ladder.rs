@@ -4,6 +4,7 @@
 //! block (`AXIS6`, `AXIS7`: tool and work) with its interface: the rungs request a motion, and read whether it is finished or the axis is
 //! at rest.
 
+use super::citations::PAPER;
 use super::program::{
     AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
@@ -16,7 +17,6 @@ use crate::machines::ladder::{Bit, Ladder, Operator, PlcNumber, off, on};
 use crate::motion::PMC_AXES;
 use crate::text::{Citation, Grade};
 
-const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
 pub(super) const OURS: Citation =
     Citation::new("our own choice; signals and channels by the paper's section 3.1", Grade::Open);
 

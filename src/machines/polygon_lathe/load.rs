@@ -6,9 +6,9 @@ use crate::drives::polygon::{cut, load};
 use crate::drives::spindle_motor::{MotorCurve, shortest_ramp};
 use crate::machines::materials::Kienzle;
 
-/// The two that turn.
+/// Work axis or tool axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Spindle {
+pub(super) enum PolygonAxis {
     Work,
     Tool,
 }
@@ -39,13 +39,16 @@ pub(super) struct PolygonLoad {
     pub at_once: f64,
 }
 
-/// A spindle with its motor. Speeds in r/min.
-pub(super) struct SpindleDrive {
+/// Motor of the work axis or of the tool axis, behind the gear.
+pub(super) struct AxisMotor {
+    /// Speed of the axis, r/min, signed.
     pub speed: f64,
     pub motor: MotorCurve,
+    /// Moment of inertia at the axis, kg m².
     pub inertia: f64,
     /// Time constant of the ramp, s.
     pub ramp: f64,
+    /// Position gain, 1/s.
     pub gain: f64,
 }
 
@@ -64,8 +67,8 @@ impl Params {
         self.material.kienzle().unwrap_or(Kienzle { unit_force: self.specific_force, exponent: 0.0 })
     }
 
-    /// Loads of passes of these `sizes` across flats. The chip is as wide as the layer is deep and as thick as the marks on a flat are apart;
-    /// on the way down as wide as the insert, and its force acts at the tip circle and at the stock at most.
+    /// Loads of passes of these `sizes` across flats. The chip is as wide as the layer is deep and as thick as the marks on a flat are
+    /// apart; on the way down as wide as the insert, and its force acts at the tip circle and at the stock at most.
     pub(super) fn load(&self, sizes: &[f64]) -> PolygonLoad {
         let Some(ratio) = self.ratio() else { return PolygonLoad::default() };
         let inserts = self.inserts as u32;
@@ -98,34 +101,34 @@ impl Params {
         all
     }
 
-    /// A spindle, driven by its motor through the gear of its axis.
-    pub(super) fn drive(&self, spindle: Spindle) -> SpindleDrive {
-        let (kilowatts, base, ratio, speed) = match spindle {
-            Spindle::Work => {
+    /// The motor of an axis, through the gear.
+    pub(super) fn drive(&self, axis: PolygonAxis) -> AxisMotor {
+        let (kilowatts, base, ratio, speed) = match axis {
+            PolygonAxis::Work => {
                 (self.work_power, self.work_base, self.work_motor_teeth / self.work_teeth, self.work_speed())
             }
-            Spindle::Tool => {
+            PolygonAxis::Tool => {
                 (self.tool_power, self.tool_base, self.tool_motor_teeth / self.tool_teeth, self.tool_speed())
             }
         };
-        let (inertia, milliseconds, gain) = match spindle {
-            Spindle::Work => (self.work_inertia, self.work_time_constant, self.work_gain),
-            Spindle::Tool => (self.tool_inertia, self.tool_time_constant, self.tool_gain),
+        let (inertia, milliseconds, gain) = match axis {
+            PolygonAxis::Work => (self.work_inertia, self.work_time_constant, self.work_gain),
+            PolygonAxis::Tool => (self.tool_inertia, self.tool_time_constant, self.tool_gain),
         };
         let motor = MotorCurve::new(kilowatts, self.drive_efficiency / 100.0, (base, base), base * ratio);
-        SpindleDrive { speed, motor, inertia, ramp: milliseconds / 1000.0, gain }
+        AxisMotor { speed, motor, inertia, ramp: milliseconds / 1000.0, gain }
     }
 
     /// Torque (Nm) that the drive gives at its speed: continuously at its site, and for a short time.
-    pub(super) fn torques(&self, spindle: Spindle) -> (f64, f64) {
-        let drive = self.drive(spindle);
+    pub(super) fn torques(&self, axis: PolygonAxis) -> (f64, f64) {
+        let drive = self.drive(axis);
         let rated = drive.motor.torque(drive.speed);
         (rated * self.site_share / 100.0, rated * self.drive_peak / 100.0)
     }
 
-    /// The shortest ramp (s) of a spindle that its drive has the torque for.
-    pub(super) fn ramp(&self, spindle: Spindle) -> f64 {
-        let drive = self.drive(spindle);
-        shortest_ramp(drive.inertia, drive.speed, drive.gain, self.torques(spindle).1)
+    /// The shortest ramp (s) of an axis that its drive has the torque for.
+    pub(super) fn ramp(&self, axis: PolygonAxis) -> f64 {
+        let drive = self.drive(axis);
+        shortest_ramp(drive.inertia, drive.speed, drive.gain, self.torques(axis).1)
     }
 }

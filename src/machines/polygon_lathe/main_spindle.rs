@@ -1,6 +1,6 @@
 //! The main spindle of the polygon lathe, which turns the bar before and after the polygons: its motor on the inverter, demand, verdicts.
 
-use super::params::{FIELDS, Params, Slot};
+use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
 use crate::drives::MainSpindle;
 use crate::drives::cutting;
@@ -8,10 +8,10 @@ use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::inertia::through_gear as inertia_through_gear;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::spindle_motor::{self, MotorCurve};
-use crate::machines::devices::{AskedDevice, BillItem};
+use crate::machines::devices::{AskedDevice, forced_cooling_advice};
 use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
 use crate::machines::machine::Samples;
-use crate::machines::main_spindle::{self, CurvesOfSpeed};
+use crate::machines::main_spindle::{self, SpeedCurves};
 use crate::machines::verdict::{Judgement, down, fail, ok, warn};
 use crate::math::RPM;
 use crate::motion::Stretch;
@@ -30,9 +30,9 @@ impl Params {
     pub(super) fn main_spindle(&self) -> MainSpindle {
         let main = &self.main;
         MainSpindle {
-            rated: main.speed,
+            speed_at_10v: main.speed,
             ramp: main.ramp,
-            turned: Load {
+            load_at_spindle: Load {
                 inertia: self.work_inertia + inertia_through_gear(main.rotor, main.speed / main.motor_top),
                 torque: main.friction,
                 efficiency: 1.0,
@@ -42,9 +42,9 @@ impl Params {
         }
     }
 
-    /// Continuous curve of its motor at the spindle, derated for the site and cooled by its own fan or by another one.
-    fn main_continuous(&self, own_fan: bool) -> MotorCurve {
-        self.main_spindle().motor.share(self.site_share / 100.0).with_own_fan(own_fan)
+    /// Continuous curve of its motor at the spindle, derated for the site and, without forced cooling, for a fan on its shaft.
+    fn main_continuous(&self) -> MotorCurve {
+        self.main_spindle().motor.share(self.site_share / 100.0).with_shaft_fan(!self.main.forced_cooling)
     }
 
     fn main_peak(&self) -> [f64; 2] {
@@ -58,43 +58,43 @@ impl Params {
 }
 
 impl PolygonLathe {
-    /// The slots that the main spindle turns, with the fields of their depths.
-    fn turned_slots(&self) -> impl Iterator<Item = (&Slot, &'static str)> {
-        self.p.slots.iter().zip(["before-depth", "after-depth"]).filter(|(slot, _)| slot.on)
+    /// The turned ends of the program, with the fields of their depths.
+    fn turned_ends(&self) -> impl Iterator<Item = (&TurnedEnd, &'static str)> {
+        self.p.turned_ends.iter().zip(["before-depth", "after-depth"]).filter(|(end, _)| end.on)
     }
 
     /// The program turns the bar by its main spindle.
     pub(super) fn has_main_spindle(&self) -> bool {
-        self.turned_slots().next().is_some()
+        self.turned_ends().next().is_some()
     }
 
-    /// Torque (Nm) of cut and friction in a slot, at the stock's diameter: `F D / 2000 + M_f`. Source: turning spindle facts, 4.
-    fn slot_torque(&self, slot: &Slot) -> f64 {
-        cutting::torque(self.slot_force(slot), self.p.stock_diameter) + self.p.main.friction
+    /// Torque (Nm) of cut and friction at a turned end, at the stock's diameter: `F D / 2000 + M_f`. Source: turning spindle facts, 4.
+    fn end_torque(&self, end: &TurnedEnd) -> f64 {
+        cutting::torque(self.end_force(end), self.p.stock_diameter) + self.p.main.friction
     }
 
-    /// The slot that asks most of the motor's continuous torque, with the field of its depth.
-    fn hardest_slot(&self) -> Option<(&Slot, &'static str)> {
-        let curve = self.p.main_continuous(!self.p.main.forced_cooling);
-        let share = |slot: &Slot| self.slot_torque(slot) / curve.torque(slot.speed);
-        self.turned_slots().max_by(|a, b| share(a.0).total_cmp(&share(b.0)))
+    /// The turned end that asks most of the motor's continuous torque, with the field of its depth.
+    fn hardest_end(&self) -> Option<(&TurnedEnd, &'static str)> {
+        let curve = self.p.main_continuous();
+        let share = |end: &TurnedEnd| self.end_torque(end) / curve.torque(end.speed);
+        self.turned_ends().max_by(|a, b| share(a.0).total_cmp(&share(b.0)))
     }
 }
 
-/// Greatest speed of the slots, r/min.
+/// Greatest speed of the turned ends, r/min.
 pub(super) fn highest(lathe: &PolygonLathe) -> f64 {
-    lathe.turned_slots().map(|(slot, _)| slot.speed).fold(0.0, f64::max)
+    lathe.turned_ends().map(|(end, _)| end.speed).fold(0.0, f64::max)
 }
 
 /// Torque (Nm) of cut and friction where they ask most of the motor.
 pub(super) fn torque(lathe: &PolygonLathe) -> f64 {
-    lathe.hardest_slot().map_or(0.0, |(slot, _)| lathe.slot_torque(slot))
+    lathe.hardest_end().map_or(0.0, |(end, _)| lathe.end_torque(end))
 }
 
 /// Greatest power (kW) of cut and friction.
 pub(super) fn power(lathe: &PolygonLathe) -> f64 {
-    let power = |slot: &Slot| spindle_motor::power(lathe.slot_torque(slot), slot.speed);
-    lathe.turned_slots().map(|(slot, _)| power(slot)).fold(0.0, f64::max)
+    let power = |end: &TurnedEnd| spindle_motor::power(lathe.end_torque(end), end.speed);
+    lathe.turned_ends().map(|(end, _)| power(end)).fold(0.0, f64::max)
 }
 
 /// Voltage (V) of the control's output at the greatest speed.
@@ -104,24 +104,24 @@ pub(super) fn volts(lathe: &PolygonLathe) -> f64 {
 
 /// Cut and friction against the continuous torque of the motor.
 pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (p, (slot, field)) = (&lathe.p, lathe.hardest_slot()?);
-    let (torque, speed) = (lathe.slot_torque(slot), slot.speed);
-    let most = p.main_continuous(!p.main.forced_cooling).torque(speed);
+    let (p, (end, field)) = (&lathe.p, lathe.hardest_end()?);
+    let (torque, speed) = (lathe.end_torque(end), end.speed);
+    let curve = p.main_continuous();
+    let most = curve.torque(speed);
     if torque <= most {
         return at_highest_knob(lathe, most);
     }
     let (shown, limit) = ((torque, 1), (most, 1));
     let mut advice = Vec::new();
-    if torque <= p.main_continuous(false).torque(speed) {
-        let said = msg!("lathe.own-fan", speed = (speed * p.main_gear(), 0), torque = shown, limit);
-        let set = [("main-forced-cooling", "true".to_owned())];
-        advice.push(Advice::from(said).setting(msg!("advice.forced-cooling"), set));
+    if torque <= curve.with_shaft_fan(false).torque(speed) {
+        let said = msg!("lathe.shaft-fan", speed = (speed * p.main_gear(), 0), torque = shown, limit);
+        advice.push(forced_cooling_advice("main-forced-cooling", said));
     }
     let weak = Advice::from(msg!("polygon.main-spindle-weak", torque = shown, speed = (speed, 0), limit));
     let share = (most - p.main.friction) / (torque - p.main.friction);
-    let set = down(FIELDS, field, slot.depth * share);
+    let set = down(FIELDS, field, end.depth * share);
     let depth = set.1.parse().unwrap_or(0.0);
-    let is_endless = Slot { depth, ..slot.clone() }.is_endless(p.stock_diameter);
+    let is_endless = TurnedEnd { depth, ..end.clone() }.is_endless(p.stock_diameter);
     advice.push(match depth >= LEAST_DEPTH && !is_endless {
         true => weak.setting(msg!("advice.set-depth", depth = set.1.as_str()), [set]),
         false => weak,
@@ -129,14 +129,14 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     fail(AtMost(most), advice)
 }
 
-/// A cut that the motor carries at the speed of the form: a warning where it does not at the highest position of the spindle's knob, with the
-/// same torque at a greater speed.
+/// A cut that the motor carries at the speed of the form: a warning where it does not with the knob at its highest position, where the
+/// speed is greater and the torque the same.
 fn at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
     let (p, percent) = (&lathe.p, lathe.dialect.spindle().knob.high);
-    let curve = p.main_continuous(!p.main.forced_cooling);
-    let at_end = |slot: &Slot| curve.torque((slot.speed * percent / 100.0).min(p.main.speed));
-    let slots = lathe.turned_slots().map(|(slot, _)| (lathe.slot_torque(slot), at_end(slot)));
-    match slots.into_iter().find(|(torque, most)| torque > most) {
+    let curve = p.main_continuous();
+    let at_highest_knob = |end: &TurnedEnd| curve.torque((end.speed * percent / 100.0).min(p.main.speed));
+    let mut ends = lathe.turned_ends().map(|(end, _)| (lathe.end_torque(end), at_highest_knob(end)));
+    match ends.find(|(torque, most)| torque > most) {
         Some((torque, most)) => {
             let (torque, shown) = ((torque, 1), (most, 1));
             warn(AtMost(limit), [msg!("lathe.torque-at-knob", percent = (percent, 0), torque, limit = shown).into()])
@@ -145,49 +145,49 @@ fn at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
     }
 }
 
-/// The greatest speed of the slots against that of the work axis, whose motor runs along.
+/// The greatest speed of the turned ends against that of the work axis, whose motor runs along.
 pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let (speed, most) = (highest(lathe), lathe.p.work_limit);
     if speed <= most {
         return ok(AtMost(most));
     }
-    let fields = ["before-speed", "after-speed"].into_iter().zip(&lathe.p.slots);
-    let fast = fields.filter(|(_, slot)| slot.on && slot.speed > most);
+    let fields = ["before-speed", "after-speed"].into_iter().zip(&lathe.p.turned_ends);
+    let fast = fields.filter(|(_, end)| end.on && end.speed > most);
     let sets: Vec<_> = fast.map(|(field, _)| down(FIELDS, field, most)).collect();
     let said = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));
     warn(AtMost(most), [said.setting(msg!("advice.set-speed", speed = (most, 0)), sets)])
 }
 
-/// The ramp of the inverter against the shortest one to the greatest speed of the slots.
+/// The ramp of the inverter against the shortest one to the greatest speed of the turned ends.
 pub(super) fn judge_ramp(lathe: &PolygonLathe) -> Option<Judgement> {
     main_spindle::judge_ramp(&lathe.p.main_spindle(), highest(lathe), (FIELDS, "main-ramp"))
 }
 
-/// Its motor for the sizing, at the slot that asks most of it; none where no slot is turned or nothing is known of the cutting force.
+/// Its motor for the sizing, at the turned end that asks most of it; none without turned ends, or where no cutting force is known.
 pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
-    let (p, (slot, _)) = (&lathe.p, lathe.hardest_slot()?);
+    let (p, (end, _)) = (&lathe.p, lathe.hardest_end()?);
     let gear = p.main_gear();
-    (lathe.slots_force() > 0.0).then(|| InverterDrive {
+    (lathe.greatest_end_force() > 0.0).then(|| InverterDrive {
         id: "main",
         name: NAME,
-        torque: through_gear(lathe.slot_torque(slot), gear, p.drive_efficiency / 100.0),
-        speed: slot.speed * gear,
+        torque: through_gear(lathe.end_torque(end), gear, p.drive_efficiency / 100.0),
+        speed: end.speed * gear,
         top_speed: p.main.motor_top,
         site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: None,
         turn: gear * RPM,
-        turned: turned(p),
+        load_at_motor: load_at_motor(p),
         rotor: p.main.rotor,
         gear: None,
         full: None,
-        cooled_at: (!p.main.forced_cooling).then_some(slot.speed * gear),
+        cooled_at: (!p.main.forced_cooling).then_some(end.speed * gear),
         fields: None,
     })
 }
 
 /// Chuck, work and the work's motor at the shaft of the main motor, against the friction of the spindle.
-fn turned(p: &Params) -> Load {
+fn load_at_motor(p: &Params) -> Load {
     let (gear, efficiency) = (p.main_gear(), p.drive_efficiency / 100.0);
     Load {
         inertia: inertia_through_gear(p.work_inertia, gear),
@@ -200,48 +200,46 @@ fn turned(p: &Params) -> Load {
 pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
     let p = &lathe.p;
     let until = stretches.last().map(|stretch| stretch.t + stretch.seconds)?;
-    let cut = cutting::torque(lathe.slots_force(), p.stock_diameter);
+    let cut = cutting::torque(lathe.greatest_end_force(), p.stock_diameter);
     let torque = through_gear(cut, p.main_gear(), p.drive_efficiency / 100.0);
-    let idle = Motion::new(turns(stretches, p.main_gear() * RPM), turned(p), 0.0);
-    let spans = super::progress::turned(lathe, run, until);
+    let idle = Motion::new(turns(stretches, p.main_gear() * RPM), load_at_motor(p), 0.0);
+    let spans = super::progress::turning_spans(lathe, run, until);
     let cuts = spans.into_iter().map(|(begin, end)| CutSpan { begin, end, torque }).collect();
     lathe.has_main_spindle().then(|| SpindleRun {
         name: NAME,
         motion: idle.clone().with_cuts(cuts),
         idle,
         rotor: p.main.rotor,
-        motor: MotorCurve::new(p.main.power, 1.0, (p.main.base, 1.0), 1.0),
+        motor: MotorCurve::at_shaft(p.main.power, p.main.base),
         peak: p.main_peak(),
     })
 }
 
 /// The encoder by which the control cuts a thread.
 pub(super) fn encoder(lathe: &PolygonLathe) -> Option<SpindleEncoder> {
-    let threads = lathe.turned_slots().any(|(slot, _)| slot.threads());
+    let threads = lathe.turned_ends().any(|(end, _)| end.threads());
     threads.then(|| SpindleEncoder { name: NAME, speed: highest(lathe) })
 }
 
 /// The fan of its motor with forced cooling.
 pub(super) fn devices(lathe: &PolygonLathe) -> Vec<AskedDevice> {
-    let is_forced = lathe.has_main_spindle() && lathe.p.main.forced_cooling;
-    let fan = || AskedDevice { item: BillItem::Fan, drive: Some(NAME), asked: msg!("lathe.device.fan") };
-    Vec::from_iter(is_forced.then(fan))
+    Vec::from_iter(main_spindle::fan(NAME, lathe.has_main_spindle() && lathe.p.main.forced_cooling))
 }
 
-/// Charts of its torque and power over its speed, with the slots.
+/// Charts of its torque and power over its speed, with the turned ends.
 pub(super) fn charts(lathe: &PolygonLathe, points: usize) -> Vec<Chart> {
     if !lathe.has_main_spindle() {
         return Vec::new();
     }
     let (p, spindle) = (&lathe.p, lathe.p.main_spindle());
-    let continuous = p.main_continuous(!p.main.forced_cooling);
+    let continuous = p.main_continuous();
     let [short, _] = spindle.short_time();
-    let cut = lathe.turned_slots().map(|(slot, _)| (slot.speed, lathe.slot_torque(slot)));
-    main_spindle::over_speed(
-        CurvesOfSpeed {
-            stages: vec![("polygon.chart.main-continuous", 0, continuous, spindle.rated)],
-            short_time: Some((short, spindle.rated)),
-            cut: if lathe.slots_force() > 0.0 { cut.collect() } else { Vec::new() },
+    let cut = lathe.turned_ends().map(|(end, _)| (end.speed, lathe.end_torque(end)));
+    main_spindle::charts_by_speed(
+        SpeedCurves {
+            stages: vec![("polygon.chart.main-continuous", 0, continuous, spindle.speed_at_10v)],
+            short_time: Some((short, spindle.speed_at_10v)),
+            cut: if lathe.greatest_end_force() > 0.0 { cut.collect() } else { Vec::new() },
         },
         points,
     )

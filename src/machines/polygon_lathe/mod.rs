@@ -1,5 +1,7 @@
 //! The polygon lathe: a cutter disc and the work turn in a fixed ratio, started and stopped by G512 and G502, and flats appear.
 
+mod citations;
+
 mod params;
 
 mod examples;
@@ -22,7 +24,7 @@ mod further;
 
 mod milling;
 
-mod slots;
+mod turned_ends;
 
 mod resolved;
 

@@ -32,13 +32,17 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
         notes.push(note);
     };
     // With its point: without one a word of an axis counts increments.
-    let cross = |size: f64| x(real(size * 0.5 * lathe.words(), 3));
+    let cross = |size: f64| x(real(lathe.x_of(size), 3));
     let along = |length: f64| z(real(length, 3));
     let clear = p.clear_diameter();
     add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
-    let slot =
-        |at: usize| p.slots.get(at).filter(|slot| slot.on).map(|slot| program::slot(lathe, slot)).unwrap_or_default();
-    slot(0).into_iter().for_each(|(words, _)| add(words, ""));
+    let turned_end = |at: usize| {
+        let end = p.turned_ends.get(at).filter(|end| end.on);
+        end.map(|end| program::turned_end(lathe, end)).unwrap_or_default()
+    };
+    for block in turned_end(0) {
+        add(block.words, "");
+    }
     add(vec![word(Address::T, p.tool as u32 * 101)], "");
     add(vec![g(0), cross(clear), along(p.clearance)], "");
     for (at, polygon) in lathe.polygons().enumerate() {
@@ -60,7 +64,9 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
     add(vec![s(0)], "polygon.other.stop");
     add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
-    slot(1).into_iter().for_each(|(words, _)| add(words, ""));
+    for block in turned_end(1) {
+        add(block.words, "");
+    }
     add(vec![m(30)], "");
     Some((b.finish(), notes))
 }

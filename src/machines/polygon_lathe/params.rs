@@ -55,9 +55,9 @@ pub(crate) struct Further {
     pub tip_radius: f64,
 }
 
-/// Turning before or after the polygons, from the face. Units as in the form.
+/// An end of the bar that is turned before or after the polygons, from the face. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Slot {
+pub(crate) struct TurnedEnd {
     pub on: bool,
     pub diameter: f64,
     pub length: f64,
@@ -87,10 +87,10 @@ pub(crate) struct MainParams {
     pub ramp: f64,
 }
 
-/// The member of a slot that a row fills.
-macro_rules! slot {
+/// The member of a turned end that a row fills.
+macro_rules! turned_end {
     ($at:literal.$member:ident) => {
-        (|p: &Params| p.slots[$at].$member, |p: &mut Params, value| p.slots[$at].$member = value)
+        (|p: &Params| p.turned_ends[$at].$member, |p: &mut Params, value| p.turned_ends[$at].$member = value)
     };
 }
 
@@ -148,7 +148,7 @@ pub(crate) struct Params {
     pub start_z: f64,
     pub tool: f64,
     pub further: [Further; 2],
-    pub slots: [Slot; 2],
+    pub turned_ends: [TurnedEnd; 2],
     pub main: MainParams,
     pub work_limit: f64,
     pub tool_limit: f64,
@@ -228,27 +228,27 @@ impl Params {
 
     /// The bar is turned before the polygons.
     fn turns_before(&self, _: &Control) -> bool {
-        self.slots[0].on
+        self.turned_ends[0].on
     }
 
     /// The bar is turned after the polygons.
     fn turns_after(&self, _: &Control) -> bool {
-        self.slots[1].on
+        self.turned_ends[1].on
     }
 
     /// The bar is turned by the main spindle.
     fn turns(&self, _: &Control) -> bool {
-        self.slots.iter().any(|slot| slot.on)
+        self.turned_ends.iter().any(|end| end.on)
     }
 
-    /// The slot before the polygons has a thread.
+    /// The end turned before the polygons has a thread.
     fn threads_before(&self, _: &Control) -> bool {
-        self.slots[0].on && self.slots[0].pitch > 0.0
+        self.turned_ends[0].on && self.turned_ends[0].pitch > 0.0
     }
 
-    /// The slot after the polygons has a thread.
+    /// The end turned after the polygons has a thread.
     fn threads_after(&self, _: &Control) -> bool {
-        self.slots[1].on && self.slots[1].pitch > 0.0
+        self.turned_ends[1].on && self.turned_ends[1].pitch > 0.0
     }
 
     /// The part has a second polygon.
@@ -410,51 +410,51 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::has_third),
     number("third-tip-radius", further!(1.tip_radius)).group("polygon.group.third").label("polygon.tip-radius").help("polygon.other-tip-radius.help").symbol("r")
         .unit("mm").range(0.0..=1000.0).default(0.0).decimals(3).step(1.0).when(Params::has_third),
-    flag("before", slot!(0.on)).group("polygon.group.before").label("polygon.before").help("polygon.before.help"),
-    number("before-diameter", slot!(0.diameter)).group("polygon.group.before").label("polygon.slot.diameter").help("polygon.slot.diameter.help")
+    flag("before", turned_end!(0.on)).group("polygon.group.before").label("polygon.before").help("polygon.before.help"),
+    number("before-diameter", turned_end!(0.diameter)).group("polygon.group.before").label("polygon.turned-end.diameter").help("polygon.turned-end.diameter.help")
         .unit("mm").range(0.5..=1000.0).default(12.0).decimals(3).step(0.5).when(Params::turns_before),
-    number("before-length", slot!(0.length)).group("polygon.group.before").label("polygon.slot.length").help("polygon.slot.length.help")
+    number("before-length", turned_end!(0.length)).group("polygon.group.before").label("polygon.turned-end.length").help("polygon.turned-end.length.help")
         .unit("mm").range(0.1..=2000.0).default(10.0).decimals(3).step(1.0).when(Params::turns_before),
-    number("before-chamfer", slot!(0.chamfer)).group("polygon.group.before").label("polygon.slot.chamfer").help("polygon.slot.chamfer.help")
+    number("before-chamfer", turned_end!(0.chamfer)).group("polygon.group.before").label("polygon.turned-end.chamfer").help("polygon.turned-end.chamfer.help")
         .unit("mm").range(0.0..=50.0).default(0.0).decimals(3).step(0.5).when(Params::turns_before),
-    number("before-depth", slot!(0.depth)).group("polygon.group.before").label("polygon.slot.depth").help("polygon.slot.depth.help")
+    number("before-depth", turned_end!(0.depth)).group("polygon.group.before").label("polygon.turned-end.depth").help("polygon.turned-end.depth.help")
         .unit("mm").range(0.01..=50.0).default(2.0).decimals(3).step(0.1).when(Params::turns_before),
-    number("before-feed", slot!(0.feed)).group("polygon.group.before").label("polygon.slot.feed").help("polygon.slot.feed.help")
+    number("before-feed", turned_end!(0.feed)).group("polygon.group.before").label("polygon.turned-end.feed").help("polygon.turned-end.feed.help")
         .unit("mm/rev").range(0.001..=10.0).default(0.2).decimals(3).step(0.05).when(Params::turns_before),
-    number("before-speed", slot!(0.speed)).group("polygon.group.before").label("polygon.slot.speed").help("polygon.slot.speed.help").symbol("S")
+    number("before-speed", turned_end!(0.speed)).group("polygon.group.before").label("polygon.turned-end.speed").help("polygon.turned-end.speed.help").symbol("S")
         .unit("r/min").range(1.0..=9999.0).default(800.0).decimals(0).step(50.0).when(Params::turns_before),
-    number("before-tool", slot!(0.tool)).group("polygon.group.before").label("polygon.slot.tool").help("polygon.slot.tool.help").symbol("T")
+    number("before-tool", turned_end!(0.tool)).group("polygon.group.before").label("polygon.turned-end.tool").help("polygon.turned-end.tool.help").symbol("T")
         .range(1.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::turns_before),
-    number("before-pitch", slot!(0.pitch)).group("polygon.group.before").label("polygon.slot.pitch").help("polygon.slot.pitch.help").symbol("P")
+    number("before-pitch", turned_end!(0.pitch)).group("polygon.group.before").label("polygon.turned-end.pitch").help("polygon.turned-end.pitch.help").symbol("P")
         .unit("mm").range(0.0..=12.0).default(0.0).decimals(3).step(0.25).when(Params::turns_before),
-    number("before-thread-length", slot!(0.thread_length)).group("polygon.group.before").label("polygon.slot.thread-length").help("polygon.slot.thread-length.help")
+    number("before-thread-length", turned_end!(0.thread_length)).group("polygon.group.before").label("polygon.turned-end.thread-length").help("polygon.turned-end.thread-length.help")
         .unit("mm").range(0.1..=2000.0).default(8.0).decimals(3).step(1.0).when(Params::threads_before),
-    number("before-thread-infeed", slot!(0.thread_infeed)).group("polygon.group.before").label("polygon.slot.thread-infeed").help("polygon.slot.thread-infeed.help")
+    number("before-thread-infeed", turned_end!(0.thread_infeed)).group("polygon.group.before").label("polygon.turned-end.thread-infeed").help("polygon.turned-end.thread-infeed.help")
         .unit("mm").range(0.01..=5.0).default(0.25).decimals(3).step(0.05).when(Params::threads_before),
-    number("before-thread-tool", slot!(0.thread_tool)).group("polygon.group.before").label("polygon.slot.thread-tool").help("polygon.slot.thread-tool.help").symbol("T")
+    number("before-thread-tool", turned_end!(0.thread_tool)).group("polygon.group.before").label("polygon.turned-end.thread-tool").help("polygon.turned-end.thread-tool.help").symbol("T")
         .range(1.0..=99.0).default(4.0).decimals(0).step(1.0).when(Params::threads_before),
-    flag("after", slot!(1.on)).group("polygon.group.after").label("polygon.after").help("polygon.after.help"),
-    number("after-diameter", slot!(1.diameter)).group("polygon.group.after").label("polygon.slot.diameter").help("polygon.slot.diameter.help")
+    flag("after", turned_end!(1.on)).group("polygon.group.after").label("polygon.after").help("polygon.after.help"),
+    number("after-diameter", turned_end!(1.diameter)).group("polygon.group.after").label("polygon.turned-end.diameter").help("polygon.turned-end.diameter.help")
         .unit("mm").range(0.5..=1000.0).default(12.0).decimals(3).step(0.5).when(Params::turns_after),
-    number("after-length", slot!(1.length)).group("polygon.group.after").label("polygon.slot.length").help("polygon.slot.length.help")
+    number("after-length", turned_end!(1.length)).group("polygon.group.after").label("polygon.turned-end.length").help("polygon.turned-end.length.help")
         .unit("mm").range(0.1..=2000.0).default(10.0).decimals(3).step(1.0).when(Params::turns_after),
-    number("after-chamfer", slot!(1.chamfer)).group("polygon.group.after").label("polygon.slot.chamfer").help("polygon.slot.chamfer.help")
+    number("after-chamfer", turned_end!(1.chamfer)).group("polygon.group.after").label("polygon.turned-end.chamfer").help("polygon.turned-end.chamfer.help")
         .unit("mm").range(0.0..=50.0).default(0.0).decimals(3).step(0.5).when(Params::turns_after),
-    number("after-depth", slot!(1.depth)).group("polygon.group.after").label("polygon.slot.depth").help("polygon.slot.depth.help")
+    number("after-depth", turned_end!(1.depth)).group("polygon.group.after").label("polygon.turned-end.depth").help("polygon.turned-end.depth.help")
         .unit("mm").range(0.01..=50.0).default(2.0).decimals(3).step(0.1).when(Params::turns_after),
-    number("after-feed", slot!(1.feed)).group("polygon.group.after").label("polygon.slot.feed").help("polygon.slot.feed.help")
+    number("after-feed", turned_end!(1.feed)).group("polygon.group.after").label("polygon.turned-end.feed").help("polygon.turned-end.feed.help")
         .unit("mm/rev").range(0.001..=10.0).default(0.2).decimals(3).step(0.05).when(Params::turns_after),
-    number("after-speed", slot!(1.speed)).group("polygon.group.after").label("polygon.slot.speed").help("polygon.slot.speed.help").symbol("S")
+    number("after-speed", turned_end!(1.speed)).group("polygon.group.after").label("polygon.turned-end.speed").help("polygon.turned-end.speed.help").symbol("S")
         .unit("r/min").range(1.0..=9999.0).default(800.0).decimals(0).step(50.0).when(Params::turns_after),
-    number("after-tool", slot!(1.tool)).group("polygon.group.after").label("polygon.slot.tool").help("polygon.slot.tool.help").symbol("T")
+    number("after-tool", turned_end!(1.tool)).group("polygon.group.after").label("polygon.turned-end.tool").help("polygon.turned-end.tool.help").symbol("T")
         .range(1.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::turns_after),
-    number("after-pitch", slot!(1.pitch)).group("polygon.group.after").label("polygon.slot.pitch").help("polygon.slot.pitch.help").symbol("P")
+    number("after-pitch", turned_end!(1.pitch)).group("polygon.group.after").label("polygon.turned-end.pitch").help("polygon.turned-end.pitch.help").symbol("P")
         .unit("mm").range(0.0..=12.0).default(0.0).decimals(3).step(0.25).when(Params::turns_after),
-    number("after-thread-length", slot!(1.thread_length)).group("polygon.group.after").label("polygon.slot.thread-length").help("polygon.slot.thread-length.help")
+    number("after-thread-length", turned_end!(1.thread_length)).group("polygon.group.after").label("polygon.turned-end.thread-length").help("polygon.turned-end.thread-length.help")
         .unit("mm").range(0.1..=2000.0).default(8.0).decimals(3).step(1.0).when(Params::threads_after),
-    number("after-thread-infeed", slot!(1.thread_infeed)).group("polygon.group.after").label("polygon.slot.thread-infeed").help("polygon.slot.thread-infeed.help")
+    number("after-thread-infeed", turned_end!(1.thread_infeed)).group("polygon.group.after").label("polygon.turned-end.thread-infeed").help("polygon.turned-end.thread-infeed.help")
         .unit("mm").range(0.01..=5.0).default(0.25).decimals(3).step(0.05).when(Params::threads_after),
-    number("after-thread-tool", slot!(1.thread_tool)).group("polygon.group.after").label("polygon.slot.thread-tool").help("polygon.slot.thread-tool.help").symbol("T")
+    number("after-thread-tool", turned_end!(1.thread_tool)).group("polygon.group.after").label("polygon.turned-end.thread-tool").help("polygon.turned-end.thread-tool.help").symbol("T")
         .range(1.0..=99.0).default(4.0).decimals(0).step(1.0).when(Params::threads_after),
     number("main-power", member!(Params.main.power)).group("polygon.group.main").label("polygon.main.power").help("polygon.main.power.help").symbol("P")
         .unit("kW").range(0.01..=1000.0).default(7.5).decimals(2).step(0.5).fact().when(Params::turns),

@@ -1,4 +1,4 @@
-//! The way of the cutter through its passes, each motion once: programs and times are made from it.
+//! Path of the cutter through its passes, each motion once: programs and times are made from it.
 //!
 //! No rapid is inside the stock. A polygon at the end of the bar is cut from in front of the face. For a polygon further along the bar the
 //! insert goes down into the stock at feed, from its clearance over the stock, where all of it is beyond the near end of the polygon; from
@@ -9,7 +9,7 @@ use crate::math;
 
 /// Target of a motion of the slide, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum To {
+pub(super) enum SlideTarget {
     /// To a distance across flats, or a diameter.
     Across(f64),
     /// To a place along the work; the face is at 0.
@@ -20,19 +20,32 @@ pub(super) enum To {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PassStep {
     /// One axis at rapid traverse.
-    Rapid(To),
+    Rapid(SlideTarget),
     /// One axis at a feed in mm/min.
-    Feed(To, f64),
-    /// Both axes at once, straight: diameter, place along the work, feed in mm/min.
-    Slope(f64, f64, f64),
-    /// Thread to a place along the work: the pitch, mm.
-    Thread(f64, f64),
+    Feed(SlideTarget, f64),
+    /// Both axes at once, straight: to a diameter and a place along the work (mm), at a feed in mm/min.
+    Slope { across: f64, along: f64, feed: f64 },
+    /// Thread of a pitch (mm) to a place along the work.
+    Thread { along: f64, pitch: f64 },
     /// The slide waits, s.
     Dwell(f64),
 }
 
-/// Longest wait, s: where nothing turns there is none.
-const LONGEST: f64 = 9_999.0;
+impl PassStep {
+    /// Diameter and place along the work (mm) at the end of the step, from those at its start.
+    fn target(self, (across, along): (f64, f64)) -> (f64, f64) {
+        match self {
+            PassStep::Rapid(SlideTarget::Across(to)) | PassStep::Feed(SlideTarget::Across(to), _) => (to, along),
+            PassStep::Rapid(SlideTarget::Along(to)) | PassStep::Feed(SlideTarget::Along(to), _) => (across, to),
+            PassStep::Thread { along: to, .. } => (across, to),
+            PassStep::Slope { across, along, .. } => (across, along),
+            PassStep::Dwell(_) => (across, along),
+        }
+    }
+}
+
+/// Maximum dwell, s; also where the work does not turn.
+const MAX_DWELL: f64 = 9_999.0;
 
 impl Params {
     /// Distance of the far end of the polygon from the face, mm.
@@ -45,9 +58,10 @@ impl Params {
         self.stock_diameter + 2.0 * self.clearance
     }
 
-    /// Whether the tools have their clearance at the start, and in front of the jaws at a distance of `far` mm of the last cut from the face.
+    /// Whether the tools have their clearance at the start, and in front of the jaws at a distance of `far` mm of the last cut from the
+    /// face.
     pub(super) fn has_room(&self, far: f64) -> bool {
-        let far = self.slots.iter().filter(|slot| slot.on).map(|slot| slot.length).fold(far, f64::max);
+        let far = self.turned_ends.iter().filter(|end| end.on).map(|end| end.length).fold(far, f64::max);
         let jaws = self.free_length == 0.0 || far + self.clearance <= self.free_length;
         jaws && self.start_x >= self.clear_diameter() && self.start_z >= self.clearance
     }
@@ -58,24 +72,24 @@ impl Params {
         if self.is_behind_face() { -self.from_face - self.insert_width } else { self.clearance }
     }
 
-    /// Feed on the way out of the stock, mm/min.
-    pub(super) fn way_out(&self) -> f64 {
+    /// Feed out of the stock, mm/min: that of the form, at most the clamp of X.
+    pub(super) fn clamped_retract_feed(&self) -> f64 {
         self.retract_feed.min(self.clamp_x)
     }
 
     /// Time in which every insert passes every side, s: `60 D / n work` in lowest terms, rounded up to a word.
-    fn round(&self) -> f64 {
+    fn pattern_time(&self) -> f64 {
         let turns = self.ratio().map_or(1.0, |ratio| f64::from(ratio.work()));
-        ((60_000.0 * turns / self.work_speed().abs()).ceil() / 1000.0).min(LONGEST)
+        ((60_000.0 * turns / self.work_speed().abs()).ceil() / 1000.0).min(MAX_DWELL)
     }
 
     /// The steps of a pass, from 1. The last pass waits where an end of the polygon gets its shape, until every insert has been there.
     pub(super) fn steps(&self, pass: f64) -> Vec<PassStep> {
         let feed = self.per_minute(self.feed_of(pass));
-        let (size, clear) = (To::Across(self.size(pass)), To::Across(self.clear_diameter()));
-        let (begin, end) = (To::Along(self.approach()), To::Along(-self.far_end()));
-        let wait = (pass >= self.passes()).then_some(PassStep::Dwell(self.round()));
-        let out = PassStep::Feed(clear, self.way_out());
+        let (size, clear) = (SlideTarget::Across(self.size(pass)), SlideTarget::Across(self.clear_diameter()));
+        let (begin, end) = (SlideTarget::Along(self.approach()), SlideTarget::Along(-self.far_end()));
+        let wait = (pass >= self.passes()).then_some(PassStep::Dwell(self.pattern_time()));
+        let out = PassStep::Feed(clear, self.clamped_retract_feed());
         let (along, beside) = ([PassStep::Feed(end, feed)], begin != end);
         if !self.is_behind_face() {
             let steps = [PassStep::Rapid(size)].into_iter().chain(along).chain(wait);
@@ -101,23 +115,18 @@ impl Params {
 
 /// Starts from standstill of the axis that starts more often, in steps from a diameter and a place along the work: a motion starts an axis
 /// unless it goes on in the direction of the step before.
-pub(super) fn starts((mut across, mut along): (f64, f64), steps: &[PassStep]) -> f64 {
+pub(super) fn starts(mut from: (f64, f64), steps: &[PassStep]) -> f64 {
     let (mut moving, mut count) = ([0.0_f64; 2], [0.0_f64; 2]);
     for step in steps {
-        let from = [across, along];
-        match *step {
-            PassStep::Rapid(To::Across(to)) | PassStep::Feed(To::Across(to), _) => across = to,
-            PassStep::Rapid(To::Along(to)) | PassStep::Feed(To::Along(to), _) | PassStep::Thread(to, _) => along = to,
-            PassStep::Slope(x, z, _) => (across, along) = (x, z),
-            PassStep::Dwell(_) => {}
-        }
-        let ways = [across - from[0], along - from[1]];
-        for ((way, moving), count) in ways.into_iter().zip(&mut moving).zip(&mut count) {
-            if way * *moving <= 0.0 && way != 0.0 {
+        let to = step.target(from);
+        let travels = [to.0 - from.0, to.1 - from.1];
+        for ((travel, moving), count) in travels.into_iter().zip(&mut moving).zip(&mut count) {
+            if travel * *moving <= 0.0 && travel != 0.0 {
                 *count += 1.0;
             }
-            *moving = way;
+            *moving = travel;
         }
+        from = to;
     }
     count[0].max(count[1])
 }
@@ -125,31 +134,21 @@ pub(super) fn starts((mut across, mut along): (f64, f64), steps: &[PassStep]) ->
 /// Rapid traverse that takes no time.
 pub(super) const NO_RAPIDS: [f64; 2] = [f64::INFINITY; 2];
 
-/// Time of steps from a diameter and a place along the work, s: `60 way / F`, step by step; threads at a speed in r/min, rapids across and
-/// along at speeds in mm/min.
-pub(super) fn time(
-    (mut across, mut along): (f64, f64),
-    steps: impl Iterator<Item = PassStep>,
-    rpm: f64,
-    rapids: [f64; 2],
-) -> f64 {
+/// Time of steps from a diameter and a place along the work, s: `60 s / F` for the distance s, step by step; threads at a speed in r/min,
+/// rapids across and along at speeds in mm/min.
+pub(super) fn time(mut from: (f64, f64), steps: impl Iterator<Item = PassStep>, rpm: f64, rapids: [f64; 2]) -> f64 {
     let mut total = 0.0;
     for step in steps {
-        let from = (across, along);
-        match step {
-            PassStep::Rapid(To::Across(to)) | PassStep::Feed(To::Across(to), _) => across = to,
-            PassStep::Rapid(To::Along(to)) | PassStep::Feed(To::Along(to), _) | PassStep::Thread(to, _) => along = to,
-            PassStep::Slope(x, z, _) => (across, along) = (x, z),
-            PassStep::Dwell(_) => {}
-        }
-        let way = math::hypot(0.5 * (across - from.0), along - from.1);
+        let to = step.target(from);
+        let distance = math::hypot(0.5 * (to.0 - from.0), to.1 - from.1);
         total += match step {
-            PassStep::Rapid(To::Across(_)) => 60.0 * way / rapids[0],
-            PassStep::Rapid(To::Along(_)) => 60.0 * way / rapids[1],
-            PassStep::Feed(_, feed) | PassStep::Slope(_, _, feed) => 60.0 * way / feed,
-            PassStep::Thread(_, pitch) => 60.0 * way / (pitch * rpm),
+            PassStep::Rapid(SlideTarget::Across(_)) => 60.0 * distance / rapids[0],
+            PassStep::Rapid(SlideTarget::Along(_)) => 60.0 * distance / rapids[1],
+            PassStep::Feed(_, feed) | PassStep::Slope { feed, .. } => 60.0 * distance / feed,
+            PassStep::Thread { pitch, .. } => 60.0 * distance / (pitch * rpm),
             PassStep::Dwell(seconds) => seconds,
         };
+        from = to;
     }
     total
 }

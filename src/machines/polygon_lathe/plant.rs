@@ -41,7 +41,7 @@ pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
     let turns = |ms: f64, position_gain: f64| AxisPlant { time_constant: ms / 1000.0, position_gain, ..AxisPlant::PMC };
     Plant {
         axes: vec![
-            slide(CROSS, lathe.words() > 1.0, p.rapid_x, p.clamp_x, 0.5 * p.start_x),
+            slide(CROSS, lathe.x_per_mm() > 1.0, p.rapid_x, p.clamp_x, 0.5 * p.start_x),
             slide(ALONG, false, p.rapid_z, p.clamp_z, p.start_z),
         ],
         pmc: vec![turns(p.work_time_constant, p.work_gain), turns(p.tool_time_constant, p.tool_gain)],

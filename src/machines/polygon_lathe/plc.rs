@@ -1,8 +1,8 @@
 //! The builder's PMC of the polygon lathe: its ladder, and the named block that turns the axes of work and tool.
 //!
-//! From the paper: the variables of speed and ratios, and that each axis turns at their product. The rest is ours, as in the ladder: reset and
-//! emergency stop end polygon turning (in ratio, or coasting with the drives off), and only a new request starts it again. Feed hold stops the
-//! slide alone.
+//! From the paper: the variables of speed and ratios, and that each axis turns at their product. The rest is ours, as in the ladder: reset
+//! and emergency stop end polygon turning (in ratio, or coasting with the drives off), and only a new request starts it again. Feed hold
+//! stops the slide alone.
 
 use super::ladder::{ANGLE, AT_STANDSTILL, DONE, GO_TO_ANGLE, RPM, RUN, STOP, ladder};
 use super::resolved::PolygonLathe;
@@ -26,7 +26,7 @@ pub(super) fn plc(lathe: &PolygonLathe) -> LadderPlc {
 
 /// State of both axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Stage {
+enum AxesState {
     /// Both are at rest.
     Rest,
     /// Each axis turns to its start angle until then.
@@ -42,7 +42,7 @@ enum Stage {
 /// The named block of both axes.
 #[derive(Debug, Clone)]
 struct Axes {
-    stage: Stage,
+    state: AxesState,
     /// Settling time of an axis, s.
     settle: f64,
     /// Speed to the start angles in r/min.
@@ -50,47 +50,50 @@ struct Axes {
     /// The feed override acts.
     overrides: bool,
     /// Deceleration (r/min per second) of each axis after an emergency stop that switches the drives off.
-    coasting: Option<[f64; PMC_AXES]>,
+    coasting_deceleration: Option<[f64; PMC_AXES]>,
 }
 
 impl Axes {
     fn new(lathe: &PolygonLathe) -> Axes {
         let p = &lathe.p;
         Axes {
-            stage: Stage::Rest,
+            state: AxesState::Rest,
             settle: p.settling(),
             index_speed: p.index_speed,
             overrides: lathe.overrides(),
-            coasting: p.coasts(lathe.control).then(|| p.coasting()),
+            coasting_deceleration: p.coasts(lathe.control).then(|| p.coasting_deceleration()),
         }
     }
 
-    /// Enters the stage that the rungs request.
+    /// Enters the state that the rungs request.
     fn enter(&mut self, t: f64, image: &Image, io: &mut Io) {
         let asked = |bits: [_; PMC_AXES]| bits.into_iter().any(|bit| image.is_on(bit));
-        let coasts = self.coasting.is_some() && io.stops.reset && io.stops.emergency;
-        match self.stage {
-            Stage::Coasting(..) => {}
-            Stage::Indexing(_) | Stage::Turning if coasts => {
-                self.stage = Stage::Coasting(t, io.pmc_speed);
+        let coasts = self.coasting_deceleration.is_some() && io.stops.reset && io.stops.emergency;
+        match self.state {
+            AxesState::Coasting(..) => {}
+            AxesState::Indexing(_) | AxesState::Turning if coasts => {
+                self.state = AxesState::Coasting(t, io.pmc_speed);
             }
-            Stage::Indexing(_) | Stage::Turning if asked(STOP) => self.stage = Stage::Stopping(t + self.settle),
-            Stage::Stopping(until) if t >= until => self.stage = Stage::Rest,
-            Stage::Indexing(_) if asked(RUN) => self.stage = Stage::Turning,
-            Stage::Rest if asked(GO_TO_ANGLE) => {
-                let ways: [f64; PMC_AXES] =
-                    core::array::from_fn(|k| way(io.pmc_turns[k], image.number(ANGLE[k]) / 360_000.0));
-                io.pmc_speed = ways.map(|way| self.index_speed * f64::from(i8::from(way > 0.0) - i8::from(way < 0.0)));
-                self.stage = Stage::Indexing(ways.map(|way| t + way.abs() * 60.0 / self.index_speed));
+            AxesState::Indexing(_) | AxesState::Turning if asked(STOP) => {
+                self.state = AxesState::Stopping(t + self.settle)
+            }
+            AxesState::Stopping(until) if t >= until => self.state = AxesState::Rest,
+            AxesState::Indexing(_) if asked(RUN) => self.state = AxesState::Turning,
+            AxesState::Rest if asked(GO_TO_ANGLE) => {
+                let travels: [f64; PMC_AXES] =
+                    core::array::from_fn(|k| travel(io.pmc_turns[k], image.number(ANGLE[k]) / 360_000.0));
+                io.pmc_speed =
+                    travels.map(|travel| self.index_speed * f64::from(i8::from(travel > 0.0) - i8::from(travel < 0.0)));
+                self.state = AxesState::Indexing(travels.map(|travel| t + travel.abs() * 60.0 / self.index_speed));
             }
             _ => {}
         }
     }
 
-    /// Sets the speeds of the stage; returns when the next one begins.
+    /// Sets the speeds of the state; returns when the next one begins.
     fn turn(&mut self, t: f64, image: &Image, io: &mut Io) -> Option<f64> {
-        match self.stage {
-            Stage::Indexing(until) => {
+        match self.state {
+            AxesState::Indexing(until) => {
                 for (speed, until) in io.pmc_speed.iter_mut().zip(until) {
                     if t >= until {
                         *speed = 0.0;
@@ -98,32 +101,33 @@ impl Axes {
                 }
                 until.into_iter().filter(|until| *until > t).reduce(f64::min)
             }
-            Stage::Turning => {
+            AxesState::Turning => {
                 let share = if self.overrides { io.feed_override / 100.0 } else { 1.0 };
                 io.pmc_speed = RPM.map(|speed| image.number(speed) * share);
                 None
             }
-            Stage::Coasting(since, from) => {
-                let slows = self.coasting.unwrap_or([f64::INFINITY; PMC_AXES]);
+            AxesState::Coasting(since, from) => {
+                let deceleration = self.coasting_deceleration.unwrap_or([f64::INFINITY; PMC_AXES]);
                 // In steps, each at the speed of its middle.
                 let gone = t + 0.5 * STEP - since;
-                io.pmc_speed = core::array::from_fn(|k| (from[k].abs() - slows[k] * gone).max(0.0).copysign(from[k]));
+                io.pmc_speed =
+                    core::array::from_fn(|k| (from[k].abs() - deceleration[k] * gone).max(0.0).copysign(from[k]));
                 if io.pmc_speed == [0.0; PMC_AXES] {
-                    self.stage = Stage::Stopping(t + self.settle);
+                    self.state = AxesState::Stopping(t + self.settle);
                     return Some(t + self.settle);
                 }
                 Some(t + STEP)
             }
-            Stage::Rest | Stage::Stopping(_) => {
+            AxesState::Rest | AxesState::Stopping(_) => {
                 io.pmc_speed = [0.0; PMC_AXES];
-                if let Stage::Stopping(until) = self.stage { Some(until) } else { None }
+                if let AxesState::Stopping(until) = self.state { Some(until) } else { None }
             }
         }
     }
 }
 
 /// Travel of an axis to an angle, in turns: forward, or backward to a negative angle.
-fn way(now: f64, angle: f64) -> f64 {
+fn travel(now: f64, angle: f64) -> f64 {
     let left = angle - now;
     let whole = if angle < 0.0 { (left + NOTHING).ceil() } else { (left - NOTHING).floor() };
     // At the angle already.
@@ -135,8 +139,9 @@ impl NamedBlock for Axes {
         self.enter(t, image, io);
         let next = self.turn(t, image, io);
         for (k, (done, at_standstill)) in DONE.into_iter().zip(AT_STANDSTILL).enumerate() {
-            image.set(done, matches!(self.stage, Stage::Indexing(until) if until.get(k).is_some_and(|at| t >= *at)));
-            image.set(at_standstill, self.stage == Stage::Rest);
+            image
+                .set(done, matches!(self.state, AxesState::Indexing(until) if until.get(k).is_some_and(|at| t >= *at)));
+            image.set(at_standstill, self.state == AxesState::Rest);
         }
         next
     }

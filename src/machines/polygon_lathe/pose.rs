@@ -120,7 +120,7 @@ fn texts(
     vec![
         (node::WORK_SPEED, speed(WORK)),
         (node::TOOL_SPEED, speed(TOOL)),
-        (node::SIZE, format!("X {}", figure(across_flats * 0.5 * lathe.words(), 3))),
+        (node::SIZE, format!("X {}", figure(lathe.x_of(across_flats), 3))),
         (node::PASS, pass(lathe, progress)),
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
         (node::APART, units::figure(0.5 * across_flats + polygon.p.tip_radius, 2, "mm")),

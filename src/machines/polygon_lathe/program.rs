@@ -3,8 +3,8 @@
 //! The part program is the paper's, with more passes. Of O9120 and O9121 the paper names the variables that they write; everything else in
 //! them, and the bits to and from the PMC, is ours.
 
-use super::params::Slot;
-use super::path::{PassStep, To};
+use super::params::TurnedEnd;
+use super::path::{PassStep, SlideTarget};
 use super::resolved::{ALONG, CROSS, PolygonLathe};
 use crate::controls::Address;
 use crate::controls::Code;
@@ -104,61 +104,80 @@ fn rapid(words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
 
 /// A word of X for a distance across flats or a diameter.
 fn cross(lathe: &PolygonLathe, size: f64) -> NewWord {
-    x(real(size * 0.5 * lathe.words(), 3))
+    x(real(lathe.x_of(size), 3))
 }
 
 /// The words of a step.
 pub(super) fn block(lathe: &PolygonLathe, step: PassStep) -> Vec<NewWord> {
-    let word = |to: To| match to {
-        To::Across(size) => cross(lathe, size),
-        To::Along(place) => z(real(place, 3)),
+    let word = |to: SlideTarget| match to {
+        SlideTarget::Across(size) => cross(lathe, size),
+        SlideTarget::Along(place) => z(real(place, 3)),
     };
     match step {
         PassStep::Rapid(to) => vec![g(0), word(to)],
         PassStep::Feed(to, feed) => vec![g(1), word(to), f(real(feed, 3))],
-        PassStep::Slope(size, place, feed) => vec![g(1), cross(lathe, size), z(real(place, 3)), f(real(feed, 3))],
-        PassStep::Thread(place, pitch) => {
+        PassStep::Slope { across, along, feed } => {
+            vec![g(1), cross(lathe, across), z(real(along, 3)), f(real(feed, 3))]
+        }
+        PassStep::Thread { along, pitch } => {
             let cut = writing::codes(lathe.control, [Code::Thread]).into_iter().take(1);
-            cut.chain([z(real(place, 3)), f(real(pitch, 3))]).collect()
+            cut.chain([z(real(along, 3)), f(real(pitch, 3))]).collect()
         }
         PassStep::Dwell(seconds) => writing::dwell(lathe.control, seconds).into(),
     }
 }
 
-/// Blocks of a slot: each tool from the start of the slide and back, the spindle on for both.
-pub(super) fn slot(lathe: &PolygonLathe, slot: &Slot) -> Vec<(Vec<NewWord>, &'static str)> {
+/// A block of a turned end.
+pub(super) struct TurnedEndBlock {
+    pub(super) words: Vec<NewWord>,
+    /// Comment of the block, or empty.
+    note: &'static str,
+    /// The turret brings another tool: the block is followed by a check of its clearance.
+    changes_tool: bool,
+}
+
+impl TurnedEndBlock {
+    fn new(words: Vec<NewWord>, note: &'static str) -> TurnedEndBlock {
+        TurnedEndBlock { words, note, changes_tool: false }
+    }
+}
+
+/// Blocks of a turned end: each tool from the start of the slide and back, the spindle on for both.
+pub(super) fn turned_end(lathe: &PolygonLathe, end: &TurnedEnd) -> Vec<TurnedEndBlock> {
     let p = &lathe.p;
+    let plain = |words: Vec<NewWord>| TurnedEndBlock::new(words, "");
     let away = || rapid([cross(lathe, p.start_x), z(real(p.start_z, 3))]);
     let mut all = Vec::new();
-    let cuts = [(slot.tool, slot.steps(p), "TURNING"), (slot.thread_tool, slot.thread(p), "THREAD")];
+    let cuts = [(end.tool, end.steps(p), "TURNING"), (end.thread_tool, end.thread(p), "THREAD")];
     for (at, (tool, steps, note)) in cuts.into_iter().filter(|(_, steps, _)| !steps.is_empty()).enumerate() {
-        all.push((writing::tool(lathe.control, tool as u32), note));
+        let tool = TurnedEndBlock::new(writing::tool(lathe.control, tool as u32), note);
+        all.push(TurnedEndBlock { changes_tool: true, ..tool });
         if at == 0 {
-            all.push((vec![m(3), s(slot.speed as u32)], ""));
+            all.push(plain(vec![m(3), s(end.speed as u32)]));
             // The ramp to the speed at 10 V is long enough for every S and override.
             let ramp = writing::dwell(lathe.control, p.main.ramp);
-            all.push((ramp.to_vec(), "SPINDLE COMES TO ITS SPEED"));
+            all.push(TurnedEndBlock::new(ramp.to_vec(), "SPINDLE COMES TO ITS SPEED"));
         }
-        all.push((rapid([cross(lathe, p.clear_diameter())]), ""));
-        all.push((vec![z(real(p.clearance, 3))], ""));
-        all.extend(steps.into_iter().map(|step| (block(lathe, step), "")));
-        all.push((away(), ""));
+        all.push(plain(rapid([cross(lathe, p.clear_diameter())])));
+        all.push(plain(vec![z(real(p.clearance, 3))]));
+        all.extend(steps.into_iter().map(|step| plain(block(lathe, step))));
+        all.push(plain(away()));
     }
-    all.push((vec![m(5)], "THE WORK AXIS TAKES OVER"));
+    all.push(TurnedEndBlock::new(vec![m(5)], "THE WORK AXIS TAKES OVER"));
     all
 }
 
-/// Writes the blocks of a slot, with the checks after each tool change.
-fn write_slot(b: &mut Builder, lathe: &PolygonLathe, at: usize, place: Option<(u32, u32)>) {
-    let Some(slot) = lathe.p.slots.get(at).filter(|slot| slot.on) else { return };
-    for (words, note) in self::slot(lathe, slot) {
-        b.words(words);
-        if !note.is_empty() {
-            b.note(note);
+/// Writes the blocks of a turned end, with the checks after each tool change.
+fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: usize, place: Option<(u32, u32)>) {
+    let Some(end) = lathe.p.turned_ends.get(at).filter(|end| end.on) else { return };
+    for block in turned_end(lathe, end) {
+        b.words(block.words);
+        if !block.note.is_empty() {
+            b.note(block.note);
         }
-        if let (Some(place), "TURNING" | "THREAD") = (place, note) {
+        if let Some(place) = place.filter(|_| block.changes_tool) {
             let clear = lathe.p.clear_diameter();
-            writing::stays_clear(b, place, || real(clear * 0.5 * lathe.words(), 3), 900 + AWAY);
+            writing::stays_clear(b, place, || real(lathe.x_of(clear), 3), 900 + AWAY);
         }
     }
 }
@@ -171,9 +190,9 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let clear = p.clear_diameter();
     b.program(PART, "POLYGON TURNING");
     writing::write_header::<PolygonLathe>(b, &lathe.form, lathe.control);
-    let offset = show(-p.tip_radius * lathe.words(), 3);
+    let offset = show(-p.tip_radius * lathe.x_per_mm(), 3);
     let across = show(p.across_flats, 3);
-    let word_of_x = show(p.across_flats * 0.5 * lathe.words(), 3);
+    let word_of_x = show(lathe.x_of(p.across_flats), 3);
     b.comment(&format!("X OFFSET OF THE CUTTER IS {offset}, X0 WITH THE TIPS AT THE CENTRE"));
     b.comment(&format!("THEN X{word_of_x} IS {across} MM ACROSS FLATS"));
     let mut cutters = vec![p.tool];
@@ -184,13 +203,13 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
         }
     }
     let place = writing::places(lathe.control, [CROSS, ALONG]);
-    let away = || real(clear * 0.5 * lathe.words(), 3);
+    let away = || real(lathe.x_of(clear), 3);
     b.n(10).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     if let Some(place) = place {
         writing::stays_clear(b.n(11), place, away, 900 + AWAY);
     }
     b.n(12).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
-    write_slot(b, lathe, 0, place);
+    write_turned_end(b, lathe, 0, place);
     b.n(13).words(writing::tool(lathe.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
     if let Some(place) = place {
         // The offset shifts the coordinates.
@@ -222,7 +241,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let end = 1000 * lathe.further.len() as u32 + 800;
     b.n(end).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
     b.n(end + 1).words([g(off)]).note("POLYGON TURNING OFF");
-    write_slot(b, lathe, 1, place);
+    write_turned_end(b, lathe, 1, place);
     b.n(end + 2).words([m(30)]);
     if place.is_some() {
         writing::alarm(b, lathe.control, AWAY, "RETRACT THE CUTTER BY HAND");
@@ -252,7 +271,7 @@ fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe)
         b.n(base + 10).words(rapid([cross(to, p.start_x), z(real(p.start_z, 3))]));
         b.n(base + 13).words(writing::tool(to.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
         if let Some(place) = place {
-            writing::stays_clear(b, place, || real(clear * 0.5 * to.words(), 3), 900 + AWAY);
+            writing::stays_clear(b, place, || real(to.x_of(clear), 3), 900 + AWAY);
         }
         b.n(base + 14).words(rapid([cross(to, clear)]));
     }

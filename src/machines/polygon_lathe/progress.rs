@@ -10,6 +10,7 @@ use crate::drives::polygon::{Curve, CutterSetup};
 use crate::machines::machine::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
+use crate::motion::timeline::Visit;
 
 /// Angles of the grid.
 pub(super) const GRID: usize = 360;
@@ -18,7 +19,7 @@ const STEPS: u32 = 48;
 /// Greatest number of insert passes per frame.
 const MOST: i64 = 600;
 /// Greatest number of slide passes, the newest.
-const PASSES: usize = 200;
+const MAX_SLIDE_PASSES: usize = 200;
 
 /// A pass of the slide.
 #[derive(Debug, Clone, Copy)]
@@ -53,7 +54,7 @@ pub(super) struct Progress {
     /// The deepest pass before the last one on its stretch.
     pub(super) done: Option<SlidePass>,
     /// Stretches that the spindle has turned: distances of both ends from the face, and the diameter.
-    pub(super) turned: Vec<(f64, f64, f64)>,
+    pub(super) turned_stretches: Vec<(f64, f64, f64)>,
 }
 
 impl Progress {
@@ -63,22 +64,32 @@ impl Progress {
     }
 }
 
+/// Visits of the slide to the stock up to a time (s): beyond its face and within its diameter.
+fn visits(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<Visit> {
+    run.visits([(lathe.cross(), 0.5 * lathe.p.stock_diameter), (lathe.along(), 0.0)], until)
+}
+
+/// The main spindle turns the work, with the tool axis at rest.
+fn is_turning(now: &Snapshot) -> bool {
+    now.pmc[TOOL].feed == 0.0 && now.spindle.actual != 0.0
+}
+
 /// Progress of the slide up to now.
 pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) -> Progress {
     let p = &lathe.p;
-    let visits = run.visits([(lathe.cross(), 0.5 * p.stock_diameter), (lathe.along(), 0.0)], now.t);
-    let first = visits.len().saturating_sub(PASSES);
+    let visits = visits(lathe, run, now.t);
+    let first = visits.len().saturating_sub(MAX_SLIDE_PASSES);
     let mut progress = Progress::default();
     for visit in visits.into_iter().skip(first) {
         let since = run.at(visit.begin);
+        if is_turning(&since) {
+            let far = -visit.along.0;
+            let threaded = p.turned_ends.iter().filter(|end| end.on && end.pitch > 0.0 && far <= end.length);
+            // The drawing has no flanks.
+            let least = threaded.map(|end| end.diameter).fold(0.0, f64::max).min(p.stock_diameter);
+            progress.turned_stretches.push(((-visit.along.1).max(0.0), far, (2.0 * visit.across).max(least)));
+        }
         if since.pmc[TOOL].feed == 0.0 {
-            if since.spindle.actual != 0.0 {
-                let end = -visit.along.0;
-                let slots = p.slots.iter().filter(|slot| slot.on && slot.pitch > 0.0 && end <= slot.length);
-                // The drawing has no flanks.
-                let least = slots.map(|slot| slot.diameter).fold(0.0, f64::max).min(p.stock_diameter);
-                progress.turned.push(((-visit.along.1).max(0.0), end, (2.0 * visit.across).max(least)));
-            }
             continue;
         }
         // The commanded end of the pass: the position at this moment may already belong to the retract.
@@ -94,19 +105,16 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
 
 /// Spans (s) up to a time in which the slide is in the stock with the tool turning.
 pub(super) fn cuts(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<(f64, f64)> {
-    let visits = run.visits([(lathe.cross(), 0.5 * lathe.p.stock_diameter), (lathe.along(), 0.0)], until);
+    let visits = visits(lathe, run, until);
     let of_tool = visits.iter().filter(|visit| run.at(visit.begin).pmc[TOOL].feed != 0.0);
     of_tool.map(|visit| (visit.begin, visit.end)).collect()
 }
 
 /// Spans (s) up to a time in which the slide is in the stock while the main spindle turns it.
-pub(super) fn turned(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<(f64, f64)> {
-    let visits = run.visits([(lathe.cross(), 0.5 * lathe.p.stock_diameter), (lathe.along(), 0.0)], until);
-    let is_turned = |t: f64| {
-        let now = run.at(t);
-        now.pmc[TOOL].feed == 0.0 && now.spindle.actual != 0.0
-    };
-    visits.into_iter().filter(|visit| is_turned(visit.begin)).map(|visit| (visit.begin, visit.end)).collect()
+pub(super) fn turning_spans(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<(f64, f64)> {
+    let visits = visits(lathe, run, until);
+    let turned = visits.iter().filter(|visit| is_turning(&run.at(visit.begin)));
+    turned.map(|visit| (visit.begin, visit.end)).collect()
 }
 
 /// Index (from 0) of the polygon being turned: the polygon of the newest pass, or the next one as soon as the program has begun with it.
@@ -121,8 +129,8 @@ pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, p
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
 pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot) -> Vec<f64> {
     let middle = progress.now().map_or(0.5 * lathe.p.length + lathe.p.from_face, SlidePass::middle);
-    let over = progress.turned.iter().filter(|turned| (turned.0..=turned.1).contains(&middle));
-    let stock = over.map(|turned| turned.2).fold(lathe.p.stock_diameter, f64::min);
+    let over = progress.turned_stretches.iter().filter(|(near, far, _)| (*near..=*far).contains(&middle));
+    let stock = over.map(|(_, _, diameter)| *diameter).fold(lathe.p.stock_diameter, f64::min);
     let mut grid = vec![0.5 * stock; GRID];
     for pass in progress.done.iter().chain(progress.now()) {
         cut(&mut grid, lathe, pass, now);

@@ -1,25 +1,24 @@
 //! The results of the polygon lathe as rows: label, unit, formula, source.
 
-use super::demand::Asked;
-use super::load::Spindle;
+use super::citations::{OURS, PAPER};
+use super::demand::DemandKind;
+use super::load::PolygonAxis;
 use super::main_spindle;
 use super::resolved::PolygonLathe;
 use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
-const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
 const CUTTING: Citation = Citation::new("polygon turning facts 3.9", Grade::Inferred);
-const SILENT: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 const GEOMETRY: Citation =
     Citation::new("polygon turning facts 3, derived and checked by two methods", Grade::Inferred);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
-
-const SLOTS: Citation = Citation::new("turning spindle facts, 4", Grade::Inferred);
+const OUTPUT: Citation = Citation::new("turning spindle facts, 1", Grade::Inferred);
+const MAIN_TORQUE: Citation = Citation::new("turning spindle facts, 4", Grade::Inferred);
 const RUN_UP: Citation = Citation::new("turning spindle facts, 5", Grade::Inferred);
 const INERTIA: Citation = Citation::new("sizing facts 2.1", Grade::Inferred);
-const TORQUE: Citation = Citation::new("sizing facts 2.2", Grade::Inferred);
+const COASTING: Citation = Citation::new("sizing facts 2.2", Grade::Inferred);
 
 const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
@@ -101,41 +100,41 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("feed", "polygon.readout.feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.feed),
     row!("finish-feed", "polygon.readout.finish-feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.finish_feed),
     row!("infeed", "polygon.readout.infeed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.infeed, |lathe| lathe.p.is_behind_face()),
-    row!("free-length", "polygon.readout.free-length", "mm", 3, false, "far end + clearance", MECHANICS, |lathe| lathe.free_length()),
+    row!("free-length", "polygon.readout.free-length", "mm", 3, false, "far end + clearance", MECHANICS, PolygonLathe::length_to_jaws),
     row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.d.mark_pitch, cuts),
     row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.d.ready),
     row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 way / F, of all motions at feed", MECHANICS, |lathe| lathe.polygons().map(|lathe| lathe.d.cutting_time).sum(), cuts),
     row!("turning-time", "polygon.readout.turning-time", "s", 2, false, "60 way / F, threads 60 way / (P S)", MECHANICS, |lathe| {
-        lathe.p.slots.iter().filter(|slot| slot.on).map(|slot| slot.time(&lathe.p)).sum()
-    }, |lathe| lathe.p.slots.iter().any(|slot| slot.on)),
-    row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[0].run_in(&lathe.p), |lathe| lathe.p.slots[0].threads()),
-    row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.slots[1].run_in(&lathe.p), |lathe| lathe.p.slots[1].threads()),
-    row!("main-top-speed", "polygon.readout.main-top-speed", "r/min", 0, false, "S", SLOTS, main_spindle::highest, PolygonLathe::has_main_spindle),
-    row!("main-torque", "polygon.readout.main-torque", "Nm", 1, false, "F D / 2000 + friction", SLOTS, main_spindle::torque, PolygonLathe::has_main_spindle),
-    row!("main-cutting-power", "polygon.readout.main-power", "kW", 2, false, "M n / 9549.3", SLOTS, main_spindle::power, PolygonLathe::has_main_spindle),
-    row!("main-volts", "polygon.readout.main-volts", "V", 3, false, "10 V · n / n10, in steps", SLOTS, main_spindle::volts, PolygonLathe::has_main_spindle),
-    row!("main-inertia", "polygon.readout.main-inertia", "kg m²", 4, false, "J work + J rotor · (n m / n10)²", INERTIA, |lathe| lathe.p.main_spindle().turned.inertia, PolygonLathe::has_main_spindle),
+        lathe.p.turned_ends.iter().filter(|end| end.on).map(|end| end.time(&lathe.p)).sum()
+    }, PolygonLathe::has_main_spindle),
+    row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.turned_ends[0].run_in(&lathe.p), |lathe| lathe.p.turned_ends[0].threads()),
+    row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.turned_ends[1].run_in(&lathe.p), |lathe| lathe.p.turned_ends[1].threads()),
+    row!("main-top-speed", "polygon.readout.main-top-speed", "r/min", 0, false, "S", OUTPUT, main_spindle::highest, PolygonLathe::has_main_spindle),
+    row!("main-torque", "polygon.readout.main-torque", "Nm", 1, false, "F D / 2000 + friction", MAIN_TORQUE, main_spindle::torque, PolygonLathe::has_main_spindle),
+    row!("main-cutting-power", "polygon.readout.main-power", "kW", 2, false, "M n / 9549.3", MAIN_TORQUE, main_spindle::power, PolygonLathe::has_main_spindle),
+    row!("main-volts", "polygon.readout.main-volts", "V", 3, false, "10 V · n / n10, in steps", OUTPUT, main_spindle::volts, PolygonLathe::has_main_spindle),
+    row!("main-inertia", "polygon.readout.main-inertia", "kg m²", 4, false, "J work + J rotor · (n m / n10)²", INERTIA, |lathe| lathe.p.main_spindle().load_at_spindle.inertia, PolygonLathe::has_main_spindle),
     row!("main-shortest-ramp", "polygon.readout.main-shortest-ramp", "s", 2, false, "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", RUN_UP, |lathe| lathe.p.main_spindle().shortest_ramp(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
     row!("main-run-up-time", "polygon.readout.main-run-up-time", "s", 2, false, "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", RUN_UP, |lathe| lathe.p.main_spindle().run_up(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
     row!("main-braking-time", "polygon.readout.main-braking-time", "s", 2, false, "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", RUN_UP, |lathe| lathe.p.main_spindle().braking(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
-    row!("main-coasting-time", "polygon.readout.main-coasting-time", "s", 1, false, "J · 2π n / 60 / friction, from the highest speed", TORQUE, |lathe| lathe.p.main_spindle().coasting(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
-    row!("milling-time", "polygon.readout.milling-time", "s", 1, false, "60 ⌈L / depth⌉ · 2 N (AF/2 + D/2) tan(π/N) / F", SILENT, |lathe| lathe.polygons().map(|lathe| lathe.p.milling_time()).sum(), cuts),
-    row!("milling-ratio", "polygon.readout.milling-ratio", "", 2, false, "milling time / (time until ready + cutting time)", SILENT, |lathe| {
+    row!("main-coasting-time", "polygon.readout.main-coasting-time", "s", 1, false, "J · 2π n / 60 / friction, from the highest speed", COASTING, |lathe| lathe.p.main_spindle().coasting(main_spindle::highest(lathe)), PolygonLathe::has_main_spindle),
+    row!("milling-time", "polygon.readout.milling-time", "s", 1, false, "60 ⌈L / depth⌉ · 2 N (AF/2 + D/2) tan(π/N) / F", OURS, |lathe| lathe.polygons().map(|lathe| lathe.p.milling_time()).sum(), cuts),
+    row!("milling-ratio", "polygon.readout.milling-ratio", "", 2, false, "milling time / (time until ready + cutting time)", OURS, |lathe| {
         let turning: f64 = lathe.polygons().map(|lathe| lathe.d.ready + lathe.d.cutting_time).sum();
         lathe.polygons().map(|lathe| lathe.p.milling_time()).sum::<f64>() / turning
     }, cuts),
     row!("cutting-force", "polygon.readout.cutting-force", "N", 0, false, "kc1.1 · b · h^(1 - mc) · (1 - γ / 100), h the marks apart", CUTTING, |lathe| lathe.force(), cuts_by_force),
     row!("at-once", "polygon.readout.at-once", "", 0, false, "1 + ⌊n σ / π⌋", GEOMETRY, |lathe| lathe.polygons().map(|lathe| lathe.d.load.at_once).fold(0.0, f64::max), cuts_by_force),
-    row!("tool-torque", "polygon.readout.tool-torque", "Nm", 1, false, "F r (m + a cos σ) / V · inserts at once", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Peak).0, cuts_by_force),
-    row!("tool-torque-mean", "polygon.readout.tool-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Mean).0, cuts_by_force),
-    row!("tool-torque-effective", "polygon.readout.tool-torque-effective", "Nm", 2, false, "√(peak torque · mean torque)", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Effective).0, cuts_by_force),
-    row!("tool-power", "polygon.readout.tool-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Power).0, cuts_by_force),
-    row!("tool-run-up", "polygon.readout.tool-run-up", "Nm", 1, false, "J · 2π n / (60 τ)", MECHANICS, |lathe| lathe.demand(Spindle::Tool, Asked::RunUp).0),
-    row!("work-torque", "polygon.readout.work-torque", "Nm", 1, false, "F [a (a + (m - r) cos σ) - r m] / V · inserts at once", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Peak).0, cuts_by_force),
-    row!("work-torque-mean", "polygon.readout.work-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Mean).0, cuts_by_force),
-    row!("work-torque-effective", "polygon.readout.work-torque-effective", "Nm", 2, false, "√(peak torque · mean torque)", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Effective).0, cuts_by_force),
-    row!("work-power", "polygon.readout.work-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Power).0, cuts_by_force),
-    row!("work-run-up", "polygon.readout.work-run-up", "Nm", 1, false, "J · 2π n / (60 τ)", MECHANICS, |lathe| lathe.demand(Spindle::Work, Asked::RunUp).0),
+    row!("tool-torque", "polygon.readout.tool-torque", "Nm", 1, false, "F r (m + a cos σ) / V · inserts at once", CUTTING, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::Peak).0, cuts_by_force),
+    row!("tool-torque-mean", "polygon.readout.tool-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::Mean).0, cuts_by_force),
+    row!("tool-torque-effective", "polygon.readout.tool-torque-effective", "Nm", 2, false, "√(peak torque · mean torque)", CUTTING, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::Effective).0, cuts_by_force),
+    row!("tool-power", "polygon.readout.tool-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::Power).0, cuts_by_force),
+    row!("tool-run-up", "polygon.readout.tool-run-up", "Nm", 1, false, "J · 2π n / (60 τ)", MECHANICS, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::RunUp).0),
+    row!("work-torque", "polygon.readout.work-torque", "Nm", 1, false, "F [a (a + (m - r) cos σ) - r m] / V · inserts at once", CUTTING, |lathe| lathe.demand(PolygonAxis::Work, DemandKind::Peak).0, cuts_by_force),
+    row!("work-torque-mean", "polygon.readout.work-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(PolygonAxis::Work, DemandKind::Mean).0, cuts_by_force),
+    row!("work-torque-effective", "polygon.readout.work-torque-effective", "Nm", 2, false, "√(peak torque · mean torque)", CUTTING, |lathe| lathe.demand(PolygonAxis::Work, DemandKind::Effective).0, cuts_by_force),
+    row!("work-power", "polygon.readout.work-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(PolygonAxis::Work, DemandKind::Power).0, cuts_by_force),
+    row!("work-run-up", "polygon.readout.work-run-up", "Nm", 1, false, "J · 2π n / (60 τ)", MECHANICS, |lathe| lathe.demand(PolygonAxis::Work, DemandKind::RunUp).0),
     row!("shortest-ramp", "polygon.readout.shortest-ramp", "s", 3, false, "J · 2π n / (60 M), of both the longer", MECHANICS, |lathe| lathe.ramp()),
     row!("x-scaling-drift", "scaling.x-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0]), cuts),
     row!("z-scaling-drift", "scaling.z-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1]), cuts),

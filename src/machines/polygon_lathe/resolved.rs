@@ -34,12 +34,12 @@ pub(crate) struct PolygonLathe {
     pub(super) sizes: Vec<f64>,
     /// The second and the third polygon of the part, each as if it were the only one.
     pub(super) further: Vec<PolygonLathe>,
-    /// The scales of the lens in words, worked out when they are first shown.
+    /// Text of the lens's scales, made when it is first shown.
     pub(super) lens_scales: OnceLock<String>,
 }
 
-/// Units of X words per millimetre of its slide: 2 where they are diameters.
-fn words_per_mm(control: &Control, dialect: &Dialect) -> f64 {
+/// X word units per mm of the slide: 2 where X counts diameters.
+fn x_per_mm(control: &Control, dialect: &Dialect) -> f64 {
     let cross = control.axis(CROSS).unwrap_or(0);
     if dialect.counts_diameters(cross) { 2.0 } else { 1.0 }
 }
@@ -56,8 +56,7 @@ impl PolygonLathe {
     fn one(form: Params, p: Params, on: ControlContext) -> PolygonLathe {
         let (control, dialect) = (on.control, on.dialect());
         let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
-        let words = words_per_mm(control, &dialect);
-        let d = Derived::new(&p, &sizes, words);
+        let d = Derived::new(&p, &sizes, x_per_mm(control, &dialect));
         PolygonLathe { form, p, d, control, dialect, sizes, further: Vec::new(), lens_scales: OnceLock::new() }
     }
 
@@ -72,9 +71,9 @@ impl PolygonLathe {
         self.polygons().find(there).unwrap_or(self)
     }
 
-    /// Free length from face to jaws that the cutter needs, mm.
-    pub(super) fn free_length(&self) -> f64 {
-        self.polygons().map(|lathe| lathe.d.free_length).fold(0.0, f64::max)
+    /// Length (mm) from face to jaws that the cutter needs.
+    pub(super) fn length_to_jaws(&self) -> f64 {
+        self.polygons().map(|lathe| lathe.d.length_to_jaws).fold(0.0, f64::max)
     }
 
     /// Drives of the slides across and along the work.
@@ -89,7 +88,7 @@ impl PolygonLathe {
             words,
         };
         [
-            drive("X", p.lead_x, (p.screw_teeth_x, p.motor_teeth_x), &p.slide_x, self.words()),
+            drive("X", p.lead_x, (p.screw_teeth_x, p.motor_teeth_x), &p.slide_x, self.x_per_mm()),
             drive("Z", p.lead_z, (p.screw_teeth_z, p.motor_teeth_z), &p.slide_z, 1.0),
         ]
     }
@@ -114,9 +113,14 @@ impl PolygonLathe {
         self.control.axis(ALONG).unwrap_or(0)
     }
 
-    /// Units of X words per millimetre of its slide.
-    pub(super) fn words(&self) -> f64 {
-        words_per_mm(self.control, &self.dialect)
+    /// X word units per mm of the slide: 2 where X counts diameters.
+    pub(super) fn x_per_mm(&self) -> f64 {
+        x_per_mm(self.control, &self.dialect)
+    }
+
+    /// X of a distance across flats or of a diameter, in word units.
+    pub(super) fn x_of(&self, across: f64) -> f64 {
+        0.5 * across * self.x_per_mm()
     }
 
     /// The feed override acts on the PMC axes.

@@ -1,15 +1,15 @@
 //! The rules of the polygon lathe, as rows: result, limit, remedy.
 
-use super::derive::ways_as_set;
+use super::derive::choices_on_tip_circle;
 use super::geometry::own_shape;
 use super::main_spindle;
-use super::params::{FIELDS, Params, Slot};
+use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
 use super::rules_of_drives as drives;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
 use crate::machines::scaling;
-use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
@@ -96,8 +96,8 @@ fn scaling_tool(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The flattest cutter and ratio on this tip circle as advice, or that none is possible; nothing where the form has it already.
 fn better(lathe: &PolygonLathe) -> Option<Advice> {
-    let ways = ways_as_set(&lathe.p, &lathe.sizes);
-    let Some(best) = ways.first() else { return Some(msg!("polygon.no-way", count = lathe.p.sides).into()) };
+    let choices = choices_on_tip_circle(&lathe.p, &lathe.sizes);
+    let Some(best) = choices.first() else { return Some(msg!("polygon.no-choice", count = lathe.p.sides).into()) };
     if !best.limits.is_empty() {
         return Some(msg!("polygon.no-better", flatness = (best.flatness(), 4)).into());
     }
@@ -249,12 +249,9 @@ fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.relief_needed > p.relief - 2.0 { warn(limit, [msg!("polygon.scarce-relief").into()]) } else { ok(limit) }
 }
 
-/// The greatest B in the form.
-const MOST_B: f64 = 10_000.0;
-
 /// Advice with a speed B, a whole number, or that no B is a remedy.
 fn with_b(speed: f64, advice: impl Fn(f64) -> Message) -> Advice {
-    if !(1.0..=MOST_B).contains(&speed) {
+    if !(1.0..=maximum(FIELDS, "speed")).contains(&speed) {
         return msg!("polygon.no-b").into();
     }
     Advice::from(advice(speed)).setting(msg!("advice.set-b", speed = (speed, 0)), [near(FIELDS, "speed", speed)])
@@ -414,21 +411,18 @@ fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The run-in of the thread that is turned before the polygons.
 fn run_in_before(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_in(lathe, &lathe.p.slots[0], "before-speed")
+    run_in(lathe, &lathe.p.turned_ends[0], "before-speed")
 }
 
 /// The run-in of the thread that is turned after the polygons.
 fn run_in_after(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_in(lathe, &lathe.p.slots[1], "after-speed")
+    run_in(lathe, &lathe.p.turned_ends[1], "after-speed")
 }
 
-/// The greatest clearance in the form, mm.
-const MOST_CLEARANCE: f64 = 100.0;
-
 /// The way in front of a thread, from the clearance to the face, against that in which the slide comes to its speed.
-fn run_in(lathe: &PolygonLathe, slot: &Slot, speed: &'static str) -> Option<Judgement> {
+fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<Judgement> {
     let p = &lathe.p;
-    let (needed, limit) = (slot.run_in(p), AtMost(p.clearance));
+    let (needed, limit) = (end.run_in(p), AtMost(p.clearance));
     if limit.holds(needed) {
         return ok(limit);
     }
@@ -436,11 +430,11 @@ fn run_in(lathe: &PolygonLathe, slot: &Slot, speed: &'static str) -> Option<Judg
     let mut advice = Vec::new();
     let set = up(FIELDS, "clearance", needed);
     let wider = Params { clearance: set.1.parse().unwrap_or(0.0), ..p.clone() };
-    if wider.clearance <= MOST_CLEARANCE && wider.has_room(lathe.free_length() - p.clearance) {
+    if wider.clearance <= maximum(FIELDS, "clearance") && wider.has_room(lathe.length_to_jaws() - p.clearance) {
         let button = msg!("advice.set-clearance", clearance = set.1.as_str());
         advice.push(Advice::from(said.clone()).setting(button, [set]));
     }
-    let set = down(FIELDS, speed, slot.speed * p.clearance / needed);
+    let set = down(FIELDS, speed, end.speed * p.clearance / needed);
     let slower = Advice::from(said);
     let fits = set.1.parse().is_ok_and(|rpm: f64| rpm >= 1.0);
     advice.push(if fits { slower.setting(msg!("advice.set-speed", speed = set.1.as_str()), [set]) } else { slower });
@@ -479,7 +473,7 @@ fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
         return ok(None);
     }
     let limit = AtMost(free);
-    if lathe.free_length() <= free {
+    if lathe.length_to_jaws() <= free {
         return ok(limit);
     }
     // The finding about the field has the sentence.

@@ -1,10 +1,10 @@
 //! Rules about the drives of work and tool: torque and power of the cut, torque of the run-up, each with its remedy.
 
-use super::demand::Asked;
-use super::load::{FEEDS, Spindle};
+use super::demand::DemandKind;
+use super::load::{FEEDS, PolygonAxis};
 use super::params::FIELDS;
 use super::resolved::PolygonLathe;
-use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
+use crate::machines::verdict::{Judgement, down, fail, maximum, ok, up, warn};
 use crate::math;
 use crate::msg;
 use crate::text::Message;
@@ -14,17 +14,14 @@ use crate::view::{Advice, Verdict};
 /// Least feed (mm for each turn of the work) that an advice names: below it an edge rubs.
 const LEAST_FEED: f64 = 0.01;
 
-/// Longest time constant of the form, ms.
-const LONGEST_RAMP: f64 = 10_000.0;
-
 /// An advice that lowers every feed whose cuts exceed a limit of the drive: the force grows with `f^(1 - mc)`.
-fn with_feeds(lathe: &PolygonLathe, spindle: Spindle, asked: Asked, fact: Message) -> Advice {
+fn with_feeds(lathe: &PolygonLathe, axis: PolygonAxis, kind: DemandKind, fact: Message) -> Advice {
     let p = &lathe.p;
     let power = 1.0 / (1.0 - p.specific().exponent);
     let feeds = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
     let sets: Vec<(&str, String)> = feeds
         .filter_map(|(at, (field, feed))| {
-            let excess = lathe.excess(spindle, asked, at);
+            let excess = lathe.excess(axis, kind, at);
             (excess > 1.0).then(|| down(FIELDS, field, feed * math::pow(excess, -power)))
         })
         .collect();
@@ -39,57 +36,66 @@ fn with_feeds(lathe: &PolygonLathe, spindle: Spindle, asked: Asked, fact: Messag
 }
 
 /// The cut against the drive.
-fn cut(lathe: &PolygonLathe, spindle: Spindle, of: Asked, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
-    let (asked, limit) = lathe.demand(spindle, of);
+fn cut(
+    lathe: &PolygonLathe,
+    axis: PolygonAxis,
+    kind: DemandKind,
+    told: impl Fn(f64, f64) -> Message,
+) -> Option<Judgement> {
+    let (asked, limit) = lathe.demand(axis, kind);
     if asked <= limit {
         return ok(AtMost(limit));
     }
-    fail(AtMost(limit), [with_feeds(lathe, spindle, of, told(asked, limit))])
+    fail(AtMost(limit), [with_feeds(lathe, axis, kind, told(asked, limit))])
 }
 
 /// The heat of the cut against the drive: a warning where only the strikes exceed its continuous torque, for a short cut may do that.
-fn heat(lathe: &PolygonLathe, spindle: Spindle, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
-    let judged = cut(lathe, spindle, Asked::Effective, told)?;
-    let (mean, limit) = lathe.demand(spindle, Asked::Mean);
+fn heat(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
+    let judged = cut(lathe, axis, DemandKind::Effective, told)?;
+    let (mean, limit) = lathe.demand(axis, DemandKind::Mean);
     if judged.verdict == Verdict::Fail && mean <= limit { warn(judged.limit, judged.advice) } else { Some(judged) }
 }
 
 pub(super) fn tool_peak(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Tool, Asked::Peak, |asked, limit| {
+    cut(lathe, PolygonAxis::Tool, DemandKind::Peak, |asked, limit| {
         msg!("polygon.tool-stalls", torque = (asked, 1), limit = (limit, 1))
     })
 }
 
 pub(super) fn work_peak(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Work, Asked::Peak, |asked, limit| {
+    cut(lathe, PolygonAxis::Work, DemandKind::Peak, |asked, limit| {
         msg!("polygon.work-stalls", torque = (asked, 1), limit = (limit, 1))
     })
 }
 
 pub(super) fn tool_effective(lathe: &PolygonLathe) -> Option<Judgement> {
-    heat(lathe, Spindle::Tool, |asked, limit| msg!("polygon.tool-overheats", torque = (asked, 2), limit = (limit, 2)))
+    heat(lathe, PolygonAxis::Tool, |asked, limit| {
+        msg!("polygon.tool-overheats", torque = (asked, 2), limit = (limit, 2))
+    })
 }
 
 pub(super) fn work_effective(lathe: &PolygonLathe) -> Option<Judgement> {
-    heat(lathe, Spindle::Work, |asked, limit| msg!("polygon.work-overheats", torque = (asked, 2), limit = (limit, 2)))
+    heat(lathe, PolygonAxis::Work, |asked, limit| {
+        msg!("polygon.work-overheats", torque = (asked, 2), limit = (limit, 2))
+    })
 }
 
 pub(super) fn tool_power(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Tool, Asked::Power, |asked, limit| {
+    cut(lathe, PolygonAxis::Tool, DemandKind::Power, |asked, limit| {
         msg!("polygon.tool-lacks-power", power = (asked, 3), limit = (limit, 3))
     })
 }
 
 pub(super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
-    cut(lathe, Spindle::Work, Asked::Power, |asked, limit| {
+    cut(lathe, PolygonAxis::Work, DemandKind::Power, |asked, limit| {
         msg!("polygon.work-lacks-power", power = (asked, 3), limit = (limit, 3))
     })
 }
 
 /// The run-up against the drive. Both axes get the same ramp, so that they keep their ratio on it.
-fn run_up(lathe: &PolygonLathe, spindle: Spindle, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
+fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
     let p = &lathe.p;
-    let (asked, limit) = lathe.demand(spindle, Asked::RunUp);
+    let (asked, limit) = lathe.demand(axis, DemandKind::RunUp);
     if asked <= limit {
         return ok(AtMost(limit));
     }
@@ -97,17 +103,20 @@ fn run_up(lathe: &PolygonLathe, spindle: Spindle, told: impl Fn(f64, f64) -> Mes
     let advice = Advice::from(told(asked, limit));
     let sets = ["work-time-constant", "tool-time-constant"].map(|field| up(FIELDS, field, ramp));
     let button = msg!("advice.set-ramps", time = sets[0].1.as_str());
-    fail(AtMost(limit), [if ramp <= LONGEST_RAMP { advice.setting(button, sets) } else { advice }])
+    fail(
+        AtMost(limit),
+        [if ramp <= maximum(FIELDS, "work-time-constant") { advice.setting(button, sets) } else { advice }],
+    )
 }
 
 pub(super) fn tool_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_up(lathe, Spindle::Tool, |asked, limit| {
+    run_up(lathe, PolygonAxis::Tool, |asked, limit| {
         msg!("polygon.tool-ramp-short", torque = (asked, 1), limit = (limit, 1))
     })
 }
 
 pub(super) fn work_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_up(lathe, Spindle::Work, |asked, limit| {
+    run_up(lathe, PolygonAxis::Work, |asked, limit| {
         msg!("polygon.work-ramp-short", torque = (asked, 1), limit = (limit, 1))
     })
 }

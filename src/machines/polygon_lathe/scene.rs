@@ -1,7 +1,7 @@
 //! The drawing of the polygon lathe: the machine from the front and from above, the sides against their planes, the section as the work sees it.
 //!
-//! Section and cutter are to one scale, the bar from above to another. The lens magnifies the deviation of the sides, with its factors in it.
-//! The sizes of chuck, headstock and slide are not in the form.
+//! Section and cutter are to one scale, the bar from above to another. The lens magnifies the deviation of the sides, with its factors in
+//! it. The sizes of chuck, headstock and slide are not in the form.
 
 mod cutter;
 
@@ -98,7 +98,7 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     callout(d, "across-flats", (RIGHT, LOW_ROW), "end", &say("polygon.scene.close"), &values, None);
     d.text((632.0, STATE), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
     d.text((632.0, ABOVE), "start", &say("polygon.scene.above"), Font::Label, Paint::Dim);
-    let start = format!("X{} Z{}", show(0.5 * p.start_x * lathe.words(), 3), show(p.start_z, 3));
+    let start = format!("X{} Z{}", show(lathe.x_of(p.start_x), 3), show(p.start_z, 3));
     callout(d, "start-x", (RIGHT, 450.0), "end", &say("polygon.scene.start"), &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {}", say("polygon.clearance"), mm(p.clearance));
@@ -123,7 +123,8 @@ pub(super) fn sizes(lathe: &PolygonLathe) -> [String; 2] {
     [format!("AF {}", mm(lathe.p.across_flats)), format!("r {}", mm(lathe.p.tip_radius))]
 }
 
-/// Leader of the cutter's label to the disc of the present polygon, `away` units from its last place; none where the disc has left the drawing.
+/// Leader of the cutter's label to the disc of the present polygon, `away` units from its last place; none where the disc has left the
+/// drawing.
 pub(super) fn leader((lathe, polygon): (&PolygonLathe, &PolygonLathe), layout: &Layout, away: f64) -> String {
     let r = 0.6 * polygon.p.tip_radius * layout.scale;
     let (x, y) = (layout.cutter.0 + away + 0.3 * r, layout.cutter.1 - 0.95 * r);

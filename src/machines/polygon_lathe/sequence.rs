@@ -2,15 +2,13 @@
 
 use core::fmt::Write;
 
+use super::citations::OURS;
 use super::resolved::PolygonLathe;
 use crate::machines::sheets::{row, say};
 use crate::text::catalog::number_text as show;
 use crate::text::number::{Plain, fill, filled};
-use crate::text::{Citation, Grade};
 use crate::view::svg::escape;
 use crate::view::{Column, Sheet, SheetKind};
-
-const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
 /// Signals that rise and fall, in the order of the diagram.
 const TRACKS: [&str; 6] = [

@@ -1,6 +1,7 @@
 //! Sheets for the machine builder: parameters, interface of the PMC, ladder, sequence, choices of cutter and ratio, passes, inserts.
 
-use super::derive::ways;
+use super::citations::{OURS, PAPER};
+use super::derive;
 use super::geometry::own_shape;
 use super::main_spindle;
 use super::program::{self, MACROS};
@@ -17,9 +18,6 @@ use crate::text::catalog::number_text as show;
 use crate::text::units::{self, Lengths};
 use crate::text::{Citation, Grade, clauses};
 use crate::view::{Column, Row, Sheet, SheetKind};
-
-const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
-const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
 /// All sheets.
 pub(super) fn sheets(lathe: &PolygonLathe) -> Vec<Sheet> {
@@ -44,7 +42,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
     let p = &lathe.p;
     let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
     let mut values = vec![
-        (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.words() > 1.0))]),
+        (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.x_per_mm() > 1.0))]),
         (ParamRole::AxisRapid, slides(p.rapid_x, p.rapid_z)),
         (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
         (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
@@ -65,7 +63,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
     }
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
     values.extend(scaling::parameters(lathe.control, &lathe.turning_drives()));
-    let axes = AxisUnits { in_diameters: if lathe.words() > 1.0 { &["X"] } else { &[] }, rotary: &["3", "4"] };
+    let axes = AxisUnits { in_diameters: if lathe.x_per_mm() > 1.0 { &["X"] } else { &[] }, rotary: &["3", "4"] };
     let mut sheet = sheets::parameters(lathe.control, &axes, values);
     for ((number, code), program) in (FIRST..).zip(program::codes(lathe)).zip(MACROS) {
         let code = code.map_or(String::new(), |code| code.to_string());
@@ -86,7 +84,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
 }
 
 /// Greatest number of listed choices.
-const WAYS: usize = 40;
+const MAX_CHOICES: usize = 40;
 
 /// Cutters and ratios for the polygon, the best first, with the limits that exclude the others.
 fn choices(lathe: &PolygonLathe) -> Sheet {
@@ -94,27 +92,27 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
         "polygon turning facts 3: the flattest among those within all limits is the best",
         Grade::Inferred,
     );
-    let way = |(at, way): (usize, Choice)| {
-        let excluded: Vec<String> = way.limits.iter().map(|limit| say(limit_text(*limit))).collect();
-        let ratio = format!("{}:{}", way.ratio.tool(), way.ratio.work());
+    let listed = |(at, choice): (usize, Choice)| {
+        let excluded: Vec<String> = choice.limits.iter().map(|limit| say(limit_text(*limit))).collect();
+        let ratio = format!("{}:{}", choice.ratio.tool(), choice.ratio.work());
         let cells = [
             (at + 1).to_string(),
-            (way.cutter + 1).to_string(),
+            (choice.cutter + 1).to_string(),
             ratio,
-            units::dimension(way.radius, 3),
-            units::dimension(way.flatness(), 4),
+            units::dimension(choice.radius, 3),
+            units::dimension(choice.flatness(), 4),
             if excluded.is_empty() { say("polygon.limit.none") } else { clauses(excluded) },
-            units::dimension(way.deviation.0, 4),
-            units::dimension(way.deviation.1, 4),
-            show(way.relief * 180.0 / PI, 2),
-            show(way.work_speed, 0),
-            show(way.tool_speed, 0),
-            format!("{} .. {}", surface_speed(way.cutting_speed.0), surface_speed(way.cutting_speed.1)),
+            units::dimension(choice.deviation.0, 4),
+            units::dimension(choice.deviation.1, 4),
+            show(choice.relief * 180.0 / PI, 2),
+            show(choice.work_speed, 0),
+            show(choice.tool_speed, 0),
+            format!("{} .. {}", surface_speed(choice.cutting_speed.0), surface_speed(choice.cutting_speed.1)),
         ];
-        let terms = (f64::from(way.ratio.tool()), f64::from(way.ratio.work()));
-        let mut sets = own_shape(lathe.p.sides, (way.cutter + 1) as f64, terms);
-        sets.push(("tip-radius", show(way.radius, 3)));
-        sets.push(("speed", show(way.speed, 0)));
+        let terms = (f64::from(choice.ratio.tool()), f64::from(choice.ratio.work()));
+        let mut sets = own_shape(lathe.p.sides, (choice.cutter + 1) as f64, terms);
+        sets.push(("tip-radius", show(choice.radius, 3)));
+        sets.push(("speed", show(choice.speed, 0)));
         Row { sets, ..row(cells, cite) }
     };
     Sheet {
@@ -137,7 +135,7 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
         ]
         .map(Column::Plain)
         .to_vec(),
-        rows: ways(&lathe.p, &lathe.sizes).into_iter().take(WAYS).enumerate().map(way).collect(),
+        rows: derive::choices(&lathe.p, &lathe.sizes).into_iter().take(MAX_CHOICES).enumerate().map(listed).collect(),
         drawing: String::new(),
     }
 }

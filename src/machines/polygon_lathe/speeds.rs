@@ -27,15 +27,15 @@ impl Params {
     }
 
     /// Deceleration of work and tool by friction with the drives off, r/min per second.
-    pub(super) fn coasting(&self) -> [f64; 2] {
+    pub(super) fn coasting_deceleration(&self) -> [f64; 2] {
         [self.work_limit / self.work_coast, self.tool_limit / self.tool_coast]
     }
 
     /// Phase of the tool ahead of the work after coasting to rest, degrees of the tool: each axis turns by `3 n² / a` degrees, with speed n
     /// [r/min] and deceleration a [r/min per second].
     pub(super) fn coast_phase(&self) -> f64 {
-        let [work, tool] = self.coasting();
-        let left = |rpm: f64, slows: f64| 3.0 * rpm * rpm.abs() / slows;
+        let [work, tool] = self.coasting_deceleration();
+        let left = |rpm: f64, deceleration: f64| 3.0 * rpm * rpm.abs() / deceleration;
         let ratio = self.tool_ratio / self.work_ratio;
         left(self.tool_speed(), tool) - ratio * left(self.work_speed(), work) + 0.0
     }

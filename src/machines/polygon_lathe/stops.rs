@@ -1,5 +1,6 @@
 //! Hold, alarm, reset, emergency stop and power failure of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
 
+use super::citations::OURS;
 use super::main_spindle::highest;
 use super::resolved::PolygonLathe;
 use crate::drives::holding_brake::CLOSING;
@@ -12,8 +13,6 @@ use crate::msg;
 use crate::text::{Citation, Grade, Message};
 
 const DESIGN: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
-
-const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
 /// Reaction of work and tool to an interruption.
 pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
@@ -102,16 +101,16 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
             msg!("polygon.stops.anew"),
         ),
         row(Interruption::EmergencyStop, slides_at_emergency_stop(sinks), broken, msg!("polygon.stops.clear")),
-        row(
-            Interruption::PowerFailure,
-            slides_without_supply(sinks),
-            msg!("polygon.stops.phase-lost", angle = (lathe.d.coast_phase, 0)),
-            msg!("polygon.stops.discard"),
-        ),
+        Reaction {
+            cite: if sinks.is_some() { CLOSING } else { OURS },
+            ..row(
+                Interruption::PowerFailure,
+                slides_without_supply(sinks),
+                msg!("polygon.stops.phase-lost", angle = (lathe.d.coast_phase, 0)),
+                msg!("polygon.stops.discard"),
+            )
+        },
     ];
-    if let (Some(dark), Some(_)) = (rows.last_mut(), sinks) {
-        dark.cite = CLOSING;
-    }
     rows.extend(of_main_spindle(lathe));
     rows
 }

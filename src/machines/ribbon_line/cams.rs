@@ -131,8 +131,8 @@ impl Cam {
         Cam { correction: Correction { speed, ..self.correction }, ..*self }
     }
 
-    /// Highest ribbon speed, mm/min, of at most `most` m/s: the greatest at which a torque keeps its limit, which falls with the speed while the
-    /// torque grows.
+    /// Highest ribbon speed, mm/min, of at most `most` m/s: the greatest at which a torque keeps its limit, which falls with the speed
+    /// while the torque grows.
     fn speed_within(&self, most: f64, keeps: impl Fn(&Cam) -> bool) -> f64 {
         if !most.is_finite() || keeps(&self.at(most)) {
             return 60e3 * most;

@@ -40,8 +40,8 @@ fn laid_before(line: &RibbonLine) -> f64 {
     line.fast.slack_start.abs() + line.fast.slack_run.abs()
 }
 
-/// Ribbon (mm) laid at the worst moment, with the knob at its highest position: both axes are at rest after the last move and M5 is not read yet, so that
-/// the unwinder coasts from its full speed.
+/// Ribbon (mm) laid at the worst moment, with the knob at its highest position: both axes are at rest after the last move and M5 is not
+/// read yet, so that the unwinder coasts from its full speed.
 fn laid_after_the_last_move(line: &RibbonLine) -> f64 {
     let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
     laid_beside(line, &line.fast, (rest, stop), lag)

@@ -21,7 +21,8 @@ pub(super) const HOLDING: [MachineContact; 4] = [
     MachineContact::ReelNotEmpty,
 ];
 
-/// Ribbon (mm) that the unwinder still takes off the reel at a hold with the knob at its highest position: `v · t_r / 2`. Source: ribbon line facts, 11.
+/// Ribbon (mm) that the unwinder still takes off the reel at a hold with the knob at its highest position: `v · t_r / 2`. Source: ribbon
+/// line facts, 11.
 pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
     let (p, fast) = (&line.p, &line.fast);
     let ramp = p.inverter_ramp * fast.actual_speed / p.speed_at_10v;

@@ -165,8 +165,8 @@ impl Params {
         }
     }
 
-    /// Macro blocks that one step of the knob adds to a pass, where the speed clamp does not act. The published listing computes everything in
-    /// each pass.
+    /// Macro blocks that one step of the knob adds to a pass, where the speed clamp does not act. The published listing computes everything
+    /// in each pass.
     fn blocks_of_a_knob_step(&self) -> u32 {
         match (self.variant, self.feed_form) {
             _ if self.knob_is_locked() => 0,

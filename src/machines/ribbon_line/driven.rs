@@ -66,7 +66,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         taut: of.taut.abs(),
         cut: None,
         lasting: None,
-        starts: 0.0,
+        starts_per_minute: 0.0,
         gear: is_geared(ratio).then(|| gear(ratio, of, gear_fields)),
         fitted: Fitted { motor: of.motor, limits: of.limits },
         site_share: p.site().share(),
@@ -126,7 +126,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         brake: line.p.unwinding.motor_brake,
         cycle: Some(unwinder_cycle(line)),
         turn: RPM,
-        turned: unwinder_load(&line.p, line.mechanics.unwinder),
+        load_at_motor: unwinder_load(&line.p, line.mechanics.unwinder),
         rotor: 0.0,
         gear: is_geared(line.p.reduction_ratio).then(|| unwinder_gear(line)),
         full: Some(FullSignal { frequency: line.p.frequency_at_10v, no_load: line.p.no_load_speed }),
@@ -135,7 +135,8 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
     }
 }
 
-/// The brake resistor of the unwinder's inverter: the energy of a stop, `T ω t / 2`, over a product and its pause, with the knob at its highest position.
+/// The brake resistor of the unwinder's inverter: the energy of a stop, `T ω t / 2`, over a product and its pause, with the knob at its
+/// highest position.
 pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
     let (p, speed, torque) = (&line.p, line.fast.actual_speed, line.mechanics.unwinder_braking);
     let ramp = p.inverter_ramp * speed / p.speed_at_10v;
@@ -191,8 +192,8 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
     },
 ];
 
-/// Stretch (mm) of the ribbon before X at the tension limit: `s = (T - T1) · L / (E · A)`, and none where T1 is above the limit. An empty loop
-/// may miss as much ribbon. Source: ribbon line facts, 7.
+/// Stretch (mm) of the ribbon before X at the tension limit: `s = (T - T1) · L / (E · A)`, and none where T1 is above the limit. An empty
+/// loop may miss as much ribbon. Source: ribbon line facts, 7.
 pub(super) fn stretch(line: &RibbonLine) -> f64 {
     let (p, left) = (&line.p, line.d.tension_limit - line.p.web.tension_before);
     let per_strain = web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0);

@@ -4,8 +4,8 @@ use crate::machines::examples::{Example, KnownFault};
 
 /// A print roller whose heads are a pitch apart, and rollers, gears and speeds that every control of the list can drive.
 ///
-/// The unwinder's gear 50 : 1 keeps F below 15 000 mm/min, the least range of the controls, with the knob at its highest position. The roller of
-/// 36 heads at 10 mm has a circumference of 360 mm. The dwell of 0.7 s leaves the least slack after a start.
+/// The unwinder's gear 50 : 1 keeps F below 15 000 mm/min, the least range of the controls, with the knob at its highest position. The
+/// roller of 36 heads at 10 mm has a circumference of 360 mm. The dwell of 0.7 s leaves the least slack after a start.
 macro_rules! matched {
     ($($own:expr),* $(,)?) => {
         &[

@@ -112,8 +112,8 @@ impl ServoAxis {
         self.load.shortest_ramp(self.motor.rotor, speed, torque).max(fall)
     }
 
-    /// Whether the torque at the teeth of its gear changes its sign while dots are printed: without a steady torque, and at exact stop where the
-    /// load is braked with more than that. The rotor is in front of the teeth.
+    /// Whether the torque at the teeth of its gear changes its sign while dots are printed: without a steady torque, and at exact stop
+    /// where the load is braked with more than that. The rotor is in front of the teeth.
     pub(super) fn reverses(&self, path_mode: PathMode) -> bool {
         let (load, speed) = (&self.load, self.duty.speed * RPM);
         let driven = load.torque + load.accelerating(0.0, speed, self.ramp);
@@ -150,8 +150,8 @@ fn starts(p: &Params, d: &Derived) -> f64 {
     }
 }
 
-/// The move that an axis repeats: a block with exact stop, or a whole product; none at standstill. A ramp that is longer than its block does not
-/// reach the speed (sizing facts, section 4).
+/// The move that an axis repeats: a block with exact stop, or a whole product; none at standstill. A ramp that is longer than its block
+/// does not reach the speed (sizing facts, section 4).
 fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Option<Move> {
     let (run, cycle) = match p.path_mode {
         PathMode::ExactStop => (d.block_time, d.stop_time),

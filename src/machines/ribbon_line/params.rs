@@ -3,7 +3,7 @@
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control, ParamRole, VarKind};
-use crate::drives::cage_motor::{RATED_FREQUENCY, own_fan_torque_share};
+use crate::drives::cage_motor::{RATED_FREQUENCY, shaft_fan_torque_share};
 use crate::drives::derating::Site;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
@@ -357,9 +357,9 @@ fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
 }
 
 impl UnwindingParams {
-    /// Continuous torque (Nm) of its motor at a frequency in Hz, derated for the site and for its own fan.
+    /// Continuous torque (Nm) of its motor at a frequency in Hz, derated for the site and for a fan on its shaft.
     pub(super) fn continuous(&self, frequency: f64) -> f64 {
-        let cooled = if self.forced_cooling { 1.0 } else { own_fan_torque_share(frequency / RATED_FREQUENCY) };
+        let cooled = if self.forced_cooling { 1.0 } else { shaft_fan_torque_share(frequency / RATED_FREQUENCY) };
         self.torque * self.site_share / 100.0 * cooled
     }
 }
@@ -399,8 +399,8 @@ impl Params {
         }
     }
 
-    /// The form asks for the final spindle speed that the PLC reads: the control has it.
-    pub(super) fn enters_final_speed(&self, control: &Control) -> bool {
+    /// The control gives the PLC the final spindle speed.
+    pub(super) fn has_final_speed_signal(&self, control: &Control) -> bool {
         control.interface.iter().any(|row| row.role == SignalRole::SpindleFinal)
     }
 
@@ -449,7 +449,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("override", member!(Params.override_percent)).group("ribbon.group.unwinder").label("ribbon.override").help("ribbon.override.help")
         .unit("%").range(0.0..=200.0).default(100.0).decimals(0).step(1.0),
     choice("override-form", member!(Params.override_form: OverrideForm)).group("ribbon.group.unwinder").label("ribbon.override-form").help("ribbon.override-form.help")
-        .when(Params::enters_final_speed),
+        .when(Params::has_final_speed_signal),
     choice("knob-step", member!(Params.knob_step: KnobStep)).group("ribbon.group.unwinder").label("ribbon.knob-step").help("ribbon.knob-step.help"),
     choice("knob-use", member!(Params.knob_use: KnobUse)).group("ribbon.group.unwinder").label("ribbon.knob-use").help("ribbon.knob-use.help")
         .when(Params::types_override),

@@ -38,9 +38,6 @@ pub(super) const MOTORS: &[FormMotor] = &[
     },
 ];
 
-/// Catalog id of the loop.
-const LOOP: &str = "ribbon.part.loop";
-
 /// All parts with their places in the drawing.
 pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
     let layout = line.layout();
@@ -59,7 +56,7 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
         ..part("ribbon.part.head", (print.x + 0.7 * print.r, -1.7 * print.r), &[("", "head-mass"), ("", "head-length")])
     };
     let dancer = DrawnPart { group: group::DANCER, ..part("ribbon.part.dancer", (0.0, 0.0), &[("", "loop-capacity")]) };
-    let mut all = vec![
+    let to_the_loop = [
         part(
             "ribbon.part.supply",
             (supply.x - 0.55 * supply.r, supply.y + 0.4 * supply.r),
@@ -80,7 +77,9 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
             door(&layout.unwinder, -5.0, 165.0),
             &[("", "frequency-at-10v"), ("", "inverter-ramp")],
         ),
-        part(LOOP, (hangs, layout.full), &[("", "loop-capacity")]),
+        part("ribbon.part.loop", (hangs, layout.full), &[("", "loop-capacity")]),
+    ];
+    let from_the_nip = [
         part(
             "ribbon.part.pull",
             (layout.pull.x, layout.pull.r),
@@ -107,8 +106,6 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
         part("ribbon.part.deflector", (layout.deflector.0, layout.deflector.1), &[]),
         part("ribbon.part.take-up", (take_up.x - 0.4 * take_up.r, take_up.y + 0.3 * take_up.r), &[]),
     ];
-    // Behind the loop that it lies in.
-    let loop_ends = all.iter().position(|part| part.name == LOOP).map_or(all.len(), |at| at + 1);
-    all.splice(loop_ends..loop_ends, line.p.dancer.then_some(dancer));
-    all
+    // The dancer lies in the loop.
+    to_the_loop.into_iter().chain(line.p.dancer.then_some(dancer)).chain(from_the_nip).collect()
 }

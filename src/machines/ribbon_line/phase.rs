@@ -23,13 +23,13 @@ fn position(line: &RibbonLine) -> Option<u32> {
 }
 
 /// Whether the program itself brings a head to the ribbon.
-pub(super) fn reads_position(line: &RibbonLine) -> bool {
+pub(super) fn program_sets_phase(line: &RibbonLine) -> bool {
     position(line).is_some()
 }
 
 /// Jumps to the alarm if the product before was broken off.
 pub(super) fn check(b: &mut Builder, line: &RibbonLine) {
-    if !reads_position(line) {
+    if !program_sets_phase(line) {
         b.if_goto(v(PHASE).gt(0), 900 + ALARM);
     }
 }
@@ -60,7 +60,7 @@ pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl 
 
 /// Marks the product as complete: after M5, when all blocks are done.
 pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
-    if reads_position(line) {
+    if program_sets_phase(line) {
         return;
     }
     let waits = writing::codes(line.control, [Code::StopReading]);
@@ -72,7 +72,7 @@ pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
 
 /// Writes the alarm after the end of the program.
 pub(super) fn alarm(b: &mut Builder, line: &RibbonLine) {
-    if reads_position(line) {
+    if program_sets_phase(line) {
         return;
     }
     let text = format!("TURN {} TO A HEAD BY HAND, {}=0", line.p.print_axis.address(), line.control.variable(PHASE));

@@ -421,8 +421,8 @@ fn changed(watched: &[(u32, u32)]) -> Formula {
     sum.unwrap_or(0.into())
 }
 
-/// Variable of S: the programmed speed, which the control multiplies by the knob; where the PLC locks the knob, the speed that the typed override
-/// leaves.
+/// Variable of S: the programmed speed, which the control multiplies by the knob; where the PLC locks the knob, the speed that the typed
+/// override leaves.
 fn spindle_word(line: &RibbonLine) -> u32 {
     if line.p.knob_is_locked() { 104 } else { 100 }
 }

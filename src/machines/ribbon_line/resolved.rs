@@ -55,7 +55,7 @@ impl RibbonLine {
             PrintAxis::Z => p.y_unit = YUnit::Millimetres,
         }
         p.endless = form.endless_on(control);
-        if !form.enters_final_speed(control) {
+        if !form.has_final_speed_signal(control) {
             p.override_form = OverrideForm::Percent;
         }
         if !form.stops_exactly(control) {
@@ -73,7 +73,7 @@ impl RibbonLine {
         RibbonLine { form, p, d, fast, slow, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
     }
 
-    /// Results of the formulas for another form, with the knob as it is, at its fast and at its slow end.
+    /// Results of the formulas for another form, with the knob as it is, at its highest and at its lowest position.
     pub(super) fn with(&self, p: &Params) -> [Derived; 3] {
         over_knob(p, self.dialect.spindle().knob, &self.control.analog_output)
     }
@@ -98,8 +98,8 @@ impl RibbonLine {
         if self.fast.actual_speed > 0.0 { self.d.actual_speed / self.fast.actual_speed } else { 1.0 }
     }
 
-    /// The knob at its highest position over the knob now, as far as it makes the spindle faster, as an override in %.
-    pub(super) fn knob_end(&self) -> f64 {
+    /// Override (%) at which the spindle turns as with the knob at its highest position: `100 n_fast / n`.
+    pub(super) fn highest_knob_percent(&self) -> f64 {
         100.0 * self.fast.actual_speed / self.p.spindle_speed
     }
 
@@ -113,7 +113,8 @@ impl RibbonLine {
         self.control.axis(self.p.print_axis.address()).unwrap_or(0)
     }
 
-    /// Driven speed over commanded speed, now or at the knob's end: a feed per revolution follows the measured speed of the unwinder.
+    /// Driven speed over commanded speed, now or with the knob at its highest position: a feed per revolution follows the measured speed of
+    /// the unwinder.
     pub(super) fn following(&self, at: &Derived) -> f64 {
         if self.in_step() { 1.0 + at.speed_error } else { 1.0 }
     }
@@ -186,8 +187,8 @@ impl RibbonLine {
     }
 }
 
-/// Results of the formulas with the knob as it is, at its fast and at its slow end. A locked knob has no other end, a line at standstill
-/// neither; at a slow end of 0 % the line is at rest, and the present results are used.
+/// Results of the formulas with the knob as it is, at its highest and at its lowest position. A locked knob has no other position, a line
+/// at standstill neither; at a lowest position of 0 % the line is at rest, and the present results are used.
 fn over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
     let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, output);
     let now = Derived::new(p, output);

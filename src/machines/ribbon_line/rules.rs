@@ -1,7 +1,7 @@
 //! The rules of the ribbon line, as rows: result, limit, remedy.
 //!
-//! Numbers are those of section 7 of `docs/reference/sizing.md`. Rule 1 is the ranges of the form, rule 18 the list of assumed facts; both are
-//! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
+//! Numbers are those of section 7 of `docs/reference/sizing.md`. Rule 1 is the ranges of the form, rule 18 the list of assumed facts; both
+//! are kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
 use super::cams;

@@ -1,4 +1,6 @@
-//! The rules of the print roller's electronic cam: its motor, and whether short blocks could take its place. The knob at its highest position is what counts.
+//! The rules of the print roller's electronic cam: its motor, and whether short blocks could take its place.
+//!
+//! Judged with the knob at its highest position.
 
 use super::cams::{self, Cam};
 use super::resolved::RibbonLine;
@@ -29,17 +31,17 @@ const CRAWL: f64 = 1e-3;
 /// Advice to use a cam for rollers that do not match, with its demand on the print motor; none if no ribbon speed is slow enough, or only
 /// one below `CRAWL`.
 pub(super) fn advice(line: &RibbonLine) -> Option<Message> {
-    let Some((_, end)) = cams::by(line, Law::ModifiedSine) else { return Some(msg!("ribbon.match-cam-no-time")) };
-    let peak = (end.start_torque(), 2);
-    let speed = end.speed_by_start().min(end.speed_by_heat());
-    let effective = (end.effective_torque(), 2);
+    let Some((_, fast)) = cams::by(line, Law::ModifiedSine) else { return Some(msg!("ribbon.match-cam-no-time")) };
+    let peak = (fast.start_torque(), 2);
+    let speed = fast.speed_by_start().min(fast.speed_by_heat());
+    let effective = (fast.effective_torque(), 2);
     (speed >= (CRAWL * line.fast.line_speed).max(1.0)).then(|| {
         msg!(
             "ribbon.match-cam",
             torque = peak,
-            limit = (end.most(), 2),
+            limit = (fast.most(), 2),
             effective,
-            effective_limit = (end.effective_torque_limit(), 2),
+            effective_limit = (fast.effective_torque_limit(), 2),
             speed = (speed, 0)
         )
     })
@@ -56,30 +58,30 @@ fn motor(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// A torque now and with the knob at its highest position against what is allowed there, and the ribbon speed (mm/min) that keeps it.
-fn torque(line: &RibbonLine, (now, end): (f64, f64), most: f64, speed: f64) -> Option<Judgement> {
-    let limit = AtMost(here(most, now, end));
+fn torque(line: &RibbonLine, (now, fast): (f64, f64), most: f64, speed: f64) -> Option<Judgement> {
+    let limit = AtMost(here(most, now, fast));
     if limit.holds(now) {
         return ok(limit);
     }
-    let sentence = msg!("ribbon.cam-torque", torque = (end, 2), limit = (most, 2), speed = (speed, 0));
+    let sentence = msg!("ribbon.cam-torque", torque = (fast, 2), limit = (most, 2), speed = (speed, 0));
     let unwinder = (line.fast.actual_speed * speed / line.fast.line_speed).floor();
     fail(limit, [if unwinder >= 1.0 { feeds::with_speed(line, unwinder, sentence) } else { sentence.into() }])
 }
 
 fn peak(line: &RibbonLine) -> Option<Judgement> {
-    let (now, end) = cams::chosen(line)?;
-    torque(line, (now.peak_torque(), end.peak_torque()), end.most(), end.speed_by_peak())
+    let (now, fast) = cams::chosen(line)?;
+    torque(line, (now.peak_torque(), fast.peak_torque()), fast.most(), fast.speed_by_peak())
 }
 
 fn start(line: &RibbonLine) -> Option<Judgement> {
-    let (now, end) = cams::chosen(line)?;
-    torque(line, (now.start_torque(), end.start_torque()), end.most(), end.speed_by_start())
+    let (now, fast) = cams::chosen(line)?;
+    torque(line, (now.start_torque(), fast.start_torque()), fast.most(), fast.speed_by_start())
 }
 
 fn effective(line: &RibbonLine) -> Option<Judgement> {
-    let (now, end) = cams::chosen(line)?;
-    let torques = (now.effective_torque(), end.effective_torque());
-    torque(line, torques, end.effective_torque_limit(), end.speed_by_heat())
+    let (now, fast) = cams::chosen(line)?;
+    let torques = (now.effective_torque(), fast.effective_torque());
+    torque(line, torques, fast.effective_torque_limit(), fast.speed_by_heat())
 }
 
 fn lag(line: &RibbonLine) -> Option<Judgement> {
@@ -96,8 +98,8 @@ fn lag(line: &RibbonLine) -> Option<Judgement> {
 
 /// Time of a short block against the time that the control needs for a block with a macro statement for its end point and F.
 fn block_time(line: &RibbonLine) -> Option<Judgement> {
-    let (now, end): (Cam, Cam) = cams::chosen(line)?;
-    let (lasts, needed) = (end.block_time(), line.p.block_time + line.p.macro_time);
+    let (now, fast): (Cam, Cam) = cams::chosen(line)?;
+    let (lasts, needed) = (fast.block_time(), line.p.block_time + line.p.macro_time);
     if lasts.is_infinite() {
         return ok(AtLeast(needed));
     }
@@ -111,11 +113,11 @@ fn block_time(line: &RibbonLine) -> Option<Judgement> {
 
 /// Smear that ramp and lag of the axis leave of a correction by short blocks.
 fn smear(line: &RibbonLine) -> Option<Judgement> {
-    let (now, end) = cams::chosen(line)?;
-    let limit = AtMost(here(line.p.smear_limit, now.smear_of_blocks(), end.smear_of_blocks()));
+    let (now, fast) = cams::chosen(line)?;
+    let limit = AtMost(here(line.p.smear_limit, now.smear_of_blocks(), fast.smear_of_blocks()));
     if limit.holds(now.smear_of_blocks()) {
         return ok(limit);
     }
-    let left = (100.0 * end.followed(), 1);
-    warn(limit, [Advice::from(msg!("ribbon.cam-blocks-smoothed", percent = left, smear = (end.smear_of_blocks(), 3)))])
+    let left = (100.0 * fast.followed(), 1);
+    warn(limit, [Advice::from(msg!("ribbon.cam-blocks-smoothed", percent = left, smear = (fast.smear_of_blocks(), 3)))])
 }

@@ -69,8 +69,8 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
     Vec::new()
 }
 
-/// Both axes run one way for ever: the control stops with an alarm where one leaves its range. A product beyond it fails; else the coordinates
-/// have to be taken back in time.
+/// Both axes run one way for ever: the control stops with an alarm where one leaves its range. A product beyond it fails; else the
+/// coordinates have to be taken back in time.
 pub(super) fn range(line: &RibbonLine) -> Option<Judgement> {
     let max = line.control.limits.coordinate_max;
     let Some((axis, travel)) = farthest(line) else {

@@ -1,12 +1,13 @@
 //! The rules of the ribbon line's drives: torque of the motors, inertia, the grip of the nip.
 //!
-//! The knob at its highest position is what counts: acceleration grows with the speed, because a ramp lasts its time constant whatever the speed.
+//! Judged with the knob at its highest position: acceleration grows with the speed, because a ramp lasts its time constant at every speed.
 
 use super::mechanics::ServoAxis;
 use super::params::FIELDS;
 use super::resolved::RibbonLine;
 use super::rules_of_slack as slack;
-use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
+use crate::machines::devices::forced_cooling_advice;
+use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
 use crate::view::Advice;
@@ -37,71 +38,66 @@ const LOAD: f64 = 5.0;
 /// Short-time torque of a motor on an inverter as a share of its rated torque. Source: parts, FREQROL-E800, 150 % for 60 s.
 pub(super) const SHORT_TIME: f64 = 1.5;
 
-/// Longest time constant of the form, ms.
-const LONGEST: f64 = 5000.0;
-
-/// Longest ramp of the inverter in the form, s.
-pub(super) const LONGEST_RAMP: f64 = 600.0;
-
-/// Limit at the end of the knob, scaled to the present position of the knob.
-pub(super) fn here(limit: f64, now: f64, end: f64) -> f64 {
-    if end > 0.0 { limit * now / end } else { limit }
+/// Limit with the knob at its highest position, scaled to its present position by the results there (`fast`) and here (`now`).
+pub(super) fn here(limit: f64, now: f64, fast: f64) -> f64 {
+    if fast > 0.0 { limit * now / fast } else { limit }
 }
 
-fn peak(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
-    let most = end.limits.peak * end.motor.most(end.duty.speed);
-    let limit = AtMost(here(most, now.duty.peak, end.duty.peak));
+fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
+    let most = fast.limits.peak * fast.motor.most(fast.duty.speed);
+    let limit = AtMost(here(most, now.duty.peak, fast.duty.peak));
     if limit.holds(now.duty.peak) {
         return ok(limit);
     }
-    let ramp = end.shortest_ramp() * 1e3;
-    if ramp > LONGEST {
+    let ramp = fast.shortest_ramp() * 1e3;
+    if ramp > maximum(FIELDS, "time-constant-x") {
         return fail(
             limit,
-            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (end.duty.peak / end.limits.peak, 2)))],
+            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (fast.duty.peak / fast.limits.peak, 2)))],
         );
     }
     // Both axes must have the same ramp, otherwise their ratio is wrong on every ramp.
     let set = up(FIELDS, "time-constant-x", ramp);
     let milliseconds: f64 = set.1.parse().unwrap_or(ramp);
     let both = [set.clone(), ("time-constant-y", set.1)];
-    let sentence = msg!("ribbon.peak-torque", torque = (end.duty.peak, 2), limit = (most, 2), time = (milliseconds, 1));
+    let sentence =
+        msg!("ribbon.peak-torque", torque = (fast.duty.peak, 2), limit = (most, 2), time = (milliseconds, 1));
     fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", time = (milliseconds, 1)), both)])
 }
 
 fn peak_x(line: &RibbonLine) -> Option<Judgement> {
-    let (now, end) = (&line.mechanics.pull, &line.fast_mechanics.pull);
-    let most = end.limits.peak * end.motor.most(end.duty.speed);
-    if end.taut.abs() <= most {
-        return peak(now, end);
+    let (now, fast) = (&line.mechanics.pull, &line.fast_mechanics.pull);
+    let most = fast.limits.peak * fast.motor.most(fast.duty.speed);
+    if fast.taut.abs() <= most {
+        return peak(now, fast);
     }
     // No ramp takes the tension from a taut ribbon.
     let tension = (line.mechanics.tautest, 0);
-    let said = msg!("ribbon.taut-torque", tension, torque = (end.taut.abs(), 2), limit = (most, 2));
-    fail(AtMost(here(most, now.duty.peak, end.duty.peak)), [slack::advice_against_taut(line, said)])
+    let said = msg!("ribbon.taut-torque", tension, torque = (fast.taut.abs(), 2), limit = (most, 2));
+    fail(AtMost(here(most, now.duty.peak, fast.duty.peak)), [slack::advice_against_taut(line, said)])
 }
 
 fn peak_y(line: &RibbonLine) -> Option<Judgement> {
     peak(&line.mechanics.print, &line.fast_mechanics.print)
 }
 
-fn effective(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
-    let most = end.effective_torque_limit(end.mean_speed);
-    let limit = AtMost(here(most, now.duty.effective, end.duty.effective));
+fn effective(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
+    let most = fast.effective_torque_limit(fast.mean_speed);
+    let limit = AtMost(here(most, now.duty.effective, fast.duty.effective));
     if limit.holds(now.duty.effective) {
         return ok(limit);
     }
-    if most < end.effective_torque_limit(0.0) {
-        let (torque, speed, limit_there) = ((end.duty.effective, 2), (end.mean_speed, 0), (most, 2));
+    if most < fast.effective_torque_limit(0.0) {
+        let (torque, speed, limit_there) = ((fast.duty.effective, 2), (fast.mean_speed, 0), (most, 2));
         return fail(limit, [Advice::from(msg!("ribbon.warm-at-speed", torque, speed, limit = limit_there))]);
     }
-    let stall = end.duty.effective / end.limits.effective;
-    let share = (100.0 * end.limits.effective, 1);
+    let stall = fast.duty.effective / fast.limits.effective;
+    let share = (100.0 * fast.limits.effective, 1);
     fail(
         limit,
         [Advice::from(msg!(
             "ribbon.effective-torque",
-            torque = (end.duty.effective, 2),
+            torque = (fast.duty.effective, 2),
             limit = (most, 2),
             stall_torque = (stall, 2),
             percent = share
@@ -137,27 +133,27 @@ fn inertia_y(line: &RibbonLine) -> Option<Judgement> {
 }
 
 fn grip(line: &RibbonLine) -> Option<Judgement> {
-    let (now, end) = (100.0 * line.mechanics.nip_use, 100.0 * line.fast_mechanics.nip_use);
-    let limit = AtMost(here(GRIP, now, end));
+    let (now, fast) = (100.0 * line.mechanics.nip_use, 100.0 * line.fast_mechanics.nip_use);
+    let limit = AtMost(here(GRIP, now, fast));
     if limit.holds(now) {
         return ok(limit);
     }
-    let set = up(FIELDS, "pinch-force", line.p.pull.pinch_force * end / GRIP);
+    let set = up(FIELDS, "pinch-force", line.p.pull.pinch_force * fast / GRIP);
     let force: f64 = set.1.parse().unwrap_or_default();
     let tautest = line.mechanics.tautest;
-    let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= end && tautest > line.p.web.tension_before;
+    let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= fast && tautest > line.p.web.tension_before;
     let said = match is_taut {
-        true => msg!("ribbon.nip-slips-taut", tension = (tautest, 0), percent = (end, 1), force = (force, 1)),
-        false => msg!("ribbon.nip-slips", percent = (end, 1), force = (force, 1)),
+        true => msg!("ribbon.nip-slips-taut", tension = (tautest, 0), percent = (fast, 1), force = (force, 1)),
+        false => msg!("ribbon.nip-slips", percent = (fast, 1), force = (force, 1)),
     };
     let mut advice = vec![Advice::from(said).setting(msg!("advice.set-pinch", force = (force, 1)), [set])];
     if is_taut {
         advice.push(slack::advice_against_taut(line, msg!("ribbon.nip-slack", tension = (tautest, 0))));
     }
-    if end > 100.0 { fail(limit, advice) } else { warn(limit, advice) }
+    if fast > 100.0 { fail(limit, advice) } else { warn(limit, advice) }
 }
 
-/// The steady torque is the same at every speed, and the motor's own fan cools least with the knob at its slow end.
+/// The steady torque is the same at every speed, and the fan on the motor's shaft cools least with the knob at its lowest position.
 fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let (torque, p) = (line.mechanics.unwinder, &line.p);
     let frequency = line.slow.frequency.min(line.d.frequency);
@@ -168,9 +164,8 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     }
     let mut advice = Vec::new();
     if most < p.unwinding.continuous(f64::INFINITY) {
-        let said = msg!("ribbon.own-fan", frequency = (frequency, 1), torque = (torque, 2), limit = (most, 2));
-        let set = [("unwinder-forced-cooling", "true".to_owned())];
-        advice.push(Advice::from(said).setting(msg!("advice.forced-cooling"), set));
+        let said = msg!("ribbon.shaft-fan", frequency = (frequency, 1), torque = (torque, 2), limit = (most, 2));
+        advice.push(forced_cooling_advice("unwinder-forced-cooling", said));
     }
     // The reel brake that the motor's torque leaves after gear losses and friction.
     let at_roller = most * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
@@ -199,7 +194,7 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
     let mut advice = Vec::new();
     let said = msg!("ribbon.unwinder-brakes", torque = (torque, 2), limit = (most, 2), percent = (percent, 0));
     let ramp = p.inverter_ramp * (torque + steady) / (most + steady);
-    if ramp <= LONGEST_RAMP {
+    if ramp <= maximum(FIELDS, "inverter-ramp") {
         let set = up(FIELDS, "inverter-ramp", ramp);
         let seconds: f64 = set.1.parse().unwrap_or(ramp);
         advice.push(Advice::from(said.clone()).setting(msg!("advice.set-ramp", time = (seconds, 2)), [set]));
@@ -226,7 +221,7 @@ fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     }
     let advice = Advice::from(msg!("ribbon.unwinder-ramp-torque", torque = (torque, 2), limit = (most, 2)));
     let ramp = p.inverter_ramp * (torque - steady) / (most - steady);
-    let advice = match most > steady && ramp <= LONGEST_RAMP {
+    let advice = match most > steady && ramp <= maximum(FIELDS, "inverter-ramp") {
         true => {
             let set = up(FIELDS, "inverter-ramp", ramp);
             let seconds: f64 = set.1.parse().unwrap_or(ramp);

@@ -46,8 +46,8 @@ fn share_of_feeds(line: &RibbonLine) -> f64 {
     if line.in_step() { clamps } else { clamps.min(line.feed_max() / fast.vector_feed) }
 }
 
-/// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before the
-/// control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's end.
+/// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before
+/// the control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's highest position.
 pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, fast, .. } = line;
     if fast.actual_speed <= 0.0 {
@@ -82,9 +82,11 @@ pub(super) fn slower_advice(line: &RibbonLine) -> Advice {
     match fastest(line) {
         speed if speed < 1.0 => msg!("ribbon.no-speed").into(),
         speed if line.d.actual_speed > speed => with_speed(line, speed, msg!("ribbon.run-slower", speed = (speed, 0))),
-        speed => {
-            with_speed(line, speed, msg!("ribbon.knob-too-far", percent = (line.knob_end(), 1), speed = (speed, 0)))
-        }
+        speed => with_speed(
+            line,
+            speed,
+            msg!("ribbon.knob-too-far", percent = (line.highest_knob_percent(), 1), speed = (speed, 0)),
+        ),
     }
 }
 
@@ -117,7 +119,7 @@ pub(super) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
         }
         let feed = msg!(
             "ribbon.knob-stops",
-            percent = (line.knob_end(), 1),
+            percent = (line.highest_knob_percent(), 1),
             feed = (line.fast.vector_feed, 0),
             most = line.feed_max()
         );
@@ -196,7 +198,7 @@ pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
     if steady && (here(turned).holds(block) || turned.is_infinite()) {
         return ok(here(if turned.is_infinite() { needed } else { turned }));
     }
-    let knob = (line.knob_end(), 1);
+    let knob = (line.highest_knob_percent(), 1);
     let advice = match p.variant {
         Variant::ReadyMade => {
             let wanted = if turned.is_infinite() { needed } else { turned };
@@ -232,7 +234,7 @@ pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
             speed = (d.top_speed, 1),
             percent = (d.override_limit, 1)
         );
-        // The output ends before what is asked of it.
+        // Limit: the voltage that the commanded speed asks, `10 n / n10` [V], above the 10 V of the output.
         let asked = AtLeast(10.0 * d.asked_speed / p.speed_at_10v);
         return fail(asked, [with_speed(line, d.top_speed, advice)]);
     }

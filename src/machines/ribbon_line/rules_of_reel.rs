@@ -5,10 +5,9 @@ use super::mechanics::{unwinder_load, unwinder_torque};
 use super::params::{FIELDS, Params};
 use super::reel::{ramp_acceleration, wound};
 use super::resolved::RibbonLine;
-use super::rules_of_drives::LONGEST_RAMP;
 use crate::drives::inertia::CM2;
 use crate::drives::reel;
-use crate::machines::verdict::{Judgement, ReadoutRow, Rule, down, fail, ok, up, warn};
+use crate::machines::verdict::{Judgement, ReadoutRow, Rule, down, fail, maximum, ok, up, warn};
 use crate::math::RPM;
 use crate::msg;
 use crate::text::{Citation, Grade};
@@ -76,8 +75,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("reel-brake-torque-full", follows_diameter, FACTS),
 ];
 
-/// Deceleration in m/s², without sign, of the ribbon at an unwinder without current, with a brake of the reel in N: the torque that brakes its motor over
-/// the inertia of all rotating parts, the same at every speed. Source: sizing facts 2.2.
+/// Deceleration in m/s², without sign, of the ribbon at an unwinder without current, with a brake of the reel in N: the torque that brakes
+/// its motor over the inertia of all rotating parts, the same at every speed. Source: sizing facts 2.2.
 fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
     let torque = unwinder_torque(p, brake) + p.unwinding.motor_brake;
     torque / unwinder_load(p, 0.0).inertia / p.reduction_ratio * p.press_roller_diameter / 2e3
@@ -115,13 +114,10 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
     let needed = (line.d.product_length + left_at_reel_end(line)) / 1e3;
     let said = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
     let set = up(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
-    let fits = set.1.parse().is_ok_and(|diameter: f64| diameter <= LARGEST);
+    let fits = set.1.parse().is_ok_and(|diameter: f64| diameter <= maximum(FIELDS, "reel-diameter"));
     let button = || msg!("advice.set-reel", diameter = set.1.as_str());
     fail(limit, [if fits { said.setting(button(), [set.clone()]) } else { said }])
 }
-
-/// Greatest diameter (mm) of a reel in the form.
-const LARGEST: f64 = 5000.0;
 
 /// The pull at the start against the tension limit of the ribbon.
 fn pull(line: &RibbonLine) -> Option<Judgement> {
@@ -133,7 +129,7 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
     }
     let said = msg!("ribbon.reel-pull", tension = (brake + extra, 1), limit = (most, 1), brake = (brake, 1));
     let ramp = p.inverter_ramp * extra / (most - brake);
-    let advice = if most > brake && ramp <= LONGEST_RAMP {
+    let advice = if most > brake && ramp <= maximum(FIELDS, "inverter-ramp") {
         with_ramp(ramp, said.into())
     } else if most > extra {
         let set = down(FIELDS, "reel-brake", most - extra);
@@ -144,7 +140,8 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, [advice])
 }
 
-/// The torque of the brake on the full reel against the torque that the ribbon bears at the core: beyond it the brake must follow the diameter.
+/// The torque of the brake on the full reel against the torque that the ribbon bears at the core: beyond it the brake must follow the
+/// diameter.
 fn follows_diameter(line: &RibbonLine) -> Option<Judgement> {
     let (reel, most, brake) = (wound(&line.p), line.d.tension_limit, line.p.unwinding.brake);
     let limit = AtMost(reel::torque(reel.core, most));
@@ -177,7 +174,7 @@ fn holds(line: &RibbonLine) -> Option<Judgement> {
     let set = up(FIELDS, "reel-brake", ramp.max(without / (1.0 - growth)));
     let mut advice = vec![said().setting(msg!("advice.set-brake", force = set.1.as_str()), [set])];
     let seconds = p.inverter_ramp * ramp / brake;
-    if coasting <= brake && seconds <= LONGEST_RAMP {
+    if coasting <= brake && seconds <= maximum(FIELDS, "inverter-ramp") {
         advice.push(with_ramp(seconds, said()));
     }
     warn(limit, advice)

@@ -58,8 +58,8 @@ pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
     fail((d.register_error != 0.0).then_some(Equal(0.0)), advice)
 }
 
-/// The shortest dwell (s) after which no start pulls the ribbon tight, with the knob at its fast end: each second lays `v` mm more. A feed per
-/// revolution follows the unwinder from standstill, and the best dwell is none.
+/// The shortest dwell (s) after which no start pulls the ribbon tight, with the knob at its highest position: each second lays `v` mm more.
+/// A feed per revolution follows the unwinder from standstill, and the best dwell is none.
 fn matching_dwell(line: &RibbonLine) -> (&'static str, String) {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..line.p.clone() });
     let short = if line.in_step() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
@@ -175,13 +175,13 @@ pub(super) fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
     drift(line.d.slack_rate_rated, line)
 }
 
-/// Slack rate (mm/min) with the knob at that end of its range that is worse, where the knob turns the unwinder and the axes stay; else 0:
+/// Slack rate (mm/min) with the knob at its worse extreme position, where the knob turns the unwinder and the axes stay; else 0:
 /// `K · (n_knob - n)`.
 pub(super) fn knob_slack(line: &RibbonLine) -> f64 {
     worst_knob(line).map_or(0.0, |(_, _, rate)| rate)
 }
 
-/// The worse end of such a knob (%), the speed there (r/min), and the slack rate (mm/min).
+/// The worse extreme position of such a knob (%), the speed there (r/min), and the slack rate (mm/min).
 pub(super) fn worst_knob(line: &RibbonLine) -> Option<(f64, f64, f64)> {
     let RibbonLine { p, d, .. } = line;
     if !p.knob_turns_alone() || d.actual_speed <= 0.0 {
@@ -217,8 +217,8 @@ pub(super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
-/// Judges the tension of a tight ribbon over the range of the knob: by the draw while the line runs, and by the ribbon that is missing after a
-/// start.
+/// Judges the tension of a tight ribbon over the range of the knob: by the draw while the line runs, and by the ribbon that is missing
+/// after a start.
 pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let (p, most) = (&line.p, line.d.tension_limit);
     let limit = AtMost(most);

@@ -34,9 +34,9 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         false => msg!("ribbon.stops.start"),
     };
     // After a broken-off product a head has to be brought to the ribbon again.
-    let finds_phase = phase::reads_position(line);
+    let program_sets_phase = phase::program_sets_phase(line);
     let variable = line.control.variable(phase::PHASE);
-    let anew = |by_program: fn(&str) -> Message, by_hand: fn(&str, &str) -> Message| match finds_phase {
+    let anew = |by_program: fn(&str) -> Message, by_hand: fn(&str, &str) -> Message| match program_sets_phase {
         true => by_program(print.as_str()),
         false => by_hand(print.as_str(), variable.as_str()),
     };
@@ -97,7 +97,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
 /// Rows of the contacts that hold the program, with the alarm of an inverter that is not ready.
 fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
     let (d, print) = (&line.d, line.p.print_axis.address().to_string());
-    let (axis, finds_phase, in_step) = (print.as_str(), phase::reads_position(line), line.in_step());
+    let (axis, program_sets_phase, in_step) = (print.as_str(), phase::program_sets_phase(line), line.in_step());
     let variable = line.control.variable(phase::PHASE);
     let variable = variable.as_str();
     let row = |at, cause, axes, material, operator| Reaction {
@@ -117,7 +117,7 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             "ribbon.stops.loop-full",
             hold(),
             msg!("ribbon.stops.room", length = (d.slack_hold.max(0.0), 0)),
-            match finds_phase {
+            match program_sets_phase {
                 true => msg!("ribbon.stops.shorten", axis),
                 false => msg!("ribbon.stops.shorten-by-hand", axis, variable),
             },
@@ -147,7 +147,7 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             "ribbon.stops.not-ready",
             msg!("ribbon.stops.axes-reset", axis),
             laid(coasting::laid(line, d)),
-            match finds_phase {
+            match program_sets_phase {
                 true => msg!("ribbon.stops.make-ready", axis),
                 false => msg!("ribbon.stops.make-ready-by-hand", axis, variable),
             },

@@ -4,14 +4,11 @@ use core::marker::PhantomData;
 
 use super::servo::{HasSlides, ServoSlide};
 use crate::drives::inertia::CM2;
-use crate::machines::verdict::{self, Judgement, ReadoutRow, Rule, down, fail, ok, up, warn};
+use crate::machines::verdict::{self, Judgement, ReadoutRow, Rule, down, fail, maximum, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Readout};
-
-/// Longest time constant of the form, ms.
-const LONGEST: f64 = 5000.0;
 
 /// The results of the slides of a machine, each with the judgement of every rule about it.
 pub(in crate::machines) fn results<M: HasSlides>(machine: &M) -> impl Iterator<Item = Readout> {
@@ -128,7 +125,7 @@ fn inertia(slide: &ServoSlide) -> Option<Judgement> {
     let (shown, limit) = ((ratio, 1), (most, 1));
     // The limit of the form, or that of many starts.
     let said = match most < slide.form_inertia_limit {
-        true => msg!("slides.inertia-at-starts", ratio = shown, starts = (slide.starts, 0), limit),
+        true => msg!("slides.inertia-at-starts", ratio = shown, starts = (slide.starts_per_minute, 0), limit),
         false => msg!("slides.inertia-ratio", ratio = shown, limit),
     };
     warn(AtMost(most), [said.into()])
@@ -140,7 +137,7 @@ fn rapid<M: HasSlides>(slide: &ServoSlide) -> Option<Judgement> {
         return ok(AtMost(most));
     }
     let ramp = slide.shortest_ramp() * 1e3;
-    if ramp > LONGEST {
+    if ramp > maximum(M::fields(), "time-constant") {
         return fail(AtMost(most), [msg!("slides.no-ramp", torque = (torque, 2), limit = (most, 2)).into()]);
     }
     let set = up(M::fields(), "time-constant", ramp);

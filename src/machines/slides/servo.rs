@@ -36,7 +36,7 @@ pub(in crate::machines) struct ServoSlide {
     /// Greatest force of the cut against the feed, N.
     pub feed_force: f64,
     /// Starts per minute of its passes.
-    pub starts: f64,
+    pub starts_per_minute: f64,
     /// Whether it cuts only on its way down.
     pub cuts_downhill: bool,
 }
@@ -53,11 +53,11 @@ pub(in crate::machines) struct SlideMachine {
     /// Greatest force of the cut against the feed, N.
     pub feed_force: f64,
     /// Starts per minute of each slide while pass follows pass; see [`starts_per_minute`].
-    pub starts: f64,
+    pub starts_per_minute: f64,
 }
 
-/// Starts per minute of a slide with so many starts in passes whose ways take `seconds` together at their speeds, without pauses. Each of
-/// the `motions` takes as long as a ramp (ms) besides: linear acceleration after the interpolation.
+/// Starts per minute: `n = 60 z / (Σ s/v + m τ)`, with z starts, m motions, ways s at speeds v without pauses (`seconds`), time constant τ
+/// (`ramp`, ms) of linear acceleration after the interpolation. Source: sizing facts 2.3.
 pub(in crate::machines) fn starts_per_minute(starts: f64, seconds: f64, (motions, ramp): (f64, f64)) -> f64 {
     let all = seconds + motions * ramp / 1e3;
     if starts > 0.0 && all > 0.0 { 60.0 * starts / all } else { 0.0 }
@@ -113,13 +113,13 @@ impl ServoSlide {
                 rotor: form.rotor * CM2,
             },
             form_inertia_limit: form.inertia_limit,
-            limits: limits.at_starts(of.starts).derated(site_share),
+            limits: limits.at_starts(of.starts_per_minute).derated(site_share),
             site_share,
             rapid: axis.rapid,
             // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
             ramp: (of.ramp.0 / 1e3).max(1.0 / of.ramp.1),
             feed_force: of.feed_force,
-            starts: of.starts,
+            starts_per_minute: of.starts_per_minute,
             cuts_downhill: axis.cuts_downhill,
         }
     }
@@ -193,7 +193,7 @@ impl ServoSlide {
             taut: 0.0,
             cut: Some(self.slide.torque(self.feed_force)),
             lasting: Some(self.cut_torque()),
-            starts: self.starts,
+            starts_per_minute: self.starts_per_minute,
             // Wheels or a belt of the lathe itself.
             gear: None,
             fitted: Fitted { motor: self.motor, limits: self.limits },

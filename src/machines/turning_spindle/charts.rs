@@ -4,7 +4,7 @@ use super::resolved::TurningSpindle;
 use crate::controls::Address;
 use crate::drives::speed::surface_speed;
 use crate::machines::chart_rows::{ChartLine, ChartRow, unlimited};
-use crate::machines::main_spindle::{self, CurvesOfSpeed};
+use crate::machines::main_spindle::{self, SpeedCurves};
 use crate::view::{Chart, ChartLimit, Series};
 
 /// Charts over time, from top to bottom.
@@ -83,18 +83,19 @@ const STAGES: [(&str, u8); 4] = [
 ];
 
 /// Charts over the speed of the spindle: torque and power of the motor in each gear stage, and the demand of the cut.
-pub(super) fn over_speed(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
+pub(super) fn charts_by_speed(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
     let (p, d) = (&lathe.p, &lathe.d);
     let points = points.max(2);
     let stages = STAGES.into_iter().zip(p.stages());
-    let stages = stages.map(|((label, tone), rated)| (label, tone, p.continuous(rated), rated)).collect();
+    let stages =
+        stages.map(|((label, tone), stage_speed)| (label, tone, p.continuous(stage_speed), stage_speed)).collect();
     let short = p.motor(d.stage_speed).share(p.motor_peak / 100.0);
     let cut = |at: usize| {
         let diameter = d.smallest + (d.largest - d.smallest) * at as f64 / (points - 1) as f64;
         (d.speed_at(p, diameter), p.steady_torque(diameter))
     };
-    main_spindle::over_speed(
-        CurvesOfSpeed {
+    main_spindle::charts_by_speed(
+        SpeedCurves {
             stages,
             short_time: (d.stage_speed > 0.0).then_some((short, d.stage_speed)),
             cut: if p.cutting_force > 0.0 { (0..points).map(cut).collect() } else { Vec::new() },

@@ -38,8 +38,8 @@ pub(super) struct CutPoint {
 }
 
 impl Derived {
-    /// Acceleration of the spindle (r/min per second) at a diameter (mm) of a cut towards smaller ones: `dn/dt = n² f s / (60 d)`, at most that of
-    /// the ramp; 0 where the speed does not change with the diameter.
+    /// Acceleration of the spindle (r/min per second) at a diameter (mm) of a cut towards smaller ones: `dn/dt = n² f s / (60 d)`, at most
+    /// that of the ramp; 0 where the speed does not change with the diameter.
     ///
     /// Source: derivative of `n = 1000 v / (π d)` along the path.
     fn acceleration_at(&self, p: &Params, diameter: f64) -> f64 {
@@ -56,7 +56,7 @@ impl Derived {
 
     /// Torque (Nm) at the spindle at a diameter (mm): `F d / 2000 + M_f + J · 2π / 60 · dn/dt`. Source: turning spindle facts, 4.
     pub(super) fn torque_at(&self, p: &Params, diameter: f64) -> f64 {
-        let inertia = p.turned(self.stage_speed).inertia;
+        let inertia = p.load_at_spindle(self.stage_speed).inertia;
         p.steady_torque(diameter) + inertia * self.acceleration_at(p, diameter) * RPM
     }
 
@@ -66,14 +66,14 @@ impl Derived {
             let speed = self.speed_at(p, diameter);
             CutPoint { diameter, speed, torque: torque(diameter), most: motor.torque(speed) }
         };
-        let all = self.asked_most(motor.base).map(at);
+        let all = self.hardest_diameters(motor.base).map(at);
         all.into_iter()
             .fold(all[0], |worst, next| if next.torque * worst.most > worst.torque * next.most { next } else { worst })
     }
 
     /// The point of the cut that asks most of the short-time torque: cut, friction and acceleration together.
     pub(super) fn worst_cut_point(&self, p: &Params) -> CutPoint {
-        let [motor, _] = p.for_moments(self.stage_speed);
+        let [motor, _] = p.main_spindle(self.stage_speed).short_time();
         self.worst_point(p, motor, |diameter| self.torque_at(p, diameter))
     }
 }
@@ -81,13 +81,13 @@ impl Derived {
 /// The spindle's motor in stretches of a run: chuck and work against friction and cut, at its shaft.
 pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> SpindleRun {
     let (p, gear) = (&lathe.p, driven::gear(lathe));
-    let idle = Motion::new(turns(stretches, gear * RPM), driven::turned(lathe), 0.0);
+    let idle = Motion::new(turns(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);
     SpindleRun {
         name: driven::NAME,
         motion: idle.clone().with_cuts(cuts(lathe, run, stretches)),
         idle,
         rotor: p.rotor_inertia,
-        motor: MotorCurve::new(p.motor_power, 1.0, (p.motor_base, 1.0), 1.0),
+        motor: MotorCurve::at_shaft(p.motor_power, p.motor_base),
         peak: [p.motor_peak, p.motor_braking].map(|percent| percent / 100.0),
     }
 }

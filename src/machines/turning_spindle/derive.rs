@@ -98,14 +98,15 @@ impl Derived {
         if p.speed_mode == SpeedMode::Fixed { self.fixed_speed } else { self.held.at(diameter).0 }
     }
 
-    /// What the motor may give for the time of the cut, of a continuous rating: its overload in a short one.
+    /// Rating over the cutting time: `rated · overload` up to 240 s, else `rated`.
     pub(super) fn for_the_cut(&self, p: &Params, rated: f64) -> f64 {
         if self.cutting_time <= OVERLOAD_TIME { rated * p.motor_overload / 100.0 } else { rated }
     }
 
-    /// Diameters (mm) among which the cut asks most of a motor with a base speed at the spindle, in r/min. Above base speed its demand of power
-    /// falls with the diameter, `F v / 60 + ω (M_f + J dω/dt)`; below, torque of cut and acceleration have no greatest value between both ends.
-    pub(super) fn asked_most(&self, base: f64) -> [f64; 3] {
+    /// Diameters (mm) one of which asks most of a motor with the base speed `base` at the spindle, r/min. Above base speed the demand of
+    /// power, `F v / 60 + ω (M_f + J dω/dt)`, falls with the diameter; below, torque of cut and acceleration have no greatest value between
+    /// both ends.
+    pub(super) fn hardest_diameters(&self, base: f64) -> [f64; 3] {
         let least = self.limit_diameter.max(self.smallest).min(self.largest);
         let bend = limit_diameter(self.held.surface(), base);
         [self.largest, if bend > least && bend < self.largest { bend } else { self.largest }, least]
@@ -114,7 +115,7 @@ impl Derived {
     /// Greatest power (kW) of cut and friction.
     pub(super) fn steady_power(&self, p: &Params) -> f64 {
         let power = |diameter: f64| spindle_motor::power(p.steady_torque(diameter), self.speed_at(p, diameter));
-        self.asked_most(f64::INFINITY).map(power).into_iter().fold(0.0, f64::max)
+        self.hardest_diameters(f64::INFINITY).map(power).into_iter().fold(0.0, f64::max)
     }
 }
 
@@ -178,13 +179,13 @@ impl Params {
         (ends[0].0.max(ends[1].0), ends[0].1.min(ends[1].1))
     }
 
-    /// The converter of the analog output in a gear stage that has `rated` r/min at 10 V.
-    pub(super) fn analog(&self, rated: f64, output: &AnalogOutput) -> Analog {
+    /// The converter of the analog output in a gear stage that has `stage_speed` r/min at 10 V.
+    pub(super) fn analog(&self, stage_speed: f64, output: &AnalogOutput) -> Analog {
         Analog {
             offset_zero: self.offset_zero / 1000.0,
             offset_rated: self.offset_full / 1000.0,
             bipolar: self.output == Output::Bipolar,
-            ..output.with_speed(rated)
+            ..output.with_speed(stage_speed)
         }
     }
 

@@ -11,8 +11,8 @@ use crate::machines::slides::{self, HasSlides, ServoSlide, SlideAxis, SlideMachi
 use crate::math::RPM;
 use crate::view::Limit;
 
-/// The spindle's motor with the cut and the friction at the largest diameter, where they ask the greatest torque; none where nothing is known of
-/// the cutting force. The rest of its demand is that of the run.
+/// The spindle's motor with the cut and the friction at the largest diameter, where they ask the greatest torque; none where nothing is
+/// known of the cutting force. The rest of its demand is that of the run.
 pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
     let (p, d) = (&lathe.p, &lathe.d);
     if p.cutting_force <= 0.0 || d.stage_speed <= 0.0 {
@@ -30,7 +30,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         brake: 0.0,
         cycle: None,
         turn: gear * RPM,
-        turned: turned(lathe),
+        load_at_motor: load_at_motor(lathe),
         rotor: p.rotor_inertia,
         // Stages of the headstock.
         gear: None,
@@ -53,15 +53,16 @@ pub(super) fn motor_speed(lathe: &TurningSpindle, d: &Derived) -> f64 {
     d.speed_largest * gear(lathe)
 }
 
-/// Lowest speed (r/min) at which the motor's own fan has to cool it in the cut: at the slow end of the knob. None with forced cooling.
+/// Lowest speed (r/min) at which the fan on the motor's shaft has to cool it in the cut: with the knob at its lowest position. None with
+/// forced cooling.
 fn cooled_at(lathe: &TurningSpindle) -> Option<f64> {
     let slow = lathe.at_lowest_knob();
-    let slowest = slow.map_or(f64::INFINITY, |(_, slow)| motor_speed(lathe, &slow));
+    let slowest = slow.map_or(f64::INFINITY, |(_, slow)| motor_speed(lathe, slow));
     (!lathe.p.forced_cooling).then(|| slowest.min(motor_speed(lathe, &lathe.d)))
 }
 
 /// Chuck and work at the motor, against the friction of the spindle.
-pub(super) fn turned(lathe: &TurningSpindle) -> Load {
+pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
     let (p, gear, efficiency) = (&lathe.p, gear(lathe), lathe.p.efficiency / 100.0);
     Load {
         inertia: inertia::through_gear(p.spindle_inertia + p.work_inertia(), gear),
@@ -80,7 +81,7 @@ const STARTS: f64 = 2.0;
 const MOTIONS: f64 = 4.0;
 
 /// Starts per minute of the slides over all passes, with the knob at its highest position.
-fn starts(lathe: &TurningSpindle) -> f64 {
+fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
     let (p, d) = (&lathe.p, &lathe.d);
     let fast = lathe.at_highest_knob().map_or(f64::INFINITY, |(_, fast)| fast.cutting_time);
     // The way back over the whole cut, along its longer axis.
@@ -99,7 +100,7 @@ impl HasSlides for TurningSpindle {
             ramp: (p.time_constant, p.position_gain),
             site_share: p.site_share,
             feed_force: self.p.cutting_force * p.feed_force / 100.0,
-            starts: starts(self),
+            starts_per_minute: starts_per_minute(self),
         };
         [
             ServoSlide::new(

@@ -7,14 +7,14 @@ use crate::drives::load::Load;
 use crate::drives::spindle_motor::MotorCurve;
 
 impl Params {
-    /// The motor at the spindle in a gear stage of `rated` r/min at 10 V, by its data sheet.
-    pub(super) fn motor(&self, rated: f64) -> MotorCurve {
-        MotorCurve::new(self.motor_power, self.efficiency / 100.0, (self.motor_base, self.motor_top), rated)
+    /// The motor at the spindle in a gear stage of `stage_speed` r/min at 10 V, by its data sheet.
+    pub(super) fn motor(&self, stage_speed: f64) -> MotorCurve {
+        MotorCurve::new(self.motor_power, self.efficiency / 100.0, (self.motor_base, self.motor_top), stage_speed)
     }
 
-    /// Continuous curve of the motor at the spindle, derated for its site and for its own fan.
-    pub(super) fn continuous(&self, rated: f64) -> MotorCurve {
-        self.motor(rated).share(self.site_share / 100.0).with_own_fan(!self.forced_cooling)
+    /// Continuous curve of the motor at the spindle, derated for its site and for a fan on its shaft.
+    pub(super) fn continuous(&self, stage_speed: f64) -> MotorCurve {
+        self.motor(stage_speed).share(self.site_share / 100.0).with_shaft_fan(!self.forced_cooling)
     }
 
     /// Moment of inertia (kg m²) of the stock, a solid cylinder that is as long as the cut at least. Source: sizing facts 2.1.
@@ -24,10 +24,10 @@ impl Params {
         Cylinder { outer, inner: 0.0, length, density: self.work_density }.inertia()
     }
 
-    /// Chuck, work and rotor as the spindle sees them in a gear stage of `rated` r/min at 10 V, against its friction:
+    /// Chuck, work and rotor as the spindle sees them in a gear stage of `stage_speed` r/min at 10 V, against its friction:
     /// `J = J_spindle + J_work + J_rotor (n_m / n10)²`. Source: sizing facts 2.1.
-    pub(super) fn turned(&self, rated: f64) -> Load {
-        let rotor = through_gear(self.rotor_inertia, rated / self.motor_top);
+    pub(super) fn load_at_spindle(&self, stage_speed: f64) -> Load {
+        let rotor = through_gear(self.rotor_inertia, stage_speed / self.motor_top);
         Load {
             inertia: self.spindle_inertia + self.work_inertia() + rotor,
             torque: self.spindle_friction,
@@ -35,23 +35,13 @@ impl Params {
         }
     }
 
-    /// Seconds in which the spindle coasts to rest from `rpm` in a gear stage: friction alone slows it. Source: sizing facts 2.2.
-    pub(super) fn coasting(&self, rated: f64, rpm: f64) -> f64 {
-        self.main_spindle(rated).coasting(rpm)
-    }
-
-    /// Short-time torque of the motor at the spindle, in run-up and in braking.
-    pub(super) fn for_moments(&self, rated: f64) -> [MotorCurve; 2] {
-        self.main_spindle(rated).short_time()
-    }
-
-    /// The spindle with its motor in a gear stage of `rated` r/min at 10 V.
-    pub(super) fn main_spindle(&self, rated: f64) -> MainSpindle {
+    /// The spindle with its motor in a gear stage of `stage_speed` r/min at 10 V.
+    pub(super) fn main_spindle(&self, stage_speed: f64) -> MainSpindle {
         MainSpindle {
-            rated,
+            speed_at_10v: stage_speed,
             ramp: self.spindle_ramp,
-            turned: self.turned(rated),
-            motor: self.motor(rated),
+            load_at_spindle: self.load_at_spindle(stage_speed),
+            motor: self.motor(stage_speed),
             peak: [self.motor_peak, self.motor_braking].map(|percent| percent / 100.0),
         }
     }

@@ -73,8 +73,8 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Time (s) of the tool at feed: `60 ((c + t) / f_x + (L - w) / f_z)`, from the clearance c to the depth t, then along the length L less the
-/// width w.
+/// Time (s) of the tool at feed: `60 ((c + t) / f_x + (L - w) / f_z)`, from the clearance c to the depth t, then along the length L less
+/// the width w.
 pub(super) fn time(p: &Params) -> f64 {
     let along = (p.keyway_length - p.keyway_width).max(0.0);
     60.0 * ((p.clearance + p.keyway_depth) / p.keyway_infeed + along / p.keyway_feed)

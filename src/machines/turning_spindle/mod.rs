@@ -208,7 +208,7 @@ impl Prepared for TurningSpindle {
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
         let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
         all.extend(charts::over_diameter(self, points));
-        all.extend(charts::over_speed(self, points));
+        all.extend(charts::charts_by_speed(self, points));
         all
     }
 }

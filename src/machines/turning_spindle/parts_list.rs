@@ -33,7 +33,7 @@ pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
         group,
         at,
     };
-    let work = layout.tip(0.28 * lathe.p.stock_diameter, -0.5 * layout.free_length);
+    let work = layout.tip(0.28 * lathe.p.stock_diameter, -0.5 * layout.part_length);
     let mut all = vec![
         part(
             "turning.part.headstock",

@@ -60,8 +60,8 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
 /// Seconds in which the spindle coasts to rest from the speed at 10 V of each gear stage.
 fn coasting(lathe: &TurningSpindle) -> [f64; STAGES] {
     let mut all = [0.0; STAGES];
-    for (place, rated) in all.iter_mut().zip(lathe.p.stages()) {
-        *place = lathe.p.coasting(rated, rated);
+    for (place, stage_speed) in all.iter_mut().zip(lathe.p.stages()) {
+        *place = lathe.p.main_spindle(stage_speed).coasting(stage_speed);
     }
     all
 }
@@ -82,8 +82,8 @@ pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
 fn shift_speeds(lathe: &TurningSpindle) -> [f64; STAGES] {
     let output = &lathe.control.analog_output;
     let mut all = [0.0; STAGES];
-    for (place, rated) in all.iter_mut().zip(lathe.p.stages()) {
-        *place = 1.1 * lathe.p.analog(rated, output).speed(SHIFT_VOLTS).abs();
+    for (place, stage_speed) in all.iter_mut().zip(lathe.p.stages()) {
+        *place = 1.1 * lathe.p.analog(stage_speed, output).speed(SHIFT_VOLTS).abs();
     }
     all
 }

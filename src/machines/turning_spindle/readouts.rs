@@ -3,7 +3,7 @@
 use super::gears;
 use super::keyway;
 use super::resolved::TurningSpindle;
-use super::run_up;
+use super::run_up::{engaged, highest, positioning_torque};
 use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
@@ -125,7 +125,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1,
-        formula: "9549 P η x / max(n, n b · n10 / n m), with its own fan · (0.5 + 0.5 n motor / n b)", cite: MOTOR, value: |lathe| lathe.d.torque_available, ..ReadoutRow::BASE
+        formula: "9549 P η x / max(n, n b · n10 / n m), with a shaft fan · (0.5 + 0.5 n motor / n b)", cite: MOTOR, value: |lathe| lathe.d.torque_available, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "force", label: "turning.readout.force", unit: "N", decimals: 0,
@@ -137,36 +137,36 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "inertia", label: "turning.readout.inertia", unit: "kg m²", decimals: 4,
-        formula: "J spindle + J work + J rotor · (n m / n10)²", cite: INERTIA, value: run_up::inertia, ..ReadoutRow::BASE
+        formula: "J spindle + J work + J rotor · (n m / n10)²", cite: INERTIA, value: |lathe| engaged(lathe).load_at_spindle.inertia, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "run-up-torque", label: "turning.readout.run-up-torque", unit: "Nm", decimals: 1,
-        formula: "J · 2π n10 / (60 t) + friction", cite: RUN_UP, value: run_up::torque, shown: |lathe| lathe.p.spindle_ramp > 0.0, ..ReadoutRow::BASE
+        formula: "J · 2π n10 / (60 t) + friction", cite: RUN_UP, value: |lathe| engaged(lathe).ramp_torque(), shown: |lathe| lathe.p.spindle_ramp > 0.0, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "positioning-torque", label: "turning.readout.positioning-torque", unit: "Nm", decimals: 1,
         formula: "J · α + friction",
-        cite: Citation::new("turning spindle facts, 5", Grade::Inferred), value: run_up::positioning_torque, shown: TurningSpindle::positions, ..ReadoutRow::BASE
+        cite: Citation::new("turning spindle facts, 5", Grade::Inferred), value: positioning_torque, shown: TurningSpindle::positions, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "shortest-ramp", label: "turning.readout.shortest-ramp", unit: "s", decimals: 2,
-        formula: "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: run_up::shortest_ramp, ..ReadoutRow::BASE
+        formula: "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: |lathe| engaged(lathe).shortest_ramp(highest(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "run-up-time", label: "turning.readout.run-up-time", unit: "s", decimals: 2,
-        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: run_up::run_up, ..ReadoutRow::BASE
+        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: |lathe| engaged(lathe).run_up(highest(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "braking-time", label: "turning.readout.braking-time", unit: "s", decimals: 2,
-        formula: "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", cite: RUN_UP, value: run_up::braking, ..ReadoutRow::BASE
+        formula: "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", cite: RUN_UP, value: |lathe| engaged(lathe).braking(highest(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "coasting-time", label: "turning.readout.coasting-time", unit: "s", decimals: 1,
-        formula: "J · 2π n / 60 / friction, from the highest speed", cite: TORQUE, value: run_up::coasting, ..ReadoutRow::BASE
+        formula: "J · 2π n / 60 / friction, from the highest speed", cite: TORQUE, value: |lathe| engaged(lathe).coasting(highest(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "stop-energy", label: "turning.readout.stop-energy", unit: "J", decimals: 0,
-        formula: "½ J ω² - ½ friction · ω t", cite: ENERGY, value: run_up::stop_energy, ..ReadoutRow::BASE
+        formula: "½ J ω² - ½ friction · ω t", cite: ENERGY, value: |lathe| engaged(lathe).stop_energy(highest(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "keyway-time", label: "turning.readout.keyway-time", unit: "s", decimals: 2,

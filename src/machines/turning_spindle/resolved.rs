@@ -27,6 +27,8 @@ pub(crate) struct TurningSpindle {
     pub(super) d: Derived,
     /// The results with the override knob at its highest position, computed when a rule asks for them.
     at_highest_knob: OnceLock<Derived>,
+    /// The same at its lowest position.
+    at_lowest_knob: OnceLock<Derived>,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
 }
@@ -65,7 +67,15 @@ impl TurningSpindle {
             p.cutting_force = cutting::kienzle(row.unit_force, row.exponent, chip, (p.edge_angle, p.rake));
         }
         let d = Derived::new(&p, &control.analog_output, &dialect.spindle());
-        TurningSpindle { form, p, d, at_highest_knob: OnceLock::new(), control, dialect }
+        TurningSpindle {
+            form,
+            p,
+            d,
+            at_highest_knob: OnceLock::new(),
+            at_lowest_knob: OnceLock::new(),
+            control,
+            dialect,
+        }
     }
 
     /// The highest position (%) of the override knob with the results there; none if the form has it there.
@@ -76,9 +86,11 @@ impl TurningSpindle {
     }
 
     /// The lowest position (%) of the override knob with the results there; none if the form has it there, or the spindle stops there.
-    pub(super) fn at_lowest_knob(&self) -> Option<(f64, Derived)> {
+    pub(super) fn at_lowest_knob(&self) -> Option<(f64, &Derived)> {
         let lowest = self.rules().knob.low;
-        (lowest > 0.0 && lowest < self.p.override_percent).then(|| (lowest, self.at_knob(lowest)))
+        let results = || self.at_knob(lowest);
+        let is_lower = lowest > 0.0 && lowest < self.p.override_percent;
+        is_lower.then(|| (lowest, self.at_lowest_knob.get_or_init(results)))
     }
 
     fn at_knob(&self, percent: f64) -> Derived {

@@ -312,7 +312,7 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
         return Some(Judgement { advice: judgement.advice.into_iter().chain(cooled).collect(), ..judgement });
     }
     let message = match cooled {
-        Some(_) => msg!("turning.own-fan-otherwise"),
+        Some(_) => msg!("turning.shaft-fan-otherwise"),
         None => msg!(
             "turning.too-little-torque",
             torque = (d.torque, 1),
@@ -359,7 +359,8 @@ fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
 const LEAST_FEED: f64 = 0.1;
 const HALVINGS: u32 = 20;
 
-/// Greatest share of the present feed at which the motor has the torque for cut, friction and acceleration; none where less feed does not help.
+/// Greatest share of the present feed at which the motor has the torque for cut, friction and acceleration; none where less feed does not
+/// help.
 fn slower_feed(lathe: &TurningSpindle) -> Option<f64> {
     let holds = |share: f64| {
         let form = Params { feed: lathe.form.feed * share, ..lathe.form.clone() };

@@ -87,7 +87,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
             d.showing(field, |d| d.callout(&Callout { at, anchor, name: &say(id), values, part }));
         };
     d.text((252.0, 18.0), "start", "", Font::Label, Paint::Dim).id = Some(node::BOUND);
-    let (left, radius) = layout.side(-layout.free_length, p.stock_diameter);
+    let (left, radius) = layout.side(-layout.part_length, p.stock_diameter);
     let middle = 0.45 * (left.max(layout.chuck.front()) + layout.face) + 0.1 * layout.face;
     callout(
         d,

@@ -1,7 +1,7 @@
 //! Interruptions of the lathe: the spindle turns on while the tool is in the cut, until the operator ends the program.
 
 use super::resolved::TurningSpindle;
-use super::run_up;
+use super::run_up::{engaged, highest};
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
 use crate::machines::slides;
@@ -37,6 +37,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
     let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
     let (block, retract) = (msg!("lathe.stops.axes-block"), msg!("lathe.stops.anew"));
     let reset = if off { msg!("lathe.stops.work-slows") } else { msg!("lathe.stops.work-turns") };
+    let coasts = (engaged(lathe).coasting(highest(lathe)), 1);
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
     let mut rows = vec![
         row(
@@ -57,7 +58,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         row(
             Interruption::InverterFault,
             msg!("lathe.stops.axes-reset"),
-            msg!("lathe.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
+            msg!("lathe.stops.work-coasts", time = coasts),
             msg!("lathe.stops.fault"),
         ),
     ];
@@ -66,7 +67,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         ..row(
             Interruption::PowerFailure,
             slides_without_supply(Some(way)),
-            msg!("lathe.stops.work-coasts", time = (run_up::coasting(lathe), 1)),
+            msg!("lathe.stops.work-coasts", time = coasts),
             msg!("lathe.stops.anew"),
         )
     }));

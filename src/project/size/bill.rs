@@ -66,15 +66,15 @@ pub(super) fn bill(
     let control = described(BillItem::Control, None, project.control.name.to_owned(), PartGrade::Entered);
     let inputs = inputs(project.machine, prepared, &project.values, &project.provenance);
     let motors = project.machine.info().motors;
-    let figures = |motor: &FormMotor| figures(motor, &inputs);
+    let figures_in_form = |motor: &FormMotor| figures_of(motor, &inputs);
     let sized = axes.iter().flat_map(|axis| {
-        let figures = motors.iter().find(|motor| motor.drive == axis.id).and_then(figures);
+        let figures = motors.iter().find(|motor| motor.drive == axis.id).and_then(figures_in_form);
         of_axis(project, axis, figures).into_iter().chain(gear(axis)).chain(brake(axis))
     });
     let others = motors.iter().filter(|motor| axes.iter().all(|axis| axis.id != motor.drive)).flat_map(|motor| {
         let amplifier = amplifier_item(!motor.is_on_inverter);
         let open = described(amplifier, Some(motor.name), say("size.bill.with-motor"), PartGrade::Open);
-        figures(motor).into_iter().flat_map(move |figures| [entered(motor.name, figures), open.clone()])
+        figures_in_form(motor).into_iter().flat_map(move |figures| [entered(motor.name, figures), open.clone()])
     });
     let encoder = prepared.spindle_encoder().map(|asked| encoder(project, asked));
     let spindle = runs.present.stretches(Mover::Spindle);
@@ -93,8 +93,8 @@ pub(super) fn bill(
     rows
 }
 
-/// The devices that are no part of a drive: contactors and supplies of brakes, contacts and outputs of the ladder, options of the form, supplies. All are
-/// open: the catalogue has none of them.
+/// The devices that are no part of a drive: contactors and supplies of brakes, contacts and outputs of the ladder, options of the form,
+/// supplies. All are open: the catalogue has none of them.
 fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
     let open = |item, drive, asked: &Message| described(item, drive, sentence(asked), PartGrade::Open);
     let brakes = rows.iter().filter(|row| row.item == BillItem::Brake);
@@ -191,7 +191,7 @@ fn described(item: BillItem, axis: Option<&'static str>, model: String, grade: P
 }
 
 /// The figures of a motor in the form; none if the form shows none of them.
-fn figures(motor: &FormMotor, inputs: &[Input]) -> Option<String> {
+fn figures_of(motor: &FormMotor, inputs: &[Input]) -> Option<String> {
     let figure = |(label, field): &(&'static str, &'static str)| {
         let input = inputs.iter().find(|input| input.id == *field)?;
         Some(format!("{} {} {}", say(label), input.value, input.unit))
@@ -304,18 +304,18 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
             [motor, open("size.bill.no-amplifier")].into_iter().chain(of_form()).collect()
         }
         (None, None) => {
-            let figures = figures.map(|figures| msg!("size.bill.for-figures", figures));
+            let message = figures.map(|figures| msg!("size.bill.for-figures", figures));
             if let Some(chosen) = axis.ordered() {
                 let mut rows: Vec<BillRow> = all(chosen, true);
-                rows.iter_mut()
-                    .filter(|row| row.item == BillItem::Motor)
-                    .for_each(|row| row.open.extend(figures.clone()));
+                for row in rows.iter_mut().filter(|row| row.item == BillItem::Motor) {
+                    row.open.extend(message.clone());
+                }
                 return rows;
             }
             let MotorDemand { peak, effective, speed } = axis.asked;
             let told = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
             let motor = described(BillItem::Motor, Some(axis.name), sentence(&told), PartGrade::Open);
-            let motor = BillRow { open: figures.into_iter().collect(), ..motor };
+            let motor = BillRow { open: message.into_iter().collect(), ..motor };
             [motor, open("size.bill.with-motor")].into_iter().chain(of_form()).collect()
         }
     }

@@ -244,7 +244,7 @@ impl Asked {
                 let torque = motion.torque(turn, motor.rotor) * if turn.from + turn.to < 0.0 { -1.0 } else { 1.0 };
                 let speeds = (turn.from.abs() / RPM, turn.to.abs() / RPM);
                 let key = |value: f64| (value * ALIKE).round() as i64;
-                let line = OperatingLine { speeds, torque, t: turn.t, seconds: 0.0, is_at_knob_end: run > 0 };
+                let line = OperatingLine { speeds, torque, t: turn.t, seconds: 0.0, is_at_highest_knob: run > 0 };
                 lines.entry((run, key(speeds.0), key(speeds.1), key(torque))).or_insert(line).seconds += turn.seconds;
             }
         }
@@ -382,7 +382,8 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
     let worst_point = asked.worst_point(&motor);
     let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &duty) };
-    let limits = part.acceptance().at_starts(asked.starts_per_minute.max(axis.starts)).derated(axis.site_share);
+    let limits =
+        part.acceptance().at_starts(asked.starts_per_minute.max(axis.starts_per_minute)).derated(axis.site_share);
     let refused =
         shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &worst_point)));
     let back = amplifier.and_then(braking).map(|(back, own)| (asked.to_resistor(motor.rotor, &back), own));
@@ -433,8 +434,8 @@ fn amplifier<'a>(
     })
 }
 
-/// Shortage of the amplifiers paired with a servo motor for an effective and a greatest torque (Nm): the currents of the largest one; none if
-/// none is paired, or no current is known.
+/// Shortage of the amplifiers paired with a servo motor for an effective and a greatest torque (Nm): the currents of the largest one; none
+/// if none is paired, or no current is known.
 fn shortage(motor: &Part, (effective, peak): (f64, f64), catalogue: &[&Part], control: &Control) -> Option<Message> {
     let Ratings::Servo(ratings) = &motor.ratings else { return None };
     let per_torque = ratings.ampere_per_torque()?;

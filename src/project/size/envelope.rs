@@ -306,8 +306,8 @@ impl Envelope<'_> {
         rows
     }
 
-    /// Stretches of an axis in a part of a run in which its amplifier supplies current: at emergency stop and power failure until it is at rest,
-    /// and none where the drive coasts.
+    /// Stretches of an axis in a part of a run in which its amplifier supplies current: at emergency stop and power failure until it is at
+    /// rest, and none where the drive coasts.
     fn driven(&self, event: OperatingEvent, of: Mover, run: &Run, span: (f64, f64)) -> Vec<Stretch> {
         let stops = matches!(event, OperatingEvent::EmergencyStop | OperatingEvent::PowerFailure);
         let coasts = stops && matches!(of, Mover::Turned(_)) && self.prepared.coasts_at_emergency_stop();
@@ -392,8 +392,8 @@ impl Envelope<'_> {
     }
 }
 
-/// The operating point that asks most of the motor of an axis, with the torque of its work within these spans and without any: a work that is
-/// left out does not help to brake.
+/// The operating point that asks most of the motor of an axis, with the torque of its work within these spans and without any: a work that
+/// is left out does not help to brake.
 fn worst_point(axis: &DrivenAxis, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> OperatingPoint {
     let under = |works| axis.motion(stretches, works).worst_point(&axis.fitted.motor);
     let working = under(works);

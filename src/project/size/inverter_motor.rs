@@ -6,7 +6,7 @@ use super::choice::{
 use super::gears;
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
-use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, own_fan_torque_share};
+use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, shaft_fan_torque_share};
 use crate::drives::duty::{OperatingPoint, with_pause};
 use crate::drives::load::{Phase, effective, power};
 use crate::drives::parts::{InductionRatings, InverterRatings, Part, Ratings};
@@ -108,7 +108,7 @@ fn induction(
     let Ratings::Induction(of) = part.ratings else { return unknown(part) };
     let (Some(rated_power), Some(rated_speed)) = (of.rated_power, of.rated_speed) else { return unknown(part) };
     let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
-    let cooled = drive.cooled_at.map_or(1.0, |speed| own_fan_torque_share(speed / rated_speed));
+    let cooled = drive.cooled_at.map_or(1.0, |speed| shaft_fan_torque_share(speed / rated_speed));
     let (most, most_power) = (torque * drive.site_share * cooled, rated_power * drive.site_share);
     let (speed, asked) = (drive.speed.abs(), drive.torque.abs());
     let top_speed = of.top_speed.unwrap_or_else(|| highest_speed(rated_power, rated_speed));
@@ -122,7 +122,7 @@ fn induction(
     let mut refusal = if drive.top_speed > top_speed {
         Some((Rank::Speed, msg!("size.refused-speed", speed = (drive.top_speed, 0), limit = (top_speed, 0))))
     } else if asked > most {
-        Some((Rank::Effective, too_weak(drive, asked, (most, torque * drive.site_share))))
+        Some((Rank::Effective, torque_refusal(drive, asked, (most, torque * drive.site_share))))
     } else if needed > most_power {
         Some((Rank::Peak, msg!("size.refused-power", power = (needed, 0), limit = (most_power, 0))))
     } else {
@@ -182,11 +182,11 @@ fn induction(
     }
 }
 
-/// The reason of a motor that gives less than the continuous torque asked (Nm): with its cooling, and with a fan that has a motor of its own.
-fn too_weak(drive: &InverterDrive, asked: f64, (most, forced): (f64, f64)) -> Message {
+/// Refusal of a motor whose continuous torque is below the demand (Nm): with its cooling, and with forced cooling.
+fn torque_refusal(drive: &InverterDrive, asked: f64, (most, forced): (f64, f64)) -> Message {
     let (torque, limit) = ((asked, 3), (most, 3));
     match drive.cooled_at.filter(|_| asked <= forced) {
-        Some(speed) => msg!("size.refused-own-fan", torque, limit, speed = (speed, 0), forced = (forced, 3)),
+        Some(speed) => msg!("size.refused-shaft-fan", torque, limit, speed = (speed, 0), forced = (forced, 3)),
         None => msg!("size.refused-torque", torque, limit),
     }
 }
@@ -232,16 +232,16 @@ fn inverter_shortage(of: &InductionRatings, current: f64, catalogue: &[&Part], c
     (limit < current).then(|| msg!("size.refused-inverter", current = (current, 2), inverter, limit = (limit, 2)))
 }
 
-/// A motor of a main spindle in the run: shares of its short-time and of its continuous torque, and the reason of its refusal. Cut and friction
-/// stay below the continuous curve at each speed, with the acceleration below the short-time one, and all of the run below the continuous
-/// one in the effective mean.
+/// A motor of a main spindle in the run: shares of its short-time and of its continuous torque, and the reason of its refusal. Cut and
+/// friction stay below the continuous curve at each speed, with the acceleration below the short-time one, and all of the run below the
+/// continuous one in the effective mean.
 fn of_spindle(
     spindle: &SpindleRun,
     rotor: f64,
     curve: &MotorCurve,
     drive: &InverterDrive,
 ) -> (f64, f64, Option<(Rank, Message)>) {
-    let continuous = curve.share(drive.site_share).with_own_fan(drive.cooled_at.is_some());
+    let continuous = curve.share(drive.site_share).with_shaft_fan(drive.cooled_at.is_some());
     let (steady, worst_point) = (spindle.worst_point_steady(&continuous), spindle.worst_point(curve, rotor));
     let ramps = spindle.worst_point_idle(curve, rotor);
     let effective = spindle.motion.effective_share(rotor, &continuous);
@@ -256,7 +256,7 @@ fn of_spindle(
         let (torque, speed, limit) = at(worst_point);
         Some((Rank::Peak, msg!("size.refused-cut-peak", torque, speed, limit)))
     } else if effective > 1.0 {
-        let most = continuous.highest();
+        let most = continuous.base_torque();
         let (torque, limit) = ((effective * most, 3), (most, 3));
         Some((Rank::Effective, msg!("size.refused-cycle", torque, limit)))
     } else {

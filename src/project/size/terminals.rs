@@ -1,7 +1,7 @@
 //! The terminal list: wires at the terminals of the cabinet, and ready-made cables, between items of the bill.
 //!
-//! Each end is an item of the bill, and each item of the bill that wires lead to has its wires here. Plugs and pins of control, amplifiers and
-//! encoders are those of their makers.
+//! Each end is an item of the bill, and each item of the bill that wires lead to has its wires here. Plugs and pins of control, amplifiers
+//! and encoders are those of their makers.
 
 use std::collections::BTreeMap;
 

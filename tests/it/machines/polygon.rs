@@ -485,7 +485,7 @@ fn design_readouts_match_their_golden() {
     };
     expect![[""]].assert_eq(&said(&[]));
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.0496 mm, 0.01 mm are allowed. Tips at a radius of 106.7 mm are flat enough at this ratio. No way to turn it on this tip circle keeps within every limit: the flattest has 0.0496 mm of flatness error. The list of ways says which limit excludes each.
+        Fail flatness: The sides are uneven by 0.0496 mm, 0.01 mm are allowed. Tips at a radius of 106.7 mm are flat enough at this ratio. No choice on this tip circle keeps within every limit: the flattest has 0.0496 mm of flatness error. The list of choices says which limit excludes each.
     "#]].assert_eq(&said(&[("flatness", "0.01"), ("stock-diameter", "29")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.9914 mm, 0.1 mm are allowed. Tool and work turn against each other: sides come out hollow. Give D and Q the same sign.
@@ -493,11 +493,11 @@ fn design_readouts_match_their_golden() {
         Fail curvature: The sides are hollow: 0.9914 mm higher toward the corners than in the middle.
     "#]].assert_eq(&said(&[("shape", "own"), ("tool-ratio", "-2")]));
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.1012 mm, 0.1 mm are allowed. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts make them less hollow. The flattest possible way here: 3 inserts, D1 Q2, tips at a radius of 45 mm, 0.0166 mm of flatness error.
+        Fail flatness: The sides are uneven by 0.1012 mm, 0.1 mm are allowed. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts make them less hollow. The flattest choice here: 3 inserts, D1 Q2, tips at a radius of 45 mm, 0.0166 mm of flatness error.
         Fail curvature: The sides are hollow: 0.1012 mm higher toward the corners than in the middle.
     "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "3"), ("sides", "6")]));
     expect![[r#"
-        Fail sides: This cutter turns 6 sides, not 4. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
+        Fail sides: This cutter turns 6 sides, not 4. The flattest choice here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
         Fail flatness: The sides are uneven by 0.239 mm, 0.1 mm are allowed.
         Fail tool-speed: The tool axis ends at 2000 r/min: B may be 333 at most.
         Fail curvature: The sides are hollow: 0.239 mm higher toward the corners than in the middle.
@@ -510,7 +510,7 @@ fn design_readouts_match_their_golden() {
         ("speed", "400"),
     ]));
     expect![[r#"
-        Fail relief: The inserts need more than 4.76° of relief in pass 4, to 20 mm; they have 3°. Take less depth of cut, smaller stock, a larger cutter or more relief. No way to turn it on this tip circle keeps within every limit: the flattest has 0.0284 mm of flatness error. The list of ways says which limit excludes each.
+        Fail relief: The inserts need more than 4.76° of relief in pass 4, to 20 mm; they have 3°. Take less depth of cut, smaller stock, a larger cutter or more relief. No choice on this tip circle keeps within every limit: the flattest has 0.0284 mm of flatness error. The list of choices says which limit excludes each.
         Warn orientation-error: A side is 15° off the orientation that is asked for: A15 corrects it.
     "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
     expect![[r#"
@@ -539,11 +539,11 @@ fn design_readouts_match_their_golden() {
     .assert_eq(&said(&[("shape", "own"), ("tool-ratio", "0"), ("radius-errors", "0 0 9"), ("angle-errors", "x")]));
     // A preset beyond its tolerance: there is no other way to turn it.
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.2212 mm, 0.1 mm are allowed. No way to turn it on this tip circle keeps within every limit: the flattest has 0.158 mm of flatness error. The list of ways says which limit excludes each.
+        Fail flatness: The sides are uneven by 0.2212 mm, 0.1 mm are allowed. No choice on this tip circle keeps within every limit: the flattest has 0.158 mm of flatness error. The list of choices says which limit excludes each.
     "#]].assert_eq(&said(&[("shape", "triangle")]));
     // The relief is too small, so the insert would have to cut with its back.
     expect![[r#"
-        Fail flatness: The sides are uneven by 1.8627 mm, 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio. No way to turn it on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of ways says which limit excludes each.
+        Fail flatness: The sides are uneven by 1.8627 mm, 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio. No choice on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of choices says which limit excludes each.
         Fail relief: In pass 3, to 54 mm, an insert would move back into its flank where it meets the work: no relief is enough. Take less depth of cut or a larger cutter.
         Warn slowest-cut: The inserts cut more slowly than they should: from 523 r/min for B on they do not.
         Fail distance: The axes would be nearer to each other than 20 mm.

@@ -35,8 +35,8 @@ fn near(value: f64, expected: f64, within: f64) {
 const RATED: f64 = 9_549.297 * 7.5 * 0.9 / 2000.0;
 
 #[test]
-fn cut_of_a_slot_is_judged_by_the_main_motor() {
-    // 1750 N/mm² · 2 mm · 0.2 mm = 700 N at Ø 25, and 2 Nm of friction; the motor's own fan leaves 0.5 + 0.5 · 800 / 2000.
+fn cut_of_a_turned_end_is_judged_by_the_main_motor() {
+    // 1750 N/mm² · 2 mm · 0.2 mm = 700 N at Ø 25, and 2 Nm of friction; the fan on the motor's shaft leaves 0.5 + 0.5 · 800 / 2000.
     let light = shaft(&[]);
     let torque = row(&light, "main-torque");
     near(torque.value, 700.0 * 25.0 / 2000.0 + 2.0, 1e-9);
@@ -53,8 +53,8 @@ fn cut_of_a_slot_is_judged_by_the_main_motor() {
 }
 
 #[test]
-fn slot_too_heavy_for_the_own_fan_gets_forced_cooling() {
-    // 1750 N: 23.9 Nm of 22.6 with the motor's own fan, of 32.2 with another one.
+fn cut_too_heavy_for_the_shaft_fan_gets_forced_cooling() {
+    // 1750 N: 23.9 Nm of 22.6 with a fan on the motor's shaft, of 32.2 with forced cooling.
     let heavy = shaft(&[("before-feed", "0.5")]);
     let torque = row(&heavy, "main-torque");
     assert_eq!(torque.verdict, Verdict::Fail);
@@ -108,7 +108,7 @@ fn main_spindle_is_ordered_and_wired_where_the_program_turns() {
 }
 
 #[test]
-fn list_refuses_main_motors_too_weak_for_the_slot() {
+fn list_refuses_main_motors_too_weak_for_the_cut() {
     let sizing = size(&shaft(&[]), &shaft(&[]).written());
     let axis = sizing.axes.iter().find(|axis| axis.id == "main").unwrap();
     // (8.75 + 2) Nm through 0.75 : 1 with 90 %.
@@ -148,7 +148,7 @@ fn stops_name_the_inverter_where_the_bar_is_turned() {
 }
 
 #[test]
-fn slot_faster_than_the_motor_that_runs_along_warns() {
+fn turned_end_faster_than_the_idling_motor_warns() {
     let fast = shaft(&[("before-speed", "1200")]);
     let speed = row(&fast, "main-top-speed");
     assert_eq!((speed.value, speed.limit.unwrap().value(), speed.verdict), (1200.0, 1000.0, Verdict::Warn));
@@ -158,7 +158,7 @@ fn slot_faster_than_the_motor_that_runs_along_warns() {
 }
 
 #[test]
-fn slot_is_judged_with_the_knob_at_its_highest_position_too() {
+fn turned_end_is_judged_at_the_highest_knob_too() {
     // 1400 N: 19.5 Nm of 22.6 at 800 r/min; the knob of 254 % takes the spindle to 2032 r/min, where a base speed of 1000 r/min leaves less.
     let at = |base: &'static str| row(&shaft(&[("before-feed", "0.4"), ("main-base", base)]), "main-torque");
     assert_eq!(at("1500").verdict, Verdict::Ok);
@@ -168,7 +168,7 @@ fn slot_is_judged_with_the_knob_at_its_highest_position_too() {
 }
 
 #[test]
-fn slot_speed_above_that_of_the_main_spindle_is_an_error() {
+fn end_speed_above_that_of_the_main_spindle_is_an_error() {
     let errors = |speed: &'static str| {
         let design = shaft(&[("main-speed", "700"), ("before-speed", speed)]).design();
         design.diagnostics.iter().filter(|found| found.message.id == "polygon.fast-spindle").count()

@@ -1,5 +1,4 @@
-//! Statements of the paper on polygon turning besides its codes: half axes, letters, printed remarks, time against milling; and the results
-//! of a run.
+//! Statements of the paper on polygon turning besides its codes: half axes, letters, remarks, time against milling; and results of a run.
 
 use super::super::command;
 use super::drawn::area;

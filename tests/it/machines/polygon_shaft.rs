@@ -133,7 +133,7 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
             ("third-tool", if dice.within(0.0, 1.0) < 0.6 { "1" } else { "3" }.to_owned()),
         ];
         let turned = dice.within(0.2, 100.0);
-        let slots = [
+        let ends = [
             ("before", (dice.within(0.0, 1.0) < 0.4).to_string()),
             ("before-diameter", mm(stock * dice.within(0.3, 0.95))),
             ("before-length", mm(turned)),
@@ -144,7 +144,7 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
             ("after-diameter", mm(stock * dice.within(0.3, 0.95))),
             ("after-length", mm(turned)),
         ];
-        let texts: Vec<(&str, String)> = texts.into_iter().chain(more).chain(slots).collect();
+        let texts: Vec<(&str, String)> = texts.into_iter().chain(more).chain(ends).collect();
         let changes: Vec<(&str, &str)> = texts.iter().map(|(id, text)| (*id, text.as_str())).collect();
         let project = project(&[&[("shape", shape)], &changes[..]].concat());
         if refused(&project) {
@@ -162,10 +162,10 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
             polygons.push((0.0, from.max(0.1)));
             three += 1;
         }
-        let slots = u32::from(on("before")) + u32::from(on("after"));
-        turnings += slots;
+        let ends = u32::from(on("before")) + u32::from(on("after"));
+        turnings += ends;
         // The stretch from the face to its shoulder is checked like a polygon at the end of the bar.
-        polygons.extend((slots > 0).then_some((0.0, turned)));
+        polygons.extend((ends > 0).then_some((0.0, turned)));
         holds(&project, &Part { stock, free, polygons, width });
     }
     assert!(middle > 60 && two > 20 && three > 5 && turnings > 20, "{middle} {two} {three} {turnings}");

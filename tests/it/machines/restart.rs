@@ -1,5 +1,6 @@
-//! Hold, reset and emergency stop at any moment of every machine on every control: no motion from a place that is not known to be clear, and no
-//! other product without an alarm.
+//! Hold, reset and emergency stop at any moment of every machine on every control.
+//!
+//! No motion from a place that is not known to be clear, and no other product without an alarm.
 
 use macroline::controls::{Address, CodeId};
 use macroline::interp::{Canon, Interp};

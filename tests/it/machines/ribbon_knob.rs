@@ -1,4 +1,4 @@
-//! The ribbon line over the whole range of its override knob: verdicts at the end of the knob, and the cost of turning it.
+//! The ribbon line over the whole range of its override knob: verdicts at its highest position, and the cost of turning it.
 
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, RunEnd};

@@ -24,7 +24,7 @@ fn flip(field: &'static str, readout: &'static str, (from, to): (Verdict, Verdic
 
 #[test]
 fn ribbon_clamp_flips_within_a_tenth_of_the_feed() {
-    // At the end of the knob, 1480 r/min, v = π · 100 / 25 · 1480 = 18 598.2 mm/min: 0.9 of a clamp below v / 0.9 = 20 664.7 is less.
+    // With the knob at its highest position, 1480 r/min, v = π · 100 / 25 · 1480 = 18 598.2 mm/min: 0.9 of a clamp below v / 0.9 = 20 664.7 is less.
     let with_clamp = |clamp| of(&project("ribbon-line", "mitsubishi-e60", &[("clamp-x", clamp)]), "clamp-x");
     assert_eq!(with_clamp(20_664.0), flip("clamp-x", "line-speed", (Verdict::Ok, Verdict::Fail), 0.9));
     assert_eq!(with_clamp(20_665.0), None);

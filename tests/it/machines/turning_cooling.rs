@@ -1,4 +1,4 @@
-//! Cooling of the turning spindle's motor: its own fan leaves less torque at low speed, a fan with a motor of its own all of it.
+//! Cooling of the turning spindle's motor: a fan on its shaft leaves less torque at low speed, forced cooling all of it.
 
 use macroline::drives::spindle_motor::MotorCurve;
 use macroline::machines::devices::BillItem;
@@ -45,7 +45,7 @@ fn near(value: f64, expected: f64, within: f64) {
 }
 
 #[test]
-fn own_fan_derates_the_spindle_motor_at_low_speed() {
+fn shaft_fan_derates_the_spindle_motor_at_low_speed() {
     for control in ["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "mitsubishi-e60"] {
         let own = slow(control, &[]);
         let row = torque(&own);
@@ -85,7 +85,7 @@ fn forced_cooling_is_not_offered_where_the_motor_is_too_weak() {
 
 /// The knob of the 980TDc ends at 50 %: the same torque at half the speed.
 #[test]
-fn own_fan_at_the_slow_end_of_the_knob_is_a_warning() {
+fn shaft_fan_at_the_slow_end_of_the_knob_is_a_warning() {
     let at = |force: &'static str, control| torque(&slow(control, &[("cutting-force", force)]));
     let row = at("510", "gsk-980tdc");
     assert_eq!(row.verdict, Verdict::Warn, "{row:?}");
@@ -105,7 +105,7 @@ fn fan_of_the_spindle_motor_is_in_bill_and_terminals() {
 }
 
 #[test]
-fn list_derates_spindle_motors_with_their_own_fan() {
+fn list_derates_spindle_motors_with_a_shaft_fan() {
     let passing = |forced| {
         let sizing = sized(&slow("gsk-980tdc", &[("motor-forced-cooling", forced), ("cutting-force", "300")]));
         let axis = sizing.axes.iter().find(|axis| axis.id == "spindle").unwrap();
@@ -118,7 +118,7 @@ fn list_derates_spindle_motors_with_their_own_fan() {
 }
 
 #[test]
-fn project_without_the_entry_has_a_motor_with_its_own_fan() {
+fn project_without_the_entry_has_a_motor_with_a_shaft_fan() {
     let text = slow("gsk-980tdc", &[]).to_json().replace("    \"motor-forced-cooling\": false,\n", "");
     assert!(!text.contains("motor-forced-cooling"), "{text}");
     let opened = Project::from_json(&text);
@@ -128,8 +128,8 @@ fn project_without_the_entry_has_a_motor_with_its_own_fan() {
 
 /// `∫ (T / M(n))² dn` over a ramp from standstill to twice the base speed, by 100 000 steps.
 #[test]
-fn mean_square_counts_the_own_fan() {
-    let curve = MotorCurve { power: 6.0, base: 1500.0, own_fan: true };
+fn mean_square_counts_the_shaft_fan() {
+    let curve = MotorCurve { power: 6.0, base: 1500.0, has_shaft_fan: true };
     for (from, to) in [(0.0, 3000.0), (0.0, 1500.0), (300.0, 900.0), (1800.0, 2500.0), (200.0, 200.0)] {
         let steps = 100_000;
         let step = (to - from) / f64::from(steps);
@@ -140,6 +140,6 @@ fn mean_square_counts_the_own_fan() {
         let mean = (0..steps).map(at).sum::<f64>() / f64::from(steps);
         near(curve.mean_square(20.0, (from, to)), mean, 1e-8);
     }
-    assert_eq!(curve.with_own_fan(false).torque(150.0), curve.highest());
-    near(curve.torque(150.0), 0.55 * curve.highest(), 1e-9);
+    assert_eq!(curve.with_shaft_fan(false).torque(150.0), curve.base_torque());
+    near(curve.torque(150.0), 0.55 * curve.base_torque(), 1e-9);
 }

@@ -153,7 +153,7 @@ fn fastest_run_up_is_the_integral_over_the_curve() {
 fn fastest_times_of_the_form_are_those_of_the_curve() {
     let lathe = shaft("gsk-980tdc", &[("motor-peak", "200"), ("motor-braking", "120")]);
     let (n, inertia) = (result(&lathe, "speed-largest"), result(&lathe, "inertia"));
-    let motor = MotorCurve { power: 6.0, base: 750.0, own_fan: false };
+    let motor = MotorCurve { power: 6.0, base: 750.0, has_shaft_fan: false };
     assert!(n > 750.0, "{n}");
     same(result(&lathe, "run-up-time"), motor.share(2.0).seconds_to(n, inertia, 2.0));
     same(result(&lathe, "braking-time"), motor.share(1.2).seconds_to(n, inertia, -2.0));

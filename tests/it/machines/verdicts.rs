@@ -86,7 +86,7 @@ const RARE: &[Entered] = &[
     // A tool that turns against its work, and a ratio that leaves the sides hollow.
     ("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("tool-ratio", "-2")]),
     ("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("tool-ratio", "3"), ("sides", "6")]),
-    // A slow cut that a motor with its own fan carries in a stage in which it turns faster, and one that it carries but for the slow end of
+    // A slow cut that a motor with a shaft fan carries in a stage in which it turns faster, and one that it carries but for the slow end of
     // the knob.
     (
         "turning-spindle",
@@ -139,7 +139,7 @@ const RARE: &[Entered] = &[
             ("motor-rotor-z", "5"),
         ],
     ),
-    // A slot that is too deep for the main spindle.
+    // A turned end whose cut is too deep for the main spindle.
     (
         "polygon-lathe",
         "knd-k2000t",
@@ -265,7 +265,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("polygon.no-b", "no speed is a remedy"),
     ("polygon.no-better", "no way is within every limit"),
     ("polygon.no-twist", "G512 has no word for it; the figure is for a control with G51.2"),
-    ("polygon.no-way", "no way turns the polygon"),
+    ("polygon.no-choice", "no way turns the polygon"),
     ("polygon.not-flat", "a fact; the larger cutter or the choice behind it has the button"),
     ("polygon.other-sides", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.round-corners", "a fact about the stock, no fault"),
@@ -392,7 +392,7 @@ fn buttons_of_the_defaults_of_the_ribbon_line() {
         ]
     );
     assert_eq!(buttons(&line, "slack-rate"), ["Add a dancer: dancer=true"]);
-    // No slack at the end of the knob: the wait is half of the spindle ramp to 1480 r/min, less half of the time constant, less the servo lag.
+    // No slack with the knob at its highest position: the wait is half of the spindle ramp to 1480 r/min, less half of the time constant, less the servo lag.
     let (ramp, tau, gain): (f64, f64, f64) = (2.0, 0.1, 33.0);
     let dwell = ramp / 2.0 - tau / 2.0 - 1.0 / gain - 0.05;
     let dwell = (dwell * 1000.0).ceil() / 1000.0;
@@ -465,7 +465,7 @@ fn limits_are_written_with_their_direction() {
     }
     let json = list::readouts_json(&line.design().readouts);
     let of = |id: &str| json.as_array().unwrap().iter().find(|row| row["id"] == id).unwrap();
-    // 20000 mm/min at the end of the knob, where the clamp of 1480 r/min holds the 1200 of 100 %.
+    // 20000 mm/min with the knob at its highest position, where the clamp of 1480 r/min holds the 1200 of 100 %.
     let limit = of("x-feed")["limit"].as_f64().unwrap();
     assert!((limit - 20000.0 * 1200.0 / 1480.0).abs() < 1e-6 && of("x-feed")["bound"] == "most", "{limit}");
     assert_eq!(of("slack-rate")["bound"].as_str(), Some("within"));

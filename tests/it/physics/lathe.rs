@@ -1,5 +1,4 @@
-//! Functions of lathe controls: diameters, feed in step with the spindle, threads, constant surface speed, waits that a program switches
-//! off.
+//! Functions of lathe controls: diameters, feed in step with the spindle, threads, constant surface speed, switched waits.
 
 use macroline::drives::speed::SpeedLimit;
 

@@ -9,7 +9,7 @@ use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, size};
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
-/// Upper end of the knob of the line's control, %: the speed clamp of the form comes first.
+/// Highest position of the knob of the line's control, %: the speed clamp of the form comes first.
 const KNOB: f64 = 200.0;
 
 fn sized(project: &Project) -> Sizing {
@@ -455,14 +455,14 @@ fn lines_of_the_run_with_the_knob_at_its_end_are_told_apart() {
     let x = &sizing.axes[0];
     let chart = x.chart.as_ref().unwrap();
     assert!(x.peak_is_at_knob && x.knob == Some(KNOB));
-    for at_end in [false, true] {
-        let of_run = || chart.lines.iter().filter(|line| line.is_at_knob_end == at_end);
+    for at_highest_knob in [false, true] {
+        let of_run = || chart.lines.iter().filter(|line| line.is_at_highest_knob == at_highest_knob);
         let most = of_run().map(|line| line.torque).fold(0.0, f64::max);
         let speed = of_run().map(|line| line.speeds.1).fold(0.0, f64::max);
         let mut there = project.clone();
-        there.values.insert("override".to_owned(), Value::Number(if at_end { KNOB } else { 100.0 }));
+        there.values.insert("override".to_owned(), Value::Number(if at_highest_knob { KNOB } else { 100.0 }));
         super::same("speed", speed, result(&there, "x-motor-speed"), 1e-3);
-        assert_eq!(most < x.work.unwrap().peak.0, !at_end);
+        assert_eq!(most < x.work.unwrap().peak.0, !at_highest_knob);
     }
     let asked = sizing.sheets().into_iter().find(|sheet| sheet.id == "asked").unwrap();
     assert!(asked.rows[0].cells[1].ends_with(" s, knob at 200 %)"), "{:?}", asked.rows[0].cells);

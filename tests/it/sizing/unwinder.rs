@@ -1,4 +1,4 @@
-//! The unwinder's motor: braking over the ramp, its own fan, and a motor with other poles.
+//! The unwinder's motor: braking over the ramp, the fan on its shaft, and a motor with other poles.
 
 use std::f64::consts::PI;
 
@@ -58,7 +58,7 @@ fn stop_beyond_what_the_inverter_takes_back_fails() {
 }
 
 #[test]
-fn motor_with_its_own_fan_is_derated_at_low_frequency() {
+fn motor_with_a_shaft_fan_is_derated_at_low_frequency() {
     let slow = line(&[
         ("spindle-speed", 160.0),
         ("reduction-ratio", 7.0),
@@ -82,7 +82,7 @@ fn motor_with_its_own_fan_is_derated_at_low_frequency() {
 }
 
 #[test]
-fn list_derates_motors_with_their_own_fan() {
+fn list_derates_motors_with_a_shaft_fan() {
     let slow = line(&[
         ("spindle-speed", 160.0),
         ("reduction-ratio", 7.0),

@@ -48,7 +48,7 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     twist(d, lathe, layout);
     d.path(filled("M# #H#", &[LEFT - 10.0, axis, 1016.0]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
     dimension(d, lathe, layout, half);
-    way(d, lathe, layout);
+    approach(d, lathe, layout);
     let top = axis + 0.5 * p.across_flats * scale;
     d.place(group::SIDE, SceneGroup { at: (face, top), ..SceneGroup::default() });
     d.within(group::SIDE, |d| {
@@ -62,18 +62,18 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     });
 }
 
-/// The way of the slide from its start to the clearance.
-fn way(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+/// Approach of the slide from its start to the clearance.
+fn approach(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let p = &lathe.p;
     let at = |across: f64, z: f64| (layout.face + z * layout.side, SIDE.1 + 0.5 * across * layout.side);
     let (start, near) = (at(p.start_x, p.start_z), at(p.clear_diameter(), p.clearance));
-    let mut way = filled("M# #L# #", &[start.0, start.1, near.0, near.1]);
+    let mut path = filled("M# #L# #", &[start.0, start.1, near.0, near.1]);
     if p.is_behind_face() {
         let (over, down) = (at(p.clear_diameter(), p.approach()), at(p.across_flats, p.approach()));
-        fill(&mut way, "L# #L# #", &[over.0, over.1, down.0, down.1]);
+        fill(&mut path, "L# #L# #", &[over.0, over.1, down.0, down.1]);
     }
     d.showing("clearance", |d| {
-        d.path(way, Look::LEAD.dashed(7.0, 4.0).faint(0.7));
+        d.path(path, Look::LEAD.dashed(7.0, 4.0).faint(0.7));
     });
     d.showing("start-x", |d| {
         d.path(filled("M# #h14M# #v14", &[start.0 - 7.0, start.1, start.0, start.1 - 7.0]), Look::LEAD);
@@ -138,7 +138,8 @@ fn twist(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     }
 }
 
-/// Stretches of the bar that have become polygons, from the face to the jaws: distances of both ends from the face, and the size across flats.
+/// Stretches of the bar that have become polygons, from the face to the jaws: distances of both ends from the face, and the size across
+/// flats.
 pub(in super::super) fn profile(lathe: &PolygonLathe, progress: &Progress) -> Vec<(f64, f64, f64)> {
     let passes: Vec<_> = progress.passes.iter().map(|pass| (pass.stretch.0, pass.stretch.1, pass.size)).collect();
     stretches(lathe, &passes)
@@ -169,7 +170,7 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, layout: &Layout, progress: &Pr
     // From the face to the jaws.
     let mut upper = vec![(face, stock)];
     let polygons = progress.passes.iter().map(|pass| (pass.stretch.0, pass.stretch.1, pass.size));
-    let cut: Vec<_> = polygons.chain(progress.turned.iter().copied()).collect();
+    let cut: Vec<_> = polygons.chain(progress.turned_stretches.iter().copied()).collect();
     for (near, far, size) in stretches(lathe, &cut) {
         let [near, far] = [near, far].map(|at| (face - at * scale).max(LEFT + 38.0));
         let half = 0.5 * size;

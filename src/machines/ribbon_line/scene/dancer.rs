@@ -9,7 +9,7 @@ use crate::view::{Drawing, Look, Paint, Placement, SceneGroup};
 
 /// Radius of the roller, mm of the drawing: that of the deflection roller where the loop is wide enough.
 fn radius(layout: &Layout) -> f64 {
-    layout.deflector.2.min(layout.slack.roller_in_it())
+    layout.deflector.2.min(layout.slack.largest_roller_radius())
 }
 
 /// Centre of the roller on a loop with a slack, mm of the drawing.
@@ -48,7 +48,7 @@ pub(super) fn before(drawing: &mut Drawing, line: &RibbonLine) {
     });
 }
 
-/// Place of the roller at a slack.
+/// Placement of the roller at a slack (mm); none without a dancer.
 pub(crate) fn pose(line: &RibbonLine, slack: f64) -> Option<Placement> {
     let layout = line.layout();
     let (from, to) = (centre(layout, 0.0), centre(layout, slack));

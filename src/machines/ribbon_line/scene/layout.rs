@@ -1,7 +1,7 @@
 //! Positions and sizes in the drawing of the ribbon line, in mm from the nip of the unwinder: x to the right, y down, the ribbon at height 0.
 //!
-//! Rollers, pitch, loop and supply reel are in true proportion. Plates, cabinets and the take-up reel are no inputs of the form: they follow the
-//! rollers.
+//! Rollers, pitch, loop and supply reel are in true proportion. Plates, cabinets and the take-up reel are no inputs of the form: they
+//! follow the rollers.
 
 use super::slack_loop::SlackLoop;
 use super::web::Web;

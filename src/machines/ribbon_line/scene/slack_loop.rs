@@ -33,7 +33,7 @@ pub(crate) struct SlackLoop {
 const UPRIGHT: f64 = 0.999;
 
 /// Greatest radius of a roller in the loop as a share of that of the arc.
-const IN_THE_ARC: f64 = 0.75;
+const ROLLER_SHARE: f64 = 0.75;
 
 impl SlackLoop {
     /// The loop between rollers of these radii with a gap between them, in which a slack of `capacity` hangs no deeper than `room`.
@@ -107,8 +107,8 @@ impl SlackLoop {
     }
 
     /// Greatest radius of a roller that lies in the loop, mm.
-    pub(crate) fn roller_in_it(&self) -> f64 {
-        IN_THE_ARC * self.rho
+    pub(crate) fn largest_roller_radius(&self) -> f64 {
+        ROLLER_SHARE * self.rho
     }
 
     /// The ribbon from nip to nip, the first at (`x`, 0).

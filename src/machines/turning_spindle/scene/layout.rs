@@ -25,7 +25,7 @@ pub(in super::super) struct Layout {
     /// Position of the finished face.
     pub(in super::super) face: f64,
     /// Length of the part between the face of the chuck and its finished face, mm.
-    pub(in super::super) free_length: f64,
+    pub(in super::super) part_length: f64,
     /// The chuck.
     pub(in super::super) chuck: Chuck,
     /// Right end of the turret where the tool may be as low as the part.
@@ -35,7 +35,7 @@ pub(in super::super) struct Layout {
 impl Layout {
     pub(in super::super) fn new(p: &Params) -> Layout {
         let stock = 0.5 * p.stock_diameter;
-        // Free length, and stock before the finished face.
+        // Least length of the part in front of the chuck, and stock before the finished face.
         let (free, before) = match p.path {
             Path::Facing => (1.6 * stock, p.allowance),
             _ => (p.length + 0.3 * stock, 0.0),
@@ -47,11 +47,11 @@ impl Layout {
         let scale = part.min(whole.max(SMALLER * part));
         let chuck = Chuck::of(stock * scale);
         let face = chuck.front() + free * scale;
-        let free_length = (face - chuck.face()) / scale;
+        let part_length = (face - chuck.face()) / scale;
         let below = |radius: f64| radius * scale < 90.0;
         let start = if below(0.5 * p.start_x) { p.start_z } else { 0.0 };
         let low_end = face + p.clearance.max(p.allowance).max(start) * scale + REACH.1;
-        Layout { scale, face, free_length, chuck, low_end }
+        Layout { scale, face, part_length, chuck, low_end }
     }
 
     /// Place along the axis and radius in the drawing: mm from the finished face, diameter in mm.

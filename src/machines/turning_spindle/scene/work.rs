@@ -39,10 +39,10 @@ pub(in super::super) fn sections(lathe: &TurningSpindle, layout: &Layout, progre
         match at.filter(|&d| d < stock) {
             Some(d) => {
                 let cut = left(done + 1);
-                all.push(section(round(-layout.free_length, cut, stock), false, true));
+                all.push(section(round(-layout.part_length, cut, stock), false, true));
                 all.push(section(round(cut, face, d.max(rest)), false, done > 0));
             }
-            None => all.push(section(round(-layout.free_length, face, stock), false, done > 0)),
+            None => all.push(section(round(-layout.part_length, face, stock), false, done > 0)),
         }
         // The stub that remains where the cut ends short of the centre.
         if done > 0 && rest > 0.0 {
@@ -57,7 +57,7 @@ pub(in super::super) fn sections(lathe: &TurningSpindle, layout: &Layout, progre
         let between = places.filter(|&z| p.path == Path::Taper && z > from && z < to);
         core::iter::once(from).chain(between).chain([to]).map(|z| (z, diameter(z, pass))).collect()
     };
-    all.push(section(round(-layout.free_length, -p.length, stock), false, done > 0));
+    all.push(section(round(-layout.part_length, -p.length, stock), false, done > 0));
     if cut > -p.length {
         all.push(section(profile(-p.length, cut, done), done > 0, at.is_some()));
     }
@@ -99,7 +99,7 @@ pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
         d.showing("keyway-depth", |d| {
             d.path(String::new(), Look::fill(Paint::Dark).thin(Paint::Edge, 0.8)).id = Some(node::GROOVE);
             let ends = [-p.keyway_start - p.keyway_length, -p.keyway_start];
-            d.path(slot(layout, diameter, p.keyway_depth, ends), Look::hair(Paint::Accent, 1.0).dashed(4.0, 3.0));
+            d.path(keyway(layout, diameter, p.keyway_depth, ends), Look::hair(Paint::Accent, 1.0).dashed(4.0, 3.0));
         });
     }
     let field = if p.path == Path::Taper { "large-diameter" } else { "finished-diameter" };
@@ -109,8 +109,8 @@ pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
 }
 
 /// The section of a keyway of a depth in a cylinder, between two Z from the finished face, at the side of the tool.
-fn slot(layout: &Layout, diameter: f64, depth: f64, [from, to]: [f64; 2]) -> String {
-    let from = from.max(-layout.free_length).min(to);
+fn keyway(layout: &Layout, diameter: f64, depth: f64, [from, to]: [f64; 2]) -> String {
+    let from = from.max(-layout.part_length).min(to);
     let (outer, inner) = (0.5 * diameter, 0.5 * diameter - depth);
     polygon(&[layout.tip(outer, from), layout.tip(outer, to), layout.tip(inner, to), layout.tip(inner, from)])
 }
@@ -118,7 +118,7 @@ fn slot(layout: &Layout, diameter: f64, depth: f64, [from, to]: [f64; 2]) -> Str
 /// Path of the cut part of the keyway: its depth, and its ends.
 pub(in super::super) fn pose_groove(lathe: &TurningSpindle, layout: &Layout, cut: Option<(f64, [f64; 2])>) -> String {
     let groove = lathe.keyway().zip(cut);
-    groove.map_or_else(String::new, |(diameter, (depth, ends))| slot(layout, diameter, depth, ends))
+    groove.map_or_else(String::new, |(diameter, (depth, ends))| keyway(layout, diameter, depth, ends))
 }
 
 /// Stretches that are drawn at most, and paths of each: raw and turned side, raw and turned shoulder.

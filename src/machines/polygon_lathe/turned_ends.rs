@@ -1,7 +1,7 @@
-//! Turning before and after the polygons: to a diameter from the face, with a chamfer and a thread. The spindle turns the work.
+//! Turned ends of the bar, before and after the polygons: to a diameter from the face, with a chamfer and a thread, by the main spindle.
 
-use super::params::{Params, Slot};
-use super::path::{NO_RAPIDS, PassStep, To, time};
+use super::params::{Params, TurnedEnd};
+use super::path::{NO_RAPIDS, PassStep, SlideTarget, time};
 use crate::math;
 
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.
@@ -10,10 +10,10 @@ const FLANKS: f64 = 0.613_435;
 /// Share of its pitch by which a thread may deviate where it begins.
 const PITCH_ERROR: f64 = 0.01;
 
-/// Most cuts of a slot, and of a thread.
+/// Greatest number of cuts of a turned end, and of its thread.
 const MOST: f64 = 100.0;
 
-impl Slot {
+impl TurnedEnd {
     /// Number of cuts; the last one is to size.
     pub(super) fn cuts(&self, stock: f64) -> f64 {
         math::whole_up(0.5 * (stock - self.diameter) / self.depth).max(1.0)
@@ -37,20 +37,22 @@ impl Slot {
 
     /// Turning: cuts to depth, the last with the chamfer. Each ends at feed out of the stock and goes back in front of the face.
     pub(super) fn steps(&self, p: &Params) -> Vec<PassStep> {
-        let (feed, end) = (self.feed * self.speed, To::Along(-self.length));
-        let back =
-            [PassStep::Feed(To::Across(p.clear_diameter()), p.way_out()), PassStep::Rapid(To::Along(p.clearance))];
+        let (feed, end) = (self.feed * self.speed, SlideTarget::Along(-self.length));
+        let back = [
+            PassStep::Feed(SlideTarget::Across(p.clear_diameter()), p.clamped_retract_feed()),
+            PassStep::Rapid(SlideTarget::Along(p.clearance)),
+        ];
         let cuts = self.cuts(p.stock_diameter).min(MOST) as u32;
         let mut all = Vec::new();
         for cut in 1..=cuts {
             let last = cut == cuts;
             let size = if last { self.diameter } else { p.stock_diameter - 2.0 * f64::from(cut) * self.depth };
             if last && self.chamfer > 0.0 {
-                all.push(PassStep::Rapid(To::Across(size - 2.0 * self.chamfer)));
-                all.push(PassStep::Feed(To::Along(0.0), feed));
-                all.push(PassStep::Slope(size, -self.chamfer, feed));
+                all.push(PassStep::Rapid(SlideTarget::Across(size - 2.0 * self.chamfer)));
+                all.push(PassStep::Feed(SlideTarget::Along(0.0), feed));
+                all.push(PassStep::Slope { across: size, along: -self.chamfer, feed });
             } else {
-                all.push(PassStep::Rapid(To::Across(size)));
+                all.push(PassStep::Rapid(SlideTarget::Across(size)));
             }
             all.push(PassStep::Feed(end, feed));
             all.extend(back);
@@ -65,10 +67,10 @@ impl Slot {
         let one = |cut: u32| {
             let down = depth * (f64::from(cut) / f64::from(cuts)).sqrt();
             [
-                PassStep::Rapid(To::Across(self.diameter - 2.0 * down)),
-                PassStep::Thread(-self.thread_length, self.pitch),
-                PassStep::Feed(To::Across(p.clear_diameter()), p.way_out()),
-                PassStep::Rapid(To::Along(p.clearance)),
+                PassStep::Rapid(SlideTarget::Across(self.diameter - 2.0 * down)),
+                PassStep::Thread { along: -self.thread_length, pitch: self.pitch },
+                PassStep::Feed(SlideTarget::Across(p.clear_diameter()), p.clamped_retract_feed()),
+                PassStep::Rapid(SlideTarget::Along(p.clearance)),
             ]
         };
         if self.pitch > 0.0 { (1..=cuts).flat_map(one).collect() } else { Vec::new() }
