@@ -165,6 +165,11 @@ pub struct Steps {
 }
 
 impl Steps {
+    /// The lowest position at which the spindle turns.
+    pub fn lowest_turning(&self) -> f64 {
+        if self.low > 0.0 { self.low } else { self.step }
+    }
+
     /// The position nearest to a percentage.
     pub fn nearest(&self, percent: f64) -> f64 {
         let steps =

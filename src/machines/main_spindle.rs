@@ -2,23 +2,33 @@
 
 use super::devices::{AskedDevice, BillItem};
 use super::form::Field;
-use super::verdict::{Judgement, fail, maximum, ok, up};
+use super::verdict::{Judgement, fail, maximum, ok, up, warn};
 use crate::drives::MainSpindle;
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::msg;
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Chart, Series};
 
-/// The ramp of the form, its field `id`, against the shortest one to a highest speed of the program in r/min.
+/// The ramp of the form, its field `id`, against the shortest one to a highest speed of the program in r/min: a warning where it is long enough
+/// for that speed and not for the one at the highest position of the override knob, given with its percentage.
 pub(super) fn judge_ramp<P>(
     spindle: &MainSpindle,
     highest: f64,
+    at_knob: Option<(f64, f64)>,
     (fields, id): (&[Field<P>], &'static str),
 ) -> Option<Judgement> {
     let (ramp, shortest) = (spindle.ramp, spindle.shortest_ramp(highest));
     let limit = AtMost(ramp);
     if limit.holds(shortest) {
-        return ok(limit);
+        let at_knob = at_knob.map(|(percent, speed)| (percent, spindle.shortest_ramp(speed)));
+        let Some((percent, shortest)) = at_knob.filter(|(_, shortest)| !limit.holds(*shortest)) else {
+            return ok(limit);
+        };
+        let set = up(fields, id, shortest);
+        let said =
+            Advice::from(msg!("lathe.ramp-at-knob", percent = (percent, 0), needed = (shortest, 2), ramp = (ramp, 2)));
+        let button = msg!("advice.set-ramp", time = set.1.as_str());
+        return warn(limit, [if shortest <= maximum(fields, id) { said.setting(button, [set]) } else { said }]);
     }
     if shortest == f64::INFINITY {
         let [motor, _] = spindle.short_time();

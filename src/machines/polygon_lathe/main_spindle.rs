@@ -160,7 +160,9 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The ramp of the inverter against the shortest one to the greatest speed of the turned ends.
 pub(super) fn judge_ramp(lathe: &PolygonLathe) -> Option<Judgement> {
-    main_spindle::judge_ramp(&lathe.p.main_spindle(), highest(lathe), (FIELDS, "main-ramp"))
+    let (speed, percent) = (highest(lathe), lathe.dialect.spindle().knob.high);
+    let at_knob = (percent > 100.0).then(|| (percent, (speed * percent / 100.0).min(lathe.p.main.speed)));
+    main_spindle::judge_ramp(&lathe.p.main_spindle(), speed, at_knob, (FIELDS, "main-ramp"))
 }
 
 /// Its motor for the sizing, at the turned end that asks most of it; none without turned ends, or where no cutting force is known.

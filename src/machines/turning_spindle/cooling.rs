@@ -46,5 +46,5 @@ pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
 
 fn carries_with_forced(lathe: &TurningSpindle, d: &Derived) -> bool {
     let forced = Params { forced_cooling: true, ..lathe.p.clone() }.continuous(d.stage_speed);
-    !lathe.p.forced_cooling && d.torque <= d.for_the_cut(&lathe.p, forced.torque(d.speed_largest))
+    !lathe.p.forced_cooling && d.torque <= d.for_the_cut(&lathe.p, forced.torque(d.speed_largest_cut))
 }

@@ -54,7 +54,7 @@ impl Derived {
         }
     }
 
-    /// Torque (Nm) at the spindle at a diameter (mm): `F d / 2000 + M_f + J · 2π / 60 · dn/dt`. Source: turning spindle facts, 4.
+    /// Torque (Nm) at the spindle with the tool tip at a diameter (mm): `F d_m / 2000 + M_f + J · 2π / 60 · dn/dt`. Source: turning spindle facts, 4.
     pub(super) fn torque_at(&self, p: &Params, diameter: f64) -> f64 {
         let inertia = p.load_at_spindle(self.stage_speed).inertia;
         p.steady_torque(diameter) + inertia * self.acceleration_at(p, diameter) * RPM
@@ -127,7 +127,7 @@ fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec
                 && b > a
                 && let Some((a, b)) = within_stock(lathe, run, (a, b))
             {
-                let diameter = 0.5 * (depth_at(lathe, run, a) + depth_at(lathe, run, b));
+                let diameter = 0.5 * (diameter_at(lathe, run, a) + diameter_at(lathe, run, b));
                 let torque = cutting::torque(p.cutting_force, diameter);
                 cuts.push(CutSpan { begin: a, end: b, torque: through_gear(torque, gear, p.efficiency / 100.0) });
             }
@@ -136,9 +136,9 @@ fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec
     cuts
 }
 
-/// Diameter (mm) at the tool at a time in a run.
-fn depth_at(lathe: &TurningSpindle, run: &dyn Samples, t: f64) -> f64 {
-    lathe.diameter(&run.at(t))
+/// Diameter (mm) at the middle of the edge at a time in a run.
+fn diameter_at(lathe: &TurningSpindle, run: &dyn Samples, t: f64) -> f64 {
+    lathe.p.middle_of_edge(lathe.diameter(&run.at(t)))
 }
 
 /// The part of a span of a cutting block in which the tool moves in the stock.

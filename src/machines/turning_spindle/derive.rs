@@ -53,6 +53,9 @@ pub(super) struct Derived {
     pub passes: f64,
     pub largest: f64,
     pub smallest: f64,
+    /// Largest diameter of the tool tip in the stock with the whole depth of cut, and the speed there.
+    pub largest_cut: f64,
+    pub speed_largest_cut: f64,
     pub speed_largest: f64,
     pub speed_smallest: f64,
     /// The limit that binds the speed at the smallest diameter.
@@ -80,9 +83,9 @@ pub(super) struct Derived {
     /// Greatest power of cut and friction, kW.
     pub power: f64,
     pub power_available: f64,
-    /// Torque of cut and friction at the largest diameter, Nm.
+    /// Torque of cut and friction at the largest diameter of the cut, Nm.
     pub torque: f64,
-    /// Continuous torque of the motor at the spindle at the largest diameter, Nm.
+    /// Continuous torque of the motor at the spindle there, Nm.
     pub torque_available: f64,
     pub acceleration_needed: f64,
     pub acceleration: f64,
@@ -107,9 +110,10 @@ impl Derived {
     /// power, `F v / 60 + ω (M_f + J dω/dt)`, falls with the diameter; below, torque of cut and acceleration have no greatest value between
     /// both ends.
     pub(super) fn hardest_diameters(&self, base: f64) -> [f64; 3] {
-        let least = self.limit_diameter.max(self.smallest).min(self.largest);
+        let largest = self.largest_cut;
+        let least = self.limit_diameter.max(self.smallest).min(largest);
         let bend = limit_diameter(self.held.surface(), base);
-        [self.largest, if bend > least && bend < self.largest { bend } else { self.largest }, least]
+        [largest, if bend > least && bend < largest { bend } else { largest }, least]
     }
 
     /// Greatest power (kW) of cut and friction.
@@ -120,9 +124,24 @@ impl Derived {
 }
 
 impl Params {
-    /// Torque (Nm) of cut and friction at a diameter in mm: `F d / 2000 + M_f`. Source: turning spindle facts, 4.
+    /// Torque (Nm) of cut and friction with the tool tip at a diameter in mm: `F d_m / 2000 + M_f`, with d_m the middle of the edge in the
+    /// stock. In front of the stock it is that of friction. Source: turning spindle facts, 4.
     pub(super) fn steady_torque(&self, diameter: f64) -> f64 {
-        cutting::torque(self.cutting_force, diameter) + self.spindle_friction
+        let cut = if diameter > self.stock_diameter { 0.0 } else { self.cutting_force };
+        cutting::torque(cut, self.middle_of_edge(diameter)) + self.spindle_friction
+    }
+
+    /// Diameter (mm) at the middle of the edge in the stock, with its tip at a diameter: across the axis the edge reaches over the depth of cut.
+    pub(super) fn middle_of_edge(&self, tip: f64) -> f64 {
+        let reach = if self.path == Path::Facing { 0.0 } else { 2.0 * self.depth };
+        0.5 * (tip + (tip + reach).min(self.stock_diameter).max(tip))
+    }
+
+    /// The largest diameter (mm) of the tip, among those of the cuts up to `largest`, at which the edge cuts over its whole depth.
+    fn largest_cut(&self, (largest, smallest): (f64, f64)) -> f64 {
+        let whole = self.stock_diameter - if self.path == Path::Facing { 0.0 } else { 2.0 * self.depth };
+        // A single pass may be less deep.
+        largest.min(whole.max(smallest))
     }
 
     /// Passes from stock to finished part.
@@ -208,6 +227,7 @@ impl Derived {
     /// Computes the results for an analog output of `bits` bits with `volts` at full scale, on a control with these rules.
     pub(super) fn new(p: &Params, output: &AnalogOutput, rules: &SpindleRules) -> Derived {
         let (largest, smallest) = p.diameters();
+        let largest_cut = p.largest_cut((largest, smallest));
         let fixed = p.speed_mode == SpeedMode::Fixed;
         let knob = p.override_percent / 100.0;
         let (before, after) = if rules.override_last { (1.0, knob) } else { (knob, 1.0) };
@@ -250,6 +270,8 @@ impl Derived {
             passes,
             largest,
             smallest,
+            largest_cut,
+            speed_largest_cut: speed(largest_cut),
             speed_largest: speed(largest),
             speed_smallest: speed(smallest),
             bound: if fixed { fixed_bound } else { surface.at(smallest).1 },
@@ -277,8 +299,8 @@ impl Derived {
             analog_step: analog.speed(middle + output.volts / f64::from(analog.steps())) - analog.speed(middle),
             power: 0.0,
             power_available: motor.power,
-            torque: p.steady_torque(largest),
-            torque_available: motor.torque(speed(largest)),
+            torque: p.steady_torque(largest_cut),
+            torque_available: motor.torque(speed(largest_cut)),
             acceleration_needed: if fixed { 0.0 } else { acceleration(p, v, limit.max(smallest)) },
             acceleration: if p.spindle_ramp > 0.0 { stage_speed / p.spindle_ramp } else { f64::INFINITY },
             feed_top: p.feed * speed(smallest).max(speed(largest)),

@@ -11,7 +11,7 @@ use crate::machines::slides::{self, HasSlides, ServoSlide, SlideAxis, SlideMachi
 use crate::math::RPM;
 use crate::view::Limit;
 
-/// The spindle's motor with the cut and the friction at the largest diameter, where they ask the greatest torque; none where nothing is
+/// The spindle's motor with the cut and the friction at the largest diameter of the cut, where they ask the greatest torque; none where nothing is
 /// known of the cutting force. The rest of its demand is that of the run.
 pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
     let (p, d) = (&lathe.p, &lathe.d);
@@ -23,7 +23,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         id: "spindle",
         name: NAME,
         torque: through_gear(d.torque, gear, p.efficiency / 100.0),
-        speed: d.speed_largest * gear,
+        speed: d.speed_largest_cut * gear,
         // The inverter is set to give this speed at 10 V, whatever the program commands.
         top_speed: p.motor_top,
         site_share: p.site_share / 100.0,
@@ -48,9 +48,9 @@ pub(super) fn gear(lathe: &TurningSpindle) -> f64 {
     lathe.p.motor_top / lathe.d.stage_speed
 }
 
-/// Speed (r/min) of the motor in the cut at the largest diameter, where it turns slowest.
+/// Speed (r/min) of the motor at the largest diameter of the cut, where it turns slowest.
 pub(super) fn motor_speed(lathe: &TurningSpindle, d: &Derived) -> f64 {
-    d.speed_largest * gear(lathe)
+    d.speed_largest_cut * gear(lathe)
 }
 
 /// Lowest speed (r/min) at which the fan on the motor's shaft has to cool it in the cut: with the knob at its lowest position. None with

@@ -85,16 +85,16 @@ impl TurningSpindle {
         (self.p.override_percent < highest).then(|| (highest, self.at_highest_knob.get_or_init(results)))
     }
 
-    /// The lowest position (%) of the override knob with the results there; none if the form has it there, or the spindle stops there.
+    /// The lowest position (%) of the override knob at which the spindle turns, with the results there; none if the form has it there.
     pub(super) fn at_lowest_knob(&self) -> Option<(f64, &Derived)> {
-        let lowest = self.rules().knob.low;
+        let lowest = self.rules().knob.lowest_turning();
         let results = || self.at_knob(lowest);
-        let is_lower = lowest > 0.0 && lowest < self.p.override_percent;
-        is_lower.then(|| (lowest, self.at_lowest_knob.get_or_init(results)))
+        (lowest < self.p.override_percent).then(|| (lowest, self.at_lowest_knob.get_or_init(results)))
     }
 
+    /// The results with the knob at another position: the program keeps its gear stage.
     fn at_knob(&self, percent: f64) -> Derived {
-        let p = Params { override_percent: percent, ..self.p.clone() };
+        let p = Params { override_percent: percent, gear: Gear::at(self.d.stage.into()), ..self.p.clone() };
         Derived::new(&p, &self.control.analog_output, &self.rules())
     }
 

@@ -252,7 +252,7 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     let friction = spindle_motor::power(p.spindle_friction, d.speed_largest.max(d.speed_smallest));
     let part = (rated - friction) / (d.power - friction);
     // Below base speed a slower cut needs the same torque, and the motor has no more.
-    let turns_slower = d.speed_largest * slower / p.cutting_speed;
+    let turns_slower = d.speed_largest_cut * slower / p.cutting_speed;
     let advice = match slower >= 1.0 && d.torque <= p.continuous(d.stage_speed).torque(turns_slower) {
         true => {
             let set = down(FIELDS, "cutting-speed", slower);
@@ -278,7 +278,7 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
 fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     let advice = Advice::from(message);
     // The first of more passes is at a larger diameter, at most that of the stock.
-    let grows = lathe.d.largest.max(lathe.p.stock_diameter) / lathe.d.largest;
+    let grows = lathe.p.stock_diameter / lathe.p.middle_of_edge(lathe.d.largest_cut);
     let set = down(FIELDS, "depth", lathe.p.depth * share / grows);
     let depth = set.1.parse().unwrap_or(0.0);
     let passes = Params { depth, ..lathe.p.clone() };
@@ -291,7 +291,7 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
 /// Least depth of cut (mm) that an advice names: below it an edge rubs.
 const LEAST_DEPTH: f64 = 0.1;
 
-/// Torque of cut and friction at the largest diameter, where it is greatest, against the motor's curve in the gear stage.
+/// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.
 fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
     if p.cutting_force <= 0.0 {
@@ -316,7 +316,7 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
         None => msg!(
             "turning.too-little-torque",
             torque = (d.torque, 1),
-            speed = (d.speed_largest, 0),
+            speed = (d.speed_largest_cut, 0),
             limit = (rated, 1),
             stage = f64::from(d.stage)
         ),
@@ -339,7 +339,14 @@ fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     }
     let CutPoint { diameter, speed, torque, most } = lathe.d.worst_cut_point(&lathe.p);
     if torque <= most {
-        return ok(AtMost(most));
+        return holds_up_to(lathe, most, |percent, fast| {
+            let point = fast.worst_cut_point(&lathe.p);
+            let (torque, limit) = ((point.torque, 1), (point.most, 1));
+            let message = || {
+                msg!("turning.stalls-at-knob", percent = (percent, 0), diameter = (point.diameter, 1), torque, limit)
+            };
+            (point.torque > point.most).then(message)
+        });
     }
     let message = msg!(
         "turning.cut-stalls",
@@ -385,7 +392,7 @@ fn stronger_stage(lathe: &TurningSpindle) -> Option<u8> {
         let d = Derived::new(&p, output, &lathe.dialect.spindle());
         let as_fast = |now: f64, before: f64| (now - before).abs() <= 1e-9 * before.abs();
         d.torque <= d.torque_available
-            && as_fast(d.speed_largest, lathe.d.speed_largest)
+            && as_fast(d.speed_largest_cut, lathe.d.speed_largest_cut)
             && as_fast(d.speed_smallest, lathe.d.speed_smallest)
     });
     found.map(|((number, _), _)| number)

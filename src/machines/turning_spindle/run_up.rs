@@ -1,5 +1,6 @@
 //! The spindle in the gear stage of the program, its highest speed, and verdicts about ramp and positioning.
 
+use super::derive::Derived;
 use super::params::FIELDS;
 use super::resolved::TurningSpindle;
 use crate::drives::MainSpindle;
@@ -12,7 +13,11 @@ use crate::view::Limit::AtMost;
 
 /// Highest speed of the program, r/min.
 pub(super) fn highest(lathe: &TurningSpindle) -> f64 {
-    lathe.d.speed_largest.max(lathe.d.speed_smallest)
+    highest_of(&lathe.d)
+}
+
+fn highest_of(d: &Derived) -> f64 {
+    d.speed_largest.max(d.speed_smallest)
 }
 
 /// The spindle in the program's gear stage.
@@ -44,5 +49,6 @@ pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// The form's ramp against the shortest one.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
-    main_spindle::judge_ramp(&engaged(lathe), highest(lathe), (FIELDS, "spindle-ramp"))
+    let at_knob = lathe.at_highest_knob().map(|(percent, fast)| (percent, highest_of(fast)));
+    main_spindle::judge_ramp(&engaged(lathe), highest(lathe), at_knob, (FIELDS, "spindle-ramp"))
 }

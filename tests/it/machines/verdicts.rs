@@ -279,6 +279,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.effective-torque", "a deed: another motor, with all of its data"),
     ("ribbon.inertia-ratio", "a deed: another gear or motor"),
     ("ribbon.peak-torque-motor", "a deed: another motor or gear"),
+    ("turning.stalls-at-knob", "a deed: the operator keeps the knob below, or less feed"),
     ("ribbon.feed-above-limit", "a fact; the speed behind it has the button"),
     ("ribbon.few-volts", "a fact: the speed is the product's"),
     ("ribbon.knob-stops", "a fact; the speed behind it has the button"),
