@@ -29,6 +29,12 @@ pub fn no_load_speed(rated_speed: f64, frequency: f64) -> f64 {
     60.0 * frequency / (60.0 * RATED_FREQUENCY / rated_speed).floor().max(1.0)
 }
 
+/// Share (0 to 1) of its torque that a motor gives at `x` times its rated frequency: `1 / x` above it, where the inverter has no more voltage
+/// and the power stays. Source: sizing facts 2.10.
+pub fn field_weakening_share(x: f64) -> f64 {
+    if x > 1.0 { 1.0 / x } else { 1.0 }
+}
+
 /// Share (0.5 to 1) of its continuous torque that a motor with a fan on its shaft gives at `x` times its rated speed or frequency:
 /// `0.5 + 0.5 x`, because the fan turns with the rotor (IC 411). Source: sizing facts 2.10, from memory.
 pub fn shaft_fan_torque_share(x: f64) -> f64 {

@@ -24,6 +24,7 @@ mod report;
 mod restart;
 mod ribbon_contacts;
 mod ribbon_controls;
+mod ribbon_edges;
 mod ribbon_endless;
 mod ribbon_holds;
 mod ribbon_knob;

@@ -4,12 +4,16 @@ use super::derive::Derived;
 use super::mechanics::unwinder_load;
 use super::params::{FIELDS, PathMode};
 use super::resolved::RibbonLine;
+use super::rules_of_slack as slack;
 use crate::drives::{load, web};
 use crate::machines::verdict::{Judgement, fail, ok, up};
 use crate::math::RPM;
 use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
+
+/// Step (Nm) to which a proposed brake is rounded up. Engineering choice.
+const BRAKES: f64 = 0.5;
 
 /// Moment of inertia (kg m²) of all rotating parts at the motor's shaft, with the reel.
 fn inertia(line: &RibbonLine) -> f64 {
@@ -94,10 +98,12 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     let left = 2.0 * (capacity - laid_before(line) + lag) / speed - 2.0 * rest + stop;
     if left > 0.0 {
         let torque = load::braking(inertia(line), line.fast.actual_speed * RPM, left);
-        let set = up(FIELDS, "unwinder-motor-brake", torque - line.mechanics.unwinder);
+        let brake = ((torque - line.mechanics.unwinder) / BRAKES).ceil() * BRAKES;
+        let set = up(FIELDS, "unwinder-motor-brake", brake);
         advice.push(Advice::from(said.clone()).setting(msg!("advice.set-motor-brake", torque = set.1.as_str()), [set]));
     }
-    let set = up(FIELDS, "loop-capacity", needed);
-    advice.push(Advice::from(said).setting(msg!("advice.set-loop", capacity = set.1.as_str()), [set]));
+    // The first advice says what happens.
+    let said = if advice.is_empty() { said } else { msg!("ribbon.coasting-fills", needed = (needed.ceil(), 0)) };
+    advice.push(slack::with_loop(said.into(), needed, Vec::new()));
     fail(limit, advice)
 }

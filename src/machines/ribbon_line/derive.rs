@@ -352,7 +352,7 @@ impl Derived {
             slack_interruption: slack.interruption,
             loop_needed: slack.needed(),
             loop_time: slack.loop_time,
-            draw_tension: web::draw_tension(p.youngs_modulus, area, (-slack.error.min(slack.error_rated)).max(0.0)),
+            draw_tension: web::draw_tension(p.youngs_modulus, area, slack.draw(p)),
             missing: slack.missing(),
             start_tension: start_tension(p, area, slack.missing()),
             tension_limit: 0.5 * p.tensile_strength * area,
@@ -597,6 +597,11 @@ impl Slack {
     /// until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.
     fn needed(&self) -> f64 {
         self.start.abs() + self.run.abs() + self.stop.abs() + self.interruption
+    }
+
+    /// Draw (part) of X against an unwinder that is slower than commanded; 0 where X follows the measured speed.
+    fn draw(&self, p: &Params) -> f64 {
+        if p.in_step() { 0.0 } else { (-self.error.min(self.error_rated)).max(0.0) }
     }
 
     /// Ribbon (mm) missing after start or restart with an empty loop.

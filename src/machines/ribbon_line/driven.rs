@@ -3,7 +3,7 @@
 use super::mechanics::{ServoAxis, unwinder_load};
 use super::pose::LineState;
 use super::resolved::RibbonLine;
-use super::rules_of_drives::SHORT_TIME;
+use super::unwinder_motor::SHORT_TIME;
 use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, Move};
 use crate::drives::web;

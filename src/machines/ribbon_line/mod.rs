@@ -55,6 +55,7 @@ mod ladder;
 mod plc;
 
 mod stops;
+mod unwinder_motor;
 
 mod scene;
 

@@ -3,7 +3,6 @@
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control, ParamRole, VarKind};
-use crate::drives::cage_motor::{RATED_FREQUENCY, shaft_fan_torque_share};
 use crate::drives::derating::Site;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
@@ -354,14 +353,6 @@ fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
     let lathe = control.axes.iter().any(|axis| axis.letter == PULL && axis.diameter);
     let axes = [PrintAxis::Y, PrintAxis::C, PrintAxis::Z].into_iter().take(if lathe { 3 } else { 1 });
     axes.filter(|axis| control.axis(axis.address()).is_some())
-}
-
-impl UnwindingParams {
-    /// Continuous torque (Nm) of its motor at a frequency in Hz, derated for the site and for a fan on its shaft.
-    pub(super) fn continuous(&self, frequency: f64) -> f64 {
-        let cooled = if self.forced_cooling { 1.0 } else { shaft_fan_torque_share(frequency / RATED_FREQUENCY) };
-        self.torque * self.site_share / 100.0 * cooled
-    }
 }
 
 impl Params {

@@ -60,7 +60,8 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "override-limit", label: "ribbon.readout.override-limit", unit: "%", decimals: 1,
         formula: "100 · #116 / #100",
-        cite: Citation::new("sizing facts D20", Grade::Inferred), value: |line| line.d.override_limit, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts D20", Grade::Inferred), value: |line| line.d.override_limit,
+        shown: |line| line.d.override_limit < line.highest_position(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-stroke", label: "ribbon.readout.y-stroke", unit: "mm", decimals: 6,

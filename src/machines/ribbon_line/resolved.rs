@@ -85,6 +85,21 @@ impl RibbonLine {
             .fold(&self.d, |worst, next| if of(next) > of(worst) { next } else { worst })
     }
 
+    /// Highest position (%) of the knob that the line takes.
+    pub(super) fn highest_position(&self) -> f64 {
+        self.dialect.spindle().knob.high.min(GREATEST)
+    }
+
+    /// Frequency (Hz) of the unwinder's motor at the lowest position of the knob at which it turns, at most the present one.
+    pub(super) fn lowest_frequency(&self) -> f64 {
+        let (p, now) = (&self.p, self.d.frequency);
+        if now <= 0.0 || p.knob_is_locked() {
+            return now;
+        }
+        let lowest = self.dialect.spindle().knob.lowest_turning() / 100.0;
+        now.min(p.frequency_at_10v * p.spindle_speed * lowest / p.speed_at_10v)
+    }
+
     /// Positions and sizes in the drawing.
     pub(super) fn layout(&self) -> &Layout {
         self.layout.get_or_init(|| {

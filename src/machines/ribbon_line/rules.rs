@@ -69,6 +69,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
         slack::stiff_web,
         Citation::new("sizing facts 2.6, engineering choice; rule 12", Grade::Inferred),
     ),
+    Rule::new("speed-error", feeds::stalls_at_load, Citation::new("sizing facts D6", Grade::Inferred)),
+    Rule::new("speed-error-rated", feeds::stalls_when_rated, Citation::new("sizing facts D8", Grade::Inferred)),
     Rule::new("pi-drift", product::pi, Citation::new("sizing facts D21; rule 14", Grade::Inferred)),
     Rule::new("thickness-error", product::thickness, Citation::new("sizing facts D22; rule 14", Grade::Inferred)),
     Rule::new(
@@ -119,6 +121,9 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     }
     if line.in_step() && !p.spindle_encoder {
         found.push(Diagnostic::error(msg!("ribbon.no-encoder")).about("spindle-encoder"));
+    }
+    if line.form.path_mode != p.path_mode {
+        found.push(Diagnostic::info(msg!("ribbon.no-exact-stop", control = line.control.name)).about("path-mode"));
     }
     if p.no_load_speed < p.rated_load_speed {
         let (no_load, rated) = ((p.no_load_speed, 1), (p.rated_load_speed, 1));

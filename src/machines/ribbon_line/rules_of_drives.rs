@@ -6,6 +6,8 @@ use super::mechanics::ServoAxis;
 use super::params::FIELDS;
 use super::resolved::RibbonLine;
 use super::rules_of_slack as slack;
+use super::unwinder_motor::SHORT_TIME;
+use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::machines::devices::forced_cooling_advice;
 use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, near, ok, up, warn};
 use crate::msg;
@@ -34,9 +36,6 @@ const GRIP: f64 = 50.0;
 /// Difference (% of the rated torque) between the load of the form and that of brake and friction from which it is reported: a twentieth of
 /// the slip. Engineering choice.
 const LOAD: f64 = 5.0;
-
-/// Short-time torque of a motor on an inverter as a share of its rated torque. Source: parts, FREQROL-E800, 150 % for 60 s.
-pub(super) const SHORT_TIME: f64 = 1.5;
 
 /// Limit with the knob at its highest position, scaled to its present position by the results there (`fast`) and here (`now`).
 pub(super) fn here(limit: f64, now: f64, fast: f64) -> f64 {
@@ -153,17 +152,23 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     if fast > 100.0 { fail(limit, advice) } else { warn(limit, advice) }
 }
 
-/// The steady torque is the same at every speed, and the fan on the motor's shaft cools least with the knob at its lowest position.
+/// The steady torque is the same at every speed: the fan on the motor's shaft cools least with the knob at its lowest position, and the field
+/// is weakest at its highest.
 fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let (torque, p) = (line.mechanics.unwinder, &line.p);
-    let frequency = line.slow.frequency.min(line.d.frequency);
-    let most = p.unwinding.continuous(frequency);
-    let limit = AtMost(most);
+    let (slow, fast) = (line.lowest_frequency(), line.fast.frequency);
+    let (most, at_fast) = (p.unwinding.continuous(slow), p.unwinding.continuous(fast));
+    let limit = AtMost(most.min(at_fast));
     if limit.holds(torque) {
         return ok(limit);
     }
+    if at_fast < most {
+        let said = msg!("ribbon.field-weakening", frequency = (fast, 1), torque = (torque, 2), limit = (at_fast, 2));
+        return fail(limit, [said.into()]);
+    }
+    let frequency = slow;
     let mut advice = Vec::new();
-    if most < p.unwinding.continuous(f64::INFINITY) {
+    if most < p.unwinding.continuous(RATED_FREQUENCY) {
         let said = msg!("ribbon.shaft-fan", frequency = (frequency, 1), torque = (torque, 2), limit = (most, 2));
         advice.push(forced_cooling_advice("unwinder-forced-cooling", said));
     }
@@ -186,7 +191,7 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
 fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
     let (p, torque, steady) = (&line.p, line.mechanics.unwinder_braking, line.mechanics.unwinder);
     let percent = p.unwinding.motor_braking;
-    let most = p.unwinding.torque * percent / 100.0;
+    let most = p.unwinding.short_time(percent / 100.0, line.fast.frequency);
     let limit = AtMost(most);
     if limit.holds(torque) {
         return ok(limit);
@@ -199,7 +204,7 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
         let seconds: f64 = set.1.parse().unwrap_or(ramp);
         advice.push(Advice::from(said.clone()).setting(msg!("advice.set-ramp", time = (seconds, 2)), [set]));
     }
-    let asked = 100.0 * torque / p.unwinding.torque;
+    let asked = 100.0 * torque / p.unwinding.short_time(1.0, line.fast.frequency);
     if asked <= 100.0 * SHORT_TIME {
         let set = up(FIELDS, "unwinder-motor-braking", asked);
         let button = msg!("advice.set-braking", percent = set.1.as_str());
@@ -211,10 +216,11 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
-/// Judges the inverter's ramp. Its torque is the same at every speed, because the ramp is set for the speed at 10 V.
+/// Judges the inverter's ramp. Its torque is the same at every speed, because the ramp is set for the speed at 10 V; that of the motor is least
+/// with the knob at its highest position.
 fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     let (p, torque, steady) = (&line.p, line.mechanics.unwinder_ramp, line.mechanics.unwinder);
-    let most = SHORT_TIME * p.unwinding.torque;
+    let most = p.unwinding.short_time(SHORT_TIME, line.fast.frequency);
     let limit = AtMost(most);
     if limit.holds(torque) {
         return ok(limit);

@@ -5,6 +5,7 @@ use super::params::{FIELDS, PathMode, Variant};
 use super::resolved::RibbonLine;
 use super::rules_of_slack::{with_dancer, worst_knob};
 use crate::controls::Code;
+use crate::drives::induction::Induction;
 use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
 use crate::msg;
 use crate::text::Message;
@@ -57,7 +58,7 @@ pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
         return p.override_stepped();
     }
     let share = share_of_feeds(line).min(fast.block_time / line.following(fast) / d.block_needed);
-    (100.0 * fast.actual_speed * share / p.spindle_speed).min(d.override_limit)
+    (100.0 * fast.actual_speed * share / p.spindle_speed).min(d.override_limit).min(line.highest_position())
 }
 
 /// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
@@ -172,6 +173,23 @@ pub(super) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
 
 pub(super) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
     motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
+}
+
+/// A motor stands that slips by its whole speed: at the load of the form, and at rated torque.
+fn stalls(line: &RibbonLine, error: f64, load: f64) -> Option<Judgement> {
+    if error > -1.0 {
+        return None;
+    }
+    let slip = Induction { load, ..line.p.induction() }.slip();
+    fail(AtLeast(-100.0), [msg!("ribbon.slips-to-rest", slip = (slip, 1), speed = (line.d.actual_speed, 1)).into()])
+}
+
+pub(super) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
+    stalls(line, line.d.speed_error, line.p.induction().load)
+}
+
+pub(super) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
+    stalls(line, line.d.speed_error_rated, 1.0)
 }
 
 /// Judges the time of a block against the time that the control needs for it, over the whole range of the knob: the limit of the present

@@ -3,10 +3,12 @@
 use super::derive::Derived;
 use super::params::{FIELDS, Params, PathMode, Variant, Wait};
 use super::resolved::{GREATEST, RibbonLine};
+use super::unwinder_motor::shortest_ramp;
 use crate::controls::Code;
 use crate::machines::verdict::{Judgement, fail, near, ok, up, warn};
 use crate::msg;
-use crate::text::Message;
+use crate::text::catalog::sentence;
+use crate::text::{Message, clauses};
 use crate::view::Advice;
 use crate::view::Limit::{AtMost, Equal, Within};
 
@@ -61,7 +63,12 @@ pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
 /// The shortest dwell (s) after which no start pulls the ribbon tight, with the knob at its highest position: each second lays `v` mm more.
 /// A feed per revolution follows the unwinder from standstill, and the best dwell is none.
 fn matching_dwell(line: &RibbonLine) -> (&'static str, String) {
-    let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..line.p.clone() });
+    dwell_for(line, &line.p)
+}
+
+/// That dwell for another form.
+fn dwell_for(line: &RibbonLine, p: &Params) -> (&'static str, String) {
+    let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
     let short = if line.in_step() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
     up(FIELDS, "dwell", short.max(0.0))
 }
@@ -71,11 +78,33 @@ pub(super) fn worst_loop(line: &RibbonLine) -> &Derived {
     line.worst(|d| d.loop_needed)
 }
 
-/// An advice with the entry of a loop that holds `needed` mm, where the form takes one so large.
-fn with_loop(advice: Advice, needed: f64, more: Vec<(&'static str, String)>) -> Advice {
+/// Longest loop (mm) that an advice offers: hanging free it is half as deep. Engineering choice.
+const LONGEST_LOOP: f64 = 5000.0;
+
+/// A change of the form: words of its button, and its entries.
+type Change = (Message, Vec<(&'static str, String)>);
+
+/// An advice whose button takes several changes and names each.
+fn taking(advice: Advice, changes: Vec<Change>) -> Advice {
+    let button = match &changes[..] {
+        [(only, _)] => only.clone(),
+        all => msg!("advice.several", changes = clauses(all.iter().map(|(button, _)| sentence(button)))),
+    };
+    advice.setting(button, changes.into_iter().flat_map(|(_, sets)| sets).collect::<Vec<_>>())
+}
+
+/// The loop that holds `needed` mm.
+fn longer_loop(needed: f64) -> Change {
     let set = up(FIELDS, "loop-capacity", needed);
-    let button = msg!("advice.set-loop", capacity = set.1.as_str());
-    advice.setting(button, more.into_iter().chain([set]).collect::<Vec<_>>())
+    (msg!("advice.set-loop", capacity = set.1.as_str()), vec![set])
+}
+
+/// An advice with further changes after which a product lays `needed` mm, and the loop for it; without a button where no such loop is built.
+pub(super) fn with_loop(advice: Advice, needed: f64, changes: Vec<Change>) -> Advice {
+    if needed > LONGEST_LOOP {
+        return advice;
+    }
+    taking(advice, changes.into_iter().chain([longer_loop(needed)]).collect())
 }
 
 /// Judges the ribbon that a product lays into the loop, with one interruption, against the loop's capacity, over the range of the knob.
@@ -96,23 +125,40 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
         hold = (d.slack_interruption, 0)
     );
     let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
-    let dwell = matching_dwell(line);
-    let wait = [("wait", "dwell".to_owned()), dwell.clone()];
-    let dwelt = Params { wait: Wait::Dwell, dwell: dwell.1.parse().unwrap_or(p.dwell), ..p.clone() };
-    let left = line.with(&dwelt).into_iter().map(|d| d.loop_needed).fold(0.0, f64::max);
+    let after = |form: &Params| line.with(form).into_iter().map(|d| d.loop_needed).fold(0.0, f64::max);
+    // An advice with changes of the waiting and the ramp, and the loop that they still ask.
+    let mut offer = |said: Message, left: f64, changes: Vec<Change>| {
+        let holds = left <= p.loop_capacity;
+        advice.push(if holds { taking(said.into(), changes) } else { with_loop(said.into(), left, changes) });
+    };
+    let (dwelt, dwell) = with_matching_dwell(line, p.clone());
+    let left = after(&dwelt);
     if left < d.loop_needed {
-        let message = msg!("ribbon.matching-dwell", time = dwell.1.as_str(), capacity = (left.ceil(), 0));
-        let button = msg!("advice.set-dwell", time = dwell.1.as_str());
-        advice.push(if left <= p.loop_capacity {
-            Advice::from(message).setting(button, wait)
-        } else {
-            with_loop(message.into(), left, wait.into())
-        });
+        let said = msg!("ribbon.matching-dwell", time = dwell.1[1].1.as_str(), capacity = (left.ceil(), 0));
+        offer(said, left, vec![dwell]);
+    }
+    let ramp = up(FIELDS, "inverter-ramp", shortest_ramp(line));
+    let seconds: f64 = ramp.1.parse().unwrap_or(f64::INFINITY);
+    if seconds < p.inverter_ramp {
+        let (steep, dwell) = with_matching_dwell(line, Params { inverter_ramp: seconds, ..p.clone() });
+        let shortest = after(&steep);
+        if shortest < left.min(d.loop_needed) {
+            let said = msg!("ribbon.shorter-ramp", time = ramp.1.as_str(), capacity = (shortest.ceil(), 0));
+            offer(said, shortest, vec![(msg!("advice.set-ramp", time = ramp.1.as_str()), vec![ramp]), dwell]);
+        }
     }
     if d.slack_run != 0.0 && !p.dancer {
         advice.push(with_dancer(msg!("ribbon.run-fills", length = (d.slack_run.abs(), 0))));
     }
     fail(limit, advice)
+}
+
+/// A form with the dwell that matches it, and the change to it.
+fn with_matching_dwell(line: &RibbonLine, form: Params) -> (Params, Change) {
+    let set = dwell_for(line, &form);
+    let dwell = set.1.parse().unwrap_or(form.dwell);
+    let button = msg!("advice.set-dwell", time = set.1.as_str());
+    (Params { wait: Wait::Dwell, dwell, ..form }, (button, vec![("wait", "dwell".to_owned()), set]))
 }
 
 /// Slack rate (mm/min) that an operator can watch and correct by hand: 50. Engineering choice.

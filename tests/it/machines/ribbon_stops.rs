@@ -369,12 +369,29 @@ fn loop_that_a_coasting_unwinder_overfills_is_red_and_mended() {
         assert_eq!((judged.verdict, judged.limit), (Verdict::Fail, Some(Limit::AtMost(capacity))), "{}", control.id);
         let fields: Vec<_> = judged.advice.iter().map(|advice| advice.sets[0].0).collect();
         assert_eq!(fields, ["unwinder-motor-brake", "loop-capacity"], "{}", control.id);
-        // No more is offered than is needed.
-        for (advice, least) in judged.advice.iter().zip([capacity - 25.0, needed - 0.1]) {
+        // The loop is not longer than needed; brakes are offered in steps of 0.5 Nm.
+        for (advice, least) in judged.advice.iter().zip([0.0, needed - 0.1]) {
             let mended = readout(&project.with_entries(&advice.sets).unwrap(), "loop-coasting");
             assert_eq!(mended.verdict, Verdict::Ok, "{} {:?}", control.id, advice.sets);
             assert!(mended.value > least, "{} {:?}: {}", control.id, advice.sets, mended.value);
         }
+    }
+}
+
+#[test]
+fn brake_is_offered_in_sizes_that_are_sold() {
+    for control in controls() {
+        let brake = |capacity: f64| {
+            let project = line(control.id, &[("loop-capacity", &capacity.to_string())]);
+            let judged = readout(&project, "loop-coasting");
+            let set =
+                judged.advice.iter().flat_map(|advice| &advice.sets).find(|(id, _)| *id == "unwinder-motor-brake");
+            set.unwrap().1.parse::<f64>().unwrap()
+        };
+        let needed = readout(&line(control.id, &[]), "loop-coasting").value.floor();
+        assert_eq!(brake(needed - 1.0), 0.5, "{}", control.id);
+        let strong = brake(needed - 60.0);
+        assert!(strong >= 0.5 && strong % 0.5 == 0.0, "{}: {strong}", control.id);
     }
 }
 

@@ -116,7 +116,8 @@ fn air_beside_the_stock_asks_no_torque() {
         ("start-x", "200"),
     ];
     let facing = [("stock-diameter", "20"), ("finished-diameter", "4"), ("clearance", "20")];
-    let torque = |cut: &[(&'static str, &'static str)]| result(&project("gsk-980tdc", &[cut, &force].concat()), "torque");
+    let torque =
+        |cut: &[(&'static str, &'static str)]| result(&project("gsk-980tdc", &[cut, &force].concat()), "torque");
     near(torque(&taper), 1000.0 * 98.0 / 2000.0 + 2.0, 1e-6);
     near(torque(&facing), 1000.0 * 20.0 / 2000.0 + 2.0, 1e-6);
 }

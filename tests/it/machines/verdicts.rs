@@ -280,6 +280,8 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.inertia-ratio", "a deed: another gear or motor"),
     ("ribbon.peak-torque-motor", "a deed: another motor or gear"),
     ("turning.stalls-at-knob", "a deed: the operator keeps the knob below, or less feed"),
+    ("ribbon.field-weakening", "a deed: another gear or motor"),
+    ("ribbon.slips-to-rest", "a deed: another gear or inverter"),
     ("ribbon.feed-above-limit", "a fact; the speed behind it has the button"),
     ("ribbon.few-volts", "a fact: the speed is the product's"),
     ("ribbon.knob-stops", "a fact; the speed behind it has the button"),
@@ -401,7 +403,9 @@ fn buttons_of_the_defaults_of_the_ribbon_line() {
         buttons(&line, "loop-needed"),
         [
             "Set a loop of 1838.4 mm: loop-capacity=1838.4".to_owned(),
-            format!("Set a loop of 1133.5 mm: wait=dwell dwell={dwell} loop-capacity=1133.5"),
+            format!("Set a dwell of {dwell} s; Set a loop of 1133.5 mm: wait=dwell dwell={dwell} loop-capacity=1133.5"),
+            "Set a ramp of 0.558 s; Set a dwell of 0.149 s; Set a loop of 572 mm: inverter-ramp=0.558 wait=dwell dwell=0.149 loop-capacity=572"
+                .to_owned(),
         ]
     );
 }
