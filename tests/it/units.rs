@@ -210,7 +210,7 @@ fn verdicts_in_inches_have_converted_limits() {
         -  Far half axis of the path                      3.9370 in
         ok  Orientation error                               0.000 °  (within ±0.05)
         -  Tool ahead of the work after coasting without drives           -480 °
-        Without supply no drive holds the ratio: at a power failure work and tool coast, and the tool ends -480° ahead of where the ratio wants it. An insert in the cut takes the corners off. Retract the slide, discard the part, begin anew.
+        Without supply no drive holds the ratio: at a power failure work and tool coast, and the tool ends 480° off its angle in the ratio. An insert in the cut takes the corners off. Retract the slide, discard the part, begin anew.
         ok  F of roughing                                    3.94 in/min  (at most 236.22)
         ok  F of finishing                                   1.97 in/min  (at most 236.22)
         ok  Free length needed                             0.6693 in

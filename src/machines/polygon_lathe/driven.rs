@@ -24,7 +24,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
         let (gear, efficiency) = (teeth / motor_teeth, p.drive_efficiency / 100.0);
         let drive = p.drive(axis);
         let rated = drive.motor.torque(0.0) / (gear * efficiency);
-        let at_motor = |kind| through_gear(lathe.demand(axis, kind).0, gear, efficiency);
+        let at_motor = |kind| through_gear(lathe.demand(axis, kind).0 + drive.friction, gear, efficiency);
         let (mean, peak) = (at_motor(DemandKind::Mean), at_motor(DemandKind::Peak));
         // The form has torque and inertia at the output of the gear, rotor included; its torque already includes the losses of the gear.
         let motor = Servo {

@@ -2,6 +2,7 @@
 
 use super::params::Params;
 use crate::drives::cutting::kienzle;
+use crate::drives::inertia::through_gear;
 use crate::drives::polygon::{cut, load};
 use crate::drives::spindle_motor::{MotorCurve, shortest_ramp};
 use crate::machines::materials::Kienzle;
@@ -50,6 +51,8 @@ pub(super) struct AxisMotor {
     pub ramp: f64,
     /// Position gain, 1/s.
     pub gain: f64,
+    /// Friction (Nm) at the axis beside the cut.
+    pub friction: f64,
 }
 
 impl CutLoad {
@@ -101,6 +104,21 @@ impl Params {
         all
     }
 
+    /// The main spindle turns an end of the bar.
+    pub(super) fn turns_ends(&self) -> bool {
+        self.turned_ends.iter().any(|end| end.on)
+    }
+
+    /// Moment of inertia (kg m²) of the main motor's rotor at the spindle.
+    pub(super) fn main_rotor_at_spindle(&self) -> f64 {
+        through_gear(self.main.rotor, self.main.speed / self.main.motor_top)
+    }
+
+    /// Moment of inertia (kg m²) that the work axis turns: the main motor, where there is one, stays on the spindle.
+    pub(super) fn spindle_inertia(&self) -> f64 {
+        self.work_inertia + if self.turns_ends() { self.main_rotor_at_spindle() } else { 0.0 }
+    }
+
     /// The motor of an axis, through the gear.
     pub(super) fn drive(&self, axis: PolygonAxis) -> AxisMotor {
         let (kilowatts, base, ratio, speed) = match axis {
@@ -112,18 +130,20 @@ impl Params {
             }
         };
         let (inertia, milliseconds, gain) = match axis {
-            PolygonAxis::Work => (self.work_inertia, self.work_time_constant, self.work_gain),
+            PolygonAxis::Work => (self.spindle_inertia(), self.work_time_constant, self.work_gain),
             PolygonAxis::Tool => (self.tool_inertia, self.tool_time_constant, self.tool_gain),
         };
+        let friction = if axis == PolygonAxis::Work && self.turns_ends() { self.main.friction } else { 0.0 };
         let motor = MotorCurve::new(kilowatts, self.drive_efficiency / 100.0, (base, base), base * ratio);
-        AxisMotor { speed, motor, inertia, ramp: milliseconds / 1000.0, gain }
+        AxisMotor { speed, motor, inertia, ramp: milliseconds / 1000.0, gain, friction }
     }
 
-    /// Torque (Nm) that the drive gives at its speed: continuously at its site, and for a short time.
+    /// Torque (Nm) that the drive gives at its speed beside friction: continuously at its site, and for a short time.
     pub(super) fn torques(&self, axis: PolygonAxis) -> (f64, f64) {
         let drive = self.drive(axis);
         let rated = drive.motor.torque(drive.speed);
-        (rated * self.site_share / 100.0, rated * self.drive_peak / 100.0)
+        let left = |percent: f64| (rated * percent / 100.0 - drive.friction).max(0.0);
+        (left(self.site_share), left(self.drive_peak))
     }
 
     /// The shortest ramp (s) of an axis that its drive has the torque for.

@@ -33,7 +33,7 @@ impl Params {
             speed_at_10v: main.speed,
             ramp: main.ramp,
             load_at_spindle: Load {
-                inertia: self.work_inertia + inertia_through_gear(main.rotor, main.speed / main.motor_top),
+                inertia: self.work_inertia + self.main_rotor_at_spindle(),
                 torque: main.friction,
                 efficiency: 1.0,
             },
@@ -65,7 +65,7 @@ impl PolygonLathe {
 
     /// The program turns the bar by its main spindle.
     pub(super) fn has_main_spindle(&self) -> bool {
-        self.turned_ends().next().is_some()
+        self.p.turns_ends()
     }
 
     /// Torque (Nm) of cut and friction at a turned end, at the stock's diameter: `F D / 2000 + M_f`. Source: turning spindle facts, 4.
@@ -141,8 +141,22 @@ fn at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
             let (torque, shown) = ((torque, 1), (most, 1));
             warn(AtMost(limit), [msg!("lathe.torque-at-knob", percent = (percent, 0), torque, limit = shown).into()])
         }
-        None => ok(AtMost(limit)),
+        None => with_slow_fan(lathe).or_else(|| ok(AtMost(limit))),
     }
+}
+
+/// A cut that the motor carries at the speed of the form: a warning where it does not with the knob at its lowest position, because the fan on
+/// the motor's shaft cools less there.
+fn with_slow_fan(lathe: &PolygonLathe) -> Option<Judgement> {
+    let (p, percent) = (&lathe.p, lathe.dialect.spindle().knob.lowest_turning());
+    let curve = p.main_continuous();
+    let least = |end: &TurnedEnd| curve.torque(end.speed * percent / 100.0);
+    let (end, _) = lathe.turned_ends().find(|(end, _)| lathe.end_torque(end) > least(end))?;
+    let (torque, least) = (lathe.end_torque(end), least(end));
+    let speed = (end.speed * percent / 100.0 * p.main_gear(), 0);
+    let (percent, torque, shown) = ((percent, 0), (torque, 1), (least, 1));
+    let said = msg!("lathe.shaft-fan-at-knob", percent, speed, torque, limit = shown);
+    warn(AtMost(curve.torque(end.speed)), [forced_cooling_advice("main-forced-cooling", said)])
 }
 
 /// The greatest speed of the turned ends against that of the work axis, whose motor runs along.
@@ -183,7 +197,8 @@ pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
         rotor: p.main.rotor,
         gear: None,
         full: None,
-        cooled_at: (!p.main.forced_cooling).then_some(end.speed * gear),
+        cooled_at: (!p.main.forced_cooling)
+            .then(|| end.speed * gear * lathe.dialect.spindle().knob.lowest_turning().min(100.0) / 100.0),
         fields: None,
     })
 }

@@ -373,10 +373,10 @@ fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
 fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
     if !lathe.p.coasts(lathe.control) {
         // A fact about the supply, no fault of the form.
-        let advice = vec![msg!("polygon.coasts-without-supply", angle = (lathe.d.coast_phase, 0)).into()];
+        let advice = vec![msg!("polygon.coasts-without-supply", angle = (lathe.d.coast_phase.abs(), 0)).into()];
         return Some(Judgement { verdict: Verdict::None, limit: None, advice });
     }
-    let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.coast_phase, 0)));
+    let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.coast_phase.abs(), 0)));
     warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held".to_owned())])])
 }
 
@@ -435,7 +435,7 @@ fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<
         advice.push(Advice::from(said.clone()).setting(button, [set]));
     }
     let set = down(FIELDS, speed, end.speed * p.clearance / needed);
-    let slower = Advice::from(said);
+    let slower = Advice::from(if advice.is_empty() { said } else { msg!("polygon.slower-thread") });
     let fits = set.1.parse().is_ok_and(|rpm: f64| rpm >= 1.0);
     advice.push(if fits { slower.setting(msg!("advice.set-speed", speed = set.1.as_str()), [set]) } else { slower });
     fail(limit, advice)

@@ -40,7 +40,7 @@ pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
     }
     let speed = (motor_speed(lathe, slow), 0);
     let (percent, torque, shown) = ((percent, 0), (slow.torque, 1), (limit, 1));
-    let said = msg!("turning.shaft-fan-at-knob", percent, speed, torque, limit = shown);
+    let said = msg!("lathe.shaft-fan-at-knob", percent, speed, torque, limit = shown);
     warn(AtMost(d.torque_available), [forced_cooling_advice(FIELD, said)])
 }
 

@@ -314,7 +314,7 @@ fn power_failure_loses_the_ratio_with_held_drives_too() {
         let sheets = lathe.prepared().sheets();
         let stops = sheets.iter().find(|sheet| sheet.id == "stops").expect("a table");
         let told = stops.rows.iter().find(|row| row.cells[0] == "Power failure").expect("a row").cells.join(" ");
-        assert!(told.contains("-840°") && told.contains("discard the part"), "{told}");
+        assert!(told.contains(" 840° off its angle") && told.contains("discard the part"), "{told}");
         assert!(told.contains("coast"), "{told}");
     }
 }
