@@ -43,6 +43,10 @@ pub struct Acceptance {
     pub effective: f64,
 }
 
+/// Ratio of inertias above which the dynamic brake of none of the listed motors stops the load without burning: the greatest figure of their maker.
+/// Source: sizing facts 2.3, J4DB.
+pub const DYNAMIC_BRAKE_RATIO: f64 = 35.0;
+
 /// Highest share of the stall torque for holding a weight. Source: sizing facts 2.3, SPJ188.
 pub const WEIGHT_SHARE: f64 = 0.6;
 

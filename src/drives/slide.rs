@@ -2,7 +2,16 @@
 
 use super::inertia::{self, Cylinder};
 use super::load::{Load, through_gear};
-use crate::math::{self, PI};
+use crate::math::{self, PI, RPM};
+
+/// Eigenvalue of a bar's first bending between a fixed bearing and a supporting one.
+const FIXED_SUPPORTED: f64 = 3.9266;
+/// Root diameter of a ball screw over its nominal one. Engineering choice.
+const ROOT: f64 = 0.85;
+/// Share of the critical speed that a screw may reach. Source: sizing facts 2.13, from memory.
+const BELOW_CRITICAL: f64 = 0.8;
+/// Modulus of elasticity of steel, N/m².
+const ELASTICITY: f64 = 206e9;
 
 /// Standard acceleration of gravity, m/s². Source: ISO 80000-3.
 const GRAVITY: f64 = 9.80665;
@@ -27,6 +36,14 @@ pub struct Slide {
 }
 
 impl Slide {
+    /// Speed (r/min) that its screw may reach: 0.8 of the first critical speed of bending, `0.8 · 30 / π · λ² d / (4 L²) · √(E / ρ)`, with the root
+    /// diameter d, the whole length L between a fixed bearing and a supporting one. Source: sizing facts 2.13.
+    pub fn highest_screw_speed(&self) -> f64 {
+        let Cylinder { outer, length, density, .. } = self.screw;
+        let bending = FIXED_SUPPORTED * FIXED_SUPPORTED * ROOT * outer / (4.0 * length * length);
+        BELOW_CRITICAL * bending * (ELASTICITY / density).sqrt() / RPM
+    }
+
     /// Load at the motor's shaft: `(J_S + m (h / 2π)²) / i²`, and the torque of the friction. Source: a slide of mass m moves with the
     /// screw as a mass on the radius h / 2π.
     pub fn load(&self) -> Load {

@@ -36,6 +36,7 @@ mod ribbon_stops;
 mod ribbon_synchronism;
 mod scenes;
 mod sensitivity;
+mod slides;
 mod standstill;
 mod sweep;
 mod toy;

@@ -226,9 +226,11 @@ fn verdicts_in_inches_have_converted_limits() {
         ok  Work drifts by its scaling                     0.0000 µ°/°  (at most 1)
         ok  Tool drifts by its scaling                     0.0000 µ°/°  (at most 1)
         ok  Speed at rapid traverse, motor X               1200.0 r/min  (at most 3000)
+        ok  Speed of the screw at rapid traverse, X         1200.0 r/min  (at most 16412.033)
         -  Load inertia at motor X                        4.9904 kg cm²
         ok  Torque in the cut, motor X                      0.564 Nm  (at most 3.84)
         ok  Speed at rapid traverse, motor Z               1600.0 r/min  (at most 3000)
+        ok  Speed of the screw at rapid traverse, Z         1600.0 r/min  (at most 5128.76)
         -  Load inertia at motor Z                       21.3123 kg cm²
         ok  Torque in the cut, motor Z                      0.608 Nm  (at most 3.84)"#]]
     .assert_eq(&lines.join("\n"));

@@ -8,6 +8,7 @@ use super::resolved::RibbonLine;
 use super::rules_of_slack as slack;
 use super::unwinder_motor::SHORT_TIME;
 use crate::drives::cage_motor::RATED_FREQUENCY;
+use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
 use crate::machines::devices::forced_cooling_advice;
 use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, near, ok, up, warn};
 use crate::msg;
@@ -116,6 +117,10 @@ fn inertia(axis: &ServoAxis) -> Option<Judgement> {
     let (limit, ratio) = (AtMost(axis.limits.inertia_ratio), axis.shares().inertia_ratio);
     if limit.holds(ratio) {
         return ok(limit);
+    }
+    if ratio > DYNAMIC_BRAKE_RATIO {
+        let (brakes, most) = ((DYNAMIC_BRAKE_RATIO, 0), (axis.limits.inertia_ratio, 1));
+        return fail(limit, [msg!("slides.inertia-burns-brake", ratio = (ratio, 1), brakes, limit = most).into()]);
     }
     warn(
         limit,

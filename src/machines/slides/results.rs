@@ -4,6 +4,7 @@ use core::marker::PhantomData;
 
 use super::servo::{HasSlides, ServoSlide};
 use crate::drives::inertia::CM2;
+use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
 use crate::machines::verdict::{self, Judgement, ReadoutRow, Rule, down, fail, maximum, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
@@ -37,6 +38,11 @@ impl<M: HasSlides> Of<M> {
             cite: MECHANICS, value: |machine| x(machine).rapid_speed(), ..ReadoutRow::BASE
         },
         ReadoutRow {
+            id: "x-screw-speed", label: "slides.readout.x-screw-speed", unit: "r/min", decimals: 1,
+            formula: "rapid traverse / lead",
+            cite: MECHANICS, value: |machine| x(machine).screw_speed(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
             id: "x-load-inertia", label: "slides.readout.x-load-inertia", unit: "kg cm²", decimals: 4,
             formula: "(π / 32 · ρ · l · d⁴ + m · (h / 2π)²) / i²",
             cite: MECHANICS, value: |machine| x(machine).slide.load().inertia / CM2, ..ReadoutRow::BASE
@@ -67,6 +73,11 @@ impl<M: HasSlides> Of<M> {
             cite: MECHANICS, value: |machine| z(machine).rapid_speed(), ..ReadoutRow::BASE
         },
         ReadoutRow {
+            id: "z-screw-speed", label: "slides.readout.z-screw-speed", unit: "r/min", decimals: 1,
+            formula: "rapid traverse / lead",
+            cite: MECHANICS, value: |machine| z(machine).screw_speed(), ..ReadoutRow::BASE
+        },
+        ReadoutRow {
             id: "z-load-inertia", label: "slides.readout.z-load-inertia", unit: "kg cm²", decimals: 4,
             formula: "(π / 32 · ρ · l · d⁴ + m · (h / 2π)²) / i²",
             cite: MECHANICS, value: |machine| z(machine).slide.load().inertia / CM2, ..ReadoutRow::BASE
@@ -91,6 +102,8 @@ impl<M: HasSlides> Of<M> {
     const RULES: &'static [Rule<M>] = &[
         Rule::new("x-motor-speed", |machine| speed::<M>(&x(machine), "rapid-x"), MOTOR),
         Rule::new("z-motor-speed", |machine| speed::<M>(&z(machine), "rapid-z"), MOTOR),
+        Rule::new("x-screw-speed", |machine| whirl::<M>(&x(machine), "rapid-x"), SCREW),
+        Rule::new("z-screw-speed", |machine| whirl::<M>(&z(machine), "rapid-z"), SCREW),
         Rule::new("x-inertia-ratio", |machine| inertia(&x(machine)), LIMITS),
         Rule::new("z-inertia-ratio", |machine| inertia(&z(machine)), LIMITS),
         Rule::new("x-peak-torque", |machine| rapid::<M>(&x(machine)), LIMITS),
@@ -103,6 +116,9 @@ impl<M: HasSlides> Of<M> {
 
 /// Source of the highest speed of a motor.
 const MOTOR: Citation = Citation::new("data sheet of the motor", Grade::Inferred);
+
+/// Source of the highest speed of a screw.
+const SCREW: Citation = Citation::new("sizing facts 2.13", Grade::Open);
 
 /// Source of the limits of torque and inertia.
 const LIMITS: Citation = Citation::new("sizing facts 2.3", Grade::Inferred);
@@ -117,12 +133,27 @@ fn speed<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgem
     fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.1.as_str()), [set])])
 }
 
+/// A screw near its critical speed of bending whirls.
+fn whirl<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgement> {
+    let (speed, most) = (slide.screw_speed(), slide.slide.highest_screw_speed());
+    if speed <= most {
+        return ok(AtMost(most));
+    }
+    let set = down(M::fields(), field, slide.rapid * most / speed);
+    let advice = Advice::from(msg!("slides.screw-whirls", speed = (speed, 0), limit = (most, 0)));
+    fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.1.as_str()), [set])])
+}
+
 fn inertia(slide: &ServoSlide) -> Option<Judgement> {
     let (ratio, most) = (slide.inertia_ratio(), slide.limits.inertia_ratio);
     if ratio <= most {
         return ok(AtMost(most));
     }
     let (shown, limit) = ((ratio, 1), (most, 1));
+    if ratio > DYNAMIC_BRAKE_RATIO {
+        let brakes = (DYNAMIC_BRAKE_RATIO, 0);
+        return fail(AtMost(most), [msg!("slides.inertia-burns-brake", ratio = shown, brakes, limit).into()]);
+    }
     // The limit of the form, or that of many starts.
     let said = match most < slide.form_inertia_limit {
         true => msg!("slides.inertia-at-starts", ratio = shown, starts = (slide.starts_per_minute, 0), limit),

@@ -124,6 +124,11 @@ impl ServoSlide {
         }
     }
 
+    /// Speed (r/min) of the screw at rapid traverse.
+    pub(super) fn screw_speed(&self) -> f64 {
+        self.rapid / 1e3 / self.slide.lead
+    }
+
     /// Load inertia over rotor inertia.
     pub(super) fn inertia_ratio(&self) -> f64 {
         self.slide.load().inertia / self.motor.rotor

@@ -279,6 +279,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.effective-torque", "a deed: another motor, with all of its data"),
     ("ribbon.inertia-ratio", "a deed: another gear or motor"),
     ("ribbon.peak-torque-motor", "a deed: another motor or gear"),
+    ("slides.inertia-burns-brake", "a deed: another gear or motor"),
     ("turning.stalls-at-knob", "a deed: the operator keeps the knob below, or less feed"),
     ("ribbon.field-weakening", "a deed: another gear or motor"),
     ("ribbon.slips-to-rest", "a deed: another gear or inverter"),
