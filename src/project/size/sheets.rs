@@ -247,7 +247,12 @@ impl Sizing {
         let events = events.filter(|event| self.envelope.iter().any(|row| row.event == *event));
         let rows = events.map(|event| {
             let at = |id: &str| self.envelope.iter().find(|row| row.event == event && row.id == id);
-            let cells = watched.iter().map(|of| at(&of.id).map_or(String::new(), value));
+            // A limit that varies, as that of a torque with the speed, is beside the value beyond it.
+            let cell = |of: &&EnvelopeRow, row: &EnvelopeRow| match self::limit(row) {
+                Some(own) if row.verdict == Verdict::Fail && row.limit != of.limit => format!("{} ({own})", value(row)),
+                _ => value(row),
+            };
+            let cells = watched.iter().map(|of| at(&of.id).map_or(String::new(), |row| cell(of, row)));
             row([say(event.name())].into_iter().chain(cells).collect::<Vec<_>>(), RUNS)
         });
         let columns = watched.iter().map(|of| Column::Plain(of.axis.unwrap_or(of.label)));
