@@ -1,7 +1,7 @@
 // High contrast: text 7:1, borders and curves 4.5:1, in light and dark, by the system's setting and by its button.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, openGroups, openPanel, start, takeExample, withPage } from './page.mjs';
+import { FIREFOX, PAPER, accessible, openGroups, openPanel, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -56,7 +56,7 @@ async function strong(page) {
 }
 
 for (const colorScheme of ['light', 'dark'])
-  test(`more contrast: text, borders, curves strong, ${colorScheme}`, () =>
+  test(`more contrast: text, borders, curves strong, ${colorScheme}`, { skip: FIREFOX && 'its driver has no setting of contrast' }, () =>
     withPage(app, { colorScheme, contrast: 'more' }, async ({ page }) => {
       await strong(page);
       await takeExample(page, PAPER);

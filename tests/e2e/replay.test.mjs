@@ -206,8 +206,7 @@ test('five hundred actions are edited as fast as three', () =>
     await entry(page, 0, 'time').waitFor();
     assert.ok((await page.locator('.hand-list li').count()) < 60);
     await page.locator('.hand-list .rows').evaluate((rows) => (rows.scrollTop = rows.scrollHeight));
-    await entry(page, 499, 'value').fill('75');
-    await page.keyboard.press('Enter');
+    await enter(entry(page, 499, 'value'), '75');
     await page.keyboard.press('ArrowUp');
     await focusIs(page, 'action-498', 'value');
     await enter(entry(page, 499, 'time'), '2');

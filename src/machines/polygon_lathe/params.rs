@@ -170,6 +170,7 @@ pub(crate) struct Params {
     pub specific_force: f64,
     pub edge_angle: f64,
     pub rake: f64,
+    pub edge_wear: f64,
     pub work_power: f64,
     pub work_base: f64,
     pub work_inertia: f64,
@@ -508,6 +509,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("°").range(10.0..=170.0).default(90.0).decimals(1).step(1.0).fact(),
     number("rake", member!(Params.rake)).group("polygon.group.power").label("polygon.rake").help("polygon.rake.help").symbol("γ")
         .unit("°").range(-30.0..=30.0).default(0.0).decimals(1).step(1.0).fact(),
+    number("edge-wear", member!(Params.edge_wear)).group("polygon.group.power").label("lathe.edge-wear").help("lathe.edge-wear.help")
+        .range(1.0..=3.0).default(1.0).decimals(2).step(0.1).fact(),
     number("work-power", member!(Params.work_power)).group("polygon.group.power").label("polygon.work-power").help("polygon.work-power.help").symbol("P")
         .unit("kW").range(0.01..=1000.0).default(5.5).decimals(2).step(0.5).fact(),
     number("work-base", member!(Params.work_base)).group("polygon.group.power").label("polygon.work-base").help("polygon.base.help").symbol("n b")

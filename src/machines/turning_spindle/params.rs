@@ -128,6 +128,7 @@ pub(crate) struct Params {
     pub material: Material,
     pub edge_angle: f64,
     pub rake: f64,
+    pub edge_wear: f64,
     pub cutting_force: f64,
     pub motor_power: f64,
     pub motor_base: f64,
@@ -359,6 +360,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("°").range(10.0..=170.0).default(95.0).decimals(1).step(1.0).when(Params::has_material),
     number("rake", member!(Params.rake)).group("turning.group.power").label("turning.rake").help("turning.rake.help").symbol("γ")
         .unit("°").range(-30.0..=30.0).default(0.0).decimals(1).step(1.0).when(Params::has_material),
+    number("edge-wear", member!(Params.edge_wear)).group("turning.group.power").label("lathe.edge-wear").help("lathe.edge-wear.help")
+        .range(1.0..=3.0).default(1.0).decimals(2).step(0.1).when(Params::has_material),
     number("cutting-force", member!(Params.cutting_force)).group("turning.group.power").label("turning.cutting-force").help("turning.cutting-force.help").symbol("F")
         .unit("N").range(0.0..=100000.0).default(0.0).decimals(0).step(50.0).when(Params::has_force),
     number("motor-power", member!(Params.motor_power)).group("turning.group.power").label("turning.motor-power").help("turning.motor-power.help").symbol("P")

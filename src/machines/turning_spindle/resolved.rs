@@ -64,7 +64,8 @@ impl TurningSpindle {
         }
         if let Some(row) = p.material.kienzle() {
             let chip = (p.depth, p.feed);
-            p.cutting_force = cutting::kienzle(row.unit_force, row.exponent, chip, (p.edge_angle, p.rake));
+            p.cutting_force =
+                cutting::kienzle(row.unit_force * p.edge_wear, row.exponent, chip, (p.edge_angle, p.rake));
         }
         let d = Derived::new(&p, &control.analog_output, &dialect.spindle());
         TurningSpindle {

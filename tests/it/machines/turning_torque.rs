@@ -88,6 +88,17 @@ fn kienzle_force_is_that_of_the_fact_sheet() {
     assert_eq!(row(&lathe, "torque").verdict, Verdict::Ok);
 }
 
+#[test]
+fn worn_edge_cuts_with_more_force() {
+    let force = |wear: &'static str| {
+        let lathe = project("gsk-980tdc", &[("path", "turning"), ("material", "c45"), ("edge-wear", wear)]);
+        (result(&lathe, "force"), result(&lathe, "torque") - 2.0)
+    };
+    let (sharp, worn) = (force("1"), force("1.5"));
+    near(worn.0, 1.5 * sharp.0, 1e-9);
+    near(worn.1, 1.5 * sharp.1, 1e-9);
+}
+
 /// Ø 40 to Ø 24 in one pass: the edge reaches from 12 to 20 mm, 16 in the middle.
 #[test]
 fn deep_cut_has_its_torque_at_the_middle_of_the_edge() {
