@@ -40,7 +40,7 @@ impl<'a> Reader<'a> {
             let (from, to) = self.trimmed(at, end);
             match bytes.get(from) {
                 _ if from == to => {}
-                Some(b'%') if self.names().is_some() => self.head(from, to),
+                Some(b'%') if self.names().is_some() => self.program_header(from, to),
                 _ if self.names().is_some() => self.symbolic_block(from, to),
                 Some(b'%') => {
                     if !self.only_comments() {
@@ -266,7 +266,7 @@ impl<'a> Reader<'a> {
         }
         if !self.control.syntax.program_letters.contains(&letter) {
             let usual = self.program_letter();
-            self.slip(Alarm::Format, 0, 1, msg!("nc.program-letter", letter = usual.as_str()), &usual);
+            self.report_replaced(Alarm::Format, 0, 1, msg!("nc.program-letter", letter = usual.as_str()), &usual);
         }
         let number = number.unwrap_or(0);
         let title = title.map(|(title, span)| self.add_text(title, span));

@@ -54,8 +54,8 @@ pub(super) struct ReaderFindings {
     pub(super) ignored: Vec<IgnoredFeature>,
     /// Variables missing or read-only on the control, reported at the end of the file.
     pub(super) misused: Vec<Misused>,
-    /// Blocks with calls and jumps in words, checked after all files are read.
-    pub(super) later: Vec<u32>,
+    /// Blocks with calls and jumps in words, checked once all files are read.
+    pub(super) deferred_checks: Vec<u32>,
 }
 
 /// Peculiarities of the file's spelling, each by its first place in the file.
@@ -280,10 +280,10 @@ impl<'a> Reader<'a> {
         Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_shown(alarm))
     }
 
-    /// Marks the block for a check after all files are read.
-    pub(super) fn note_later(&mut self) {
-        if self.findings.later.len() < FINDINGS {
-            self.findings.later.push(self.deck.blocks.len() as u32);
+    /// Defers a check of the block until all files are read.
+    pub(super) fn defer_check(&mut self) {
+        if self.findings.deferred_checks.len() < FINDINGS {
+            self.findings.deferred_checks.push(self.deck.blocks.len() as u32);
         }
     }
 

@@ -124,7 +124,7 @@ impl Reader<'_> {
                     _ => {}
                 }
             }
-            // Quotes within a foreign remark hide variables seen by the parser.
+            // Quotes within a comment of another language hide variables seen by the parser.
             if !edits.is_empty() {
                 finding = finding.fix(msg!("nc.fix.variables", letter), edits);
             }

@@ -17,7 +17,7 @@ const NUMBERED: usize = 1 << 20;
 
 impl Reader<'_> {
     /// Reports a finding, with a fix that replaces some bytes of the line.
-    pub(in crate::nc::parse) fn replace(
+    pub(in crate::nc::parse) fn report_replacing(
         &mut self,
         alarm: Alarm,
         finding: Diagnostic,
@@ -30,13 +30,20 @@ impl Reader<'_> {
     }
 
     /// Reports some bytes of the line, with a fix that replaces them.
-    pub(in crate::nc::parse) fn slip(&mut self, alarm: Alarm, from: usize, to: usize, message: Message, new: &str) {
+    pub(in crate::nc::parse) fn report_replaced(
+        &mut self,
+        alarm: Alarm,
+        from: usize,
+        to: usize,
+        message: Message,
+        new: &str,
+    ) {
         let finding = self.finding(alarm, from, to, message);
-        self.replace(alarm, finding, from, to, new);
+        self.report_replacing(alarm, finding, from, to, new);
     }
 
     /// Reports a finding, with a fix that puts some bytes of the line in square brackets.
-    pub(in crate::nc::parse) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
+    pub(in crate::nc::parse) fn report_enclosing(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
         let finding = self.with_fix(finding, LineFix::Enclose(from, to));
         self.report_as(alarm, finding);
     }
@@ -120,12 +127,12 @@ impl Reader<'_> {
         found.map(|(_, number)| number)
     }
 
-    /// Adds a fix for `IF … THEN`, from `then` to `behind`: a jump over the conditional part.
-    pub(in crate::nc::parse) fn jump_instead(&mut self, finding: Diagnostic, then: usize, behind: usize) -> Diagnostic {
-        let rest = self.cursor.line.get(behind..).unwrap_or_default();
-        let behind = behind + rest.len() - rest.trim_ascii_start().len();
+    /// Adds a fix for `IF … THEN`, from `then` to `after`: a jump over the conditional part.
+    pub(in crate::nc::parse) fn jump_instead(&mut self, finding: Diagnostic, then: usize, after: usize) -> Diagnostic {
+        let rest = self.cursor.line.get(after..).unwrap_or_default();
+        let after = after + rest.len() - rest.trim_ascii_start().len();
         let end = self.cursor.line.len();
-        let number = if behind < end { self.fresh_number() } else { None };
+        let number = if after < end { self.fresh_number() } else { None };
         let Some(number) = number else { return finding };
         let (from, to, op) = self.formulas.compared;
         let newline = self.newline();
@@ -133,7 +140,7 @@ impl Reader<'_> {
         let opposite = self.spaced(from, to, letters_of(op.opposite()));
         let edits = vec![
             (self.place(self.span(from, to)), opposite),
-            (self.place(self.span(then, behind)), format!("GOTO{number}{newline}{skip}")),
+            (self.place(self.span(then, after)), format!("GOTO{number}{newline}{skip}")),
             (self.place(self.span(end, end)), format!("{newline}N{number}")),
         ];
         finding.fix(msg!("nc.fix.jump"), edits)
@@ -147,14 +154,14 @@ impl Reader<'_> {
         failure
     }
 
-    /// Reports and skips `=` after an address, which these controls do not have.
+    /// Reports `=` after an address, which these controls do not have, and reads on after it.
     pub(in crate::nc::parse) fn equals_in_word(&mut self) {
         let at = self.cursor.at;
-        while self.skip() == b'=' {
+        while self.next_byte() == b'=' {
             self.cursor.at += 1;
         }
         let to = self.ended_at();
-        self.slip(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
+        self.report_replaced(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
     }
 
     /// Whether a letter O directly after an address is a mistyped 0; it is read as 0.
@@ -175,10 +182,10 @@ impl Reader<'_> {
             return;
         }
         let at = self.cursor.at;
-        let behind = self.cursor.line.get(at + 1..).unwrap_or_default();
-        let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
+        let after = self.cursor.line.get(at + 1..).unwrap_or_default();
+        let digits = after.iter().take_while(|b| b.is_ascii_digit()).count();
         if digits > 0 {
-            self.slip(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
+            self.report_replaced(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
             self.cursor.at += 1 + digits;
         }
     }
@@ -211,7 +218,7 @@ impl Reader<'_> {
         Dec { point: true, ..raised.unwrap_or_default() }
     }
 
-    /// Skips letters O in place of zeros in a number, with the following digits; returns whether there were any.
+    /// Reports letters O in place of zeros in a number and reads on after them and the following digits; returns whether there were any.
     #[cold]
     pub(in crate::nc::parse) fn zero_for_o(&mut self) -> bool {
         let from = self.cursor.at;
@@ -222,7 +229,7 @@ impl Reader<'_> {
             self.cursor.at += 1;
         }
         let text = String::from_utf8_lossy(self.cursor.line.get(from..self.cursor.at).unwrap_or_default()).into_owned();
-        self.slip(Alarm::Format, from, self.cursor.at, msg!("nc.letter-o"), &text.replace(['O', 'o'], "0"));
+        self.report_replaced(Alarm::Format, from, self.cursor.at, msg!("nc.letter-o"), &text.replace(['O', 'o'], "0"));
         true
     }
 
@@ -236,7 +243,7 @@ impl Reader<'_> {
         match (self.deck.expr(base), self.deck.expr(exponent)) {
             (Expr::Var(_) | Expr::Number(_), Expr::Number(Dec { mantissa: times @ 2..=4, scale: 0, .. })) => {
                 let product = format!("*{text}").repeat(times as usize - 1);
-                self.replace(Alarm::Format, finding, end, self.cursor.at, &product);
+                self.report_replacing(Alarm::Format, finding, end, self.cursor.at, &product);
             }
             _ => self.report_as(Alarm::Format, finding),
         }

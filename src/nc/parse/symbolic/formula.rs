@@ -40,7 +40,7 @@ impl Reader<'_> {
             None => self.formula(false)?,
         };
         loop {
-            let byte = self.skip();
+            let byte = self.next_byte();
             if !byte.is_ascii_alphabetic() {
                 return Ok(left);
             }
@@ -52,7 +52,7 @@ impl Reader<'_> {
             }
             let (word, op) = LOGIC[level];
             self.cursor.at += word.len();
-            self.skip();
+            self.pass_blanks();
             let right = self.logic(level + 1)?;
             left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
@@ -60,7 +60,7 @@ impl Reader<'_> {
 
     /// Reads `NOT value` as `value == 0`.
     fn negation(&mut self) -> Read<Option<ExprId>> {
-        let byte = self.skip();
+        let byte = self.next_byte();
         if byte | 0x20 != b'n' || !self.cursor.is_name("NOT") {
             return Ok(None);
         }
@@ -80,13 +80,13 @@ impl Reader<'_> {
     }
 
     fn symbolic_comparison(&mut self, condition: bool) -> Option<Op> {
-        let byte = self.skip();
+        let byte = self.next_byte();
         let from = self.cursor.at;
         if byte.is_ascii_alphabetic() {
             let &(word, op) = COMPARISONS.iter().find(|(word, _)| self.cursor.is_name(word))?;
             self.cursor.at += 2;
             let sign = sign_of(op);
-            self.slip(
+            self.report_replaced(
                 Alarm::Format,
                 from,
                 self.cursor.at,
@@ -102,7 +102,7 @@ impl Reader<'_> {
         self.cursor.at += sign.len();
         if !known {
             let right = sign_of(op);
-            self.slip(
+            self.report_replaced(
                 Alarm::Format,
                 from,
                 self.cursor.at,

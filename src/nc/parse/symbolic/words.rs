@@ -52,7 +52,7 @@ impl Reader<'_> {
         let first = self.deck.words.len();
         let mut seen = Seen::default();
         loop {
-            let byte = self.skip();
+            let byte = self.next_byte();
             if !byte.is_ascii_alphabetic() {
                 if self.cursor.ended() {
                     break;
@@ -139,7 +139,7 @@ impl Reader<'_> {
     /// Reads the value after a letter: a number, or a formula after `=`.
     #[inline]
     fn symbolic_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
-        let mut next = self.skip();
+        let mut next = self.next_byte();
         let negative = next == b'-';
         if negative || next == b'+' {
             let digit = self.cursor.byte(1);
@@ -151,7 +151,7 @@ impl Reader<'_> {
         if !(next.is_ascii_digit() || next == b'.') {
             return self.equals(start, letter);
         }
-        let mut number = self.digits()?;
+        let mut number = self.unsigned_number()?;
         if self.cursor.peek() | 0x20 == b'e' {
             number = self.exponent(number, start);
         }
@@ -190,7 +190,7 @@ impl Reader<'_> {
                 self.cursor.at,
                 msg!("nc.whole-range", most = Dec::int(most).to_string()),
             );
-            self.replace(Alarm::OutOfRange, finding, self.cursor.at, self.cursor.at, ".0");
+            self.report_replacing(Alarm::OutOfRange, finding, self.cursor.at, self.cursor.at, ".0");
         }
     }
 
@@ -202,7 +202,7 @@ impl Reader<'_> {
         number: Dec,
     ) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let end = self.cursor.at;
-        let next = self.skip();
+        let next = self.next_byte();
         if next == b'=' && self.cursor.byte(1) != b'=' {
             return self.extended(start, letter, number);
         }
@@ -234,13 +234,13 @@ impl Reader<'_> {
     fn index_ahead(&self) -> Option<usize> {
         let rest = self.cursor.line.get(self.cursor.at + 1..)?;
         let close = rest.iter().position(|byte| *byte == b']')?;
-        let behind = rest.get(close + 1..)?.trim_ascii_start();
-        (behind.first() == Some(&b'=')).then_some(self.cursor.at + close + 2)
+        let after = rest.get(close + 1..)?.trim_ascii_start();
+        (after.first() == Some(&b'=')).then_some(self.cursor.at + close + 2)
     }
 
     /// Reads `= value`, or fails for an address without a value.
     fn equals(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
-        match self.skip() {
+        match self.next_byte() {
             b'=' => self.cursor.at += 1,
             b'[' if self.index_ahead().is_some() => {
                 let end = self.index_ahead().unwrap_or(self.cursor.at);
@@ -264,7 +264,7 @@ impl Reader<'_> {
         }
         let form = self.dimensioning();
         if form != Dimensioning::Plain {
-            self.skip();
+            self.pass_blanks();
             self.deeper()?;
             let open = self.open(b')');
             let inner = self.constant_or_formula()?;
@@ -277,12 +277,12 @@ impl Reader<'_> {
 
     /// Reads `AC` or the like in front of a bracket.
     fn dimensioning(&mut self) -> Dimensioning {
-        if !self.skip().is_ascii_alphabetic() {
+        if !self.next_byte().is_ascii_alphabetic() {
             return Dimensioning::Plain;
         }
         let name = self.cursor.name();
-        let behind = self.cursor.line.get(self.cursor.at + name.len()..).unwrap_or_default().trim_ascii_start();
-        let form = FORMS.iter().find(|row| name.eq_ignore_ascii_case(row.0) && behind.first() == Some(&b'('));
+        let after = self.cursor.line.get(self.cursor.at + name.len()..).unwrap_or_default().trim_ascii_start();
+        let form = FORMS.iter().find(|row| name.eq_ignore_ascii_case(row.0) && after.first() == Some(&b'('));
         self.cursor.at += form.map_or(0, |row| row.0.len());
         form.map_or(Dimensioning::Plain, |row| row.1)
     }
@@ -311,7 +311,7 @@ impl Reader<'_> {
             self.cursor.at,
             msg!("nc.no-equals-sign", address = self.control.address(letter)),
         );
-        self.replace(Alarm::Format, finding, from, from, "=");
+        self.report_replacing(Alarm::Format, finding, from, from, "=");
         Ok((None, Dimensioning::Plain, value))
     }
 
@@ -345,11 +345,11 @@ impl Reader<'_> {
             let value = self.insert_equals(letter)?;
             return self.push_long(start, letter, value);
         }
-        let behind = self.cursor.line.get(start + name.len()..).unwrap_or_default();
+        let after = self.cursor.line.get(start + name.len()..).unwrap_or_default();
         if matches!(name.as_str(), "IF" | "GOTOF" | "GOTOB" | "MSG") {
             return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
         }
-        if behind.first() == Some(&b'(') && self.function_ahead() {
+        if after.first() == Some(&b'(') && self.function_ahead() {
             return Err(self.failure(
                 Alarm::Format,
                 start,
@@ -388,7 +388,7 @@ impl Reader<'_> {
         let digits = name.bytes().filter(u8::is_ascii_digit).map(|b| u32::from(b - b'0'));
         let cycle = digits.reduce(|all, digit| all.wrapping_mul(10).wrapping_add(digit));
         self.code_not_simulated(row, cycle.map_or(IgnoredFeature::Code(row.id), IgnoredFeature::Cycle), &what, start);
-        if self.skip() != b'(' {
+        if self.next_byte() != b'(' {
             return Ok(());
         }
         let open = self.cursor.at;
@@ -427,12 +427,12 @@ impl Reader<'_> {
 
     /// Reads `(2)` after SETMS; without it the master spindle is the one after power-on.
     fn spindle_number(&mut self, start: usize) -> Read<Option<u8>> {
-        if self.skip() != b'(' {
+        if self.next_byte() != b'(' {
             return Ok(None);
         }
         let open = self.open(b')');
-        self.skip();
-        let number = self.digits()?;
+        self.pass_blanks();
+        let number = self.unsigned_number()?;
         self.close(open)?;
         match u8::try_from(number.mantissa) {
             Ok(index @ 1..) if number.scale == 0 => Ok(Some(index)),
@@ -457,14 +457,14 @@ impl Reader<'_> {
         let mut index = None;
         if self.cursor.peek() == b'[' {
             self.cursor.at += 1;
-            let number = self.digits()?;
+            let number = self.unsigned_number()?;
             index = u8::try_from(number.mantissa).ok();
-            if self.skip() != b']' {
+            if self.next_byte() != b']' {
                 return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.unclosed-group"), false));
             }
             self.cursor.at += 1;
         }
-        if self.skip() == b'=' {
+        if self.next_byte() == b'=' {
             let (_, form, value) = self.equals(start, letter)?;
             return Ok((index, form, value));
         }
@@ -478,7 +478,7 @@ impl Reader<'_> {
         let from = self.cursor.at;
         let value = self.constant_or_formula()?;
         let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.no-equals-sign", address));
-        self.replace(Alarm::Format, finding, end.min(from), from, "=");
+        self.report_replacing(Alarm::Format, finding, end.min(from), from, "=");
         Ok((index, Dimensioning::Plain, value))
     }
 
@@ -497,7 +497,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Reports `( remark )` of other controls, with its fix, and skips it.
+    /// Reports `( comment )` of other controls, with its fix, and reads on after it.
     #[cold]
     pub(in crate::nc::parse) fn foreign_comment(&mut self) -> bool {
         let start = self.cursor.at;
@@ -508,8 +508,8 @@ impl Reader<'_> {
         let finding =
             self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.foreign-remark", control = self.control.name));
         // In the middle of a block the fix would turn the rest into a comment.
-        let last = self.skip() == 0 && self.cursor.ended() && self.block.comment.is_none();
-        self.replace(
+        let last = self.next_byte() == 0 && self.cursor.ended() && self.block.comment.is_none();
+        self.report_replacing(
             Alarm::Format,
             finding,
             start,
@@ -595,7 +595,7 @@ impl Reader<'_> {
         }
         let (start, end) = (call.offset as usize, self.cursor.line.len());
         let repeats = value(Address::L).map_or(String::new(), |(_, number)| format!(" P{number}"));
-        self.slip(Alarm::Format, start, end, msg!("nc.foreign-call"), &format!("L{program}{repeats}"));
+        self.report_replaced(Alarm::Format, start, end, msg!("nc.foreign-call"), &format!("L{program}{repeats}"));
         true
     }
 
