@@ -23,11 +23,11 @@ impl Reader<'_> {
         let (before, after) = (words.get(..at).unwrap_or_default(), words.get(at + 1..).unwrap_or_default());
         let caller = &words[at];
         let macros = &self.control.macros;
-        if let (true, Some(_), Some(_)) = (macros.call_first, code, before.first()) {
+        if macros.call_first && code.is_some() && !before.is_empty() {
             return self.call_not_first(caller);
         }
-        if let (true, Some(word)) =
-            (self.control.raises(Alarm::CallMixed), words.iter().find(|word| self.is_end_call_or_stop(word)))
+        if self.control.raises(Alarm::CallMixed)
+            && let Some(word) = words.iter().find(|word| self.is_end_call_or_stop(word))
         {
             return self.report_word(Alarm::CallMixed, word, msg!("interp.call-mixed"));
         }
@@ -42,8 +42,9 @@ impl Reader<'_> {
             }
             return self.report_word(Alarm::NoCallProgram, caller, msg!("interp.call-without-program"));
         }
-        if let (true, Some(_), Some(word)) =
-            (macros.program_next, code, after.first().filter(|word| word.letter != Address::P))
+        if macros.program_next
+            && code.is_some()
+            && let Some(word) = after.first().filter(|word| word.letter != Address::P)
         {
             return self.report_word(Alarm::NoCallProgram, word, msg!("interp.call-program-next"));
         }
@@ -132,9 +133,14 @@ impl Reader<'_> {
             let digits = start + 1 + digits.len() - digits.trim_ascii_start().len();
             return self.report_replacing(Alarm::CallOperands, finding, digits, digits, "#");
         }
+        self.check_user_alarm(dec.to_f64(), start, start + result.len as usize);
+    }
+
+    /// Checks the range of a user alarm's number, written from `from` to `to`.
+    pub(super) fn check_user_alarm(&mut self, value: f64, from: usize, to: usize) {
         let (least, most) = self.control.macros.user_alarms;
-        if !(f64::from(least)..=f64::from(most)).contains(&dec.to_f64()) {
-            self.report_word(Alarm::UserAlarmRange, result, msg!("nc.user-alarm-number", least, most));
+        if !(f64::from(least)..=f64::from(most)).contains(&value) {
+            self.report(Alarm::UserAlarmRange, from, to, msg!("nc.user-alarm-number", least, most));
         }
     }
 

@@ -9,7 +9,7 @@ use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::OPERATORS;
 use crate::nc::lex::spelling::meant;
 use crate::nc::parse::failure::{IgnoredFeature, LineFix, Misused, ParseFailure, Read};
-use crate::nc::parse::reader::Reader;
+use crate::nc::parse::reader::{Reader, starts_value};
 use crate::nc::parsed::ExprSpan;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
 
@@ -58,7 +58,6 @@ impl Reader<'_> {
                 0,
                 self.cursor.line.len(),
                 msg!("nc.formula-too-long", most = PARTS),
-                false,
             ));
         }
         self.deck.exprs.push(expr);
@@ -183,7 +182,7 @@ impl Reader<'_> {
     pub(super) fn deeper(&mut self) -> Read<()> {
         self.formulas.depth += 1;
         if self.formulas.depth > DEPTH {
-            return Err(self.failure(Alarm::BracketDepth, self.cursor.at, self.cursor.at, self.too_deep(), false));
+            return Err(self.failure(Alarm::BracketDepth, self.cursor.at, self.cursor.at, self.too_deep()));
         }
         Ok(())
     }
@@ -202,10 +201,7 @@ impl Reader<'_> {
             b'$' if self.names().is_some() => Err(self.system_variable()),
             b'#' => self.variable(false),
             b'0'..=b'9' | b'.' => {
-                let mut number = self.unsigned_number()?;
-                if self.names().is_some() {
-                    number = self.symbolic_number(number, start);
-                }
+                let number = self.formula_number(start)?;
                 self.add_expr(Expr::Number(number), start)
             }
             b'+' | b'-' => {
@@ -215,10 +211,7 @@ impl Reader<'_> {
                     self.two_signs(start);
                 }
                 if next.is_ascii_digit() || next == b'.' {
-                    let mut number = self.unsigned_number()?;
-                    if self.names().is_some() {
-                        number = self.symbolic_number(number, start);
-                    }
+                    let mut number = self.formula_number(start)?;
                     number.mantissa *= if byte == b'-' { -1 } else { 1 };
                     return self.add_expr(Expr::Number(number), start);
                 }
@@ -232,6 +225,13 @@ impl Reader<'_> {
             _ if byte.is_ascii_alphabetic() => self.function(),
             _ => Err(self.unexpected()),
         }
+    }
+
+    /// Reads an unsigned number of a formula; with its sign it starts at `start`.
+    #[inline]
+    fn formula_number(&mut self, start: usize) -> Read<Dec> {
+        let number = self.unsigned_number()?;
+        Ok(if self.names().is_some() { self.symbolic_number(number, start) } else { number })
     }
 
     /// Reports several signs in a row, from `start` on; reads them as arithmetic does.
@@ -273,7 +273,7 @@ impl Reader<'_> {
             && let Some(comma) = self.comma_within()
         {
             let message = msg!("nc.atan-alone", control = self.control.name);
-            let mut failure = self.failure(Alarm::AtanForm, start, start + 4, message, false);
+            let mut failure = self.failure(Alarm::AtanForm, start, start + 4, message);
             failure.finding =
                 self.with_fix(failure.finding.hint(msg!("nc.hint.atan")), LineFix::Write(comma, comma + 1, "]/["));
             return Err(failure);
@@ -311,7 +311,6 @@ impl Reader<'_> {
                 start,
                 self.cursor.at,
                 msg!("nc.two-arguments", function = name),
-                false,
             ));
         }
         self.cursor.at += 1;
@@ -346,8 +345,9 @@ impl Reader<'_> {
         if !matches!(bracket, Some(b'[' | b'(')) {
             let message = msg!("nc.no-operand-but", text = name);
             // A comment in place of a value would leave the operator without one.
-            let is_operand = self.after_operator(start);
-            return Err(self.failure(Alarm::Format, start, start + letters, message, !is_operand));
+            let mut failure = self.failure(Alarm::Format, start, start + letters, message);
+            failure.at_word = !self.after_operator(start);
+            return Err(failure);
         }
         let message = msg!("nc.unknown-function", function = name.as_str(), control = self.control.name);
         let functions = self.control.syntax.functions;
@@ -361,12 +361,12 @@ impl Reader<'_> {
             }
             None if self.control.syntax.random.contains(&name.as_str()) => {
                 let message = msg!("nc.random", function = name.as_str());
-                let mut failure = self.failure(Alarm::Budget, start, start + letters, message, false);
+                let mut failure = self.failure(Alarm::Budget, start, start + letters, message);
                 (failure.finding.severity, failure.finding.alarm, failure.finding.wording) =
                     (Severity::Warning, None, None);
                 Err(failure)
             }
-            None => Err(self.failure(Alarm::Format, start, start + letters, message, false)),
+            None => Err(self.failure(Alarm::Format, start, start + letters, message)),
         }
     }
 
@@ -381,7 +381,7 @@ impl Reader<'_> {
         }
         if self.names().is_some() {
             let end = start + name.len();
-            return Err(self.failure(Alarm::Format, start, end, msg!("nc.function-round", function = name), false));
+            return Err(self.failure(Alarm::Format, start, end, msg!("nc.function-round", function = name)));
         }
         let finding = self.finding(Alarm::Format, start, from, msg!("nc.function-bracket", function = name));
         let Ok(argument) = argument else {
@@ -390,7 +390,6 @@ impl Reader<'_> {
                 start,
                 start + name.len(),
                 msg!("nc.function-bracket", function = name),
-                false,
             ));
         };
         self.report_enclosing(Alarm::Format, finding, from, self.cursor.at);
@@ -504,7 +503,7 @@ impl Reader<'_> {
         }
         if self.cursor.ended() || byte == b',' && self.names().is_some() {
             let message = if self.names().is_some() { msg!("nc.unclosed-group") } else { msg!("nc.unclosed-square") };
-            return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false));
+            return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, message));
         }
         if let Some(stray) = self.stray_comparison(self.formulas.sentence) {
             return Err(stray);
@@ -522,8 +521,8 @@ impl Reader<'_> {
     fn closed_late(&self, open: &OpenBracket) -> Option<Box<ParseFailure>> {
         let rest = self.cursor.rest();
         let value = rest.get(1..).unwrap_or_default().trim_ascii_start().first();
-        let word = rest.first().is_some_and(u8::is_ascii_alphabetic)
-            && value.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'[' | b'='));
+        let word =
+            rest.first().is_some_and(u8::is_ascii_alphabetic) && value.is_some_and(|b| starts_value(*b) || *b == b'=');
         // A bracket closed after the word has an error inside.
         if !word || rest.contains(&open.close) {
             return None;
@@ -531,7 +530,7 @@ impl Reader<'_> {
         let (opening, closing) = if open.close == b')' { ("(", ")") } else { ("[", "]") };
         let letter = char::from(rest.first().copied().unwrap_or(b' ')).to_string();
         let message = msg!("nc.unclosed-before-word", bracket = opening, word = letter);
-        let mut failure = self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false);
+        let mut failure = self.failure(Alarm::BracketPair, open.at, open.at + 1, message);
         let end = self.ended_at();
         failure.finding = self.with_fix(failure.finding, LineFix::Write(end, end, closing));
         Some(failure)
@@ -594,7 +593,7 @@ impl Reader<'_> {
                 }
                 let name = name.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
                 let message = if name > 1 { msg!("nc.variable-name") } else { msg!("nc.variable-number") };
-                Err(self.failure(Alarm::Format, start, start + 1 + name, message, false))
+                Err(self.failure(Alarm::Format, start, start + 1 + name, message))
             }
         }
     }

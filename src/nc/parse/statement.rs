@@ -6,7 +6,7 @@ use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Op, Pair, Stmt};
 use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
 use crate::nc::lex::spelling::meant;
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
-use crate::nc::parse::reader::Reader;
+use crate::nc::parse::reader::{Reader, starts_value};
 
 /// Words and signs that join conditions in other languages.
 const JOINTS: [&str; 5] = ["AND", "OR", "XOR", "&&", "||"];
@@ -106,9 +106,9 @@ impl Reader<'_> {
         }
         if self.cursor.peek() != b'#' && !named {
             let end = self.cursor.at.max(start + 2);
-            let mut failure = self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"), false);
+            let mut failure = self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"));
             let next = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default().trim_ascii_start().first();
-            let value = next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'['));
+            let value = next.is_some_and(|b| starts_value(*b));
             if self.cursor.peek().is_ascii_alphabetic() && value {
                 failure.finding = self.jump_instead(failure.finding, then, then);
             }
@@ -144,7 +144,7 @@ impl Reader<'_> {
         let byte = self.next_byte();
         if self.cursor.ended() {
             let message = msg!("nc.no-operand", keyword = "GOTO");
-            return Err(self.failure(Alarm::IfSentence, start.saturating_sub(4), start, message, false));
+            return Err(self.failure(Alarm::IfSentence, start.saturating_sub(4), start, message));
         }
         let at = self.cursor.at;
         let next = self.cursor.line.get(at + 1..).unwrap_or_default().trim_ascii_start().first();
@@ -174,25 +174,19 @@ impl Reader<'_> {
         let open = self.open(close);
         self.pass_blanks();
         if let Some(word) = COMPARISONS.iter().map(|row| row.0).find(|word| self.cursor.ahead(word)) {
-            return Err(self.failure(
-                alarm,
-                self.cursor.at,
-                self.cursor.at + word.len(),
-                msg!("nc.comparison-sides"),
-                false,
-            ));
+            return Err(self.failure(alarm, self.cursor.at, self.cursor.at + word.len(), msg!("nc.comparison-sides")));
         }
         let left = self.formula(false)?;
         self.pass_blanks();
         let at = self.cursor.at;
         let Some(op) = self.comparison(alarm) else {
             return Err(match self.cursor.peek() {
-                byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison"), false),
+                byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison")),
                 _ => self.unexpected(),
             });
         };
         if self.next_byte() == close {
-            return Err(self.failure(alarm, at, self.formulas.compared.1, msg!("nc.comparison-sides"), false));
+            return Err(self.failure(alarm, at, self.formulas.compared.1, msg!("nc.comparison-sides")));
         }
         let right = self.formula(false)?;
         if self.next_byte() == close {
@@ -218,7 +212,7 @@ impl Reader<'_> {
         let from = self.cursor.at;
         let failure = |reader: &Self| {
             let message = msg!("nc.no-condition", keyword);
-            reader.failure(alarm, start.saturating_sub(keyword.len()), start, message, false)
+            reader.failure(alarm, start.saturating_sub(keyword.len()), start, message)
         };
         let Ok(left) = self.formula(false) else { return Err(failure(self)) };
         self.pass_blanks();
@@ -278,7 +272,7 @@ impl Reader<'_> {
     fn one_comparison(&self, alarm: Alarm, len: usize) -> Box<ParseFailure> {
         let condition = matches!(alarm, Alarm::IfSentence | Alarm::WhileSentence);
         let message = if condition { msg!("nc.two-comparisons") } else { msg!("nc.lost-comparison") };
-        let mut failure = self.failure(alarm, self.cursor.at, self.cursor.at + len, message, false);
+        let mut failure = self.failure(alarm, self.cursor.at, self.cursor.at + len, message);
         if condition {
             failure.finding = failure.finding.hint(msg!("nc.hint.two-conditions"));
         }
@@ -302,7 +296,9 @@ impl Reader<'_> {
                     if number.is_empty() { (start - keyword.len(), start) } else { (from, self.cursor.at) };
                 // `END OF PROGRAM` is an unbracketed comment.
                 let word = self.cursor.peek().is_ascii_alphabetic();
-                return Err(self.failure(Alarm::DoNumber, from, to, msg!("nc.do-number", keyword, most), word));
+                let mut failure = self.failure(Alarm::DoNumber, from, to, msg!("nc.do-number", keyword, most));
+                failure.at_word = word;
+                return Err(failure);
             }
         };
         let extent = self.extent(head, self.cursor.at);
@@ -350,7 +346,7 @@ impl Reader<'_> {
     /// Reads the `=` of an assignment to the variable from `start` to `end`; `==` is read as one, with a fix, and so are more of them.
     pub(super) fn equals_sign(&mut self, start: usize, end: usize) -> Read<()> {
         if self.next_byte() != b'=' {
-            return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
+            return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals")).at_word());
         }
         self.cursor.at += 1;
         if self.next_byte() == b'=' {
@@ -365,13 +361,10 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Checks the range of a user alarm's number.
+    /// Checks the number of a user alarm, if the variable raises one.
     fn user_alarm(&mut self, variable: u32, value: f64, start: usize) {
-        let (least, most) = self.control.macros.user_alarms;
-        let row = self.control.var(variable);
-        let alarm = row.is_some_and(|row| row.kind == VarKind::AlarmMessage);
-        if alarm && !(f64::from(least)..=f64::from(most)).contains(&value) {
-            self.report(Alarm::UserAlarmRange, start, self.cursor.at, msg!("nc.user-alarm-number", least, most));
+        if self.control.var(variable).is_some_and(|row| row.kind == VarKind::AlarmMessage) {
+            self.check_user_alarm(value, start, self.cursor.at);
         }
     }
 
@@ -404,7 +397,7 @@ impl Reader<'_> {
                     let failure = match self.stray_comparison(Alarm::Format) {
                         Some(stray) => stray,
                         None if byte.is_ascii_alphabetic() => {
-                            self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), true)
+                            self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")).at_word()
                         }
                         None => self.unexpected(),
                     };

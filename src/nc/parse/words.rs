@@ -9,7 +9,7 @@ use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
-use crate::nc::parse::failure::{IgnoredFeature, LineFix, ParseFailure, Read};
+use crate::nc::parse::failure::{IgnoredFeature, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::{DiagnosticKind, Message};
 
@@ -109,7 +109,7 @@ impl<'a> Reader<'a> {
         self.cursor.blank();
         let digits = self.cursor.digits();
         if digits == 0 {
-            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number"), true));
+            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number")).at_word());
         }
         let text = self.cursor.line.get(self.cursor.at..self.cursor.at + digits).unwrap_or_default();
         self.cursor.at += digits;
@@ -295,7 +295,7 @@ impl<'a> Reader<'a> {
                 self.not_simulated(IgnoredFeature::Comma(letter), start, self.cursor.at, &name);
             }
             b'#' if self.deck.words.len() > first => {
-                return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), true));
+                return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")).at_word());
             }
             b'.' => self.stray_point(),
             b')' => self.stray_round()?,
@@ -403,10 +403,10 @@ impl<'a> Reader<'a> {
         // The address alone: X, or the start of something other than a word.
         self.cursor.at = start;
         if self.keyword_ahead() {
-            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
+            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")));
         }
         let message = msg!("nc.no-value", address = letter.to_string());
-        Err(self.failure(Alarm::NoNumber, start, start + 1, message, true))
+        Err(self.failure(Alarm::NoNumber, start, start + 1, message).at_word())
     }
 
     /// Reads an unsigned number, from a digit or a point on.
@@ -418,7 +418,7 @@ impl<'a> Reader<'a> {
             self.odd_digit();
         }
         if length == usize::from(value.point) {
-            return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.lone-point"), false));
+            return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.lone-point")));
         }
         if full || length > self.tables.rules.digits + usize::from(value.point) {
             self.report(
@@ -534,56 +534,5 @@ impl<'a> Reader<'a> {
         let start = self.cursor.at;
         self.cursor.at += 1;
         self.report_replaced(Alarm::BracketPair, start, self.cursor.at, msg!("nc.unopened-square"), "");
-    }
-
-    /// The failure of an unexpected byte.
-    pub(super) fn unexpected(&self) -> Box<ParseFailure> {
-        let start = self.cursor.at;
-        if self.cursor.ended() {
-            let before = self.cursor.line.get(..start).unwrap_or_default();
-            let last = before.iter().rposition(|b| b & 0xC0 != 0x80).unwrap_or(0);
-            let mut failure = self.failure(Alarm::Format, last, start, msg!("nc.ends-early"), false);
-            failure.finding.kind = DiagnosticKind::EndsEarly;
-            return failure;
-        }
-        let from = self.cursor.base as usize + start;
-        let character = self.file.text.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
-        let end = (start + character.len_utf8()).min(self.cursor.line.len());
-        let shown = if character.is_control() { character.escape_default().to_string() } else { character.to_string() };
-        let known = character.is_ascii_alphanumeric() || "+-*/.,#[]()=%;:".chars().any(|c| c == character);
-        if known {
-            let message = match character {
-                '0'..='9' => msg!("nc.number-without-address"),
-                _ => msg!("nc.unexpected", text = shown),
-            };
-            self.failure(Alarm::Format, start, end, message, !character.is_ascii_digit())
-        } else {
-            let message = match character {
-                '\0' => msg!("nc.nul"),
-                _ => msg!("nc.illegal-character", character = shown),
-            };
-            let mut failure = self.failure(Alarm::IllegalAddress, start, end, message, character != '\0');
-            failure.finding = if character == '\0' {
-                let line = self.cursor.line.len();
-                let text =
-                    self.file.text.get(self.cursor.base as usize..self.cursor.base as usize + line).unwrap_or("");
-                let edit = (self.place(self.span(0, line)), text.replace('\0', ""));
-                failure.finding.fix(msg!("nc.fix.drop-nul"), vec![edit])
-            } else {
-                self.with_fix(failure.finding, LineFix::Plain(character))
-            };
-            failure
-        }
-    }
-
-    pub(super) fn failure(
-        &self,
-        alarm: Alarm,
-        from: usize,
-        to: usize,
-        message: Message,
-        at_word: bool,
-    ) -> Box<ParseFailure> {
-        Box::new(ParseFailure { alarm, from, finding: self.finding(alarm, from, to, message), at_word })
     }
 }

@@ -4,12 +4,11 @@ use crate::controls::Alarm;
 use crate::controls::syntax::Function;
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
-use crate::nc::dec::{Dec, POW10};
+use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::letters_of;
 use crate::nc::lex::spelling::prose;
 use crate::nc::parse::failure::{LineFix, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
-use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
 
 /// Size limit (bytes) of files for fixes that need unused sequence numbers.
@@ -84,33 +83,6 @@ impl Reader<'_> {
         }
     }
 
-    /// End of the text read so far, without trailing blanks.
-    pub(in crate::nc::parse) fn ended_at(&self) -> usize {
-        self.cursor.line.get(..self.cursor.at).unwrap_or_default().trim_ascii_end().len()
-    }
-
-    /// A word, with spaces around it if the text has none.
-    pub(in crate::nc::parse) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
-        let blank =
-            |at: Option<usize>| at.and_then(|at| self.cursor.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
-        let gap = |blank: bool| if blank { "" } else { " " };
-        format!("{}{word}{}", gap(blank(from.checked_sub(1))), gap(blank(Some(to))))
-    }
-
-    /// The line end of the file.
-    pub(in crate::nc::parse) fn newline(&self) -> &'static str {
-        line_end(self.file.text)
-    }
-
-    /// The optional block skip of the block, as written.
-    pub(in crate::nc::parse) fn skip_mark(&self) -> String {
-        match self.block.skip_switch {
-            0 => String::new(),
-            1 => "/".to_owned(),
-            switch => format!("/{switch}"),
-        }
-    }
-
     /// A sequence number that is unused in the file and in other fixes.
     fn fresh_number(&mut self) -> Option<u32> {
         if self.file.text.len() > NUMBERED {
@@ -149,7 +121,7 @@ impl Reader<'_> {
     /// Failure of a `WHILE` without `DO`. The check of the loops adds the fix, with the number of the next unpaired `END`.
     pub(in crate::nc::parse) fn while_without_do(&self, start: usize) -> Box<ParseFailure> {
         let at = self.ended_at().max(start + 5);
-        let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
+        let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"));
         failure.finding.kind = DiagnosticKind::WhileWithoutDo;
         failure
     }
@@ -188,34 +160,6 @@ impl Reader<'_> {
             self.report_replaced(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
             self.cursor.at += 1 + digits;
         }
-    }
-
-    /// Reads an exponent `EX-3` after a number that starts at `start`, if present; the result has at most 18 digits.
-    #[cold]
-    pub(in crate::nc::parse) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
-        if !self.cursor.ahead("EX") {
-            return number;
-        }
-        self.cursor.at += 2;
-        let negative = self.cursor.peek() == b'-';
-        self.cursor.at += usize::from(matches!(self.cursor.peek(), b'-' | b'+'));
-        let mut exponent = 0_i32;
-        while self.cursor.peek().is_ascii_digit() {
-            exponent = exponent.saturating_mul(10).saturating_add(i32::from(self.cursor.peek() - b'0'));
-            self.cursor.at += 1;
-        }
-        let exponent = if negative { -exponent } else { exponent };
-        let scale = i32::from(number.scale).saturating_sub(exponent);
-        let unit = |scale: i32| POW10.get(scale.unsigned_abs() as usize).copied();
-        let whole = (scale < 0).then(|| number.mantissa.checked_mul(unit(scale)?)).flatten();
-        let raised = match u8::try_from(scale) {
-            Ok(scale @ 0..=18) => Some(Dec { scale, ..number }),
-            _ => whole.map(|mantissa| Dec { mantissa, scale: 0, point: true }),
-        };
-        if raised.is_none() && number.mantissa != 0 {
-            self.report(Alarm::Digits, start, self.cursor.at, msg!("nc.too-many-digits", most = 18));
-        }
-        Dec { point: true, ..raised.unwrap_or_default() }
     }
 
     /// Reports letters O in place of zeros in a number and reads on after them and the following digits; returns whether there were any.

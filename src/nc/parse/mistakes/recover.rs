@@ -188,7 +188,7 @@ impl Reader<'_> {
         let close = self.cursor.at;
         let short = self.cursor.line.len() <= LOOKED_AT;
         if short && self.nested_comment().is_some_and(|(_, _, end)| end == close) {
-            return Err(self.failure(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), false));
+            return Err(self.failure(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round")));
         }
         self.cursor.at += 1;
         self.report_replaced(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), "");

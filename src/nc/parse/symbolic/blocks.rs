@@ -172,7 +172,7 @@ impl<'a> Reader<'a> {
             self.cursor.at += 1;
         }
         if self.cursor.at == from {
-            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number"), true));
+            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number")).at_word());
         }
         let most = self.control.syntax.sequence_digits;
         if self.cursor.at - from > usize::from(most) {
@@ -217,7 +217,7 @@ impl<'a> Reader<'a> {
         }
         if names.foreign.contains(&name.as_str()) {
             let message = msg!("nc.foreign-statement", word = name, control = self.control.name);
-            return Err(self.failure(Alarm::Format, start, start + written.len(), message, false));
+            return Err(self.failure(Alarm::Format, start, start + written.len(), message));
         }
         let others = FOREIGN_STATEMENTS
             .iter()
@@ -227,7 +227,7 @@ impl<'a> Reader<'a> {
         }
         if let Some(at) = (!after.is_empty()).then(|| meant(&name, SYMBOLIC_STATEMENTS.into_iter())).flatten() {
             let message = msg!("nc.unknown-keyword", word = name);
-            let mut failure = self.failure(Alarm::Format, start, start + written.len(), message, false);
+            let mut failure = self.failure(Alarm::Format, start, start + written.len(), message);
             let place = self.place(self.span(start, start + written.len()));
             let title = msg!("nc.fix.write", text = SYMBOLIC_STATEMENTS[at]);
             failure.finding = failure.finding.fix(title, vec![(place, SYMBOLIC_STATEMENTS[at].to_owned())]);
@@ -286,13 +286,13 @@ impl<'a> Reader<'a> {
         // Searching a large file for each such line would take too long.
         let is_small = self.file.text.len() < 1 << 16;
         if begins_as_name(name) && is_small && self.lists_findings() && self.jumped_to(name) {
-            let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name), false);
+            let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name));
             let place = self.place(self.span(end, end));
             failure.finding = failure.finding.fix(msg!("nc.fix.insert", text = ":"), vec![(place, ":".to_owned())]);
             return failure;
         }
         if name.as_bytes().get(1).is_some_and(u8::is_ascii_digit) {
-            return self.failure(Alarm::Format, start, end, msg!("nc.call-alone", program = name), false);
+            return self.failure(Alarm::Format, start, end, msg!("nc.call-alone", program = name));
         }
         self.unknown_name(start, name)
     }
@@ -301,7 +301,7 @@ impl<'a> Reader<'a> {
     pub(in crate::nc::parse) fn unknown_name(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, control = self.control.name);
-        let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);
+        let mut failure = self.failure(Alarm::UnknownName, start, end, message).at_word();
         let Some(names) = self.names() else { return failure };
         let after = self.cursor.line.get(end..).unwrap_or_default().trim_ascii_start();
         if name == "LF" && matches!(after.first(), None | Some(b';')) {
@@ -336,7 +336,7 @@ impl<'a> Reader<'a> {
     fn other_statement(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.other-jump", keyword = name, control = self.control.name);
-        let mut failure = self.failure(Alarm::Format, start, end, message, false);
+        let mut failure = self.failure(Alarm::Format, start, end, message);
         failure.finding = failure.finding.hint(msg!("nc.hint.other-jump"));
         let edits = if self.lists_findings() { self.label_instead(start, name) } else { None };
         if let Some(edits) = edits {
@@ -384,7 +384,7 @@ impl<'a> Reader<'a> {
             self.pass_blanks();
             if self.symbolic_jump_ahead() || self.cursor.ended() {
                 let message = msg!("nc.no-condition-before-jump");
-                return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), start, message, false));
+                return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), start, message));
             }
             let left = self.symbolic_formula(true)?;
             self.pass_blanks();
@@ -393,13 +393,7 @@ impl<'a> Reader<'a> {
                 if self.cursor.ahead("GOTO") {
                     return Err(self.other_statement(self.cursor.at, "GOTO"));
                 }
-                return Err(self.failure(
-                    Alarm::IfSentence,
-                    start.saturating_sub(2),
-                    end,
-                    msg!("nc.if-without-jump"),
-                    false,
-                ));
+                return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), end, msg!("nc.if-without-jump")));
             }
             let (right, way, keyword) = self.jump()?;
             self.deck.pairs.push(Pair { left, right, way, keyword });
@@ -454,7 +448,7 @@ impl<'a> Reader<'a> {
         if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
             let text =
                 self.cursor.line.get(word..word + 5).and_then(|text| core::str::from_utf8(text).ok()).unwrap_or("");
-            return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", keyword = text), false));
+            return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", keyword = text)));
         }
         // Errors of the name are reported at the label itself.
         self.cursor.at += name.len();
@@ -466,8 +460,7 @@ impl<'a> Reader<'a> {
     fn message(&mut self) -> Read<Stmt> {
         let start = self.cursor.at;
         self.cursor.at += 3;
-        let form =
-            |reader: &Self, end: usize| reader.failure(Alarm::Format, start, end, msg!("nc.message-form"), false);
+        let form = |reader: &Self, end: usize| reader.failure(Alarm::Format, start, end, msg!("nc.message-form"));
         if self.next_byte() != b'(' {
             return Err(form(self, start + 3));
         }
@@ -537,7 +530,7 @@ impl<'a> Reader<'a> {
             _ if self.cursor.ended() => Ok(()),
             b'(' if self.foreign_comment() => Ok(()),
             byte if byte.is_ascii_alphabetic() => {
-                Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed"), true))
+                Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed")).at_word())
             }
             _ => Err(self.unexpected()),
         }

@@ -8,7 +8,7 @@
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
-use crate::nc::dec::Dec;
+use crate::nc::dec::{Dec, POW10};
 use crate::nc::lex::keywords::{COMPARISONS, LOGIC, SIGNS};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
@@ -71,6 +71,34 @@ impl Reader<'_> {
         self.formulas.depth -= 1;
         let zero = self.add_expr(Expr::Number(Dec::int(0)), start)?;
         self.add_expr(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
+    }
+
+    /// Reads an exponent `EX-3` after a number that starts at `start`, if present; the result has at most 18 digits.
+    #[cold]
+    pub(in crate::nc::parse) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
+        if !self.cursor.ahead("EX") {
+            return number;
+        }
+        self.cursor.at += 2;
+        let negative = self.cursor.peek() == b'-';
+        self.cursor.at += usize::from(matches!(self.cursor.peek(), b'-' | b'+'));
+        let mut exponent = 0_i32;
+        while self.cursor.peek().is_ascii_digit() {
+            exponent = exponent.saturating_mul(10).saturating_add(i32::from(self.cursor.peek() - b'0'));
+            self.cursor.at += 1;
+        }
+        let exponent = if negative { -exponent } else { exponent };
+        let scale = i32::from(number.scale).saturating_sub(exponent);
+        let unit = |scale: i32| POW10.get(scale.unsigned_abs() as usize).copied();
+        let whole = (scale < 0).then(|| number.mantissa.checked_mul(unit(scale)?)).flatten();
+        let raised = match u8::try_from(scale) {
+            Ok(scale @ 0..=18) => Some(Dec { scale, ..number }),
+            _ => whole.map(|mantissa| Dec { mantissa, scale: 0, point: true }),
+        };
+        if raised.is_none() && number.mantissa != 0 {
+            self.report(Alarm::Digits, start, self.cursor.at, msg!("nc.too-many-digits", most = 18));
+        }
+        Dec { point: true, ..raised.unwrap_or_default() }
     }
 
     /// Reads `DIV`, the integer division.
@@ -141,13 +169,7 @@ impl Reader<'_> {
         let rest = self.cursor.rest();
         let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
         let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();
-        self.failure(
-            Alarm::Budget,
-            self.cursor.at,
-            self.cursor.at + len,
-            msg!("nc.system-variable", variable = name),
-            false,
-        )
+        self.failure(Alarm::Budget, self.cursor.at, self.cursor.at + len, msg!("nc.system-variable", variable = name))
     }
 }
 

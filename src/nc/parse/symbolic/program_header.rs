@@ -44,20 +44,10 @@ impl Reader<'_> {
             let message = msg!("nc.program-name", name = bare, most = names.program_chars as u32);
             self.add_finding(crate::text::Diagnostic::warning(message).at(place));
         }
-        let (number, at) = (number_in(names, bare), self.deck.blocks.len() as u32);
+        let number = number_in(names, bare);
         let name = Some(self.add_text(bare, self.span(from, from + bare.len())));
         self.notes.headed = true;
-        if self.only_comments()
-            && let Some(program) = self.program.and_then(|index| self.deck.programs.get_mut(index))
-        {
-            // Comments above the header belong to its program.
-            (program.number, program.name, program.sub, program.span) = (number, name, sub, place.span);
-            return;
-        }
-        self.program = Some(self.deck.programs.len());
-        let program =
-            Program { file: self.file.id, number, name, sub, title: None, span: place.span, first: at, end: at };
-        self.deck.programs.push(program);
+        self.begin_program(Program { number, name, sub, ..self.empty_program(place.span) });
     }
 
     /// Takes a line that names the directory of the program in the header before it; returns whether it is one.

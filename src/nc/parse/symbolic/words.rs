@@ -8,7 +8,7 @@ use crate::nc::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::parse::failure::{IgnoredFeature, Read};
-use crate::nc::parse::reader::Reader;
+use crate::nc::parse::reader::{Reader, starts_value};
 use crate::text::Diagnostic;
 
 /// Dimensioning of a value by its own notation.
@@ -47,6 +47,22 @@ impl Seen {
     }
 }
 
+/// Value of a word: `500` in `S1=500` (index 1), `IC(10)` in `X=IC(10)`.
+struct SymbolicValue {
+    /// Number in an extended address.
+    index: Option<u8>,
+    dimensioning: Dimensioning,
+    value: WordValue,
+}
+
+impl SymbolicValue {
+    /// A value without index and dimensioning.
+    #[inline]
+    fn plain(value: WordValue) -> SymbolicValue {
+        SymbolicValue { index: None, dimensioning: Dimensioning::Plain, value }
+    }
+}
+
 impl Reader<'_> {
     pub(in crate::nc::parse) fn symbolic_words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
@@ -68,7 +84,7 @@ impl Reader<'_> {
                 continue;
             }
             self.cursor.at += 1;
-            let (index, form, value) = self.symbolic_value(start, letter)?;
+            let SymbolicValue { index, dimensioning: form, value } = self.symbolic_value(start, letter)?;
             if !matches!(form, Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Incremental) {
                 self.check_way(start, letter, form);
             }
@@ -138,7 +154,7 @@ impl Reader<'_> {
 
     /// Reads the value after a letter: a number, or a formula after `=`.
     #[inline]
-    fn symbolic_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn symbolic_value(&mut self, start: usize, letter: Address) -> Read<SymbolicValue> {
         let mut next = self.next_byte();
         let negative = next == b'-';
         if negative || next == b'+' {
@@ -160,7 +176,7 @@ impl Reader<'_> {
         }
         match self.cursor.peek() {
             b'=' | b'+' | b'-' | b'*' | b'/' | b'.' | b' ' => self.after_number(start, letter, number),
-            _ => Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start)))),
+            _ => Ok(SymbolicValue::plain(WordValue::Number(self.whole_number(number, start)))),
         }
     }
 
@@ -195,12 +211,7 @@ impl Reader<'_> {
     }
 
     /// Continues after the number of a word: usually a blank, rarely the rest of an extended address or of a formula.
-    fn after_number(
-        &mut self,
-        start: usize,
-        letter: Address,
-        number: Dec,
-    ) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn after_number(&mut self, start: usize, letter: Address, number: Dec) -> Read<SymbolicValue> {
         let end = self.cursor.at;
         let next = self.next_byte();
         if next == b'=' && self.cursor.byte(1) != b'=' {
@@ -215,19 +226,18 @@ impl Reader<'_> {
             }
             _ => self.cursor.at = end,
         }
-        Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start))))
+        Ok(SymbolicValue::plain(WordValue::Number(self.whole_number(number, start))))
     }
 
     /// Reads `S1=500`: the number is the index of the address.
-    fn extended(&mut self, start: usize, letter: Address, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn extended(&mut self, start: usize, letter: Address, number: Dec) -> Read<SymbolicValue> {
         let known = self.names().is_some_and(|names| names.extended.contains(letter));
         let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
         if index.is_none() {
             let address = letter.to_string();
             self.report(Alarm::Format, start, self.cursor.at, msg!("nc.extended-address", address));
         }
-        let (_, form, value) = self.equals(start, letter)?;
-        Ok((index, form, value))
+        Ok(SymbolicValue { index, ..self.equals(start, letter)? })
     }
 
     /// End of `[2]` in `S[2]=4`.
@@ -239,40 +249,40 @@ impl Reader<'_> {
     }
 
     /// Reads `= value`, or fails for an address without a value.
-    fn equals(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn equals(&mut self, start: usize, letter: Address) -> Read<SymbolicValue> {
         match self.next_byte() {
             b'=' => self.cursor.at += 1,
             b'[' if self.index_ahead().is_some() => {
                 let end = self.index_ahead().unwrap_or(self.cursor.at);
                 let message = msg!("nc.index-in-brackets", address = self.control.address(letter));
-                return Err(self.failure(Alarm::Format, self.cursor.at, end, message, false));
+                return Err(self.failure(Alarm::Format, self.cursor.at, end, message));
             }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
             b'O' | b'o' if self.cursor.at == start + 1 && self.zero_after_letter(start) => {
-                return Ok((None, Dimensioning::Plain, WordValue::Number(Dec::int(0))));
+                return Ok(SymbolicValue::plain(WordValue::Number(Dec::int(0))));
             }
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ if self.parameter_ahead() => return self.insert_equals(letter),
             _ => {
                 let message = msg!("nc.no-value", address = self.control.address(letter));
-                return Err(self.failure(Alarm::NoNumber, start, start + 1, message, true));
+                return Err(self.failure(Alarm::NoNumber, start, start + 1, message).at_word());
             }
         }
         if matches!(letter, Address::G | Address::N | Address::L) {
             let message = msg!("nc.no-formula", address = letter.to_string());
-            return Err(self.failure(Alarm::Format, start, self.cursor.at, message, false));
+            return Err(self.failure(Alarm::Format, start, self.cursor.at, message));
         }
-        let form = self.dimensioning();
-        if form != Dimensioning::Plain {
+        let dimensioning = self.dimensioning();
+        if dimensioning != Dimensioning::Plain {
             self.pass_blanks();
             self.deeper()?;
             let open = self.open(b')');
             let inner = self.constant_or_formula()?;
             self.close(open)?;
             self.formulas.depth -= 1;
-            return Ok((None, form, inner));
+            return Ok(SymbolicValue { dimensioning, ..SymbolicValue::plain(inner) });
         }
-        Ok((None, form, self.constant_or_formula()?))
+        Ok(SymbolicValue::plain(self.constant_or_formula()?))
     }
 
     /// Reads `AC` or the like in front of a bracket.
@@ -302,7 +312,7 @@ impl Reader<'_> {
 
     /// Reports a formula directly after its address, as on other controls; reads it as intended.
     #[cold]
-    fn insert_equals(&mut self, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn insert_equals(&mut self, letter: Address) -> Read<SymbolicValue> {
         let from = self.cursor.at;
         let value = self.constant_or_formula()?;
         let finding = self.finding(
@@ -312,7 +322,7 @@ impl Reader<'_> {
             msg!("nc.no-equals-sign", address = self.control.address(letter)),
         );
         self.report_replacing(Alarm::Format, finding, from, from, "=");
-        Ok((None, Dimensioning::Plain, value))
+        Ok(SymbolicValue::plain(value))
     }
 
     /// Whether a name is an address with a variable or number and a missing `=`: `XR1`, `LIMS3000`.
@@ -347,7 +357,7 @@ impl Reader<'_> {
         }
         let after = self.cursor.line.get(start + name.len()..).unwrap_or_default();
         if matches!(name.as_str(), "IF" | "GOTOF" | "GOTOB" | "MSG") {
-            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
+            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")));
         }
         if after.first() == Some(&b'(') && self.function_ahead() {
             return Err(self.failure(
@@ -355,7 +365,6 @@ impl Reader<'_> {
                 start,
                 self.cursor.line.len(),
                 msg!("nc.no-address", address = name),
-                false,
             ));
         }
         Err(self.unknown_name(start, written))
@@ -378,7 +387,7 @@ impl Reader<'_> {
             _ => None,
         };
         let value = WordValue::Number(Dec::int(place as i64));
-        self.push_long(start, Address::Name, (index, Dimensioning::Plain, value))
+        self.push_long(start, Address::Name, SymbolicValue { index, ..SymbolicValue::plain(value) })
     }
 
     /// Reports a code that is not simulated, each cycle once by the number in its name; skips arguments such as in `TRACYL(40)`.
@@ -393,7 +402,7 @@ impl Reader<'_> {
         }
         let open = self.cursor.at;
         let Some(close) = self.cursor.rest().iter().position(|&b| b == b')') else {
-            return Err(self.failure(Alarm::BracketPair, open, open + 1, msg!("nc.unclosed-group"), false));
+            return Err(self.failure(Alarm::BracketPair, open, open + 1, msg!("nc.unclosed-group")));
         };
         self.cursor.at += close + 1;
         Ok(())
@@ -436,50 +445,43 @@ impl Reader<'_> {
         self.close(open)?;
         match u8::try_from(number.mantissa) {
             Ok(index @ 1..) if number.scale == 0 => Ok(Some(index)),
-            _ => Err(self.failure(Alarm::OutOfRange, start, self.cursor.at, msg!("nc.spindle-number"), false)),
+            _ => Err(self.failure(Alarm::OutOfRange, start, self.cursor.at, msg!("nc.spindle-number"))),
         }
     }
 
-    fn push_long(&mut self, start: usize, letter: Address, value: (Option<u8>, Dimensioning, WordValue)) -> Read<()> {
+    fn push_long(&mut self, start: usize, letter: Address, value: SymbolicValue) -> Read<()> {
         let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
-        let (index, form, value) = value;
+        let SymbolicValue { index, dimensioning: form, value } = value;
         self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
         Ok(())
     }
 
     /// Reads the value after an address of several letters, with or without an index in brackets.
-    fn long_value(
-        &mut self,
-        start: usize,
-        address: &str,
-        letter: Address,
-    ) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn long_value(&mut self, start: usize, address: &str, letter: Address) -> Read<SymbolicValue> {
         let mut index = None;
         if self.cursor.peek() == b'[' {
             self.cursor.at += 1;
             let number = self.unsigned_number()?;
             index = u8::try_from(number.mantissa).ok();
             if self.next_byte() != b']' {
-                return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.unclosed-group"), false));
+                return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.unclosed-group")));
             }
             self.cursor.at += 1;
         }
         if self.next_byte() == b'=' {
-            let (_, form, value) = self.equals(start, letter)?;
-            return Ok((index, form, value));
+            return Ok(SymbolicValue { index, ..self.equals(start, letter)? });
         }
         let end = start + address.len();
-        let value = self.cursor.peek().is_ascii_digit()
-            || matches!(self.cursor.peek(), b'.' | b'-' | b'+' | b'#' | b'[' | b'(');
-        if !(value || self.parameter_ahead()) {
+        let next = self.cursor.peek();
+        if !(starts_value(next) || next == b'(' || self.parameter_ahead()) {
             let message = msg!("nc.no-value", address);
-            return Err(self.failure(Alarm::NoNumber, start, end, message, false));
+            return Err(self.failure(Alarm::NoNumber, start, end, message));
         }
         let from = self.cursor.at;
         let value = self.constant_or_formula()?;
         let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.no-equals-sign", address));
         self.report_replacing(Alarm::Format, finding, end.min(from), from, "=");
-        Ok((index, Dimensioning::Plain, value))
+        Ok(SymbolicValue { index, ..SymbolicValue::plain(value) })
     }
 
     /// Handles text between words other than white space.
@@ -492,7 +494,7 @@ impl Reader<'_> {
                 Ok(())
             }
             b'$' => Err(self.system_variable()),
-            b'#' => Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed"), true)),
+            b'#' => Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed")).at_word()),
             _ => Err(self.unexpected()),
         }
     }
