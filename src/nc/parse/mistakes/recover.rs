@@ -5,8 +5,7 @@
 
 use crate::controls::Alarm;
 use crate::msg;
-use crate::nc::lex::keywords::{COMPARISONS, OPERATORS};
-use crate::nc::lex::spelling::prose;
+use crate::nc::lex::spelling::{arithmetic, prose};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::{Mark, Reader};
 use crate::text::escape::shortened;
@@ -203,14 +202,7 @@ impl Reader<'_> {
     fn arithmetic(&self, open: usize) -> bool {
         let inner = self.cursor.line.get(open + 1..).unwrap_or_default();
         let len = inner.iter().position(|&b| b == b')').unwrap_or(inner.len());
-        let inner = inner.get(..len).unwrap_or_default();
-        let functions = self.control.syntax.functions;
-        let known = |word: &[u8]| {
-            word.is_empty()
-                || OPERATORS.iter().chain(&COMPARISONS).any(|row| row.0.as_bytes().eq_ignore_ascii_case(word))
-                || functions.iter().any(|(name, _)| name.as_bytes().eq_ignore_ascii_case(word))
-        };
-        inner.iter().any(|b| b.is_ascii_digit()) && inner.split(|b| !b.is_ascii_alphabetic()).all(known)
+        arithmetic(inner.get(..len).unwrap_or_default(), self.control.syntax.functions)
     }
 }
 
