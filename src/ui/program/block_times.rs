@@ -44,6 +44,7 @@ mod tests {
     use super::*;
     use crate::text::FileId;
     use crate::ui::testing::{ViewBench, mount, settled};
+    use crate::ui::words::t;
 
     /// Sets the cursor to the first line of the first program that has a text.
     async fn cursor(bench: &ViewBench, text: &str) {
