@@ -28,7 +28,7 @@ impl ModalHistory {
     }
 
     /// Modal state of the command that has this many commands waiting after it; the oldest state kept if its own is dropped.
-    pub(super) fn with_waiting(&self, waiting: usize) -> Option<&Modal> {
+    pub(super) fn of_queued(&self, waiting: usize) -> Option<&Modal> {
         let at = self.0.len().checked_sub(1)?.saturating_sub(waiting);
         self.0.get(at).map(Rc::as_ref)
     }

@@ -160,6 +160,6 @@ impl RunState {
 
     /// Modal state of the executing block; at rest, of the last block read.
     pub(super) fn executing(&self, cx: &mut BlockContext) -> &Modal {
-        cx.world.waiting().and_then(|waiting| self.issued.with_waiting(waiting)).unwrap_or(&self.modal)
+        cx.world.waiting().and_then(|waiting| self.issued.of_queued(waiting)).unwrap_or(&self.modal)
     }
 }

@@ -26,10 +26,10 @@ impl<P: RunningProgram> Planner<P> {
         self.state.look(t, &self.plant.axes, &self.records.timeline, look)
     }
 
-    /// The newest commands since [`Gate::OpenFirst`], if the run has a log, and the number of earlier ones.
+    /// The newest commands since [`Gate::OpenAsFirst`], if the run has a log, and the number of earlier ones.
     pub fn newest_commands(&self) -> (usize, impl Iterator<Item = &Canon>) {
         let log = &self.records.log;
-        (self.records.taken.saturating_sub(self.records.block_commands), log.iter().map(|(_, canon, _)| canon))
+        (self.records.taken.saturating_sub(self.records.first_kept), log.iter().map(|(_, canon, _)| canon))
     }
 
     /// A run from the last checkpoint not after `t` (s) with at most `blocks` blocks read, or from the first checkpoint. Its timeline is
@@ -48,7 +48,7 @@ impl<P: RunningProgram> Planner<P> {
         let (timeline, state) = (self.records.timeline.up_to(&marks.timeline, t), state.clone());
         let log = VecDeque::new();
         Planner {
-            records: Records { timeline, log, taken: 0, block_commands: 0, diagnostics: Vec::new() },
+            records: Records { timeline, log, taken: 0, first_kept: 0, diagnostics: Vec::new() },
             state,
             plant: self.plant.clone(),
             panel: self.panel.clone(),

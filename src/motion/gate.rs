@@ -8,7 +8,7 @@ pub enum Gate {
     /// The step is read.
     Open,
     /// The step is read and becomes the first of [`Planner::newest_commands`].
-    OpenFirst,
+    OpenAsFirst,
     /// The run stops before the step.
     Shut,
 }

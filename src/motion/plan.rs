@@ -59,7 +59,7 @@ impl<P: RunningProgram> Planner<P> {
             timeline.put_segment(Segment { t: 0.0, from: home, velocity: [0.0; AXES], circle: 0 }, None);
         }
         Planner {
-            records: Records { timeline, log: VecDeque::new(), taken: 0, block_commands: 0, diagnostics: Vec::new() },
+            records: Records { timeline, log: VecDeque::new(), taken: 0, first_kept: 0, diagnostics: Vec::new() },
             state,
             plant,
             panel: setup.panel,
@@ -129,9 +129,9 @@ impl<P: RunningProgram> Planner<P> {
                     .look(t, &self.plant.axes, &self.records.timeline, |program, world| gate(t, program, world))
                 {
                     Gate::Open => {}
-                    Gate::OpenFirst => {
+                    Gate::OpenAsFirst => {
                         self.records.forget_log(0);
-                        self.records.block_commands = self.records.taken;
+                        self.records.first_kept = self.records.taken;
                     }
                     Gate::Shut => {
                         self.records.timeline.end = t.max(self.records.timeline.end);

@@ -17,8 +17,8 @@ pub(super) struct Records {
     /// Number of log entries taken.
     pub(super) taken: usize,
     pub(super) diagnostics: Vec<Diagnostic>,
-    /// Number of the log entry of the first command since [`Gate::OpenFirst`](super::Gate::OpenFirst).
-    pub(super) block_commands: usize,
+    /// Log index of the first command since [`Gate::OpenAsFirst`](super::Gate::OpenAsFirst).
+    pub(super) first_kept: usize,
 }
 
 /// Lengths of the records at a checkpoint.

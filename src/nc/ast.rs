@@ -244,11 +244,11 @@ impl JumpDirection {
 
     /// Target of a jump in block `from`, among the blocks `places` of one name in rising order: the nearest one in its direction.
     pub(crate) fn nearest(self, from: usize, places: &[usize]) -> Option<usize> {
-        let behind = places.partition_point(|to| *to <= from);
+        let after = places.partition_point(|to| *to <= from);
         let at = match self {
-            JumpDirection::Around if behind == places.len() => 0,
-            JumpDirection::Around | JumpDirection::Forward => behind,
-            JumpDirection::Backward => behind.checked_sub(1)?,
+            JumpDirection::Around if after == places.len() => 0,
+            JumpDirection::Around | JumpDirection::Forward => after,
+            JumpDirection::Backward => after.checked_sub(1)?,
         };
         places.get(at).copied()
     }

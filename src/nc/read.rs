@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::checks::programs::programs;
+use super::checks::programs::check_programs;
 use super::codes::Codes;
 use super::files::Files;
 use super::parse::files::{ReadFiles, read_files};
@@ -20,8 +20,8 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
 pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
     let dialect = Rc::new(Dialect::resolve(control, switches));
     let codes = Codes::new(control, &dialect);
-    let ReadFiles { mut deck, mut places, mut found, later } = read_files(files, control, &dialect, &codes);
-    programs((&deck, &places), (control, &codes), files, &later, &mut found);
+    let ReadFiles { mut deck, mut places, mut found, deferred_checks } = read_files(files, control, &dialect, &codes);
+    check_programs((&deck, &places), (control, &codes), files, &deferred_checks, &mut found);
     Diagnostic::in_order(&mut found);
     if found.len() > FINDINGS {
         found.truncate(FINDINGS);

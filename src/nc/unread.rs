@@ -88,8 +88,8 @@ pub(in crate::nc) fn names(text: &str, control: &Control) -> Vec<String> {
     }
     let words = upper.split(|byte| !(byte.is_ascii_alphanumeric() || *byte == b'_'));
     let words = words.flat_map(|word| {
-        let behind = word.iter().skip_while(|byte| **byte == b'N').skip_while(|byte| byte.is_ascii_digit());
-        [word.to_vec(), behind.copied().collect()]
+        let rest = word.iter().skip_while(|byte| **byte == b'N').skip_while(|byte| byte.is_ascii_digit());
+        [word.to_vec(), rest.copied().collect()]
     });
     words.filter(|word| !word.is_empty()).filter_map(|word| String::from_utf8(word).ok()).collect()
 }

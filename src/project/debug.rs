@@ -102,7 +102,7 @@ impl StepGate {
         self.last = Some(here.number);
         if leaves || early || self.before.is_none() {
             self.before = Some(interp.clone());
-            return Gate::OpenFirst;
+            return Gate::OpenAsFirst;
         }
         Gate::Open
     }

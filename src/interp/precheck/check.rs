@@ -52,8 +52,8 @@ pub(super) struct Precheck<'a> {
     pub(super) constant: Vec<bool>,
     /// Modal states in which blocks may be read, reduced to the parts that matter.
     pub(super) modals: Vec<Modal>,
-    /// No modal call uses the words of blocks as arguments.
-    pub(super) words: bool,
+    /// Words of blocks are commands: no modal call uses them as arguments.
+    pub(super) words_as_commands: bool,
     /// Findings about the present block.
     pub(super) found: Vec<Diagnostic>,
     /// Cache: the preceding block of words, if it had no findings.
@@ -73,9 +73,9 @@ impl<'a> Precheck<'a> {
                 Expr::Binary(_, left, right) => known(left) && known(right),
             });
         }
-        let mut modals = vec![state.modal.clone()];
-        let words = modal_states::reachable(&cx, &mut modals);
-        Precheck { cx, heard, state, constant, modals, words, found: Vec::new(), clean: Vec::new() }
+        let modals = modal_states::reachable(&cx, state.modal.clone());
+        let words_as_commands = modal_states::takes_words_as_commands(&cx);
+        Precheck { cx, heard, state, constant, modals, words_as_commands, found: Vec::new(), clean: Vec::new() }
     }
 
     pub(super) fn is_constant(&self, id: ExprId) -> bool {

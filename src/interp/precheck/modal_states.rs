@@ -29,27 +29,36 @@ fn key(modal: &Modal) -> ([bool; 5], u8) {
     ([modal.inch, modal.inch_feed, modal.per_revolution, modal.spindle.surface, leads], words)
 }
 
-/// Adds the modal states that the codes of all programs can produce. Returns whether no modal call uses the words of blocks as arguments.
-pub(super) fn reachable(cx: &BlockContext, modals: &mut Vec<Modal>) -> bool {
+/// Whether the words of blocks are always commands: no program has a modal call that uses them as arguments.
+pub(super) fn takes_words_as_commands(cx: &BlockContext) -> bool {
+    let takes_arguments = |row: &CodeDef| row.code == Code::MacroModalBlock;
+    let mut codes = cx.deck.words.iter().filter(|word| is_code(word) && matches!(word.value, WordValue::Number(_)));
+    cx.codes().calls().iter().all(|call| call.kind != CallKind::ModalBlock)
+        && (!cx.control.codes.iter().any(takes_arguments)
+            || codes.all(|word| !cx.codes().row_of(word).is_some_and(takes_arguments)))
+}
+
+/// Modal states that the codes of all programs can produce from `start`, which is the first of them.
+pub(super) fn reachable(cx: &BlockContext, start: Modal) -> Vec<Modal> {
     let control = cx.control;
     let mut rows: Vec<&CodeDef> = Vec::new();
-    let (mut any, mut words) = (false, true);
+    let mut any = false;
     for word in cx.deck.words.iter().filter(|word| is_code(word)) {
         let WordValue::Number(_) = word.value else {
             any = true;
             continue;
         };
-        if let Some(row) = cx.codes().row_of(word) {
-            words &= row.code != Code::MacroModalBlock;
-            if matters(row) && !rows.iter().any(|other| core::ptr::eq(*other, row)) {
-                rows.push(row);
-            }
+        if let Some(row) = cx.codes().row_of(word)
+            && matters(row)
+            && !rows.iter().any(|other| core::ptr::eq(*other, row))
+        {
+            rows.push(row);
         }
     }
-    words &= cx.codes().calls().iter().all(|call| call.kind != CallKind::ModalBlock);
     if any {
         rows = control.codes.iter().filter(|row| matters(row)).collect();
     }
+    let mut modals = vec![start];
     let mut at = 0;
     while let Some(modal) = modals.get(at).cloned() {
         for row in &rows {
@@ -61,5 +70,5 @@ pub(super) fn reachable(cx: &BlockContext, modals: &mut Vec<Modal>) -> bool {
         }
         at += 1;
     }
-    words
+    modals
 }

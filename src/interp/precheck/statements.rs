@@ -19,7 +19,7 @@ impl Precheck<'_> {
                         self.formula(block, id);
                     }
                 }
-                if self.words {
+                if self.words_as_commands {
                     self.block_words(at, block, words);
                 }
             }

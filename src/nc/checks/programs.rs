@@ -16,12 +16,12 @@ use crate::nc::unread;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Place, Span};
 
-/// Checks every program. `later` are the blocks with calls and jumps in words.
-pub(in crate::nc) fn programs(
+/// Checks every program. `deferred_checks` are the blocks with calls and jumps in words, checked once all files are read.
+pub(in crate::nc) fn check_programs(
     (deck, places): (&Deck, &PartPlaces),
     (control, codes): (&Control, &Codes),
     files: &Files,
-    later: &[u32],
+    deferred_checks: &[u32],
     found: &mut Vec<Diagnostic>,
 ) {
     let known = ProgramNames::new(deck);
@@ -55,8 +55,8 @@ pub(in crate::nc) fn programs(
             None => check.numbered_jumps(),
         }
         check.end();
-        let behind = later.get(later.partition_point(|&at| at < program.first)..).unwrap_or_default();
-        for block in behind.iter().take_while(|&&at| at < program.end) {
+        let from = deferred_checks.get(deferred_checks.partition_point(|&at| at < program.first)..).unwrap_or_default();
+        for block in from.iter().take_while(|&&at| at < program.end) {
             if let Some(block) = deck.blocks.get(*block as usize) {
                 check.sub_call(block);
                 check.function_jump(block);
@@ -160,16 +160,16 @@ impl Check<'_> {
     /// Reports a program that runs out of blocks.
     fn end(&mut self) {
         let blocks = self.blocks;
-        let remark = |block: &&Block| block.stmt == Stmt::Empty && block.number.is_none();
-        let last = blocks.iter().rev().find(|block| !remark(block));
+        let comment = |block: &&Block| block.stmt == Stmt::Empty && block.number.is_none();
+        let last = blocks.iter().rev().find(|block| !comment(block));
         if last.is_some_and(|block| !self.falls_through(blocks, block)) {
             return;
         }
         let span = last.or(blocks.last()).map_or(self.program.span, |block| block.span);
-        let behind = self.text.get(span.end as usize..).unwrap_or("");
-        let line = behind.find('\n').unwrap_or(behind.len());
+        let after = self.text.get(span.end as usize..).unwrap_or("");
+        let line = after.find('\n').unwrap_or(after.len());
         let newline = line_end(self.text);
-        let tail = behind.get(..line).unwrap_or("");
+        let tail = after.get(..line).unwrap_or("");
         // A `;` may end the block, and another program may begin after it in the same line.
         let more = tail.trim_ascii_start().strip_prefix(';').is_some_and(|rest| !rest.trim_ascii().is_empty());
         let at = match more && self.control.syntax.names().is_none() {

@@ -25,7 +25,7 @@ pub(in crate::nc) struct Digits {
     /// More digits than `value` can hold.
     pub(in crate::nc) full: bool,
     /// The byte after the number; 0 at the end.
-    pub(in crate::nc) behind: u8,
+    pub(in crate::nc) after: u8,
 }
 
 impl<'a> Cursor<'a> {
@@ -37,8 +37,8 @@ impl<'a> Cursor<'a> {
 
     /// A byte after the cursor; 0 beyond the end of the block.
     #[inline]
-    pub(in crate::nc) fn byte(&self, behind: usize) -> u8 {
-        self.line.get(self.at + behind).copied().unwrap_or(0)
+    pub(in crate::nc) fn byte(&self, offset: usize) -> u8 {
+        self.line.get(self.at + offset).copied().unwrap_or(0)
     }
 
     /// The bytes from the cursor on.
@@ -52,7 +52,7 @@ impl<'a> Cursor<'a> {
         self.at >= self.line.len()
     }
 
-    /// Skips white space.
+    /// Passes white space.
     pub(in crate::nc) fn blank(&mut self) {
         while matches!(self.peek(), b' ' | b'\t' | b'\r') {
             self.at += 1;
@@ -104,7 +104,7 @@ impl<'a> Cursor<'a> {
     #[inline]
     pub(in crate::nc) fn take_digits(&mut self) -> Digits {
         let (mut mantissa, mut scale, mut point, mut full) = (0_i64, 0_u8, false, false);
-        let (mut length, mut behind) = (0, 0);
+        let (mut length, mut after) = (0, 0);
         for &byte in self.rest() {
             let digit = byte.wrapping_sub(b'0');
             if digit < 10 {
@@ -117,13 +117,13 @@ impl<'a> Cursor<'a> {
             } else if byte == b'.' && !point {
                 point = true;
             } else {
-                behind = byte;
+                after = byte;
                 break;
             }
             length += 1;
         }
         self.at += length;
-        Digits { value: Dec { mantissa, scale, point }, length, full, behind }
+        Digits { value: Dec { mantissa, scale, point }, length, full, after }
     }
 }
 

@@ -1,4 +1,7 @@
-//! Misspelt names and prose: the known name closest to a name, and whether a text is prose.
+//! Misspelt names, prose and arithmetic: the known name closest to a name, and whether a text is prose or arithmetic.
+
+use super::keywords::{COMPARISONS, OPERATORS};
+use crate::controls::syntax::Function;
 
 /// Index of the name closest to a misspelt one: at most one wrong, missing, extra or exchanged letter, two in a long name.
 pub(in crate::nc) fn meant<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<usize> {
@@ -32,4 +35,14 @@ pub(in crate::nc) fn prose(rest: &[u8]) -> bool {
     let (count, longest) = runs.fold((0, 0), |(count, longest), run| (count + 1, longest.max(run.len())));
     let start = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
     start >= 2 && longest >= 3 && (count >= 2 || start == rest.len())
+}
+
+/// Whether the text in a bracket is arithmetic and no comment: it has a digit, and all its words are operators or `functions`.
+pub(in crate::nc) fn arithmetic(inner: &[u8], functions: &[(&str, Function)]) -> bool {
+    let known = |word: &[u8]| {
+        word.is_empty()
+            || OPERATORS.iter().chain(&COMPARISONS).any(|row| row.0.as_bytes().eq_ignore_ascii_case(word))
+            || functions.iter().any(|(name, _)| name.as_bytes().eq_ignore_ascii_case(word))
+    };
+    inner.iter().any(u8::is_ascii_digit) && inner.split(|b| !b.is_ascii_alphabetic()).all(known)
 }

@@ -32,13 +32,13 @@ pub enum TokenKind {
 }
 
 /// Operators of a language with names, besides [`OPERATORS`].
-const NAMED_OPERATORS: [&str; 2] = ["NOT", "DIV"];
+const SYMBOLIC_OPERATORS: [&str; 2] = ["NOT", "DIV"];
 
 /// Statements, comparisons and operators of a control's macro language that are words.
 pub fn keywords(control: &Control) -> Vec<&'static str> {
     let operators = OPERATORS.iter().map(|(word, _)| *word);
     if control.syntax.names().is_some() {
-        return SYMBOLIC_STATEMENTS.iter().chain(&NAMED_OPERATORS).copied().chain(operators).collect();
+        return SYMBOLIC_STATEMENTS.iter().chain(&SYMBOLIC_OPERATORS).copied().chain(operators).collect();
     }
     let then = control.syntax.if_then.then_some("THEN");
     let operators = operators.filter(|word| *word != "MOD" || control.syntax.modulo);
@@ -116,7 +116,7 @@ fn symbolic_piece(cursor: &Cursor, names: &Names, control: &Control) -> Option<(
 
 /// Length and kind of the name or word at the cursor.
 fn name(cursor: &Cursor, names: &Names, control: &Control) -> (usize, TokenKind) {
-    // An address is one letter, without another letter behind it.
+    // An address is one letter, without another letter after it.
     if cursor.peek() != b'_' && !cursor.byte(1).is_ascii_alphabetic() && cursor.byte(1) != b'_' {
         return match (cursor.peek() | 0x20, number(cursor, 1)) {
             (b'g' | b'm', digits @ 1..) => (1 + digits, TokenKind::Code),
@@ -127,7 +127,7 @@ fn name(cursor: &Cursor, names: &Names, control: &Control) -> (usize, TokenKind)
     }
     let name = cursor.name();
     let is = |word: &str| name.eq_ignore_ascii_case(word);
-    let words = SYMBOLIC_STATEMENTS.iter().chain(&NAMED_OPERATORS).copied();
+    let words = SYMBOLIC_STATEMENTS.iter().chain(&SYMBOLIC_OPERATORS).copied();
     let operators = OPERATORS.iter().map(|(word, _)| *word);
     let functions = control.syntax.functions.iter().map(|(word, _)| *word);
     let kind = if names.code(&name.to_ascii_uppercase()).is_some() {

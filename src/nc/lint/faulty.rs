@@ -21,8 +21,8 @@ impl Facts {
         let starts: Vec<_> = (0..deck.programs.len()).map(start).collect();
         let errors = lint.parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
         for Place { file, span } in errors.filter_map(|finding| finding.place) {
-            let behind = starts.partition_point(|start| *start <= (file, span.start));
-            if let Some(part) = self.programs.get_mut(behind.saturating_sub(1)) {
+            let after = starts.partition_point(|start| *start <= (file, span.start));
+            if let Some(part) = self.programs.get_mut(after.saturating_sub(1)) {
                 part.faulty = true;
             }
         }

@@ -20,35 +20,37 @@ impl Reader<'_> {
         let Some((at, code)) = words.iter().enumerate().find_map(|(at, word)| Some((at, self.caller(word)?))) else {
             return;
         };
-        let (before, behind) = (words.get(..at).unwrap_or_default(), words.get(at + 1..).unwrap_or_default());
+        let (before, after) = (words.get(..at).unwrap_or_default(), words.get(at + 1..).unwrap_or_default());
         let caller = &words[at];
         let macros = &self.control.macros;
-        if let (true, Some(_), Some(_)) = (macros.call_first, code, before.first()) {
+        if macros.call_first && code.is_some() && !before.is_empty() {
             return self.call_not_first(caller);
         }
-        if let (true, Some(word)) = (self.control.raises(Alarm::CallMixed), words.iter().find(|word| self.mixes(word)))
+        if self.control.raises(Alarm::CallMixed)
+            && let Some(word) = words.iter().find(|word| self.is_end_call_or_stop(word))
         {
             return self.report_word(Alarm::CallMixed, word, msg!("interp.call-mixed"));
         }
         let functions = code == Some(Code::MacroCall) && !macros.functions.is_empty();
-        let leading = behind.iter().find(|word| matches!(word.letter, Address::H | Address::P));
+        let leading = after.iter().find(|word| matches!(word.letter, Address::H | Address::P));
         if let Some(number) = leading.filter(|word| functions && word.letter == Address::H) {
-            return self.check_function(number, behind);
+            return self.check_function(number, after);
         }
         if code.is_some() && !words.iter().any(|word| word.letter == Address::P) {
             if let Some(word) = words.iter().find(|word| word.letter == Address::O) {
-                return self.named_by_letter(Alarm::NoCallProgram, word.offset as usize);
+                return self.letter_for_p(Alarm::NoCallProgram, word.offset as usize);
             }
             return self.report_word(Alarm::NoCallProgram, caller, msg!("interp.call-without-program"));
         }
-        if let (true, Some(_), Some(word)) =
-            (macros.program_next, code, behind.first().filter(|word| word.letter != Address::P))
+        if macros.program_next
+            && code.is_some()
+            && let Some(word) = after.first().filter(|word| word.letter != Address::P)
         {
             return self.report_word(Alarm::NoCallProgram, word, msg!("interp.call-program-next"));
         }
         if self.control.raises(Alarm::ArgumentAddress) {
             let forbidden = AddressSet::letters(if code.is_some() { "GNO" } else { "GNOP" });
-            if let Some(word) = behind.iter().find(|word| forbidden.contains(word.letter)) {
+            if let Some(word) = after.iter().find(|word| forbidden.contains(word.letter)) {
                 let letter = word.letter.to_string();
                 self.report_word(Alarm::ArgumentAddress, word, msg!("interp.argument-address", address = letter));
             }
@@ -76,7 +78,7 @@ impl Reader<'_> {
     }
 
     /// Whether a word is a program end, call or stop.
-    fn mixes(&self, word: &Word) -> bool {
+    fn is_end_call_or_stop(&self, word: &Word) -> bool {
         use Code::*;
         matches!(self.m_row(word), Some(Stop | OptionalStop | End | EndRewind | SubCall | SubEnd))
     }
@@ -88,10 +90,10 @@ impl Reader<'_> {
 
     /// Reports a call with the letter of a program number in place of P.
     #[cold]
-    pub(super) fn named_by_letter(&mut self, alarm: Alarm, start: usize) {
+    pub(super) fn letter_for_p(&mut self, alarm: Alarm, start: usize) {
         let finding = self.finding(alarm, start, start + 1, msg!("interp.call-without-program"));
         let finding = finding.hint(msg!("nc.hint.program-letter", letter = "O"));
-        self.replace(alarm, finding, start, start + 1, "P");
+        self.report_replacing(alarm, finding, start, start + 1, "P");
     }
 
     fn call_not_first(&mut self, caller: &Word) {
@@ -121,7 +123,7 @@ impl Reader<'_> {
         let Some(result @ Word { value: WordValue::Number(dec), .. }) = operand(Address::P) else { return };
         let start = result.offset as usize;
         if operation.jumps() {
-            return self.note_later();
+            return self.defer_check();
         }
         if operation != Operation::Alarm {
             // A constant is probably the number of the intended variable.
@@ -129,11 +131,16 @@ impl Reader<'_> {
             let finding = self.finding(Alarm::CallOperands, start, end, msg!("interp.function-result"));
             let digits = self.cursor.line.get(start + 1..end).unwrap_or_default();
             let digits = start + 1 + digits.len() - digits.trim_ascii_start().len();
-            return self.replace(Alarm::CallOperands, finding, digits, digits, "#");
+            return self.report_replacing(Alarm::CallOperands, finding, digits, digits, "#");
         }
+        self.check_user_alarm(dec.to_f64(), start, start + result.len as usize);
+    }
+
+    /// Checks the range of a user alarm's number, written from `from` to `to`.
+    pub(super) fn check_user_alarm(&mut self, value: f64, from: usize, to: usize) {
         let (least, most) = self.control.macros.user_alarms;
-        if !(f64::from(least)..=f64::from(most)).contains(&dec.to_f64()) {
-            self.report_word(Alarm::UserAlarmRange, result, msg!("nc.user-alarm-number", least, most));
+        if !(f64::from(least)..=f64::from(most)).contains(&value) {
+            self.report(Alarm::UserAlarmRange, from, to, msg!("nc.user-alarm-number", least, most));
         }
     }
 

@@ -50,11 +50,11 @@ pub fn formula(text: &str, program: &Parsed) -> Result<ParsedFormula, Box<Diagno
 impl Reader<'_> {
     /// Reads the whole line as an expression or a condition.
     fn whole_line(&mut self, bracketed: bool) -> Read<ExprId> {
-        self.skip();
+        self.pass_blanks();
         let start = self.cursor.at;
         if self.names().is_some() {
             let root = self.symbolic_formula(true)?;
-            self.skip();
+            self.pass_blanks();
             return if self.cursor.ended() { Ok(root) } else { Err(self.unexpected()) };
         }
         let mut root = if bracketed { self.condition(Alarm::IfSentence, "")? } else { self.formula(false)? };
@@ -62,7 +62,7 @@ impl Reader<'_> {
             let right = self.formula(false)?;
             root = self.add_expr(Expr::Binary(op, root, right), start)?;
         }
-        self.skip();
+        self.pass_blanks();
         if self.cursor.ended() { Ok(root) } else { Err(self.unexpected()) }
     }
 }

@@ -13,6 +13,14 @@ pub(super) struct ParseFailure {
     pub(super) at_word: bool,
 }
 
+impl ParseFailure {
+    /// Marks the error as one at the start of a word.
+    pub(super) fn at_word(mut self: Box<Self>) -> Box<ParseFailure> {
+        self.at_word = true;
+        self
+    }
+}
+
 pub(super) type Read<T> = Result<T, Box<ParseFailure>>;
 
 /// A feature ignored by the simulation, reported once per file.

@@ -40,7 +40,7 @@ impl<'a> Reader<'a> {
             let (from, to) = self.trimmed(at, end);
             match bytes.get(from) {
                 _ if from == to => {}
-                Some(b'%') if self.names().is_some() => self.head(from, to),
+                Some(b'%') if self.names().is_some() => self.program_header(from, to),
                 _ if self.names().is_some() => self.symbolic_block(from, to),
                 Some(b'%') => {
                     if !self.only_comments() {
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether a line begins with a program number, or with a comment, which may precede one.
-    pub(super) fn begins_program(&self, at: usize) -> bool {
+    fn begins_program(&self, at: usize) -> bool {
         let line = self.file.text.as_bytes().get(at..).unwrap_or_default();
         match line {
             [b'(', ..] => true,
@@ -86,7 +86,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Start of the record, if its `%` follows text other than comments and programs: the leader of a tape.
-    pub(super) fn leader(&self, from: usize) -> Option<usize> {
+    fn leader(&self, from: usize) -> Option<usize> {
         if self.control.syntax.percent != Percent::Both {
             return None;
         }
@@ -114,7 +114,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Warns about text after a `%` in the same line, which the control skips.
-    pub(super) fn after_percent(&mut self, from: usize, to: usize) {
+    fn after_percent(&mut self, from: usize, to: usize) {
         let (from, to) = self.trimmed(from, to);
         if from < to && self.file.text.as_bytes().get(from) != Some(&b'(') {
             self.warn(from, to, msg!("nc.skipped-lead"));
@@ -143,7 +143,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads the blocks of a line: one, or several separated by `;`.
-    pub(super) fn blocks(&mut self, from: usize, to: usize) {
+    fn blocks(&mut self, from: usize, to: usize) {
         let bytes = self.file.text.as_bytes();
         let line = bytes.get(from..to).unwrap_or_default();
         if !line.contains(&b';') {
@@ -228,7 +228,7 @@ impl<'a> Reader<'a> {
 
     /// Reports a block with too many characters; comments do not count.
     #[cold]
-    pub(super) fn check_length(&mut self) {
+    fn check_length(&mut self) {
         let (mut count, mut comment) = (0, false);
         let most = self.tables.rules.block_chars;
         for (at, &byte) in self.cursor.line.iter().enumerate() {
@@ -242,7 +242,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads `O9100(TITLE)` at the start of a line, which starts a program; false if the letter is an ordinary address.
-    pub(super) fn program_number(&mut self) -> bool {
+    fn program_number(&mut self) -> bool {
         let letter = self.cursor.line.first().map_or(0, u8::to_ascii_uppercase);
         let usual = self.control.syntax.program_letters.first() == Some(&letter);
         self.cursor.at = 1;
@@ -266,24 +266,30 @@ impl<'a> Reader<'a> {
         }
         if !self.control.syntax.program_letters.contains(&letter) {
             let usual = self.program_letter();
-            self.slip(Alarm::Format, 0, 1, msg!("nc.program-letter", letter = usual.as_str()), &usual);
+            self.report_replaced(Alarm::Format, 0, 1, msg!("nc.program-letter", letter = usual.as_str()), &usual);
         }
         let number = number.unwrap_or(0);
         let title = title.map(|(title, span)| self.add_text(title, span));
-        if self.only_comments() && self.program.is_some() {
-            // Comments above the number belong to its program.
-            let program = self.program.and_then(|index| self.deck.programs.get_mut(index));
-            if let Some(program) = program {
-                (program.number, program.title, program.span) = (number, title, span);
-            }
-        } else {
-            let at = self.deck.blocks.len() as u32;
-            self.program = Some(self.deck.programs.len());
-            let program =
-                Program { file: self.file.id, number, name: None, sub: false, title, span, first: at, end: at };
-            self.deck.programs.push(program);
-        }
+        self.begin_program(Program { number, title, ..self.empty_program(span) });
         true
+    }
+
+    /// A program without number and name at the next block.
+    pub(super) fn empty_program(&self, span: Span) -> Program {
+        let at = self.deck.blocks.len() as u32;
+        Program { file: self.file.id, number: 0, name: None, sub: false, title: None, span, first: at, end: at }
+    }
+
+    /// Begins a program at the next block, or at the comments above its first line if there are any.
+    pub(super) fn begin_program(&mut self, program: Program) {
+        if self.only_comments()
+            && let Some(comments) = self.program.and_then(|index| self.deck.programs.get_mut(index))
+        {
+            *comments = Program { first: comments.first, end: comments.end, ..program };
+            return;
+        }
+        self.program = Some(self.deck.programs.len());
+        self.deck.programs.push(program);
     }
 
     /// The letter of program numbers on this control.
@@ -292,7 +298,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The comment after a program number.
-    pub(super) fn title(&mut self) -> Option<(&'a str, Span)> {
+    fn title(&mut self) -> Option<(&'a str, Span)> {
         self.cursor.blank();
         let rest = self.cursor.rest();
         let inner = rest.strip_prefix(b"(")?;
@@ -316,9 +322,9 @@ impl<'a> Reader<'a> {
             Some(program) => program.end = end,
             None => {
                 self.program = Some(self.deck.programs.len());
-                let (file, first, span) = (self.file.id, end - 1, Span::default());
                 let (name, sub, number) = self.file_program();
-                self.deck.programs.push(Program { file, number, name, sub, title: None, span, first, end });
+                let program = Program { number, name, sub, first: end - 1, ..self.empty_program(Span::default()) };
+                self.deck.programs.push(program);
             }
         }
     }

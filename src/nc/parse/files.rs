@@ -17,7 +17,7 @@ pub(in crate::nc) struct ReadFiles {
     pub(in crate::nc) places: PartPlaces,
     pub(in crate::nc) found: Vec<Diagnostic>,
     /// Blocks with calls and jumps in words, whose targets may be in a later file.
-    pub(in crate::nc) later: Vec<u32>,
+    pub(in crate::nc) deferred_checks: Vec<u32>,
 }
 
 /// Reads files as on a control with these settings.
@@ -45,7 +45,7 @@ pub(in crate::nc) fn read_files(
         reader.file();
         (all.deck, all.places) = (reader.deck, reader.places);
         all.found.append(&mut reader.findings.list);
-        all.later.append(&mut reader.findings.later);
+        all.deferred_checks.append(&mut reader.findings.deferred_checks);
     }
     all
 }

@@ -9,7 +9,7 @@ use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::OPERATORS;
 use crate::nc::lex::spelling::meant;
 use crate::nc::parse::failure::{IgnoredFeature, LineFix, Misused, ParseFailure, Read};
-use crate::nc::parse::reader::Reader;
+use crate::nc::parse::reader::{Reader, starts_value};
 use crate::nc::parsed::ExprSpan;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
 
@@ -58,7 +58,6 @@ impl Reader<'_> {
                 0,
                 self.cursor.line.len(),
                 msg!("nc.formula-too-long", most = PARTS),
-                false,
             ));
         }
         self.deck.exprs.push(expr);
@@ -95,31 +94,36 @@ impl Reader<'_> {
                 left = self.add_expr(Expr::Call(Function::Fix, ratio), start)?;
                 continue;
             };
-            let behind = self.cursor.at;
+            let after = self.cursor.at;
             if op == Op::Multiply && self.cursor.peek() == b'*' {
                 left = self.power(left, start, end)?;
                 continue;
             }
             let right = self.factor()?;
             if op == Op::Modulo && !self.tables.rules.modulo {
-                self.no_modulo(start, end, behind);
+                self.no_modulo(start, end, after);
             }
             left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
     }
 
-    /// Reports `a MOD b`, which ends at the cursor, on a control without MOD: `a` ends at `end`, `b` starts at `behind`.
-    fn no_modulo(&mut self, start: usize, end: usize, behind: usize) {
+    /// Reports `a MOD b`, which ends at the cursor, on a control without MOD: `a` ends at `end`, `b` starts at `after`.
+    fn no_modulo(&mut self, start: usize, end: usize, after: usize) {
         let text = |from: usize, to: usize| {
             String::from_utf8_lossy(self.cursor.line.get(from..to).unwrap_or_default()).trim().to_owned()
         };
-        let (left, right) = (text(start, end), text(behind, self.cursor.at));
+        let (left, right) = (text(start, end), text(after, self.cursor.at));
         let blank = self.cursor.line.get(start..end).unwrap_or_default();
         let start = end - blank.trim_ascii_start().len();
-        let finding =
-            self.finding(Alarm::Format, behind - 3, behind, msg!("nc.no-modulo", control = self.control.name));
+        let finding = self.finding(Alarm::Format, after - 3, after, msg!("nc.no-modulo", control = self.control.name));
         let finding = finding.hint(msg!("nc.hint.modulo"));
-        self.replace(Alarm::Format, finding, start, self.cursor.at, &format!("[{left}-FIX[{left}/{right}]*{right}]"));
+        self.report_replacing(
+            Alarm::Format,
+            finding,
+            start,
+            self.cursor.at,
+            &format!("[{left}-FIX[{left}/{right}]*{right}]"),
+        );
     }
 
     /// Whether an operator follows the value of a word.
@@ -151,7 +155,7 @@ impl Reader<'_> {
 
     /// Reads an operator of one level.
     fn operator(&mut self, word: bool, multiplicative: bool) -> Option<Op> {
-        let op = match self.skip() {
+        let op = match self.next_byte() {
             b'+' if !multiplicative => Op::Add,
             b'-' if !multiplicative => Op::Subtract,
             b'*' if multiplicative => Op::Multiply,
@@ -178,7 +182,7 @@ impl Reader<'_> {
     pub(super) fn deeper(&mut self) -> Read<()> {
         self.formulas.depth += 1;
         if self.formulas.depth > DEPTH {
-            return Err(self.failure(Alarm::BracketDepth, self.cursor.at, self.cursor.at, self.too_deep(), false));
+            return Err(self.failure(Alarm::BracketDepth, self.cursor.at, self.cursor.at, self.too_deep()));
         }
         Ok(())
     }
@@ -188,7 +192,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn factor(&mut self) -> Read<ExprId> {
-        let byte = self.skip();
+        let byte = self.next_byte();
         let start = self.cursor.at;
         match byte {
             b'R' | b'r' if self.parameter_ahead() => self.variable(false),
@@ -197,23 +201,17 @@ impl Reader<'_> {
             b'$' if self.names().is_some() => Err(self.system_variable()),
             b'#' => self.variable(false),
             b'0'..=b'9' | b'.' => {
-                let mut number = self.digits()?;
-                if self.names().is_some() {
-                    number = self.symbolic_number(number, start);
-                }
+                let number = self.formula_number(start)?;
                 self.add_expr(Expr::Number(number), start)
             }
             b'+' | b'-' => {
                 self.cursor.at += 1;
-                let next = self.skip();
+                let next = self.next_byte();
                 if matches!(next, b'+' | b'-') {
                     self.two_signs(start);
                 }
                 if next.is_ascii_digit() || next == b'.' {
-                    let mut number = self.digits()?;
-                    if self.names().is_some() {
-                        number = self.symbolic_number(number, start);
-                    }
+                    let mut number = self.formula_number(start)?;
                     number.mantissa *= if byte == b'-' { -1 } else { 1 };
                     return self.add_expr(Expr::Number(number), start);
                 }
@@ -229,12 +227,19 @@ impl Reader<'_> {
         }
     }
 
+    /// Reads an unsigned number of a formula; with its sign it starts at `start`.
+    #[inline]
+    fn formula_number(&mut self, start: usize) -> Read<Dec> {
+        let number = self.unsigned_number()?;
+        Ok(if self.names().is_some() { self.symbolic_number(number, start) } else { number })
+    }
+
     /// Reports several signs in a row, from `start` on; reads them as arithmetic does.
     #[cold]
     fn two_signs(&mut self, start: usize) {
-        let behind = self.cursor.line.get(start..).unwrap_or_default();
-        let run = behind.iter().take_while(|b| matches!(b, b'+' | b'-' | b' ' | b'\t')).count();
-        let signs = behind.get(..run).unwrap_or_default().trim_ascii_end();
+        let after = self.cursor.line.get(start..).unwrap_or_default();
+        let run = after.iter().take_while(|b| matches!(b, b'+' | b'-' | b' ' | b'\t')).count();
+        let signs = after.get(..run).unwrap_or_default().trim_ascii_end();
         let place = self.place(self.span(start, start + signs.len()));
         let last = self.findings.list.last().filter(|last| last.kind == DiagnosticKind::TwoSigns);
         if last.and_then(|last| last.place).is_some_and(|last| last.covers(place)) {
@@ -268,12 +273,12 @@ impl Reader<'_> {
             && let Some(comma) = self.comma_within()
         {
             let message = msg!("nc.atan-alone", control = self.control.name);
-            let mut failure = self.failure(Alarm::AtanForm, start, start + 4, message, false);
+            let mut failure = self.failure(Alarm::AtanForm, start, start + 4, message);
             failure.finding =
                 self.with_fix(failure.finding.hint(msg!("nc.hint.atan")), LineFix::Write(comma, comma + 1, "]/["));
             return Err(failure);
         }
-        let inner = match self.skip() {
+        let inner = match self.next_byte() {
             b'(' if self.names().is_some() && function == Function::Atan => {
                 return self.two_arguments(Op::Atan, b')', start);
             }
@@ -286,7 +291,7 @@ impl Reader<'_> {
             b'(' if self.formulas.rounds => self.group(b')')?,
             _ => self.bare_argument(start, name)?,
         };
-        let second = atan == ArcTangent::OfTwo || atan.takes_two() && self.skip() == b'/' && self.bracket_after();
+        let second = atan == ArcTangent::OfTwo || atan.takes_two() && self.next_byte() == b'/' && self.bracket_after();
         if function == Function::Atan && second {
             return self.second_argument(inner, start);
         }
@@ -300,13 +305,12 @@ impl Reader<'_> {
             .to_ascii_uppercase();
         let open = self.open_group(close)?;
         let left = self.inner_formula()?;
-        if self.skip() != b',' {
+        if self.next_byte() != b',' {
             return Err(self.failure(
                 Alarm::AtanForm,
                 start,
                 self.cursor.at,
                 msg!("nc.two-arguments", function = name),
-                false,
             ));
         }
         self.cursor.at += 1;
@@ -341,8 +345,9 @@ impl Reader<'_> {
         if !matches!(bracket, Some(b'[' | b'(')) {
             let message = msg!("nc.no-operand-but", text = name);
             // A comment in place of a value would leave the operator without one.
-            let is_operand = self.after_operator(start);
-            return Err(self.failure(Alarm::Format, start, start + letters, message, !is_operand));
+            let mut failure = self.failure(Alarm::Format, start, start + letters, message);
+            failure.at_word = !self.after_operator(start);
+            return Err(failure);
         }
         let message = msg!("nc.unknown-function", function = name.as_str(), control = self.control.name);
         let functions = self.control.syntax.functions;
@@ -351,17 +356,17 @@ impl Reader<'_> {
             Some(at) => {
                 let (known, function) = functions[at];
                 self.cursor.at += letters;
-                self.slip(Alarm::Format, start, self.cursor.at, message, known);
+                self.report_replaced(Alarm::Format, start, self.cursor.at, message, known);
                 Ok((known, function))
             }
             None if self.control.syntax.random.contains(&name.as_str()) => {
                 let message = msg!("nc.random", function = name.as_str());
-                let mut failure = self.failure(Alarm::Budget, start, start + letters, message, false);
+                let mut failure = self.failure(Alarm::Budget, start, start + letters, message);
                 (failure.finding.severity, failure.finding.alarm, failure.finding.wording) =
                     (Severity::Warning, None, None);
                 Err(failure)
             }
-            None => Err(self.failure(Alarm::Format, start, start + letters, message, false)),
+            None => Err(self.failure(Alarm::Format, start, start + letters, message)),
         }
     }
 
@@ -376,7 +381,7 @@ impl Reader<'_> {
         }
         if self.names().is_some() {
             let end = start + name.len();
-            return Err(self.failure(Alarm::Format, start, end, msg!("nc.function-round", function = name), false));
+            return Err(self.failure(Alarm::Format, start, end, msg!("nc.function-round", function = name)));
         }
         let finding = self.finding(Alarm::Format, start, from, msg!("nc.function-bracket", function = name));
         let Ok(argument) = argument else {
@@ -385,16 +390,15 @@ impl Reader<'_> {
                 start,
                 start + name.len(),
                 msg!("nc.function-bracket", function = name),
-                false,
             ));
         };
-        self.enclose(Alarm::Format, finding, from, self.cursor.at);
+        self.report_enclosing(Alarm::Format, finding, from, self.cursor.at);
         Ok(argument)
     }
 
     /// Position of the comma between two arguments in the brackets that open at the cursor.
     fn comma_within(&mut self) -> Option<usize> {
-        if self.skip() != b'[' {
+        if self.next_byte() != b'[' {
             return None;
         }
         let mut depth = 0_u32;
@@ -414,20 +418,20 @@ impl Reader<'_> {
     fn second_argument(&mut self, y: ExprId, start: usize) -> Read<ExprId> {
         let end = self.cursor.at;
         let name = start + 4;
-        if self.skip() == b'/' {
+        if self.next_byte() == b'/' {
             self.cursor.at += 1;
-            let byte = self.skip();
+            let byte = self.next_byte();
             let from = self.cursor.at;
             let x = self.factor()?;
             if byte != b'[' && !self.formulas.rounds {
                 let finding = self.finding(Alarm::AtanForm, from, self.cursor.at, msg!("nc.atan-bracket"));
-                self.enclose(Alarm::AtanForm, finding, from, self.cursor.at);
+                self.report_enclosing(Alarm::AtanForm, finding, from, self.cursor.at);
             }
             return self.add_expr(Expr::Binary(Op::Atan, y, x), start);
         }
         self.cursor.at = end;
         let finding = self.finding(Alarm::AtanForm, start, name, msg!("nc.atan-alone", control = self.control.name));
-        self.replace(Alarm::AtanForm, finding.hint(msg!("nc.hint.atan")), end, end, "/[1]");
+        self.report_replacing(Alarm::AtanForm, finding.hint(msg!("nc.hint.atan")), end, end, "/[1]");
         let x = self.add_expr(Expr::Number(Dec::int(1)), end)?;
         self.add_expr(Expr::Binary(Op::Atan, y, x), start)
     }
@@ -489,7 +493,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn close(&mut self, open: OpenBracket) -> Read<()> {
-        let byte = self.skip();
+        let byte = self.next_byte();
         if byte == open.close {
             if byte == b')' && self.names().is_none() {
                 self.formulas.round_brackets.push((open.at, self.cursor.at));
@@ -499,10 +503,10 @@ impl Reader<'_> {
         }
         if self.cursor.ended() || byte == b',' && self.names().is_some() {
             let message = if self.names().is_some() { msg!("nc.unclosed-group") } else { msg!("nc.unclosed-square") };
-            return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false));
+            return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, message));
         }
-        if let Some(lost) = self.lost_comparison(self.formulas.sentence) {
-            return Err(lost);
+        if let Some(stray) = self.stray_comparison(self.formulas.sentence) {
+            return Err(stray);
         }
         if let Some(failure) = self.closed_late(&open) {
             return Err(failure);
@@ -517,8 +521,8 @@ impl Reader<'_> {
     fn closed_late(&self, open: &OpenBracket) -> Option<Box<ParseFailure>> {
         let rest = self.cursor.rest();
         let value = rest.get(1..).unwrap_or_default().trim_ascii_start().first();
-        let word = rest.first().is_some_and(u8::is_ascii_alphabetic)
-            && value.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'[' | b'='));
+        let word =
+            rest.first().is_some_and(u8::is_ascii_alphabetic) && value.is_some_and(|b| starts_value(*b) || *b == b'=');
         // A bracket closed after the word has an error inside.
         if !word || rest.contains(&open.close) {
             return None;
@@ -526,7 +530,7 @@ impl Reader<'_> {
         let (opening, closing) = if open.close == b')' { ("(", ")") } else { ("[", "]") };
         let letter = char::from(rest.first().copied().unwrap_or(b' ')).to_string();
         let message = msg!("nc.unclosed-before-word", bracket = opening, word = letter);
-        let mut failure = self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false);
+        let mut failure = self.failure(Alarm::BracketPair, open.at, open.at + 1, message);
         let end = self.ended_at();
         failure.finding = self.with_fix(failure.finding, LineFix::Write(end, end, closing));
         Some(failure)
@@ -536,7 +540,7 @@ impl Reader<'_> {
     pub(super) fn variable(&mut self, written: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         self.cursor.at += 1;
-        match self.skip() {
+        match self.next_byte() {
             b'0'..=b'9' => {
                 let from = self.cursor.at;
                 let mut number = 0_u32;
@@ -569,7 +573,7 @@ impl Reader<'_> {
                         self.cursor.at,
                         msg!("nc.double-hash", control = self.control.name),
                     );
-                    self.enclose(Alarm::Format, finding, from, self.cursor.at);
+                    self.report_enclosing(Alarm::Format, finding, from, self.cursor.at);
                 }
                 self.add_expr(Expr::Indirect(inner), start)
             }
@@ -589,7 +593,7 @@ impl Reader<'_> {
                 }
                 let name = name.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
                 let message = if name > 1 { msg!("nc.variable-name") } else { msg!("nc.variable-number") };
-                Err(self.failure(Alarm::Format, start, start + 1 + name, message, false))
+                Err(self.failure(Alarm::Format, start, start + 1 + name, message))
             }
         }
     }

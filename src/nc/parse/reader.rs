@@ -2,14 +2,16 @@
 
 use core::cell::Cell;
 
-use super::failure::{IgnoredFeature, Misused};
+use super::failure::{IgnoredFeature, LineFix, Misused, ParseFailure};
 use super::tables::Tables;
 use crate::controls::syntax::{Names, RoundBrackets};
 use crate::controls::{Alarm, Control};
+use crate::msg;
 use crate::nc::ast::{BadBlock, Deck, Extent, Op, TextId};
 use crate::nc::lex::cursor::Cursor;
 use crate::nc::parsed::{FINDINGS, PartPlaces};
-use crate::text::{Diagnostic, FileId, Message, Place, Span};
+use crate::text::lines::line_end;
+use crate::text::{Diagnostic, DiagnosticKind, FileId, Message, Place, Span};
 
 /// Maximum blocks read: five times those of the largest programs.
 pub(super) const BLOCKS: usize = 5_000_000;
@@ -54,8 +56,8 @@ pub(super) struct ReaderFindings {
     pub(super) ignored: Vec<IgnoredFeature>,
     /// Variables missing or read-only on the control, reported at the end of the file.
     pub(super) misused: Vec<Misused>,
-    /// Blocks with calls and jumps in words, checked after all files are read.
-    pub(super) later: Vec<u32>,
+    /// Blocks with calls and jumps in words, checked once all files are read.
+    pub(super) deferred_checks: Vec<u32>,
 }
 
 /// Peculiarities of the file's spelling, each by its first place in the file.
@@ -115,6 +117,11 @@ pub(super) struct FreshNumbers {
     pub(super) known: Vec<u32>,
     /// Number of candidates, in the order of [`fresh_numbers`](crate::nc::ast::fresh_numbers), that are used or known.
     pub(super) tried: usize,
+}
+
+/// Whether a byte starts a value: a number, a sign, a variable or a square bracket.
+pub(super) fn starts_value(byte: u8) -> bool {
+    byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+' | b'#' | b'[')
 }
 
 /// The parser: tables, results and position.
@@ -192,6 +199,28 @@ impl<'a> Reader<'a> {
         (from + lead, (to - trail).max(from + lead))
     }
 
+    /// A word, with spaces around it if the text has none.
+    pub(super) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
+        let blank =
+            |at: Option<usize>| at.and_then(|at| self.cursor.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
+        let gap = |blank: bool| if blank { "" } else { " " };
+        format!("{}{word}{}", gap(blank(from.checked_sub(1))), gap(blank(Some(to))))
+    }
+
+    /// The line end of the file.
+    pub(super) fn newline(&self) -> &'static str {
+        line_end(self.file.text)
+    }
+
+    /// The optional block skip of the block, as written.
+    pub(super) fn skip_mark(&self) -> String {
+        match self.block.skip_switch {
+            0 => String::new(),
+            1 => "/".to_owned(),
+            switch => format!("/{switch}"),
+        }
+    }
+
     pub(super) fn take_line(&mut self, line: &'a [u8], from: usize) {
         self.cursor.line = line;
         self.cursor.base = from as u32;
@@ -265,6 +294,11 @@ impl<'a> Reader<'a> {
         Extent { offset: bytes(from), len: bytes(to.saturating_sub(from)) }
     }
 
+    /// End of the text read so far, without trailing blanks.
+    pub(super) fn ended_at(&self) -> usize {
+        self.cursor.line.get(..self.cursor.at).unwrap_or_default().trim_ascii_end().len()
+    }
+
     /// Adds a text to the deck, with its place in the file.
     pub(super) fn add_text(&mut self, text: impl Into<Box<str>>, span: Span) -> TextId {
         self.places.texts.push(span);
@@ -280,10 +314,58 @@ impl<'a> Reader<'a> {
         Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_shown(alarm))
     }
 
-    /// Marks the block for a check after all files are read.
-    pub(super) fn note_later(&mut self) {
-        if self.findings.later.len() < FINDINGS {
-            self.findings.later.push(self.deck.blocks.len() as u32);
+    /// The failure for some bytes of the line.
+    pub(super) fn failure(&self, alarm: Alarm, from: usize, to: usize, message: Message) -> Box<ParseFailure> {
+        Box::new(ParseFailure { alarm, from, finding: self.finding(alarm, from, to, message), at_word: false })
+    }
+
+    /// The failure of an unexpected byte.
+    pub(super) fn unexpected(&self) -> Box<ParseFailure> {
+        let start = self.cursor.at;
+        if self.cursor.ended() {
+            let before = self.cursor.line.get(..start).unwrap_or_default();
+            let last = before.iter().rposition(|b| b & 0xC0 != 0x80).unwrap_or(0);
+            let mut failure = self.failure(Alarm::Format, last, start, msg!("nc.ends-early"));
+            failure.finding.kind = DiagnosticKind::EndsEarly;
+            return failure;
+        }
+        let from = self.cursor.base as usize + start;
+        let character = self.file.text.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
+        let end = (start + character.len_utf8()).min(self.cursor.line.len());
+        let shown = if character.is_control() { character.escape_default().to_string() } else { character.to_string() };
+        let known = character.is_ascii_alphanumeric() || "+-*/.,#[]()=%;:".chars().any(|c| c == character);
+        if known {
+            let message = match character {
+                '0'..='9' => msg!("nc.number-without-address"),
+                _ => msg!("nc.unexpected", text = shown),
+            };
+            let mut failure = self.failure(Alarm::Format, start, end, message);
+            failure.at_word = !character.is_ascii_digit();
+            failure
+        } else {
+            let message = match character {
+                '\0' => msg!("nc.nul"),
+                _ => msg!("nc.illegal-character", character = shown),
+            };
+            let mut failure = self.failure(Alarm::IllegalAddress, start, end, message);
+            failure.at_word = character != '\0';
+            failure.finding = if character == '\0' {
+                let line = self.cursor.line.len();
+                let text =
+                    self.file.text.get(self.cursor.base as usize..self.cursor.base as usize + line).unwrap_or("");
+                let edit = (self.place(self.span(0, line)), text.replace('\0', ""));
+                failure.finding.fix(msg!("nc.fix.drop-nul"), vec![edit])
+            } else {
+                self.with_fix(failure.finding, LineFix::Plain(character))
+            };
+            failure
+        }
+    }
+
+    /// Defers a check of the block until all files are read.
+    pub(super) fn defer_check(&mut self) {
+        if self.findings.deferred_checks.len() < FINDINGS {
+            self.findings.deferred_checks.push(self.deck.blocks.len() as u32);
         }
     }
 

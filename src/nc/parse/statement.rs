@@ -6,7 +6,7 @@ use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Op, Pair, Stmt};
 use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
 use crate::nc::lex::spelling::meant;
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
-use crate::nc::parse::reader::Reader;
+use crate::nc::parse::reader::{Reader, starts_value};
 
 /// Words and signs that join conditions in other languages.
 const JOINTS: [&str; 5] = ["AND", "OR", "XOR", "&&", "||"];
@@ -77,14 +77,14 @@ impl Reader<'_> {
         let rest = self.cursor.rest();
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         let name = String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase();
-        let behind = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
-        if letters < 3 || !behind.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'[')) {
+        let after = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
+        if letters < 3 || !after.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'[')) {
             return None;
         }
         let word = KEYWORDS[meant(&name, KEYWORDS.into_iter())?];
         let start = self.cursor.at;
         self.cursor.at += letters;
-        self.slip(Alarm::Format, start, self.cursor.at, msg!("nc.unknown-keyword", word = name), word);
+        self.report_replaced(Alarm::Format, start, self.cursor.at, msg!("nc.unknown-keyword", word = name), word);
         Some(word)
     }
 
@@ -94,11 +94,11 @@ impl Reader<'_> {
         self.no_other_condition(Alarm::IfSentence)?;
         let then = self.cursor.at;
         let named = self.take("THEN");
-        let behind = self.cursor.at;
-        self.skip();
+        let after = self.cursor.at;
+        self.pass_blanks();
         if self.take_goto() {
             if named {
-                self.slip(Alarm::IfSentence, then, behind, msg!("nc.then-goto"), "");
+                self.report_replaced(Alarm::IfSentence, then, after, msg!("nc.then-goto"), "");
             }
             let target = self.target()?;
             self.end_of_macro()?;
@@ -106,9 +106,9 @@ impl Reader<'_> {
         }
         if self.cursor.peek() != b'#' && !named {
             let end = self.cursor.at.max(start + 2);
-            let mut failure = self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"), false);
+            let mut failure = self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"));
             let next = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default().trim_ascii_start().first();
-            let value = next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'['));
+            let value = next.is_some_and(|b| starts_value(*b));
             if self.cursor.peek().is_ascii_alphabetic() && value {
                 failure.finding = self.jump_instead(failure.finding, then, then);
             }
@@ -119,7 +119,7 @@ impl Reader<'_> {
             self.end_of_macro()?;
             if self.tables.rules.if_then {
                 if !named {
-                    self.slip(Alarm::IfSentence, then, then, msg!("nc.no-then"), "THEN ");
+                    self.report_replaced(Alarm::IfSentence, then, then, msg!("nc.no-then"), "THEN ");
                 }
                 return Ok(Stmt::IfThen { cond, to, value });
             }
@@ -132,8 +132,8 @@ impl Reader<'_> {
             true => msg!("nc.then-no-assignment"),
             false => msg!("nc.no-if-then", control = self.control.name),
         };
-        let finding = self.finding(Alarm::IfSentence, then, if named { behind } else { then + 1 }, message);
-        let finding = self.jump_instead(finding, then, behind);
+        let finding = self.finding(Alarm::IfSentence, then, if named { after } else { then + 1 }, message);
+        let finding = self.jump_instead(finding, then, after);
         self.report_as(Alarm::IfSentence, finding);
         Ok(stmt)
     }
@@ -141,15 +141,15 @@ impl Reader<'_> {
     /// Reads the sequence number after `GOTO`.
     fn target(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
-        let byte = self.skip();
+        let byte = self.next_byte();
         if self.cursor.ended() {
             let message = msg!("nc.no-operand", keyword = "GOTO");
-            return Err(self.failure(Alarm::IfSentence, start.saturating_sub(4), start, message, false));
+            return Err(self.failure(Alarm::IfSentence, start.saturating_sub(4), start, message));
         }
         let at = self.cursor.at;
         let next = self.cursor.line.get(at + 1..).unwrap_or_default().trim_ascii_start().first();
         if byte | 0x20 == b'n' && next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'[')) {
-            self.slip(Alarm::IfSentence, at, at + 1, msg!("nc.goto-n"), "");
+            self.report_replaced(Alarm::IfSentence, at, at + 1, msg!("nc.goto-n"), "");
             self.cursor.at += 1;
         }
         self.formula(false)
@@ -165,48 +165,42 @@ impl Reader<'_> {
 
     fn bracketed_condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
         let start = self.cursor.at;
-        let byte = self.skip();
+        let byte = self.next_byte();
         let close = match byte {
             b'[' => b']',
             b'(' => b')',
             _ => return self.bare_condition(alarm, keyword, start),
         };
         let open = self.open(close);
-        self.skip();
+        self.pass_blanks();
         if let Some(word) = COMPARISONS.iter().map(|row| row.0).find(|word| self.cursor.ahead(word)) {
-            return Err(self.failure(
-                alarm,
-                self.cursor.at,
-                self.cursor.at + word.len(),
-                msg!("nc.comparison-sides"),
-                false,
-            ));
+            return Err(self.failure(alarm, self.cursor.at, self.cursor.at + word.len(), msg!("nc.comparison-sides")));
         }
         let left = self.formula(false)?;
-        self.skip();
+        self.pass_blanks();
         let at = self.cursor.at;
         let Some(op) = self.comparison(alarm) else {
             return Err(match self.cursor.peek() {
-                byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison"), false),
+                byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison")),
                 _ => self.unexpected(),
             });
         };
-        if self.skip() == close {
-            return Err(self.failure(alarm, at, self.formulas.compared.1, msg!("nc.comparison-sides"), false));
+        if self.next_byte() == close {
+            return Err(self.failure(alarm, at, self.formulas.compared.1, msg!("nc.comparison-sides")));
         }
         let right = self.formula(false)?;
-        if self.skip() == close {
+        if self.next_byte() == close {
             self.close(open)?;
             return self.add_expr(Expr::Binary(op, left, right), start);
         }
-        if let Some(lost) = self.lost_comparison(alarm) {
-            return Err(lost);
+        if let Some(stray) = self.stray_comparison(alarm) {
+            return Err(stray);
         }
         if self.keyword_ahead() {
             // A keyword follows, so the missing bracket belongs in front of it.
             let to = self.ended_at();
             let finding = self.finding(Alarm::BracketPair, open.at, open.at + 1, msg!("nc.unclosed-square"));
-            self.replace(Alarm::BracketPair, finding, to, to, "]");
+            self.report_replacing(Alarm::BracketPair, finding, to, to, "]");
         } else {
             self.close(open)?;
         }
@@ -218,20 +212,20 @@ impl Reader<'_> {
         let from = self.cursor.at;
         let failure = |reader: &Self| {
             let message = msg!("nc.no-condition", keyword);
-            reader.failure(alarm, start.saturating_sub(keyword.len()), start, message, false)
+            reader.failure(alarm, start.saturating_sub(keyword.len()), start, message)
         };
         let Ok(left) = self.formula(false) else { return Err(failure(self)) };
-        self.skip();
+        self.pass_blanks();
         let Some(op) = self.comparison(alarm) else { return Err(failure(self)) };
         let Ok(right) = self.formula(false) else { return Err(failure(self)) };
         let to = self.ended_at();
         let finding = self.finding(alarm, from, to, msg!("nc.no-condition", keyword));
-        if self.skip() == b']' {
+        if self.next_byte() == b']' {
             // Its closing bracket is present.
             self.cursor.at += 1;
-            self.replace(alarm, finding, from, from, "[");
+            self.report_replacing(alarm, finding, from, from, "[");
         } else {
-            self.enclose(alarm, finding, from, to);
+            self.report_enclosing(alarm, finding, from, to);
         }
         self.add_expr(Expr::Binary(op, left, right), from)
     }
@@ -251,13 +245,13 @@ impl Reader<'_> {
             let letters = letters_of(op);
             let message = msg!("nc.comparison-sign", sign, control = self.control.name, correct = letters);
             let letters = self.spaced(from, self.cursor.at, letters);
-            self.slip(alarm, from, self.cursor.at, message, &letters);
+            self.report_replaced(alarm, from, self.cursor.at, message, &letters);
         }
         Some(op)
     }
 
     /// The failure of a comparison ahead that does not belong to a condition.
-    pub(super) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<ParseFailure>> {
+    pub(super) fn stray_comparison(&self, alarm: Alarm) -> Option<Box<ParseFailure>> {
         let signs = SIGNS.iter().map(|(sign, ..)| *sign).filter(|sign| *sign != "=");
         let word = COMPARISONS.iter().map(|(word, _)| *word).chain(signs).find(|word| self.cursor.ahead(word))?;
         Some(self.one_comparison(alarm, word.len()))
@@ -265,7 +259,7 @@ impl Reader<'_> {
 
     /// Reports operators that join another condition to the one read.
     fn no_other_condition(&mut self, alarm: Alarm) -> Read<()> {
-        while self.skip() == b']' {
+        while self.next_byte() == b']' {
             self.stray_square();
         }
         match JOINTS.iter().find(|word| self.cursor.ahead(word)) {
@@ -278,7 +272,7 @@ impl Reader<'_> {
     fn one_comparison(&self, alarm: Alarm, len: usize) -> Box<ParseFailure> {
         let condition = matches!(alarm, Alarm::IfSentence | Alarm::WhileSentence);
         let message = if condition { msg!("nc.two-comparisons") } else { msg!("nc.lost-comparison") };
-        let mut failure = self.failure(alarm, self.cursor.at, self.cursor.at + len, message, false);
+        let mut failure = self.failure(alarm, self.cursor.at, self.cursor.at + len, message);
         if condition {
             failure.finding = failure.finding.hint(msg!("nc.hint.two-conditions"));
         }
@@ -288,7 +282,7 @@ impl Reader<'_> {
     /// Reads the number after `DO` or `END`; the keyword starts at `head`. Returns the number and the bytes of both.
     fn loop_number(&mut self, keyword: &str, head: usize) -> Read<(u16, Extent)> {
         let start = self.cursor.at;
-        self.skip();
+        self.pass_blanks();
         let from = self.cursor.at;
         while self.cursor.peek().is_ascii_digit() {
             self.cursor.at += 1;
@@ -302,7 +296,9 @@ impl Reader<'_> {
                     if number.is_empty() { (start - keyword.len(), start) } else { (from, self.cursor.at) };
                 // `END OF PROGRAM` is an unbracketed comment.
                 let word = self.cursor.peek().is_ascii_alphabetic();
-                return Err(self.failure(Alarm::DoNumber, from, to, msg!("nc.do-number", keyword, most), word));
+                let mut failure = self.failure(Alarm::DoNumber, from, to, msg!("nc.do-number", keyword, most));
+                failure.at_word = word;
+                return Err(failure);
             }
         };
         let extent = self.extent(head, self.cursor.at);
@@ -313,13 +309,13 @@ impl Reader<'_> {
     /// Reads `#… = expr`.
     pub(super) fn assignment(&mut self) -> Read<Stmt> {
         let (to, value) = self.assigned()?;
-        if !self.tables.rules.assignments || self.skip() != b'#' {
+        if !self.tables.rules.assignments || self.next_byte() != b'#' {
             self.end_of_macro()?;
             return Ok(Stmt::Assign { to, value });
         }
         let first = self.deck.pairs.len();
         self.deck.pairs.push(Pair { left: to, right: value, way: JumpDirection::Around, keyword: Extent::default() });
-        while self.skip() == b'#' {
+        while self.next_byte() == b'#' {
             let (left, right) = self.assigned()?;
             self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around, keyword: Extent::default() });
         }
@@ -332,11 +328,11 @@ impl Reader<'_> {
         let start = self.cursor.at;
         let to = self.variable(true)?;
         let end = self.cursor.at;
-        if self.skip() == b'.' {
+        if self.next_byte() == b'.' {
             self.stray_point();
         }
-        if self.skip() == b':' && self.cursor.line.get(self.cursor.at + 1) == Some(&b'=') {
-            self.slip(Alarm::NoEquals, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
+        if self.next_byte() == b':' && self.cursor.line.get(self.cursor.at + 1) == Some(&b'=') {
+            self.report_replaced(Alarm::NoEquals, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
             self.cursor.at += 1;
         }
         self.equals_sign(start, end)?;
@@ -349,29 +345,26 @@ impl Reader<'_> {
 
     /// Reads the `=` of an assignment to the variable from `start` to `end`; `==` is read as one, with a fix, and so are more of them.
     pub(super) fn equals_sign(&mut self, start: usize, end: usize) -> Read<()> {
-        if self.skip() != b'=' {
-            return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
+        if self.next_byte() != b'=' {
+            return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals")).at_word());
         }
         self.cursor.at += 1;
-        if self.skip() == b'=' {
+        if self.next_byte() == b'=' {
             let (from, mut to) = (self.cursor.at, self.cursor.at);
             while self.cursor.peek() == b'=' {
                 to = self.cursor.at + 1;
                 self.cursor.at = to;
                 self.cursor.blank();
             }
-            self.slip(Alarm::Format, from, to, msg!("nc.double-equals"), "");
+            self.report_replaced(Alarm::Format, from, to, msg!("nc.double-equals"), "");
         }
         Ok(())
     }
 
-    /// Checks the range of a user alarm's number.
+    /// Checks the number of a user alarm, if the variable raises one.
     fn user_alarm(&mut self, variable: u32, value: f64, start: usize) {
-        let (least, most) = self.control.macros.user_alarms;
-        let row = self.control.var(variable);
-        let alarm = row.is_some_and(|row| row.kind == VarKind::AlarmMessage);
-        if alarm && !(f64::from(least)..=f64::from(most)).contains(&value) {
-            self.report(Alarm::UserAlarmRange, start, self.cursor.at, msg!("nc.user-alarm-number", least, most));
+        if self.control.var(variable).is_some_and(|row| row.kind == VarKind::AlarmMessage) {
+            self.check_user_alarm(value, start, self.cursor.at);
         }
     }
 
@@ -384,7 +377,7 @@ impl Reader<'_> {
     /// Reports text other than comments after a macro statement.
     fn end_of_macro(&mut self) -> Read<()> {
         loop {
-            let byte = self.skip();
+            let byte = self.next_byte();
             let start = self.cursor.at;
             match byte {
                 _ if self.cursor.ended() => return Ok(()),
@@ -401,10 +394,10 @@ impl Reader<'_> {
                     return Ok(());
                 }
                 _ => {
-                    let failure = match self.lost_comparison(Alarm::Format) {
-                        Some(lost) => lost,
+                    let failure = match self.stray_comparison(Alarm::Format) {
+                        Some(stray) => stray,
                         None if byte.is_ascii_alphabetic() => {
-                            self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), true)
+                            self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")).at_word()
                         }
                         None => self.unexpected(),
                     };

@@ -9,20 +9,21 @@ use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
-use crate::nc::parse::failure::{IgnoredFeature, LineFix, ParseFailure, Read};
+use crate::nc::parse::failure::{IgnoredFeature, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::{DiagnosticKind, Message};
 
 impl<'a> Reader<'a> {
-    /// Skips white space and comments; returns the following byte, 0 at the end.
+    /// The next byte after white space and comments, which it passes; 0 at the end.
     #[inline]
-    pub(super) fn skip(&mut self) -> u8 {
+    pub(super) fn next_byte(&mut self) -> u8 {
         let byte = self.cursor.peek();
         // White space and the bracket of a comment sort below all bytes of words.
-        if byte > b'(' { byte } else { self.skip_on() }
+        if byte > b'(' { byte } else { self.pass_blanks() }
     }
 
-    fn skip_on(&mut self) -> u8 {
+    /// Passes white space and comments; returns the following byte, 0 at the end.
+    pub(super) fn pass_blanks(&mut self) -> u8 {
         loop {
             match self.cursor.peek() {
                 b' ' | b'\t' | b'\r' => self.cursor.at += 1,
@@ -43,7 +44,7 @@ impl<'a> Reader<'a> {
             let finding = self
                 .finding(Alarm::CommentBracket, open, end, msg!("nc.open-comment"))
                 .kind(DiagnosticKind::OpenComment);
-            self.replace(Alarm::CommentBracket, finding, end, end, ")");
+            self.report_replacing(Alarm::CommentBracket, finding, end, end, ")");
         }
         let (from, to) = (self.cursor.base as usize + open + 1, self.cursor.base as usize + end);
         self.note_foreign(from, to);
@@ -70,10 +71,10 @@ impl<'a> Reader<'a> {
 
     /// Reads a whole block: skip mark, sequence number, then macro text or words.
     pub(super) fn statement(&mut self) -> Read<Stmt> {
-        let mut first = self.optional_skip();
+        let mut first = self.block_skip();
         if first | 0x20 == b'n' {
             self.sequence_number()?;
-            first = self.skip();
+            first = self.next_byte();
         }
         if first == b'#' {
             return self.assignment();
@@ -85,20 +86,20 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads the optional block skip, `/` or `/2`, at the start of the block; returns the following byte.
-    pub(super) fn optional_skip(&mut self) -> u8 {
-        let first = self.skip();
+    pub(super) fn block_skip(&mut self) -> u8 {
+        let first = self.next_byte();
         if first != b'/' {
             return first;
         }
         self.cursor.at += 1;
         self.block.skip_switch = 1;
-        let switch = self.skip();
+        let switch = self.next_byte();
         if !switch.is_ascii_digit() {
             return switch;
         }
         self.cursor.at += 1;
         self.block.skip_switch = (switch - b'0').max(1);
-        self.skip()
+        self.next_byte()
     }
 
     fn sequence_number(&mut self) -> Read<()> {
@@ -108,7 +109,7 @@ impl<'a> Reader<'a> {
         self.cursor.blank();
         let digits = self.cursor.digits();
         if digits == 0 {
-            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number"), true));
+            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number")).at_word());
         }
         let text = self.cursor.line.get(self.cursor.at..self.cursor.at + digits).unwrap_or_default();
         self.cursor.at += digits;
@@ -136,7 +137,7 @@ impl<'a> Reader<'a> {
         let (mut seen, mut again) = (AddressSet::EMPTY, false);
         let mut calls = false;
         loop {
-            let byte = self.skip();
+            let byte = self.next_byte();
             if !byte.is_ascii_alphabetic() {
                 if self.cursor.ended() {
                     break;
@@ -191,7 +192,7 @@ impl<'a> Reader<'a> {
             }
             if !self.tables.letters.contains(letter) && !seen.contains(letter) {
                 match self.deck.words.get(first..at).unwrap_or_default().iter().any(|word| self.calls_sub(word)) {
-                    true if word.letter == Address::O => self.named_by_letter(Alarm::Format, start),
+                    true if word.letter == Address::O => self.letter_for_p(Alarm::Format, start),
                     _ => self.odd_letter(word.letter, start),
                 }
             } else if self.tables.once.and(seen).contains(letter) && twice.insert(letter) {
@@ -240,7 +241,7 @@ impl<'a> Reader<'a> {
         let text = self.cursor.line.get(start..end).unwrap_or_default();
         match text.iter().position(|&b| b == b'.') {
             Some(point) if number.to_f64().fract() == 0.0 => {
-                self.replace(Alarm::PointNotAllowed, finding, start + point, end, "");
+                self.report_replacing(Alarm::PointNotAllowed, finding, start + point, end, "");
             }
             // Dropping decimals other than zeros would change the meaning, so there is no fix.
             _ => self.report_as(Alarm::PointNotAllowed, finding),
@@ -282,10 +283,10 @@ impl<'a> Reader<'a> {
             }
             b',' => {
                 self.cursor.at += 1;
-                let Some(letter) = Address::of(self.skip()) else { return Err(self.unexpected()) };
+                let Some(letter) = Address::of(self.next_byte()) else { return Err(self.unexpected()) };
                 if !self.control.syntax.comma_addresses.contains(letter) {
                     // Words need no separator.
-                    self.slip(Alarm::IllegalAddress, start, start + 1, msg!("nc.comma-between"), "");
+                    self.report_replaced(Alarm::IllegalAddress, start, start + 1, msg!("nc.comma-between"), "");
                     return Ok(());
                 }
                 self.cursor.at += 1;
@@ -294,7 +295,7 @@ impl<'a> Reader<'a> {
                 self.not_simulated(IgnoredFeature::Comma(letter), start, self.cursor.at, &name);
             }
             b'#' if self.deck.words.len() > first => {
-                return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), true));
+                return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")).at_word());
             }
             b'.' => self.stray_point(),
             b')' => self.stray_round()?,
@@ -307,7 +308,7 @@ impl<'a> Reader<'a> {
     /// Reads the value after an address letter.
     #[inline]
     fn value(&mut self, start: usize, letter: Address) -> Read<WordValue> {
-        let mut next = self.skip();
+        let mut next = self.next_byte();
         let mut sign = 1;
         let value_at = self.cursor.at;
         if matches!(next, b'-' | b'+') {
@@ -320,10 +321,10 @@ impl<'a> Reader<'a> {
             }
         }
         if next.is_ascii_digit() || next == b'.' {
-            let mut number = self.digits()?;
+            let mut number = self.unsigned_number()?;
             number.mantissa *= sign;
             let end = self.cursor.at;
-            match self.skip() {
+            match self.next_byte() {
                 b'+' | b'-' | b'*' | b'/' | b'A' | b'M' | b'O' | b'X' | b'a' | b'm' | b'o' | b'x'
                     if self.operator_ahead() =>
                 {
@@ -348,7 +349,7 @@ impl<'a> Reader<'a> {
         if self.tables.rules.enclosed {
             self.check_enclosed(value, value_at);
         }
-        while self.skip() == b'.' {
+        while self.next_byte() == b'.' {
             let lone = !self.cursor.line.get(self.cursor.at + 1).is_some_and(u8::is_ascii_digit);
             if lone && self.tables.rules.variable_point {
                 self.cursor.at += 1;
@@ -383,7 +384,7 @@ impl<'a> Reader<'a> {
         if closed.map(|at| at + 1) != Some(text.len()) {
             let to = from + text.len();
             let finding = self.finding(Alarm::Format, from, to, msg!("nc.formula-brackets"));
-            self.enclose(Alarm::Format, finding, from, to);
+            self.report_enclosing(Alarm::Format, finding, from, to);
         }
     }
 
@@ -402,22 +403,22 @@ impl<'a> Reader<'a> {
         // The address alone: X, or the start of something other than a word.
         self.cursor.at = start;
         if self.keyword_ahead() {
-            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
+            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")));
         }
         let message = msg!("nc.no-value", address = letter.to_string());
-        Err(self.failure(Alarm::NoNumber, start, start + 1, message, true))
+        Err(self.failure(Alarm::NoNumber, start, start + 1, message).at_word())
     }
 
     /// Reads an unsigned number, from a digit or a point on.
     #[inline]
-    pub(super) fn digits(&mut self) -> Read<Dec> {
+    pub(super) fn unsigned_number(&mut self) -> Read<Dec> {
         let start = self.cursor.at;
-        let Digits { value, length, full, behind } = self.cursor.take_digits();
-        if matches!(behind, b',' | b'O' | b'o') {
+        let Digits { value, length, full, after } = self.cursor.take_digits();
+        if matches!(after, b',' | b'O' | b'o') {
             self.odd_digit();
         }
         if length == usize::from(value.point) {
-            return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.lone-point"), false));
+            return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.lone-point")));
         }
         if full || length > self.tables.rules.digits + usize::from(value.point) {
             self.report(
@@ -489,7 +490,7 @@ impl<'a> Reader<'a> {
                 let name = format!("M{number} ({})", row.text);
                 self.not_simulated(IgnoredFeature::Code(id), start, self.cursor.at, &name);
             }
-            Some((_, Code::SubCall)) => self.note_later(),
+            Some((_, Code::SubCall)) => self.defer_check(),
             _ => {}
         }
         false
@@ -517,7 +518,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reports a surplus decimal point, `X#107.` or `X1.5.`, with its fix, and skips it.
+    /// Reports a surplus decimal point, `X#107.` or `X1.5.`, with its fix, and reads on after it.
     pub(super) fn stray_point(&mut self) {
         let start = self.cursor.at;
         while self.cursor.peek() == b'.' || self.cursor.peek().is_ascii_digit() {
@@ -525,64 +526,13 @@ impl<'a> Reader<'a> {
         }
         let text =
             String::from_utf8_lossy(self.cursor.line.get(start..self.cursor.at).unwrap_or_default()).into_owned();
-        self.slip(Alarm::Format, start, self.cursor.at, msg!("nc.stray-point", text), "");
+        self.report_replaced(Alarm::Format, start, self.cursor.at, msg!("nc.stray-point", text), "");
     }
 
-    /// Reports a `]` without its `[`, with its fix, and skips it.
+    /// Reports a `]` without its `[`, with its fix, and reads on after it.
     pub(super) fn stray_square(&mut self) {
         let start = self.cursor.at;
         self.cursor.at += 1;
-        self.slip(Alarm::BracketPair, start, self.cursor.at, msg!("nc.unopened-square"), "");
-    }
-
-    /// The failure of an unexpected byte.
-    pub(super) fn unexpected(&self) -> Box<ParseFailure> {
-        let start = self.cursor.at;
-        if self.cursor.ended() {
-            let before = self.cursor.line.get(..start).unwrap_or_default();
-            let last = before.iter().rposition(|b| b & 0xC0 != 0x80).unwrap_or(0);
-            let mut failure = self.failure(Alarm::Format, last, start, msg!("nc.ends-early"), false);
-            failure.finding.kind = DiagnosticKind::EndsEarly;
-            return failure;
-        }
-        let from = self.cursor.base as usize + start;
-        let character = self.file.text.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
-        let end = (start + character.len_utf8()).min(self.cursor.line.len());
-        let shown = if character.is_control() { character.escape_default().to_string() } else { character.to_string() };
-        let known = character.is_ascii_alphanumeric() || "+-*/.,#[]()=%;:".chars().any(|c| c == character);
-        if known {
-            let message = match character {
-                '0'..='9' => msg!("nc.number-without-address"),
-                _ => msg!("nc.unexpected", text = shown),
-            };
-            self.failure(Alarm::Format, start, end, message, !character.is_ascii_digit())
-        } else {
-            let message = match character {
-                '\0' => msg!("nc.nul"),
-                _ => msg!("nc.illegal-character", character = shown),
-            };
-            let mut failure = self.failure(Alarm::IllegalAddress, start, end, message, character != '\0');
-            failure.finding = if character == '\0' {
-                let line = self.cursor.line.len();
-                let text =
-                    self.file.text.get(self.cursor.base as usize..self.cursor.base as usize + line).unwrap_or("");
-                let edit = (self.place(self.span(0, line)), text.replace('\0', ""));
-                failure.finding.fix(msg!("nc.fix.drop-nul"), vec![edit])
-            } else {
-                self.with_fix(failure.finding, LineFix::Plain(character))
-            };
-            failure
-        }
-    }
-
-    pub(super) fn failure(
-        &self,
-        alarm: Alarm,
-        from: usize,
-        to: usize,
-        message: Message,
-        at_word: bool,
-    ) -> Box<ParseFailure> {
-        Box::new(ParseFailure { alarm, from, finding: self.finding(alarm, from, to, message), at_word })
+        self.report_replaced(Alarm::BracketPair, start, self.cursor.at, msg!("nc.unopened-square"), "");
     }
 }

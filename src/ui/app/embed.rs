@@ -51,7 +51,7 @@ pub fn EmbeddedApp(
     let page = Page::provide(embedded.begun, embedded.found);
     StillDrawing::provide();
     let busy = RwSignal::new(true);
-    begin_anew_at_another_address(page);
+    reload_on_another_fragment(page);
     in_turn(move || page.player.begin());
     at_last(move || {
         let _ = busy.try_set(false);
@@ -67,7 +67,7 @@ pub fn EmbeddedApp(
 }
 
 /// Reloads the page when the page around it changes the fragment: a browser does not load a page again for another fragment.
-fn begin_anew_at_another_address(page: Page) {
+fn reload_on_another_fragment(page: Page) {
     let shown = dom::address().1;
     dom::on_event("hashchange", move |_| {
         // The page may be gone.

@@ -41,7 +41,7 @@ pub(crate) fn remembered(key: &str) -> Option<String> {
     carried(key).or_else(|| dom::stored(key))
 }
 
-/// A copy of what the entry has.
+/// Copy of the entry's state.
 fn entry() -> js_sys::Object {
     let state = window().history().and_then(|history| history.state()).unwrap_or_default();
     js_sys::Object::try_from(&state).cloned().unwrap_or_default()

@@ -79,16 +79,16 @@ fn seen_in(label: &Label, lens: Area) -> usize {
 /// lines from its end, the name last.
 fn placed(labels: &[Label], frame: Area) -> Vec<LabelPlacement> {
     let mut taken: Vec<Area> = Vec::new();
-    let mut fates = vec![(0.0, 0); labels.len()];
-    for (label, fate) in labels.iter().zip(&mut fates) {
+    let mut placements = vec![(0.0, 0); labels.len()];
+    for (label, placement) in labels.iter().zip(&mut placements) {
         if let Some(lens) = label.lens {
-            *fate = (0.0, seen_in(label, lens));
+            *placement = (0.0, seen_in(label, lens));
             taken.extend(rectangles(lens));
         }
     }
     for leads in [true, false] {
-        let free = labels.iter().zip(&mut fates).filter(|(label, _)| label.lens.is_none() && label.leads == leads);
-        for (label, fate) in free {
+        let free = labels.iter().zip(&mut placements).filter(|(label, _)| label.lens.is_none() && label.leads == leads);
+        for (label, placement) in free {
             let fits = |(lines, by): &(usize, f64)| {
                 label
                     .lines
@@ -99,13 +99,13 @@ fn placed(labels: &[Label], frame: Area) -> Vec<LabelPlacement> {
             let ways = ASIDE.iter().filter(|by| label.leads || by.abs() <= NEAR);
             let mut tries = (1..=label.lines.len()).rev().flat_map(|lines| ways.clone().map(move |by| (lines, *by)));
             if let Some((lines, by)) = tries.find(fits) {
-                *fate = (by, lines);
+                *placement = (by, lines);
                 let seen = label.lines.iter().take(lines).filter(|line| line[0] < line[2]);
                 taken.extend(seen.map(|line| aside(*line, by)));
             }
         }
     }
-    fates
+    placements
 }
 
 /// Start and end of a hairline that is one straight line.
@@ -172,8 +172,8 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
         Some((leader, drawn))
     };
     let leaders: Vec<Option<(Element, Area)>> = parts.values().map(leader).collect();
-    let fates = placed(&labels, area(picture)).into_iter().zip(&labels).skip(over.len());
-    for ((elements, leader), ((by, lines), label)) in parts.values().zip(leaders).zip(fates) {
+    let placements = placed(&labels, area(picture)).into_iter().zip(&labels).skip(over.len());
+    for ((elements, leader), ((by, lines), label)) in parts.values().zip(leaders).zip(placements) {
         for (at, text) in elements.iter().filter(is_text).enumerate() {
             if at >= lines {
                 let _ = text.class_list().add_1("crowded");

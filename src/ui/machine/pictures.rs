@@ -23,7 +23,10 @@ pub(super) fn SavePicture() -> impl IntoView {
     let page = Page::here();
     // The recorded part of a clip, 0 to 1.
     let clip = RwSignal::new(None::<f64>);
+    // A clip is recorded, or a cancelled recording has not ended yet.
+    let recording = RwSignal::new(false);
     let record = move |_| {
+        recording.set(true);
         clip.set(Some(0.0));
         wasm_bindgen_futures::spawn_local(async move {
             let bytes = clip::record(page, clip).await;
@@ -35,6 +38,7 @@ pub(super) fn SavePicture() -> impl IntoView {
                 _ if wanted => page.notices.notify(Tone::Warn, t("page.no-picture").to_owned()),
                 _ => {}
             }
+            let _ = recording.try_set(false);
         });
     };
     let seconds = move || clip.get().map(|part| number_text((part * clip::SECONDS).floor(), 0));
@@ -49,7 +53,7 @@ pub(super) fn SavePicture() -> impl IntoView {
                 view! {
                     <button
                         type="button" class="quiet" popovertarget="pictures" popovertargetaction="hide"
-                        disabled=move || clip.with(Option::is_some) on:click=record
+                        disabled=move || recording.get() on:click=record
                     >
                         {sentence(&crate::msg!("page.clip", time = clip::SECONDS))}
                     </button>
@@ -110,31 +114,53 @@ mod tests {
 
     const SIGNATURE: [u8; 8] = [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n'];
 
-    /// The buttons, with downloads noted in place of the browser's own.
-    async fn buttons() -> ViewBench {
-        let note =
-            "window.saved = []; HTMLAnchorElement.prototype.click = function () { window.saved.push(this.download); }";
-        js_sys::Function::new_no_args(note).call0(&js_sys::global()).unwrap();
-        let bench = mount(|| view! { <SavePicture /> }).await;
-        bench.run().await;
-        bench
+    /// Downloads are noted in place of the browser's own, while this lives.
+    struct NotedDownloads;
+
+    impl NotedDownloads {
+        fn new() -> NotedDownloads {
+            evaluate(
+                "window.saved = [];
+                HTMLAnchorElement.prototype.click = function () { window.saved.push(this.download); };",
+            );
+            NotedDownloads
+        }
+
+        /// Names of the files that were saved.
+        fn names(&self) -> Vec<String> {
+            let names = evaluate("return window.saved;");
+            js_sys::Array::from(&names).iter().filter_map(|name| name.as_string()).collect()
+        }
     }
 
-    /// Names of the files that were saved.
-    fn saved() -> Vec<String> {
-        let names = js_sys::Reflect::get(&js_sys::global(), &"saved".into()).unwrap();
-        js_sys::Array::from(&names).iter().filter_map(|name| name.as_string()).collect()
+    impl Drop for NotedDownloads {
+        fn drop(&mut self) {
+            // The elements inherit the browser's own.
+            evaluate("delete HTMLAnchorElement.prototype.click;");
+        }
+    }
+
+    fn evaluate(script: &str) -> leptos::wasm_bindgen::JsValue {
+        js_sys::Function::new_no_args(script).call0(&js_sys::global()).unwrap()
+    }
+
+    /// The buttons, with noted downloads.
+    async fn buttons() -> (ViewBench, NotedDownloads) {
+        let saved = NotedDownloads::new();
+        let bench = mount(|| view! { <SavePicture /> }).await;
+        bench.run().await;
+        (bench, saved)
     }
 
     #[wasm_bindgen_test]
     async fn drawing_is_saved_as_svg_and_png() {
-        let bench = buttons().await;
+        let (bench, saved) = buttons().await;
         let name = |ending: &str| bench.page.project.with_untracked(|project| project.file_name(ending));
         bench.press_button("SVG").await;
-        assert_eq!(saved(), [name("svg")]);
+        assert_eq!(saved.names(), [name("svg")]);
         bench.press_button("PNG").await;
-        until(|| saved().len() == 2).await;
-        assert_eq!((saved()[1].clone(), bench.notices()), (name("png"), Vec::<String>::new()));
+        until(|| saved.names().len() == 2).await;
+        assert_eq!((saved.names()[1].clone(), bench.notices()), (name("png"), Vec::<String>::new()));
     }
 
     #[wasm_bindgen_test]
@@ -148,15 +174,21 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn clip_that_is_recorded_can_be_broken_off() {
-        let bench = buttons().await;
-        if !clip::is_possible() {
+    async fn cancelled_clip_saves_no_file() {
+        let (bench, saved) = buttons().await;
+        let record = sentence(&crate::msg!("page.clip", time = clip::SECONDS));
+        let choices = bench.all("#pictures button");
+        let offered = choices.iter().any(|button| button.text_content().is_some_and(|text| text.trim() == record));
+        assert_eq!(offered, clip::is_possible(), "a browser that cannot record offers no clip");
+        if !offered {
             return;
         }
-        let record = sentence(&crate::msg!("page.clip", time = clip::SECONDS));
+        let under_way = || bench.has("#pictures button:disabled");
         bench.press_button(&record).await;
-        assert!(bench.has(".clip progress"));
+        assert!(bench.has(".clip progress") && under_way());
         bench.press_button(t("page.cancel")).await;
-        assert!(!bench.has(".clip") && saved().is_empty() && bench.notices().is_empty());
+        assert!(!bench.has(".clip"));
+        until(|| !under_way()).await;
+        assert_eq!((saved.names(), bench.notices()), (Vec::<String>::new(), Vec::<String>::new()));
     }
 }

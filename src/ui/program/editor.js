@@ -76,7 +76,7 @@ function stateOf(file, text, extensions) {
 }
 
 // Requests of keys, buttons and presses to the page about a place of its text. `list` promises the list of a name at a place, `define` shows what is named at a place.
-function commandsOf(host, { list: ask, define, turn }, show, toPage) {
+function commandsOf(host, { list: ask, define, toggle }, show, toPage) {
   const head = ({ state }) => toPage(state.selection.main.head);
   const offer = (name) => (view) => {
     const { doc } = view.state;
@@ -93,7 +93,7 @@ function commandsOf(host, { list: ask, define, turn }, show, toPage) {
     uses: offer('uses'),
     findings: offer('findings'),
     define: (view) => (define(head(view)), true),
-    turn: ({ state }) => (turn(state.doc.lineAt(state.selection.main.head).number), true),
+    toggle: ({ state }) => (toggle(state.doc.lineAt(state.selection.main.head).number), true),
     meaning(view) {
       view.dispatch({ effects: EditorView.scrollIntoView(view.state.selection.main) });
       return host.dispatchEvent(new CustomEvent('means', { bubbles: true }));
@@ -117,7 +117,7 @@ const press = (define) =>
   });
 
 // Opens an editor of a file in `host`, called `label`. `changed` gets the number of the file and its text after each edit, `fix` the numbers of a
-// finding and of its fix, `choose` that of a row of a list, `turn` the line of a breakpoint; `complete` promises proposals at a place.
+// finding and of its fix, `choose` that of a row of a list, `toggle` the line of a breakpoint; `complete` promises proposals at a place.
 export function open(host, number, text, options) {
   let file = number;
   let ways = waysOf(text);
@@ -131,7 +131,7 @@ export function open(host, number, text, options) {
     { key: 'Mod-.', run: commands.findings },
     { key: 'Mod-i', run: commands.meaning },
     { key: 'F8', run: next, shift: previous, preventDefault: true },
-    { key: 'F9', run: commands.turn },
+    { key: 'F9', run: commands.toggle },
     ...[defaultKeymap, historyKeymap, searchKeymap].flat(),
     indentWithTab,
   ]);
@@ -145,7 +145,7 @@ export function open(host, number, text, options) {
     const found = await options.complete(toPage(at));
     return found && { ...found, from: ways.toEditor(found.from) };
   };
-  const parts = [history(), search({ top: true }), highlightSelectionMatches(), findings, points(options.turn), completion(complete)];
+  const parts = [history(), search({ top: true }), highlightSelectionMatches(), findings, points(options.toggle), completion(complete)];
   let all;
   const begin = (extensions) => stateOf(file, text, (all = extensions));
   const editor = openView(host, begin, options, [parts, lists.extension, press(commands.define), keys, listener]);

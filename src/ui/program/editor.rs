@@ -138,7 +138,7 @@ pub(super) fn Editor() -> impl IntoView {
     let options = options(page, "page.listing");
     set(&options, "changed", &changed);
     set(&options, "fix", &fix.into_js_value());
-    set(&options, "turn", &points::turn(page));
+    set(&options, "toggle", &points::toggle(page));
     navigation::add(page, &options);
     let begin = move |module: &JsValue, host: &JsValue| {
         let at = page.view.file.get_untracked();
@@ -182,7 +182,7 @@ const COMMANDS: [(&str, &str, &str); 7] = [
     ("uses", "page.uses", "Shift+F12"),
     ("meaning", "page.meaning", "Ctrl+I"),
     ("findings", "page.findings", "Ctrl+."),
-    ("turn", "page.stepping-breakpoint", "F9"),
+    ("toggle", "page.stepping-breakpoint", "F9"),
     ("find", "page.find", "Ctrl+F"),
 ];
 
@@ -195,7 +195,7 @@ fn Commands(
     let button = move |(name, words, keys): (&'static str, &'static str, &'static str)| {
         let words = t(words);
         let content = match name {
-            "turn" => "●".into_any(),
+            "toggle" => "●".into_any(),
             "find" => view! { <Icon glyph=Glyph::Find /> }.into_any(),
             _ => words.into_any(),
         };

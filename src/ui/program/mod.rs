@@ -1,6 +1,6 @@
 //! The program files: running block marked, findings at their place, and the ways to change the text.
 
-mod begins;
+mod block_times;
 
 mod debugger;
 
@@ -28,7 +28,7 @@ use crate::ui::state::stepping;
 use crate::ui::state::view::ProgramView;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{Tone, counts, sentence, t};
-use begins::Begins;
+use block_times::BlockTimes;
 use debugger::{DebuggerBar, Seen};
 use editor::{Difference, Editor};
 use listing_view::Listing;
@@ -66,7 +66,7 @@ pub(crate) fn ProgramTab() -> impl IntoView {
         <div class="fill" on:click=move |event| press(page, &event) on:dblclick=move |event| show_line(page, &event)>
             <Show when=move || page.view.program.get() == ProgramView::Listing><DebuggerBar /></Show>
             {body}
-            <Show when=move || page.view.program.get() == ProgramView::Listing><Begins /><Seen /></Show>
+            <Show when=move || page.view.program.get() == ProgramView::Listing><BlockTimes /><Seen /></Show>
             <Now />
         </div>
     }

@@ -28,8 +28,8 @@ pub(super) fn lines(page: Page, file: usize, all: &[(Place, String)]) -> JsValue
 }
 
 /// The function for the editor that sets or removes a breakpoint at a line of the chosen file, and returns which of both it did.
-pub(super) fn turn(page: Page) -> JsValue {
-    let turn = move |line: JsValue| {
+pub(super) fn toggle(page: Page) -> JsValue {
+    let toggle = move |line: JsValue| {
         page.take_typed();
         let file = FileId(page.view.file.get_untracked() as u16);
         let count = move || page.player.stepper.with_untracked(|stepper| stepper.points.list().len());
@@ -47,7 +47,7 @@ pub(super) fn turn(page: Page) -> JsValue {
             None => sentence(&crate::msg!("page.point-removed")),
         });
     };
-    Closure::<dyn Fn(JsValue)>::new(turn).into_js_value()
+    Closure::<dyn Fn(JsValue)>::new(toggle).into_js_value()
 }
 
 #[cfg(test)]
@@ -63,7 +63,7 @@ mod tests {
     async fn line_gets_a_breakpoint_and_loses_it() {
         let bench = mount(|| ()).await;
         let page = bench.page;
-        let turn: Function = turn(page).unchecked_into();
+        let toggle: Function = toggle(page).unchecked_into();
         let text = page.program.text(0);
         let block = 1 + text.lines().position(|line| line.starts_with("N2 ")).unwrap() as u32;
         let lines = move || {
@@ -74,10 +74,10 @@ mod tests {
             let rows: Array = lines(page, 0, &all).unchecked_into();
             rows.iter().filter_map(|row| row.unchecked_into::<Array>().get(0).as_f64()).collect::<Vec<_>>()
         };
-        turn.call1(&JsValue::NULL, &block.into()).unwrap();
+        toggle.call1(&JsValue::NULL, &block.into()).unwrap();
         assert_eq!(lines(), [f64::from(block)]);
         assert!(page.notices.announcement.get_untracked().contains(&block.to_string()));
-        turn.call1(&JsValue::NULL, &block.into()).unwrap();
+        toggle.call1(&JsValue::NULL, &block.into()).unwrap();
         assert_eq!(lines(), [0.0; 0]);
         settled().await;
     }

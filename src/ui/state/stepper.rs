@@ -25,7 +25,7 @@ pub(crate) struct Stepper {
     pub points: Breakpoints,
     /// Expressions shown at every stop.
     pub watches: Vec<String>,
-    /// The line of the commands.
+    /// Line that the commands act on: file, and number from 1.
     pub cursor: Option<(FileId, u32)>,
 }
 
@@ -40,7 +40,7 @@ impl Stepper {
         self.stopped()?.place()
     }
 
-    /// Its time, under way too.
+    /// Machine time (s), also while it runs.
     pub(crate) fn t(&self) -> f64 {
         self.debugger.as_ref().map_or(0.0, Debugger::t)
     }

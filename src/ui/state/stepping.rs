@@ -61,8 +61,8 @@ impl Player {
         true
     }
 
-    /// Stops the stepping under way and keeps its place.
-    pub(crate) fn pause_stepping(self) -> bool {
+    /// Stops the stepping under way and keeps its place; ends the debugger at a stop.
+    pub(crate) fn stop_stepping(self) -> bool {
         if self.stepper.with_untracked(|stepper| stepper.going) {
             self.arrive(Stop::Reached);
         } else {
@@ -160,7 +160,7 @@ pub(crate) fn press(page: Page, key: &str) -> bool {
             None => return true,
         },
         "r" => return player.step_back(),
-        "x" => return player.pause_stepping(),
+        "x" => return player.stop_stepping(),
         "b" => {
             set_point(page, None);
             return true;

@@ -516,6 +516,27 @@ slips! {
 }
 
 slips! {
+    variables_in_round_brackets {
+        "#2000=5\n#101=(SIN[#2000])" => expect![[r##"
+            1:1 error P241|0111|115|PS0115|PS0115 #2000 is no variable of the CONTROL.
+                Use #100 instead of #2000 everywhere: 1:1 "#2000"→"#100" 2:11 "#2000"→"#100"
+            2:6 error P33|0101|004|PS0004|PS0004 On the CONTROL round brackets are comments; arithmetic groups with square brackets.
+                = Without the comment the block reads as if the brackets and all in them were not there.
+                Write square brackets: 2:6 "("→"[" 2:17 ")"→"]"
+            = #100=5
+              #101=[SIN[#100]]
+        "##]];
+        "#2000=5\n#101=(2*#2000)" => expect![[r##"
+            1:1 error P241|0111|115|PS0115|PS0115 #2000 is no variable of the CONTROL.
+                Use #100 instead of #2000 everywhere: 1:1 "#2000"→"#100" 2:9 "#2000"→"#100"
+            2:6 error P33|0101|004|PS0004|PS0004 On the CONTROL round brackets are comments; arithmetic groups with square brackets.
+                = Without the comment the block reads as if the brackets and all in them were not there.
+                Write square brackets: 2:6 "("→"[" 2:14 ")"→"]"
+            = #100=5
+              #101=[2*#100]
+        "##]];
+    }
+
     words_of_other_languages {
         "IF[#100 EQ 2]GOTO10 ELSE GOTO20\nN10\nN20" => expect![[r#"
             1:21 error P272|0101|127|PS0127|PS0127 ELSE is no word of the CONTROL.

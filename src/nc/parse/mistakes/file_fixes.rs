@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::controls::syntax::Percent;
+use crate::controls::syntax::{Function, Percent};
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
+use crate::nc::lex::spelling::arithmetic;
 use crate::nc::parse::failure::Misused;
 use crate::nc::parse::reader::{BYTE_ORDER_MARK, Reader};
 use crate::nc::parsed::FINDINGS;
@@ -124,7 +125,7 @@ impl Reader<'_> {
                     _ => {}
                 }
             }
-            // Quotes within a foreign remark hide variables seen by the parser.
+            // Quotes within a comment of another language hide variables seen by the parser.
             if !edits.is_empty() {
                 finding = finding.fix(msg!("nc.fix.variables", letter), edits);
             }
@@ -153,7 +154,7 @@ impl Reader<'_> {
             return;
         }
         let known = self.file.text.len() <= WHOLE && self.names().is_none();
-        let named = if known { variables_of(self.file.text) } else { Vec::new() };
+        let named = if known { variables_of(self.file.text, self.control.syntax.functions) } else { Vec::new() };
         let numbers = |span_is: &dyn Fn(&Span) -> bool| -> BTreeSet<u32> {
             named.iter().filter(|(_, span)| span_is(span)).map(|(number, _)| *number).collect()
         };
@@ -199,8 +200,8 @@ impl Reader<'_> {
     }
 }
 
-/// Every `#n` outside comments, in the order of the text. A round bracket without letters is no comment: its variables count.
-fn variables_of(text: &str) -> Vec<(u32, Span)> {
+/// Every `#n` outside comments, in the order of the text. A round bracket with arithmetic is no comment: its variables count.
+fn variables_of(text: &str, functions: &[(&str, Function)]) -> Vec<(u32, Span)> {
     let bytes = text.as_bytes();
     let mut found = Vec::new();
     let mut comment = false;
@@ -214,7 +215,7 @@ fn variables_of(text: &str) -> Vec<(u32, Span)> {
             b'(' if at >= closed => {
                 let inner = bytes.get(at..).unwrap_or_default();
                 let inner = inner.split(|b| matches!(b, b')' | b'\n')).next().unwrap_or_default();
-                comment = inner.iter().any(u8::is_ascii_alphabetic);
+                comment = !arithmetic(inner, functions);
                 closed = at + inner.len();
             }
             b')' | b'\n' => comment = false,

@@ -78,14 +78,14 @@ impl Reader<'_> {
         let before = self.cursor.line.get(..at).unwrap_or_default().trim_ascii_end();
         let rest = self.cursor.line.get(at..).unwrap_or_default();
         let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
-        let behind = rest.get(digits..).unwrap_or_default().trim_ascii_start();
+        let after = rest.get(digits..).unwrap_or_default().trim_ascii_start();
         if byte == b'^' {
             let finding = self.finding(failure.alarm, at, at + 1, msg!("nc.no-power"));
             return Some(finding.hint(msg!("nc.hint.power")));
         }
         if digits > 0 && before.is_empty() {
             // `100=5`, or a program number without its letter.
-            let letter = match behind.first() {
+            let letter = match after.first() {
                 Some(b'=') => self.control.syntax.variable.to_string(),
                 None if self.only_comments() => self.program_letter(),
                 _ => return None,

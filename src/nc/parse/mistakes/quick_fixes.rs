@@ -4,12 +4,11 @@ use crate::controls::Alarm;
 use crate::controls::syntax::Function;
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
-use crate::nc::dec::{Dec, POW10};
+use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::letters_of;
 use crate::nc::lex::spelling::prose;
 use crate::nc::parse::failure::{LineFix, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
-use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
 
 /// Size limit (bytes) of files for fixes that need unused sequence numbers.
@@ -17,7 +16,7 @@ const NUMBERED: usize = 1 << 20;
 
 impl Reader<'_> {
     /// Reports a finding, with a fix that replaces some bytes of the line.
-    pub(in crate::nc::parse) fn replace(
+    pub(in crate::nc::parse) fn report_replacing(
         &mut self,
         alarm: Alarm,
         finding: Diagnostic,
@@ -30,13 +29,20 @@ impl Reader<'_> {
     }
 
     /// Reports some bytes of the line, with a fix that replaces them.
-    pub(in crate::nc::parse) fn slip(&mut self, alarm: Alarm, from: usize, to: usize, message: Message, new: &str) {
+    pub(in crate::nc::parse) fn report_replaced(
+        &mut self,
+        alarm: Alarm,
+        from: usize,
+        to: usize,
+        message: Message,
+        new: &str,
+    ) {
         let finding = self.finding(alarm, from, to, message);
-        self.replace(alarm, finding, from, to, new);
+        self.report_replacing(alarm, finding, from, to, new);
     }
 
     /// Reports a finding, with a fix that puts some bytes of the line in square brackets.
-    pub(in crate::nc::parse) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
+    pub(in crate::nc::parse) fn report_enclosing(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
         let finding = self.with_fix(finding, LineFix::Enclose(from, to));
         self.report_as(alarm, finding);
     }
@@ -77,33 +83,6 @@ impl Reader<'_> {
         }
     }
 
-    /// End of the text read so far, without trailing blanks.
-    pub(in crate::nc::parse) fn ended_at(&self) -> usize {
-        self.cursor.line.get(..self.cursor.at).unwrap_or_default().trim_ascii_end().len()
-    }
-
-    /// A word, with spaces around it if the text has none.
-    pub(in crate::nc::parse) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
-        let blank =
-            |at: Option<usize>| at.and_then(|at| self.cursor.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
-        let gap = |blank: bool| if blank { "" } else { " " };
-        format!("{}{word}{}", gap(blank(from.checked_sub(1))), gap(blank(Some(to))))
-    }
-
-    /// The line end of the file.
-    pub(in crate::nc::parse) fn newline(&self) -> &'static str {
-        line_end(self.file.text)
-    }
-
-    /// The optional block skip of the block, as written.
-    pub(in crate::nc::parse) fn skip_mark(&self) -> String {
-        match self.block.skip_switch {
-            0 => String::new(),
-            1 => "/".to_owned(),
-            switch => format!("/{switch}"),
-        }
-    }
-
     /// A sequence number that is unused in the file and in other fixes.
     fn fresh_number(&mut self) -> Option<u32> {
         if self.file.text.len() > NUMBERED {
@@ -120,12 +99,12 @@ impl Reader<'_> {
         found.map(|(_, number)| number)
     }
 
-    /// Adds a fix for `IF … THEN`, from `then` to `behind`: a jump over the conditional part.
-    pub(in crate::nc::parse) fn jump_instead(&mut self, finding: Diagnostic, then: usize, behind: usize) -> Diagnostic {
-        let rest = self.cursor.line.get(behind..).unwrap_or_default();
-        let behind = behind + rest.len() - rest.trim_ascii_start().len();
+    /// Adds a fix for `IF … THEN`, from `then` to `after`: a jump over the conditional part.
+    pub(in crate::nc::parse) fn jump_instead(&mut self, finding: Diagnostic, then: usize, after: usize) -> Diagnostic {
+        let rest = self.cursor.line.get(after..).unwrap_or_default();
+        let after = after + rest.len() - rest.trim_ascii_start().len();
         let end = self.cursor.line.len();
-        let number = if behind < end { self.fresh_number() } else { None };
+        let number = if after < end { self.fresh_number() } else { None };
         let Some(number) = number else { return finding };
         let (from, to, op) = self.formulas.compared;
         let newline = self.newline();
@@ -133,7 +112,7 @@ impl Reader<'_> {
         let opposite = self.spaced(from, to, letters_of(op.opposite()));
         let edits = vec![
             (self.place(self.span(from, to)), opposite),
-            (self.place(self.span(then, behind)), format!("GOTO{number}{newline}{skip}")),
+            (self.place(self.span(then, after)), format!("GOTO{number}{newline}{skip}")),
             (self.place(self.span(end, end)), format!("{newline}N{number}")),
         ];
         finding.fix(msg!("nc.fix.jump"), edits)
@@ -142,19 +121,19 @@ impl Reader<'_> {
     /// Failure of a `WHILE` without `DO`. The check of the loops adds the fix, with the number of the next unpaired `END`.
     pub(in crate::nc::parse) fn while_without_do(&self, start: usize) -> Box<ParseFailure> {
         let at = self.ended_at().max(start + 5);
-        let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
+        let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"));
         failure.finding.kind = DiagnosticKind::WhileWithoutDo;
         failure
     }
 
-    /// Reports and skips `=` after an address, which these controls do not have.
+    /// Reports `=` after an address, which these controls do not have, and reads on after it.
     pub(in crate::nc::parse) fn equals_in_word(&mut self) {
         let at = self.cursor.at;
-        while self.skip() == b'=' {
+        while self.next_byte() == b'=' {
             self.cursor.at += 1;
         }
         let to = self.ended_at();
-        self.slip(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
+        self.report_replaced(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
     }
 
     /// Whether a letter O directly after an address is a mistyped 0; it is read as 0.
@@ -175,43 +154,15 @@ impl Reader<'_> {
             return;
         }
         let at = self.cursor.at;
-        let behind = self.cursor.line.get(at + 1..).unwrap_or_default();
-        let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
+        let after = self.cursor.line.get(at + 1..).unwrap_or_default();
+        let digits = after.iter().take_while(|b| b.is_ascii_digit()).count();
         if digits > 0 {
-            self.slip(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
+            self.report_replaced(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
             self.cursor.at += 1 + digits;
         }
     }
 
-    /// Reads an exponent `EX-3` after a number that starts at `start`, if present; the result has at most 18 digits.
-    #[cold]
-    pub(in crate::nc::parse) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
-        if !self.cursor.ahead("EX") {
-            return number;
-        }
-        self.cursor.at += 2;
-        let negative = self.cursor.peek() == b'-';
-        self.cursor.at += usize::from(matches!(self.cursor.peek(), b'-' | b'+'));
-        let mut exponent = 0_i32;
-        while self.cursor.peek().is_ascii_digit() {
-            exponent = exponent.saturating_mul(10).saturating_add(i32::from(self.cursor.peek() - b'0'));
-            self.cursor.at += 1;
-        }
-        let exponent = if negative { -exponent } else { exponent };
-        let scale = i32::from(number.scale).saturating_sub(exponent);
-        let unit = |scale: i32| POW10.get(scale.unsigned_abs() as usize).copied();
-        let whole = (scale < 0).then(|| number.mantissa.checked_mul(unit(scale)?)).flatten();
-        let raised = match u8::try_from(scale) {
-            Ok(scale @ 0..=18) => Some(Dec { scale, ..number }),
-            _ => whole.map(|mantissa| Dec { mantissa, scale: 0, point: true }),
-        };
-        if raised.is_none() && number.mantissa != 0 {
-            self.report(Alarm::Digits, start, self.cursor.at, msg!("nc.too-many-digits", most = 18));
-        }
-        Dec { point: true, ..raised.unwrap_or_default() }
-    }
-
-    /// Skips letters O in place of zeros in a number, with the following digits; returns whether there were any.
+    /// Reports letters O in place of zeros in a number and reads on after them and the following digits; returns whether there were any.
     #[cold]
     pub(in crate::nc::parse) fn zero_for_o(&mut self) -> bool {
         let from = self.cursor.at;
@@ -222,7 +173,7 @@ impl Reader<'_> {
             self.cursor.at += 1;
         }
         let text = String::from_utf8_lossy(self.cursor.line.get(from..self.cursor.at).unwrap_or_default()).into_owned();
-        self.slip(Alarm::Format, from, self.cursor.at, msg!("nc.letter-o"), &text.replace(['O', 'o'], "0"));
+        self.report_replaced(Alarm::Format, from, self.cursor.at, msg!("nc.letter-o"), &text.replace(['O', 'o'], "0"));
         true
     }
 
@@ -236,7 +187,7 @@ impl Reader<'_> {
         match (self.deck.expr(base), self.deck.expr(exponent)) {
             (Expr::Var(_) | Expr::Number(_), Expr::Number(Dec { mantissa: times @ 2..=4, scale: 0, .. })) => {
                 let product = format!("*{text}").repeat(times as usize - 1);
-                self.replace(Alarm::Format, finding, end, self.cursor.at, &product);
+                self.report_replacing(Alarm::Format, finding, end, self.cursor.at, &product);
             }
             _ => self.report_as(Alarm::Format, finding),
         }

@@ -5,8 +5,7 @@
 
 use crate::controls::Alarm;
 use crate::msg;
-use crate::nc::lex::keywords::{COMPARISONS, OPERATORS};
-use crate::nc::lex::spelling::prose;
+use crate::nc::lex::spelling::{arithmetic, prose};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::{Mark, Reader};
 use crate::text::escape::shortened;
@@ -34,14 +33,14 @@ impl Reader<'_> {
             self.rollback(&mark);
             return self.add_finding(finding);
         }
-        let Some(remark) = self.remark(&first) else { return self.try_rounds(&mark, *first) };
+        let Some(at) = self.bare_comment(&first) else { return self.try_rounds(&mark, *first) };
         self.rollback(&mark);
-        let head = whole.get(..remark).unwrap_or_default().trim_ascii_end();
+        let head = whole.get(..at).unwrap_or_default().trim_ascii_end();
         // `#101-----Spindle reduction ratio` is a comment from its start, without a statement in front.
-        let from = variable_alone(head).unwrap_or(remark);
+        let from = variable_alone(head).unwrap_or(at);
         let head = head.get(..from.min(head.len())).unwrap_or_default().trim_ascii_end();
         let before = mark;
-        self.report_remark(alarm, head.len(), from);
+        self.report_bare_comment(alarm, head.len(), from);
         let mark = self.mark();
         self.cursor.line = head;
         self.rewind();
@@ -83,13 +82,13 @@ impl Reader<'_> {
     }
 
     /// Start of an unbracketed comment: a run of dashes, or prose in place of a word.
-    fn remark(&self, failure: &ParseFailure) -> Option<usize> {
+    fn bare_comment(&self, failure: &ParseFailure) -> Option<usize> {
         let mut at = 0;
         let mut comment = false;
         while let Some(&byte) = self.cursor.line.get(at) {
             let run = dashes(self.cursor.line, at);
             let slashes = self.cursor.line.get(at..).is_some_and(|rest| rest.starts_with(b"//"));
-            if !comment && (slashes || is_remark(self.cursor.line, at, run)) {
+            if !comment && (slashes || starts_comment(self.cursor.line, at, run)) {
                 return Some(at);
             }
             comment = match byte {
@@ -101,19 +100,19 @@ impl Reader<'_> {
         }
         let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
         let condition = [&b"IF"[..], b"WHILE"].iter().any(|word| {
-            let behind = rest.get(word.len()..).unwrap_or_default().trim_ascii_start();
-            rest.starts_with(word) && behind.first() == Some(&b'[')
+            let after = rest.get(word.len()..).unwrap_or_default().trim_ascii_start();
+            rest.starts_with(word) && after.first() == Some(&b'[')
         });
         (failure.at_word && !condition && (prose(rest) || other_script(rest))).then_some(failure.from)
     }
 
     /// Reports an unbracketed comment from `from` on, with a fix that puts it in brackets; the kept part of the block ends at `cut`.
-    fn report_remark(&mut self, alarm: Alarm, cut: usize, from: usize) {
+    fn report_bare_comment(&mut self, alarm: Alarm, cut: usize, from: usize) {
         let end = self.cursor.line.len();
         let start = self.cursor.base as usize;
         let text = self.file.text.get(start + from..start + end).unwrap_or("");
         let bare = text.trim_start_matches(|c: char| c.is_whitespace() || c == '/' || is_dash(c));
-        let mut finding = self.finding(alarm, from, end, msg!("nc.remark", text = shortened(bare.trim())));
+        let mut finding = self.finding(alarm, from, end, msg!("nc.bare-comment", text = shortened(bare.trim())));
         if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {
             let letter = self.program_letter();
             let edit = format!("{letter}{number}{}", comment(title).unwrap_or_default());
@@ -183,15 +182,15 @@ impl Reader<'_> {
         self.report_as(alarm, finding.fix(msg!("nc.fix.nested-comment"), edits));
     }
 
-    /// Reports a `)` without its `(`, with its fix, and skips it. Fails if it ends a comment with brackets in it.
+    /// Reports a `)` without its `(`, with its fix, and reads on after it. Fails if it ends a comment with brackets in it.
     pub(in crate::nc::parse) fn stray_round(&mut self) -> Read<()> {
         let close = self.cursor.at;
         let short = self.cursor.line.len() <= LOOKED_AT;
         if short && self.nested_comment().is_some_and(|(_, _, end)| end == close) {
-            return Err(self.failure(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), false));
+            return Err(self.failure(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round")));
         }
         self.cursor.at += 1;
-        self.slip(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), "");
+        self.report_replaced(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), "");
         Ok(())
     }
 
@@ -203,14 +202,7 @@ impl Reader<'_> {
     fn arithmetic(&self, open: usize) -> bool {
         let inner = self.cursor.line.get(open + 1..).unwrap_or_default();
         let len = inner.iter().position(|&b| b == b')').unwrap_or(inner.len());
-        let inner = inner.get(..len).unwrap_or_default();
-        let functions = self.control.syntax.functions;
-        let known = |word: &[u8]| {
-            word.is_empty()
-                || OPERATORS.iter().chain(&COMPARISONS).any(|row| row.0.as_bytes().eq_ignore_ascii_case(word))
-                || functions.iter().any(|(name, _)| name.as_bytes().eq_ignore_ascii_case(word))
-        };
-        inner.iter().any(|b| b.is_ascii_digit()) && inner.split(|b| !b.is_ascii_alphabetic()).all(known)
+        arithmetic(inner.get(..len).unwrap_or_default(), self.control.syntax.functions)
     }
 }
 
@@ -228,10 +220,10 @@ fn dashes(line: &[u8], at: usize) -> usize {
 }
 
 /// Whether a run of dashes starts a comment: no formula has two signs in a row before a letter.
-fn is_remark(line: &[u8], at: usize, run: usize) -> bool {
+fn starts_comment(line: &[u8], at: usize, run: usize) -> bool {
     let wide = line.get(at).is_some_and(|b| !b.is_ascii());
-    let mut behind = line.get(at + run..).unwrap_or_default().iter().skip_while(|b| **b == b' ');
-    let letter = behind.next().is_none_or(|b| b.is_ascii_alphabetic() || !b.is_ascii());
+    let mut after = line.get(at + run..).unwrap_or_default().iter().skip_while(|b| **b == b' ');
+    let letter = after.next().is_none_or(|b| b.is_ascii_alphabetic() || !b.is_ascii());
     // A wide dash directly in front of a value is a minus sign.
     let value = line.get(at + run).is_some_and(|b| b.is_ascii_digit() || matches!(b, b'.' | b'#' | b'['));
     let sign = value && at.checked_sub(1).and_then(|at| line.get(at)).is_some_and(|b| !b.is_ascii_whitespace());

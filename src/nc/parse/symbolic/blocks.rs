@@ -29,7 +29,7 @@ impl<'a> Reader<'a> {
     pub(in crate::nc::parse) fn symbolic_block(&mut self, from: usize, to: usize) {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
-        if self.path(line) {
+        if self.take_directory_line(line) {
             return;
         }
         if line.len() > BLOCK_BYTES {
@@ -81,9 +81,9 @@ impl<'a> Reader<'a> {
     #[cold]
     fn symbolic_failure(&mut self, failure: ParseFailure) {
         let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
-        let remark = failure.at_word && prose(rest) && self.block.comment.is_none();
+        let comment = failure.at_word && prose(rest) && self.block.comment.is_none();
         let ParseFailure { alarm, mut finding, from, .. } = failure;
-        if remark && finding.fixes.is_empty() {
+        if comment && finding.fixes.is_empty() {
             let place = self.place(self.span(from, from));
             finding = finding.fix(msg!("nc.fix.comment"), vec![(place, ";".to_owned())]);
         }
@@ -92,11 +92,11 @@ impl<'a> Reader<'a> {
 
     /// Reads block skip, block number and label, then the statement.
     pub(in crate::nc::parse) fn symbolic_statement(&mut self) -> Read<Stmt> {
-        let mut first = self.optional_skip();
+        let mut first = self.block_skip();
         let second = self.cursor.byte(1);
         if first == b':' || first | 0x20 == b'n' && (second.is_ascii_digit() || second == b' ') {
             self.block_number()?;
-            first = self.skip();
+            first = self.next_byte();
         }
         if self.name_ahead()
             && let Some(stmt) = self.name_first()?
@@ -104,7 +104,7 @@ impl<'a> Reader<'a> {
             return Ok(stmt);
         }
         if self.block.label.is_some() {
-            first = self.skip();
+            first = self.next_byte();
             if self.name_ahead()
                 && let Some(stmt) = self.name_first()?
             {
@@ -116,7 +116,7 @@ impl<'a> Reader<'a> {
             b'l' if self.cursor.byte(1).is_ascii_digit() && self.label_ahead() => self.numbered_label(),
             b'l' if self.cursor.byte(1).is_ascii_digit() => self.call(),
             b'p' if self.cursor.byte(1).is_ascii_digit() && self.lone_name() => self.call(),
-            b'o' if self.foreign_head() => Ok(Stmt::Empty),
+            b'o' if self.foreign_program_number() => Ok(Stmt::Empty),
             _ if first == b'#' => self.assignments(),
             _ => self.symbolic_words(),
         }
@@ -131,8 +131,8 @@ impl<'a> Reader<'a> {
 
     /// Whether a colon follows the name at the cursor.
     fn label_ahead(&self) -> bool {
-        let behind = self.cursor.rest().get(self.cursor.name().len()..).unwrap_or_default();
-        behind.trim_ascii_start().first() == Some(&b':')
+        let after = self.cursor.rest().get(self.cursor.name().len()..).unwrap_or_default();
+        after.trim_ascii_start().first() == Some(&b':')
     }
 
     /// Reports `L1:`, a label that the control reads as a program call; reads the rest of the block.
@@ -141,14 +141,14 @@ impl<'a> Reader<'a> {
         let name = self.cursor.name().to_ascii_uppercase();
         self.cursor.at += name.len();
         let end = self.cursor.at;
-        self.skip();
+        self.pass_blanks();
         self.cursor.at += 1;
         let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.rules.label_chars);
         let message = msg!("nc.label-is-call", label = name.as_str(), least = least as u32, most = most as u32);
         let finding = self.finding(Alarm::Format, start, end, message);
         self.report_as(Alarm::Format, finding);
         self.block.label = Some(self.add_text(name, self.span(start, end)));
-        self.skip();
+        self.pass_blanks();
         if self.cursor.ended() { Ok(Stmt::Empty) } else { self.symbolic_words() }
     }
 
@@ -172,7 +172,7 @@ impl<'a> Reader<'a> {
             self.cursor.at += 1;
         }
         if self.cursor.at == from {
-            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number"), true));
+            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number")).at_word());
         }
         let most = self.control.syntax.sequence_digits;
         if self.cursor.at - from > usize::from(most) {
@@ -192,9 +192,9 @@ impl<'a> Reader<'a> {
         let start = self.cursor.at;
         let written = self.cursor.name();
         let name = written.to_ascii_uppercase();
-        let behind = self.cursor.line.get(start + name.len()..).unwrap_or_default().trim_ascii_start();
-        if behind.first() == Some(&b':') && self.block.label.is_none() {
-            self.cursor.at = self.cursor.line.len() - behind.len() + 1;
+        let after = self.cursor.line.get(start + name.len()..).unwrap_or_default().trim_ascii_start();
+        if after.first() == Some(&b':') && self.block.label.is_none() {
+            self.cursor.at = self.cursor.line.len() - after.len() + 1;
             self.check_label(&name, start);
             let span = self.span(start, start + name.len());
             self.block.label = Some(self.add_text(name, span));
@@ -212,22 +212,22 @@ impl<'a> Reader<'a> {
         }
         let Some(names) = self.names() else { return Ok(None) };
         let known = names.code(&name).is_some() || names.addresses.iter().any(|row| name.starts_with(row.0));
-        if known || behind.first() == Some(&b'=') || self.missing_equals(written) {
+        if known || after.first() == Some(&b'=') || self.missing_equals(written) {
             return Ok(None);
         }
         if names.foreign.contains(&name.as_str()) {
             let message = msg!("nc.foreign-statement", word = name, control = self.control.name);
-            return Err(self.failure(Alarm::Format, start, start + written.len(), message, false));
+            return Err(self.failure(Alarm::Format, start, start + written.len(), message));
         }
         let others = FOREIGN_STATEMENTS
             .iter()
             .any(|word| name.strip_prefix(word).is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit())));
-        if others || behind.starts_with(b"[") && FOREIGN_STATEMENTS.contains(&name.as_str()) {
+        if others || after.starts_with(b"[") && FOREIGN_STATEMENTS.contains(&name.as_str()) {
             return Err(self.other_statement(start, &name));
         }
-        if let Some(at) = (!behind.is_empty()).then(|| meant(&name, SYMBOLIC_STATEMENTS.into_iter())).flatten() {
+        if let Some(at) = (!after.is_empty()).then(|| meant(&name, SYMBOLIC_STATEMENTS.into_iter())).flatten() {
             let message = msg!("nc.unknown-keyword", word = name);
-            let mut failure = self.failure(Alarm::Format, start, start + written.len(), message, false);
+            let mut failure = self.failure(Alarm::Format, start, start + written.len(), message);
             let place = self.place(self.span(start, start + written.len()));
             let title = msg!("nc.fix.write", text = SYMBOLIC_STATEMENTS[at]);
             failure.finding = failure.finding.fix(title, vec![(place, SYMBOLIC_STATEMENTS[at].to_owned())]);
@@ -251,12 +251,12 @@ impl<'a> Reader<'a> {
         self.cursor.at += written.len();
         let end = self.cursor.at;
         let mut repeats = None;
-        if self.skip() | 0x20 == b'p'
+        if self.next_byte() | 0x20 == b'p'
             && (self.cursor.byte(1).is_ascii_digit() || matches!(self.cursor.byte(1), b'=' | b' ' | b'-'))
         {
             let from = self.cursor.at;
             self.cursor.at += 1;
-            if self.skip() == b'=' {
+            if self.next_byte() == b'=' {
                 self.cursor.at += 1;
                 repeats = Some(self.symbolic_formula(false)?);
             } else {
@@ -269,7 +269,7 @@ impl<'a> Reader<'a> {
                 }
             }
         }
-        self.skip();
+        self.pass_blanks();
         if !self.cursor.ended() {
             return Err(self.not_a_call(start, end, written));
         }
@@ -286,13 +286,13 @@ impl<'a> Reader<'a> {
         // Searching a large file for each such line would take too long.
         let is_small = self.file.text.len() < 1 << 16;
         if begins_as_name(name) && is_small && self.lists_findings() && self.jumped_to(name) {
-            let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name), false);
+            let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", label = name));
             let place = self.place(self.span(end, end));
             failure.finding = failure.finding.fix(msg!("nc.fix.insert", text = ":"), vec![(place, ":".to_owned())]);
             return failure;
         }
         if name.as_bytes().get(1).is_some_and(u8::is_ascii_digit) {
-            return self.failure(Alarm::Format, start, end, msg!("nc.call-alone", program = name), false);
+            return self.failure(Alarm::Format, start, end, msg!("nc.call-alone", program = name));
         }
         self.unknown_name(start, name)
     }
@@ -301,10 +301,10 @@ impl<'a> Reader<'a> {
     pub(in crate::nc::parse) fn unknown_name(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, control = self.control.name);
-        let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);
+        let mut failure = self.failure(Alarm::UnknownName, start, end, message).at_word();
         let Some(names) = self.names() else { return failure };
-        let behind = self.cursor.line.get(end..).unwrap_or_default().trim_ascii_start();
-        if name == "LF" && matches!(behind.first(), None | Some(b';')) {
+        let after = self.cursor.line.get(end..).unwrap_or_default().trim_ascii_start();
+        if name == "LF" && matches!(after.first(), None | Some(b';')) {
             let place = self.place(self.span(start, end));
             failure.finding.message = msg!("nc.printed-line-end");
             failure.finding = failure.finding.fix(msg!("nc.fix.drop", text = name), vec![(place, String::new())]);
@@ -336,7 +336,7 @@ impl<'a> Reader<'a> {
     fn other_statement(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.other-jump", keyword = name, control = self.control.name);
-        let mut failure = self.failure(Alarm::Format, start, end, message, false);
+        let mut failure = self.failure(Alarm::Format, start, end, message);
         failure.finding = failure.finding.hint(msg!("nc.hint.other-jump"));
         let edits = if self.lists_findings() { self.label_instead(start, name) } else { None };
         if let Some(edits) = edits {
@@ -347,11 +347,11 @@ impl<'a> Reader<'a> {
 
     /// Edits that rewrite `GOTO 10` as a jump to a label, inserted in front of the first block with that number.
     fn label_instead(&self, start: usize, name: &str) -> Option<Vec<(Place, String)>> {
-        let behind = self.cursor.line.get(start..).and_then(|rest| core::str::from_utf8(rest).ok())?;
-        let tail = behind.get(4..).filter(|_| name.starts_with("GOTO"))?;
+        let after = self.cursor.line.get(start..).and_then(|rest| core::str::from_utf8(rest).ok())?;
+        let tail = after.get(4..).filter(|_| name.starts_with("GOTO"))?;
         let digits = tail.trim_start().trim_start_matches(['N', 'n']);
         let digits = digits.get(..digits.bytes().take_while(u8::is_ascii_digit).count()).filter(|d| !d.is_empty())?;
-        let end = start + behind.len() - (tail.len() - tail.find(digits)? - digits.len());
+        let end = start + after.len() - (tail.len() - tail.find(digits)? - digits.len());
         let label = format!("LB{digits}");
         let mut from = 0;
         for line in self.file.text.split('\n').take(FINDINGS) {
@@ -381,29 +381,23 @@ impl<'a> Reader<'a> {
         let first = self.deck.pairs.len();
         while self.take_word("IF") {
             let start = self.cursor.at;
-            self.skip();
+            self.pass_blanks();
             if self.symbolic_jump_ahead() || self.cursor.ended() {
-                let message = msg!("nc.no-named-condition");
-                return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), start, message, false));
+                let message = msg!("nc.no-condition-before-jump");
+                return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), start, message));
             }
             let left = self.symbolic_formula(true)?;
-            self.skip();
+            self.pass_blanks();
             if !self.symbolic_jump_ahead() {
                 let end = self.cursor.line.len();
                 if self.cursor.ahead("GOTO") {
                     return Err(self.other_statement(self.cursor.at, "GOTO"));
                 }
-                return Err(self.failure(
-                    Alarm::IfSentence,
-                    start.saturating_sub(2),
-                    end,
-                    msg!("nc.if-without-jump"),
-                    false,
-                ));
+                return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), end, msg!("nc.if-without-jump")));
             }
             let (right, way, keyword) = self.jump()?;
             self.deck.pairs.push(Pair { left, right, way, keyword });
-            self.skip();
+            self.pass_blanks();
         }
         self.end_of_symbolic_statement()?;
         let count = self.deck.pairs.len() - first;
@@ -433,7 +427,7 @@ impl<'a> Reader<'a> {
         let keyword = self.extent(word, word + 5);
         let way = if self.cursor.byte(4) | 0x20 == b'f' { JumpDirection::Forward } else { JumpDirection::Backward };
         self.cursor.at += 5;
-        self.skip();
+        self.pass_blanks();
         let start = self.cursor.at;
         let name = self.cursor.name();
         let number = name.strip_prefix(['N', 'n']).unwrap_or(name);
@@ -454,7 +448,7 @@ impl<'a> Reader<'a> {
         if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
             let text =
                 self.cursor.line.get(word..word + 5).and_then(|text| core::str::from_utf8(text).ok()).unwrap_or("");
-            return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", keyword = text), false));
+            return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", keyword = text)));
         }
         // Errors of the name are reported at the label itself.
         self.cursor.at += name.len();
@@ -466,14 +460,13 @@ impl<'a> Reader<'a> {
     fn message(&mut self) -> Read<Stmt> {
         let start = self.cursor.at;
         self.cursor.at += 3;
-        let form =
-            |reader: &Self, end: usize| reader.failure(Alarm::Format, start, end, msg!("nc.message-form"), false);
-        if self.skip() != b'(' {
+        let form = |reader: &Self, end: usize| reader.failure(Alarm::Format, start, end, msg!("nc.message-form"));
+        if self.next_byte() != b'(' {
             return Err(form(self, start + 3));
         }
         self.cursor.at += 1;
         let mut text = None;
-        if self.skip() == b'"' {
+        if self.next_byte() == b'"' {
             let from = self.cursor.at + 1;
             let inner = self.cursor.line.get(from..).unwrap_or_default();
             let Some(len) = inner.iter().position(|&b| b == b'"') else {
@@ -484,11 +477,11 @@ impl<'a> Reader<'a> {
             text = Some(self.add_text(self.file.text.get(base..base + len).unwrap_or(""), self.span(from, from + len)));
             self.cursor.at = from + len + 1;
         }
-        if self.skip() != b')' {
+        if self.next_byte() != b')' {
             return Err(form(self, self.cursor.line.len()));
         }
         self.cursor.at += 1;
-        self.skip();
+        self.pass_blanks();
         if !self.cursor.ended() {
             let end = self.cursor.line.len();
             self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", code = "MSG"));
@@ -506,7 +499,7 @@ impl<'a> Reader<'a> {
             self.equals_sign(start, end)?;
             let right = self.symbolic_formula(false)?;
             self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around, keyword: Extent::default() });
-            self.skip();
+            self.pass_blanks();
             if !(self.parameter_ahead() || self.cursor.peek() == b'#') {
                 break;
             }
@@ -533,11 +526,11 @@ impl<'a> Reader<'a> {
 
     /// Reports text after the statement.
     fn end_of_symbolic_statement(&mut self) -> Read<()> {
-        match self.skip() {
+        match self.next_byte() {
             _ if self.cursor.ended() => Ok(()),
             b'(' if self.foreign_comment() => Ok(()),
             byte if byte.is_ascii_alphabetic() => {
-                Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed"), true))
+                Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed")).at_word())
             }
             _ => Err(self.unexpected()),
         }

@@ -8,7 +8,7 @@
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
-use crate::nc::dec::Dec;
+use crate::nc::dec::{Dec, POW10};
 use crate::nc::lex::keywords::{COMPARISONS, LOGIC, SIGNS};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
@@ -40,7 +40,7 @@ impl Reader<'_> {
             None => self.formula(false)?,
         };
         loop {
-            let byte = self.skip();
+            let byte = self.next_byte();
             if !byte.is_ascii_alphabetic() {
                 return Ok(left);
             }
@@ -52,7 +52,7 @@ impl Reader<'_> {
             }
             let (word, op) = LOGIC[level];
             self.cursor.at += word.len();
-            self.skip();
+            self.pass_blanks();
             let right = self.logic(level + 1)?;
             left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
@@ -60,7 +60,7 @@ impl Reader<'_> {
 
     /// Reads `NOT value` as `value == 0`.
     fn negation(&mut self) -> Read<Option<ExprId>> {
-        let byte = self.skip();
+        let byte = self.next_byte();
         if byte | 0x20 != b'n' || !self.cursor.is_name("NOT") {
             return Ok(None);
         }
@@ -73,6 +73,34 @@ impl Reader<'_> {
         self.add_expr(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
     }
 
+    /// Reads an exponent `EX-3` after a number that starts at `start`, if present; the result has at most 18 digits.
+    #[cold]
+    pub(in crate::nc::parse) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
+        if !self.cursor.ahead("EX") {
+            return number;
+        }
+        self.cursor.at += 2;
+        let negative = self.cursor.peek() == b'-';
+        self.cursor.at += usize::from(matches!(self.cursor.peek(), b'-' | b'+'));
+        let mut exponent = 0_i32;
+        while self.cursor.peek().is_ascii_digit() {
+            exponent = exponent.saturating_mul(10).saturating_add(i32::from(self.cursor.peek() - b'0'));
+            self.cursor.at += 1;
+        }
+        let exponent = if negative { -exponent } else { exponent };
+        let scale = i32::from(number.scale).saturating_sub(exponent);
+        let unit = |scale: i32| POW10.get(scale.unsigned_abs() as usize).copied();
+        let whole = (scale < 0).then(|| number.mantissa.checked_mul(unit(scale)?)).flatten();
+        let raised = match u8::try_from(scale) {
+            Ok(scale @ 0..=18) => Some(Dec { scale, ..number }),
+            _ => whole.map(|mantissa| Dec { mantissa, scale: 0, point: true }),
+        };
+        if raised.is_none() && number.mantissa != 0 {
+            self.report(Alarm::Digits, start, self.cursor.at, msg!("nc.too-many-digits", most = 18));
+        }
+        Dec { point: true, ..raised.unwrap_or_default() }
+    }
+
     /// Reads `DIV`, the integer division.
     #[cold]
     pub(in crate::nc::parse) fn quotient_ahead(&mut self) -> bool {
@@ -80,13 +108,13 @@ impl Reader<'_> {
     }
 
     fn symbolic_comparison(&mut self, condition: bool) -> Option<Op> {
-        let byte = self.skip();
+        let byte = self.next_byte();
         let from = self.cursor.at;
         if byte.is_ascii_alphabetic() {
             let &(word, op) = COMPARISONS.iter().find(|(word, _)| self.cursor.is_name(word))?;
             self.cursor.at += 2;
             let sign = sign_of(op);
-            self.slip(
+            self.report_replaced(
                 Alarm::Format,
                 from,
                 self.cursor.at,
@@ -102,7 +130,7 @@ impl Reader<'_> {
         self.cursor.at += sign.len();
         if !known {
             let right = sign_of(op);
-            self.slip(
+            self.report_replaced(
                 Alarm::Format,
                 from,
                 self.cursor.at,
@@ -141,13 +169,7 @@ impl Reader<'_> {
         let rest = self.cursor.rest();
         let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
         let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();
-        self.failure(
-            Alarm::Budget,
-            self.cursor.at,
-            self.cursor.at + len,
-            msg!("nc.system-variable", variable = name),
-            false,
-        )
+        self.failure(Alarm::Budget, self.cursor.at, self.cursor.at + len, msg!("nc.system-variable", variable = name))
     }
 }
 

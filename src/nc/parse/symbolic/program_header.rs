@@ -13,7 +13,7 @@ const PATH: &[u8] = b";$PATH=";
 
 impl Reader<'_> {
     /// Reads `%_N_NAME_MPF` or `%NAME`, or reports the lone `%` of other controls.
-    pub(in crate::nc::parse) fn head(&mut self, from: usize, to: usize) {
+    pub(in crate::nc::parse) fn program_header(&mut self, from: usize, to: usize) {
         let Some(names) = self.names() else { return };
         let line = self.file.text.get(from..to).unwrap_or("");
         let line = line.split(';').next().unwrap_or("").trim_end();
@@ -23,7 +23,7 @@ impl Reader<'_> {
         if name.is_empty() {
             let finding =
                 self.finding(Alarm::Format, 0, line.len(), msg!("nc.percent-alone", ending = names.endings[0]));
-            return self.replace(Alarm::Format, finding, 0, line.len(), "");
+            return self.report_replacing(Alarm::Format, finding, 0, line.len(), "");
         }
         let lead = name.get(..LEAD.len()).filter(|lead| lead.eq_ignore_ascii_case(LEAD)).map_or(0, str::len);
         let from = line.len() - name.len() + lead;
@@ -44,24 +44,14 @@ impl Reader<'_> {
             let message = msg!("nc.program-name", name = bare, most = names.program_chars as u32);
             self.add_finding(crate::text::Diagnostic::warning(message).at(place));
         }
-        let (number, at) = (number_in(names, bare), self.deck.blocks.len() as u32);
+        let number = number_in(names, bare);
         let name = Some(self.add_text(bare, self.span(from, from + bare.len())));
         self.notes.headed = true;
-        if self.only_comments()
-            && let Some(program) = self.program.and_then(|index| self.deck.programs.get_mut(index))
-        {
-            // Comments above the header belong to its program.
-            (program.number, program.name, program.sub, program.span) = (number, name, sub, place.span);
-            return;
-        }
-        self.program = Some(self.deck.programs.len());
-        let program =
-            Program { file: self.file.id, number, name, sub, title: None, span: place.span, first: at, end: at };
-        self.deck.programs.push(program);
+        self.begin_program(Program { number, name, sub, ..self.empty_program(place.span) });
     }
 
-    /// Whether a line names the directory of the program in the header before it.
-    pub(in crate::nc::parse) fn path(&mut self, line: &[u8]) -> bool {
+    /// Takes a line that names the directory of the program in the header before it; returns whether it is one.
+    pub(in crate::nc::parse) fn take_directory_line(&mut self, line: &[u8]) -> bool {
         core::mem::take(&mut self.notes.headed)
             && line.get(..PATH.len()).is_some_and(|lead| lead.eq_ignore_ascii_case(PATH))
     }
@@ -77,7 +67,7 @@ impl Reader<'_> {
     }
 
     /// Reports `O1234` of other controls at the start of a line.
-    pub(in crate::nc::parse) fn foreign_head(&mut self) -> bool {
+    pub(in crate::nc::parse) fn foreign_program_number(&mut self) -> bool {
         let Some(names) = self.names() else { return false };
         let digits = self.cursor.line.get(1..).unwrap_or_default();
         let number = core::str::from_utf8(digits).unwrap_or("").trim();
@@ -85,7 +75,13 @@ impl Reader<'_> {
             return false;
         }
         let head = format!("%_N_{}{number}_{}", names.endings[0], names.endings[0]);
-        self.slip(Alarm::Format, 0, self.cursor.line.len(), msg!("nc.foreign-head", head = head.as_str()), &head);
+        self.report_replaced(
+            Alarm::Format,
+            0,
+            self.cursor.line.len(),
+            msg!("nc.foreign-head", head = head.as_str()),
+            &head,
+        );
         self.cursor.at = self.cursor.line.len();
         true
     }

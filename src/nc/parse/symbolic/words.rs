@@ -8,7 +8,7 @@ use crate::nc::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::parse::failure::{IgnoredFeature, Read};
-use crate::nc::parse::reader::Reader;
+use crate::nc::parse::reader::{Reader, starts_value};
 use crate::text::Diagnostic;
 
 /// Dimensioning of a value by its own notation.
@@ -47,12 +47,28 @@ impl Seen {
     }
 }
 
+/// Value of a word: `500` in `S1=500` (index 1), `IC(10)` in `X=IC(10)`.
+struct SymbolicValue {
+    /// Number in an extended address.
+    index: Option<u8>,
+    dimensioning: Dimensioning,
+    value: WordValue,
+}
+
+impl SymbolicValue {
+    /// A value without index and dimensioning.
+    #[inline]
+    fn plain(value: WordValue) -> SymbolicValue {
+        SymbolicValue { index: None, dimensioning: Dimensioning::Plain, value }
+    }
+}
+
 impl Reader<'_> {
     pub(in crate::nc::parse) fn symbolic_words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
         let mut seen = Seen::default();
         loop {
-            let byte = self.skip();
+            let byte = self.next_byte();
             if !byte.is_ascii_alphabetic() {
                 if self.cursor.ended() {
                     break;
@@ -68,7 +84,7 @@ impl Reader<'_> {
                 continue;
             }
             self.cursor.at += 1;
-            let (index, form, value) = self.symbolic_value(start, letter)?;
+            let SymbolicValue { index, dimensioning: form, value } = self.symbolic_value(start, letter)?;
             if !matches!(form, Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Incremental) {
                 self.check_way(start, letter, form);
             }
@@ -138,8 +154,8 @@ impl Reader<'_> {
 
     /// Reads the value after a letter: a number, or a formula after `=`.
     #[inline]
-    fn symbolic_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
-        let mut next = self.skip();
+    fn symbolic_value(&mut self, start: usize, letter: Address) -> Read<SymbolicValue> {
+        let mut next = self.next_byte();
         let negative = next == b'-';
         if negative || next == b'+' {
             let digit = self.cursor.byte(1);
@@ -151,7 +167,7 @@ impl Reader<'_> {
         if !(next.is_ascii_digit() || next == b'.') {
             return self.equals(start, letter);
         }
-        let mut number = self.digits()?;
+        let mut number = self.unsigned_number()?;
         if self.cursor.peek() | 0x20 == b'e' {
             number = self.exponent(number, start);
         }
@@ -160,7 +176,7 @@ impl Reader<'_> {
         }
         match self.cursor.peek() {
             b'=' | b'+' | b'-' | b'*' | b'/' | b'.' | b' ' => self.after_number(start, letter, number),
-            _ => Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start)))),
+            _ => Ok(SymbolicValue::plain(WordValue::Number(self.whole_number(number, start)))),
         }
     }
 
@@ -190,19 +206,14 @@ impl Reader<'_> {
                 self.cursor.at,
                 msg!("nc.whole-range", most = Dec::int(most).to_string()),
             );
-            self.replace(Alarm::OutOfRange, finding, self.cursor.at, self.cursor.at, ".0");
+            self.report_replacing(Alarm::OutOfRange, finding, self.cursor.at, self.cursor.at, ".0");
         }
     }
 
     /// Continues after the number of a word: usually a blank, rarely the rest of an extended address or of a formula.
-    fn after_number(
-        &mut self,
-        start: usize,
-        letter: Address,
-        number: Dec,
-    ) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn after_number(&mut self, start: usize, letter: Address, number: Dec) -> Read<SymbolicValue> {
         let end = self.cursor.at;
-        let next = self.skip();
+        let next = self.next_byte();
         if next == b'=' && self.cursor.byte(1) != b'=' {
             return self.extended(start, letter, number);
         }
@@ -215,74 +226,73 @@ impl Reader<'_> {
             }
             _ => self.cursor.at = end,
         }
-        Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start))))
+        Ok(SymbolicValue::plain(WordValue::Number(self.whole_number(number, start))))
     }
 
     /// Reads `S1=500`: the number is the index of the address.
-    fn extended(&mut self, start: usize, letter: Address, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn extended(&mut self, start: usize, letter: Address, number: Dec) -> Read<SymbolicValue> {
         let known = self.names().is_some_and(|names| names.extended.contains(letter));
         let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
         if index.is_none() {
             let address = letter.to_string();
             self.report(Alarm::Format, start, self.cursor.at, msg!("nc.extended-address", address));
         }
-        let (_, form, value) = self.equals(start, letter)?;
-        Ok((index, form, value))
+        Ok(SymbolicValue { index, ..self.equals(start, letter)? })
     }
 
     /// End of `[2]` in `S[2]=4`.
     fn index_ahead(&self) -> Option<usize> {
         let rest = self.cursor.line.get(self.cursor.at + 1..)?;
         let close = rest.iter().position(|byte| *byte == b']')?;
-        let behind = rest.get(close + 1..)?.trim_ascii_start();
-        (behind.first() == Some(&b'=')).then_some(self.cursor.at + close + 2)
+        let after = rest.get(close + 1..)?.trim_ascii_start();
+        (after.first() == Some(&b'=')).then_some(self.cursor.at + close + 2)
     }
 
     /// Reads `= value`, or fails for an address without a value.
-    fn equals(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
-        match self.skip() {
+    fn equals(&mut self, start: usize, letter: Address) -> Read<SymbolicValue> {
+        match self.next_byte() {
             b'=' => self.cursor.at += 1,
             b'[' if self.index_ahead().is_some() => {
                 let end = self.index_ahead().unwrap_or(self.cursor.at);
                 let message = msg!("nc.index-in-brackets", address = self.control.address(letter));
-                return Err(self.failure(Alarm::Format, self.cursor.at, end, message, false));
+                return Err(self.failure(Alarm::Format, self.cursor.at, end, message));
             }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
             b'O' | b'o' if self.cursor.at == start + 1 && self.zero_after_letter(start) => {
-                return Ok((None, Dimensioning::Plain, WordValue::Number(Dec::int(0))));
+                return Ok(SymbolicValue::plain(WordValue::Number(Dec::int(0))));
             }
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ if self.parameter_ahead() => return self.insert_equals(letter),
             _ => {
                 let message = msg!("nc.no-value", address = self.control.address(letter));
-                return Err(self.failure(Alarm::NoNumber, start, start + 1, message, true));
+                return Err(self.failure(Alarm::NoNumber, start, start + 1, message).at_word());
             }
         }
         if matches!(letter, Address::G | Address::N | Address::L) {
             let message = msg!("nc.no-formula", address = letter.to_string());
-            return Err(self.failure(Alarm::Format, start, self.cursor.at, message, false));
+            return Err(self.failure(Alarm::Format, start, self.cursor.at, message));
         }
-        let form = self.dimensioning();
-        if form != Dimensioning::Plain {
-            self.skip();
+        let dimensioning = self.dimensioning();
+        if dimensioning != Dimensioning::Plain {
+            self.pass_blanks();
             self.deeper()?;
             let open = self.open(b')');
             let inner = self.constant_or_formula()?;
             self.close(open)?;
             self.formulas.depth -= 1;
-            return Ok((None, form, inner));
+            return Ok(SymbolicValue { dimensioning, ..SymbolicValue::plain(inner) });
         }
-        Ok((None, form, self.constant_or_formula()?))
+        Ok(SymbolicValue::plain(self.constant_or_formula()?))
     }
 
     /// Reads `AC` or the like in front of a bracket.
     fn dimensioning(&mut self) -> Dimensioning {
-        if !self.skip().is_ascii_alphabetic() {
+        if !self.next_byte().is_ascii_alphabetic() {
             return Dimensioning::Plain;
         }
         let name = self.cursor.name();
-        let behind = self.cursor.line.get(self.cursor.at + name.len()..).unwrap_or_default().trim_ascii_start();
-        let form = FORMS.iter().find(|row| name.eq_ignore_ascii_case(row.0) && behind.first() == Some(&b'('));
+        let after = self.cursor.line.get(self.cursor.at + name.len()..).unwrap_or_default().trim_ascii_start();
+        let form = FORMS.iter().find(|row| name.eq_ignore_ascii_case(row.0) && after.first() == Some(&b'('));
         self.cursor.at += form.map_or(0, |row| row.0.len());
         form.map_or(Dimensioning::Plain, |row| row.1)
     }
@@ -302,7 +312,7 @@ impl Reader<'_> {
 
     /// Reports a formula directly after its address, as on other controls; reads it as intended.
     #[cold]
-    fn insert_equals(&mut self, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn insert_equals(&mut self, letter: Address) -> Read<SymbolicValue> {
         let from = self.cursor.at;
         let value = self.constant_or_formula()?;
         let finding = self.finding(
@@ -311,8 +321,8 @@ impl Reader<'_> {
             self.cursor.at,
             msg!("nc.no-equals-sign", address = self.control.address(letter)),
         );
-        self.replace(Alarm::Format, finding, from, from, "=");
-        Ok((None, Dimensioning::Plain, value))
+        self.report_replacing(Alarm::Format, finding, from, from, "=");
+        Ok(SymbolicValue::plain(value))
     }
 
     /// Whether a name is an address with a variable or number and a missing `=`: `XR1`, `LIMS3000`.
@@ -345,17 +355,16 @@ impl Reader<'_> {
             let value = self.insert_equals(letter)?;
             return self.push_long(start, letter, value);
         }
-        let behind = self.cursor.line.get(start + name.len()..).unwrap_or_default();
+        let after = self.cursor.line.get(start + name.len()..).unwrap_or_default();
         if matches!(name.as_str(), "IF" | "GOTOF" | "GOTOB" | "MSG") {
-            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
+            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")));
         }
-        if behind.first() == Some(&b'(') && self.function_ahead() {
+        if after.first() == Some(&b'(') && self.function_ahead() {
             return Err(self.failure(
                 Alarm::Format,
                 start,
                 self.cursor.line.len(),
                 msg!("nc.no-address", address = name),
-                false,
             ));
         }
         Err(self.unknown_name(start, written))
@@ -378,7 +387,7 @@ impl Reader<'_> {
             _ => None,
         };
         let value = WordValue::Number(Dec::int(place as i64));
-        self.push_long(start, Address::Name, (index, Dimensioning::Plain, value))
+        self.push_long(start, Address::Name, SymbolicValue { index, ..SymbolicValue::plain(value) })
     }
 
     /// Reports a code that is not simulated, each cycle once by the number in its name; skips arguments such as in `TRACYL(40)`.
@@ -388,12 +397,12 @@ impl Reader<'_> {
         let digits = name.bytes().filter(u8::is_ascii_digit).map(|b| u32::from(b - b'0'));
         let cycle = digits.reduce(|all, digit| all.wrapping_mul(10).wrapping_add(digit));
         self.code_not_simulated(row, cycle.map_or(IgnoredFeature::Code(row.id), IgnoredFeature::Cycle), &what, start);
-        if self.skip() != b'(' {
+        if self.next_byte() != b'(' {
             return Ok(());
         }
         let open = self.cursor.at;
         let Some(close) = self.cursor.rest().iter().position(|&b| b == b')') else {
-            return Err(self.failure(Alarm::BracketPair, open, open + 1, msg!("nc.unclosed-group"), false));
+            return Err(self.failure(Alarm::BracketPair, open, open + 1, msg!("nc.unclosed-group")));
         };
         self.cursor.at += close + 1;
         Ok(())
@@ -427,59 +436,52 @@ impl Reader<'_> {
 
     /// Reads `(2)` after SETMS; without it the master spindle is the one after power-on.
     fn spindle_number(&mut self, start: usize) -> Read<Option<u8>> {
-        if self.skip() != b'(' {
+        if self.next_byte() != b'(' {
             return Ok(None);
         }
         let open = self.open(b')');
-        self.skip();
-        let number = self.digits()?;
+        self.pass_blanks();
+        let number = self.unsigned_number()?;
         self.close(open)?;
         match u8::try_from(number.mantissa) {
             Ok(index @ 1..) if number.scale == 0 => Ok(Some(index)),
-            _ => Err(self.failure(Alarm::OutOfRange, start, self.cursor.at, msg!("nc.spindle-number"), false)),
+            _ => Err(self.failure(Alarm::OutOfRange, start, self.cursor.at, msg!("nc.spindle-number"))),
         }
     }
 
-    fn push_long(&mut self, start: usize, letter: Address, value: (Option<u8>, Dimensioning, WordValue)) -> Read<()> {
+    fn push_long(&mut self, start: usize, letter: Address, value: SymbolicValue) -> Read<()> {
         let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
-        let (index, form, value) = value;
+        let SymbolicValue { index, dimensioning: form, value } = value;
         self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
         Ok(())
     }
 
     /// Reads the value after an address of several letters, with or without an index in brackets.
-    fn long_value(
-        &mut self,
-        start: usize,
-        address: &str,
-        letter: Address,
-    ) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn long_value(&mut self, start: usize, address: &str, letter: Address) -> Read<SymbolicValue> {
         let mut index = None;
         if self.cursor.peek() == b'[' {
             self.cursor.at += 1;
-            let number = self.digits()?;
+            let number = self.unsigned_number()?;
             index = u8::try_from(number.mantissa).ok();
-            if self.skip() != b']' {
-                return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.unclosed-group"), false));
+            if self.next_byte() != b']' {
+                return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.unclosed-group")));
             }
             self.cursor.at += 1;
         }
-        if self.skip() == b'=' {
-            let (_, form, value) = self.equals(start, letter)?;
-            return Ok((index, form, value));
+        if self.next_byte() == b'=' {
+            return Ok(SymbolicValue { index, ..self.equals(start, letter)? });
         }
         let end = start + address.len();
-        let value = self.cursor.peek().is_ascii_digit()
-            || matches!(self.cursor.peek(), b'.' | b'-' | b'+' | b'#' | b'[' | b'(');
-        if !(value || self.parameter_ahead()) {
+        let next = self.cursor.peek();
+        if !(starts_value(next) || next == b'(' || self.parameter_ahead()) {
             let message = msg!("nc.no-value", address);
-            return Err(self.failure(Alarm::NoNumber, start, end, message, false));
+            return Err(self.failure(Alarm::NoNumber, start, end, message));
         }
         let from = self.cursor.at;
         let value = self.constant_or_formula()?;
         let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.no-equals-sign", address));
-        self.replace(Alarm::Format, finding, end.min(from), from, "=");
-        Ok((index, Dimensioning::Plain, value))
+        self.report_replacing(Alarm::Format, finding, end.min(from), from, "=");
+        Ok(SymbolicValue { index, ..SymbolicValue::plain(value) })
     }
 
     /// Handles text between words other than white space.
@@ -492,12 +494,12 @@ impl Reader<'_> {
                 Ok(())
             }
             b'$' => Err(self.system_variable()),
-            b'#' => Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed"), true)),
+            b'#' => Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed")).at_word()),
             _ => Err(self.unexpected()),
         }
     }
 
-    /// Reports `( remark )` of other controls, with its fix, and skips it.
+    /// Reports `( comment )` of other controls, with its fix, and reads on after it.
     #[cold]
     pub(in crate::nc::parse) fn foreign_comment(&mut self) -> bool {
         let start = self.cursor.at;
@@ -508,8 +510,8 @@ impl Reader<'_> {
         let finding =
             self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.foreign-remark", control = self.control.name));
         // In the middle of a block the fix would turn the rest into a comment.
-        let last = self.skip() == 0 && self.cursor.ended() && self.block.comment.is_none();
-        self.replace(
+        let last = self.next_byte() == 0 && self.cursor.ended() && self.block.comment.is_none();
+        self.report_replacing(
             Alarm::Format,
             finding,
             start,
@@ -595,7 +597,7 @@ impl Reader<'_> {
         }
         let (start, end) = (call.offset as usize, self.cursor.line.len());
         let repeats = value(Address::L).map_or(String::new(), |(_, number)| format!(" P{number}"));
-        self.slip(Alarm::Format, start, end, msg!("nc.foreign-call"), &format!("L{program}{repeats}"));
+        self.report_replaced(Alarm::Format, start, end, msg!("nc.foreign-call"), &format!("L{program}{repeats}"));
         true
     }
 

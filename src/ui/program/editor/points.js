@@ -34,11 +34,11 @@ const field = StateField.define({
 // The lines with breakpoints, each with its condition.
 export const showPoints = (view, lines) => view.dispatch({ effects: setPoints.of(lines) });
 
-// A press beside a line or on its number turns its breakpoint, as in the listing.
-export function points(turn) {
+// A press beside a line or on its number toggles its breakpoint, as in the listing.
+export function points(toggle) {
   const mousedown = (view, { from }, event) => {
     if (event.button !== 0) return false;
-    turn(view.state.doc.lineAt(from).number);
+    toggle(view.state.doc.lineAt(from).number);
     return true;
   };
   const domEventHandlers = { mousedown };

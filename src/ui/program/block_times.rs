@@ -9,7 +9,7 @@ use crate::ui::words::{clock, sentence};
 
 /// The times of the block at the cursor. Without a block there it is absent.
 #[component]
-pub(super) fn Begins() -> impl IntoView {
+pub(super) fn BlockTimes() -> impl IntoView {
     let page = Page::here();
     let player = page.player;
     let times = Memo::new(move |_| {
@@ -44,6 +44,7 @@ mod tests {
     use super::*;
     use crate::text::FileId;
     use crate::ui::testing::{ViewBench, mount, settled};
+    use crate::ui::words::t;
 
     /// Sets the cursor to the first line of the first program that has a text.
     async fn cursor(bench: &ViewBench, text: &str) {
@@ -58,7 +59,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn cursor_block_tells_its_next_time_and_goes_there() {
-        let bench = mount(|| view! { <Begins /> }).await;
+        let bench = mount(|| view! { <BlockTimes /> }).await;
         bench.run().await;
         assert!(!bench.has(".begins"));
         cursor(&bench, "M30").await;
@@ -71,7 +72,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn block_that_does_not_run_says_so() {
-        let bench = mount(|| view! { <Begins /> }).await;
+        let bench = mount(|| view! { <BlockTimes /> }).await;
         bench.run().await;
         cursor(&bench, "#3000").await;
         assert_eq!(bench.text(".begins"), t("page.block-never-begins"));
