@@ -16,7 +16,7 @@ fn screw_near_its_critical_speed_fails() {
     let screw = row(&long, "z-screw-speed");
     assert_eq!((screw.value, screw.verdict), (2000.0, Verdict::Fail));
     let by_hand =
-        0.8 * 30.0 / std::f64::consts::PI * 3.9266_f64.powi(2) * 0.0272 / 4.0 / 9.0 * (206e9_f64 / 7850.0).sqrt();
+        0.8 * 30.0 / std::f64::consts::PI * 3.9266 * 3.9266 * 0.0272 / 4.0 / 9.0 * (206e9_f64 / 7850.0).sqrt();
     assert!((screw.limit.unwrap().value() - by_hand).abs() < 1e-6 && (by_hand - 455.9).abs() < 0.05, "{by_hand}");
     let slower = long.with_entries(&screw.advice[0].sets).unwrap();
     assert_eq!(row(&slower, "z-screw-speed").verdict, Verdict::Ok);

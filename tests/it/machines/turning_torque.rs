@@ -83,7 +83,7 @@ fn kienzle_force_is_that_of_the_fact_sheet() {
     near(result(&lathe, "torque"), 55.47 + 2.0, 0.005);
     near(result(&lathe, "power"), 6.163 + 2.0 * 1061.03 / 9_549.297, 0.001);
     // The power of the removed metal: the ring of a turn times its length, times the specific force.
-    let removed = std::f64::consts::PI / 4.0 * (66.0_f64.powi(2) - 60.0_f64.powi(2)) * 0.3 * 1061.03 / 60.0;
+    let removed = std::f64::consts::PI / 4.0 * (66.0 * 66.0 - 60.0 * 60.0) * 0.3 * 1061.03 / 60.0;
     near(6.163, removed * result(&lathe, "force") / (3.0 * 0.3) / 1e6, 0.001);
     assert_eq!(row(&lathe, "torque").verdict, Verdict::Ok);
 }
