@@ -193,12 +193,16 @@ impl Motion {
         })
     }
 
+    /// Whether the cut of a turn asks torque, or the steady torque of a load without cuts.
+    fn cuts_or_works(&self, turn: &Turn) -> bool {
+        self.cut(turn).map_or_else(|| self.works(turn), |torque| torque > 0.0)
+    }
+
     /// Time (s) under load: with the steady torque, or while the speed changes.
     pub fn loaded(&self) -> f64 {
         let is_loaded = |turn: &&Turn| {
             let speed = turn.from.abs().max(turn.to.abs());
-            let works = self.cut(turn).map_or_else(|| self.works(turn), |torque| torque > 0.0);
-            speed >= STANDS && (works || (turn.to - turn.from).abs() > STEADY * speed)
+            speed >= STANDS && (self.cuts_or_works(turn) || (turn.to - turn.from).abs() > STEADY * speed)
         };
         self.turns.iter().filter(is_loaded).map(|turn| turn.seconds).sum()
     }
@@ -231,7 +235,7 @@ impl Motion {
     fn greatest(&self, turn: &Turn, torque: f64) -> (f64, f64) {
         let speed = turn.from.abs().max(turn.to.abs());
         let is_steady = speed >= STANDS && (turn.to - turn.from).abs() <= STEADY * speed;
-        let strikes = is_steady && self.works(turn);
+        let strikes = is_steady && self.cuts_or_works(turn);
         if strikes { (torque.abs().max(self.strikes.peak), self.strikes.spread) } else { (torque.abs(), 0.0) }
     }
 

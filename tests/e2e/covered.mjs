@@ -5,7 +5,7 @@ export const measureInk = (page) =>
       const { left, top, right, bottom } = text.getBoundingClientRect();
       const matrix = text.getScreenCTM?.();
       const size = parseFloat(getComputedStyle(text).fontSize) * (matrix ? Math.hypot(matrix.a, matrix.b) : 1);
-      const [middle, half] = [0.5 * (top + bottom), Math.min(0.55 * size, 0.5 * (bottom - top))];
+      const [middle, half] = [0.5 * (top + bottom), Math.min(0.45 * size, 0.5 * (bottom - top))];
       return { left, top: middle - half, right, bottom: middle + half, size };
     };
   });

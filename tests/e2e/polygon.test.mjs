@@ -83,7 +83,7 @@ test('drag previews the shape, release sets it, click takes a way', () =>
     assert.match(await card(page, 'Sides'), /Sides6.*exactly4/);
     await drag(page, 'sides', 6);
     await drop(page, 'sides');
-    const best = page.locator('[data-sets*="sides=6"]', { hasText: 'nothing' }).first();
+    const best = page.locator('[data-sets*="sides=6"]', { hasText: 'none' }).first();
     await best.waitFor();
     await accessible(page);
     // The other ways show their drawbacks.

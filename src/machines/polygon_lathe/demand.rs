@@ -40,9 +40,10 @@ impl PolygonLathe {
     /// Demand on an axis and its limit, where their ratio is greatest: over all polygons and feeds.
     pub(super) fn demand(&self, axis: PolygonAxis, kind: DemandKind) -> (f64, f64) {
         let all = self.polygons().flat_map(|lathe| (0..FEEDS.len()).map(move |feed| lathe.demand_at(axis, kind, feed)));
-        all.fold((0.0, f64::INFINITY), |worst, next| {
-            if next.0 * worst.1 > worst.0 * next.1 || worst.1.is_infinite() { next } else { worst }
-        })
+        // Of a limit of 0, which friction leaves, any demand is infinitely more.
+        let share = |(demand, limit): (f64, f64)| if demand > 0.0 { demand / limit } else { 0.0 };
+        let first = (0.0, f64::INFINITY);
+        all.fold(first, |worst, next| if worst == first || share(next) > share(worst) { next } else { worst })
     }
 
     /// Demand of the cuts of a feed on an axis over its limit, of all polygons the greatest.

@@ -24,8 +24,10 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
         let (gear, efficiency) = (teeth / motor_teeth, p.drive_efficiency / 100.0);
         let drive = p.drive(axis);
         let rated = drive.motor.torque(0.0) / (gear * efficiency);
-        let at_motor = |kind| through_gear(lathe.demand(axis, kind).0 + drive.friction, gear, efficiency);
+        let at_motor = |kind| through_gear(lathe.demand(axis, kind).0, gear, efficiency);
         let (mean, peak) = (at_motor(DemandKind::Mean), at_motor(DemandKind::Peak));
+        let friction = through_gear(drive.friction, gear, efficiency);
+        let strikes = Strikes::new(peak, mean);
         // The form has torque and inertia at the output of the gear, rotor included; its torque already includes the losses of the gear.
         let motor = Servo {
             rated,
@@ -40,12 +42,12 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             name,
             mover: Mover::Turned(at),
             turn: gear * PI / 180.0,
-            load: Load { inertia: drive.inertia / (gear * gear), torque: mean, efficiency },
+            load: Load { inertia: drive.inertia / (gear * gear), torque: friction, efficiency },
             hold: 0.0,
             weight: 0.0,
-            strikes: Strikes::new(peak, mean),
+            strikes: Strikes { peak: strikes.peak + friction, ..strikes },
             taut: 0.0,
-            cut: None,
+            cut: Some(mean),
             lasting: None,
             starts_per_minute: 0.0,
             // Wheels of the lathe itself.

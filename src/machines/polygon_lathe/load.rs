@@ -65,10 +65,11 @@ impl CutLoad {
 }
 
 impl Params {
-    /// Specific cutting force of the material with a worn edge, or the entered one, which no thickness of the chip changes.
+    /// Specific cutting force of the material, or the entered one, which no thickness of the chip changes; with the wear of the edge.
     pub(super) fn specific(&self) -> Kienzle {
-        let worn = |row: Kienzle| Kienzle { unit_force: row.unit_force * self.edge_wear, ..row };
-        self.material.kienzle().map_or(Kienzle { unit_force: self.specific_force, exponent: 0.0 }, worn)
+        let entered = Kienzle { unit_force: self.specific_force, exponent: 0.0 };
+        let sharp = self.material.kienzle().unwrap_or(entered);
+        Kienzle { unit_force: sharp.unit_force * self.edge_wear, ..sharp }
     }
 
     /// Loads of passes of these `sizes` across flats. The chip is as wide as the layer is deep and as thick as the marks on a flat are

@@ -99,6 +99,11 @@ fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Me
     if asked <= limit {
         return ok(AtMost(limit));
     }
+    if limit <= 0.0 {
+        let (drive, rated) = (p.drive(axis), p.drive(axis).motor);
+        let torque = (rated.torque(drive.speed) * p.drive_peak / 100.0, 1);
+        return fail(AtMost(limit), [msg!("lathe.friction-stalls", friction = (drive.friction, 1), torque).into()]);
+    }
     let ramp = (1000.0 * lathe.ramp()).max(p.work_time_constant).max(p.tool_time_constant);
     let advice = Advice::from(told(asked, limit));
     let sets = ["work-time-constant", "tool-time-constant"].map(|field| up(FIELDS, field, ramp));

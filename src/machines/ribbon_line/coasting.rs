@@ -15,6 +15,10 @@ use crate::view::Limit::AtMost;
 /// Step (Nm) to which a proposed brake is rounded up. Engineering choice.
 const BRAKES: f64 = 0.5;
 
+/// Torque of the strongest brake that an advice offers, over the rated torque of its motor: makers fit brakes of about twice that. Engineering
+/// choice.
+const STRONGEST: f64 = 2.0;
+
 /// Moment of inertia (kg m²) of all rotating parts at the motor's shaft, with the reel.
 fn inertia(line: &RibbonLine) -> f64 {
     unwinder_load(&line.p, 0.0).inertia
@@ -99,11 +103,18 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     if left > 0.0 {
         let torque = load::braking(inertia(line), line.fast.actual_speed * RPM, left);
         let brake = ((torque - line.mechanics.unwinder) / BRAKES).ceil() * BRAKES;
-        let set = up(FIELDS, "unwinder-motor-brake", brake);
-        advice.push(Advice::from(said.clone()).setting(msg!("advice.set-motor-brake", torque = set.1.as_str()), [set]));
+        if brake <= STRONGEST * line.p.unwinding.torque {
+            let set = up(FIELDS, "unwinder-motor-brake", brake);
+            let button = msg!("advice.set-motor-brake", torque = set.1.as_str());
+            advice.push(Advice::from(said.clone()).setting(button, [set]));
+        }
     }
     // The first advice says what happens.
-    let said = if advice.is_empty() { said } else { msg!("ribbon.coasting-fills", needed = (needed.ceil(), 0)) };
-    advice.push(slack::with_loop(said.into(), needed, Vec::new()));
+    if advice.is_empty() {
+        advice.push(slack::with_loop(said.into(), needed, Vec::new()));
+    } else if needed <= slack::LONGEST_LOOP {
+        let also = msg!("ribbon.coasting-fills", needed = (needed.ceil(), 0));
+        advice.push(slack::with_loop(also.into(), needed, Vec::new()));
+    }
     fail(limit, advice)
 }

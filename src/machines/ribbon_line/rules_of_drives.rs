@@ -114,18 +114,16 @@ fn effective_y(line: &RibbonLine) -> Option<Judgement> {
 }
 
 fn inertia(axis: &ServoAxis) -> Option<Judgement> {
-    let (limit, ratio) = (AtMost(axis.limits.inertia_ratio), axis.shares().inertia_ratio);
+    let (most, ratio) = (axis.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO), axis.shares().inertia_ratio);
+    let limit = AtMost(most);
     if limit.holds(ratio) {
         return ok(limit);
     }
     if ratio > DYNAMIC_BRAKE_RATIO {
-        let (brakes, most) = ((DYNAMIC_BRAKE_RATIO, 0), (axis.limits.inertia_ratio, 1));
+        let (brakes, most) = ((DYNAMIC_BRAKE_RATIO, 0), (most, 1));
         return fail(limit, [msg!("slides.inertia-burns-brake", ratio = (ratio, 1), brakes, limit = most).into()]);
     }
-    warn(
-        limit,
-        [Advice::from(msg!("ribbon.inertia-ratio", ratio = (ratio, 1), limit = (axis.limits.inertia_ratio, 1)))],
-    )
+    warn(limit, [Advice::from(msg!("ribbon.inertia-ratio", ratio = (ratio, 1), limit = (most, 1)))])
 }
 
 fn inertia_x(line: &RibbonLine) -> Option<Judgement> {

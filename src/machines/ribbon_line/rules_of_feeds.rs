@@ -175,21 +175,27 @@ pub(super) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
     motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
 }
 
-/// A motor stands that slips by its whole speed: at the load of the form, and at rated torque.
-fn stalls(line: &RibbonLine, error: f64, load: f64) -> Option<Judgement> {
-    if error > -1.0 {
+/// Slip of the motor at a load (part of the rated torque) and its speed, as a sentence has them.
+fn slip(line: &RibbonLine, load: f64) -> [(f64, u8); 2] {
+    [(Induction { load, ..line.p.induction() }.slip(), 1), (line.d.actual_speed, 1)]
+}
+
+/// A motor that slips by its whole speed at the load of the form stands.
+pub(super) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
+    if line.d.speed_error > -1.0 {
         return None;
     }
-    let slip = Induction { load, ..line.p.induction() }.slip();
-    fail(AtLeast(-100.0), [msg!("ribbon.slips-to-rest", slip = (slip, 1), speed = (line.d.actual_speed, 1)).into()])
+    let [slip, speed] = slip(line, line.p.induction().load);
+    fail(AtLeast(-100.0), [msg!("ribbon.slips-to-rest", slip, speed).into()])
 }
 
-pub(super) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
-    stalls(line, line.d.speed_error, line.p.induction().load)
-}
-
+/// The same at rated torque, which the load of the form is below.
 pub(super) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
-    stalls(line, line.d.speed_error_rated, 1.0)
+    if line.d.speed_error_rated > -1.0 {
+        return None;
+    }
+    let [slip, speed] = slip(line, 1.0);
+    warn(AtLeast(-100.0), [msg!("ribbon.slips-when-rated", slip, speed).into()])
 }
 
 /// Judges the time of a block against the time that the control needs for it, over the whole range of the knob: the limit of the present

@@ -79,7 +79,7 @@ pub(super) fn worst_loop(line: &RibbonLine) -> &Derived {
 }
 
 /// Longest loop (mm) that an advice offers: hanging free it is half as deep. Engineering choice.
-const LONGEST_LOOP: f64 = 5000.0;
+pub(super) const LONGEST_LOOP: f64 = 5000.0;
 
 /// A change of the form: words of its button, and its entries.
 type Change = (Message, Vec<(&'static str, String)>);
@@ -126,10 +126,13 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     );
     let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
     let after = |form: &Params| line.with(form).into_iter().map(|d| d.loop_needed).fold(0.0, f64::max);
-    // An advice with changes of the waiting and the ramp, and the loop that they still ask.
+    // An advice with changes of the waiting and the ramp, and the loop that they still ask; none where no such loop is built.
     let mut offer = |said: Message, left: f64, changes: Vec<Change>| {
-        let holds = left <= p.loop_capacity;
-        advice.push(if holds { taking(said.into(), changes) } else { with_loop(said.into(), left, changes) });
+        if left <= p.loop_capacity {
+            advice.push(taking(said.into(), changes));
+        } else if left <= LONGEST_LOOP {
+            advice.push(with_loop(said.into(), left, changes));
+        }
     };
     let (dwelt, dwell) = with_matching_dwell(line, p.clone());
     let left = after(&dwelt);

@@ -145,7 +145,7 @@ fn whirl<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgem
 }
 
 fn inertia(slide: &ServoSlide) -> Option<Judgement> {
-    let (ratio, most) = (slide.inertia_ratio(), slide.limits.inertia_ratio);
+    let (ratio, most) = (slide.inertia_ratio(), slide.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO));
     if ratio <= most {
         return ok(AtMost(most));
     }

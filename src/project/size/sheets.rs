@@ -248,8 +248,10 @@ impl Sizing {
         let rows = events.map(|event| {
             let at = |id: &str| self.envelope.iter().find(|row| row.event == event && row.id == id);
             // A limit that varies, as that of a torque with the speed, is beside the value beyond it.
-            let cell = |of: &&EnvelopeRow, row: &EnvelopeRow| match self::limit(row) {
-                Some(own) if row.verdict == Verdict::Fail && row.limit != of.limit => format!("{} ({own})", value(row)),
+            let cell = |of: &EnvelopeRow, row: &EnvelopeRow| match self::limit(row) {
+                Some(own) if row.verdict == Verdict::Fail && Some(&own) != self::limit(of).as_ref() => {
+                    format!("{} ({own})", value(row))
+                }
                 _ => value(row),
             };
             let cells = watched.iter().map(|of| at(&of.id).map_or(String::new(), |row| cell(of, row)));

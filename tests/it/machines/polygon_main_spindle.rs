@@ -207,3 +207,18 @@ fn end_speed_above_that_of_the_main_spindle_is_an_error() {
     };
     assert_eq!((errors("701"), errors("700")), (1, 0));
 }
+
+/// The sizing has the same run-up as the form: inertia and friction of the main spindle, through the gear of the work axis.
+#[test]
+fn sizing_of_the_work_axis_has_the_main_friction() {
+    let peak = |friction: &'static str| {
+        let lathe = shaft(&[("main-friction", friction)]);
+        let sizing = size(&lathe, &lathe.written());
+        let start = sizing.envelope.iter().find(|row| row.id == "work-torque" && row.event.id() == "start");
+        start
+            .unwrap_or_else(|| panic!("{:?}", sizing.envelope.iter().map(|row| row.id.clone()).collect::<Vec<_>>()))
+            .value
+    };
+    // At the motor, with 90 %.
+    near(peak("30") - peak("2"), 28.0 / 0.9, 0.2);
+}

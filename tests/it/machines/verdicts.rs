@@ -283,6 +283,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("turning.stalls-at-knob", "a deed: the operator keeps the knob below, or less feed"),
     ("ribbon.field-weakening", "a deed: another gear or motor"),
     ("ribbon.slips-to-rest", "a deed: another gear or inverter"),
+    ("ribbon.slips-when-rated", "a deed: another gear or inverter"),
     ("ribbon.feed-above-limit", "a fact; the speed behind it has the button"),
     ("ribbon.few-volts", "a fact: the speed is the product's"),
     ("ribbon.knob-stops", "a fact; the speed behind it has the button"),
