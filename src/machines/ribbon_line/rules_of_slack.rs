@@ -60,14 +60,9 @@ pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
     fail((d.register_error != 0.0).then_some(Equal(0.0)), advice)
 }
 
-/// The shortest dwell (s) after which no start pulls the ribbon tight, with the knob at its highest position: each second lays `v` mm more.
-/// A feed per revolution follows the unwinder from standstill, and the best dwell is none.
-fn matching_dwell(line: &RibbonLine) -> (&'static str, String) {
-    dwell_for(line, &line.p)
-}
-
-/// That dwell for another form.
-fn dwell_for(line: &RibbonLine, p: &Params) -> (&'static str, String) {
+/// The shortest dwell (s) of a form after which no start pulls the ribbon tight, with the knob at its highest position: each second lays `v` mm
+/// more. A feed per revolution follows the unwinder from standstill, and the best dwell is none.
+fn matching_dwell(line: &RibbonLine, p: &Params) -> (&'static str, String) {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
     let short = if line.in_step() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
     up(FIELDS, "dwell", short.max(0.0))
@@ -158,7 +153,7 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
 
 /// A form with the dwell that matches it, and the change to it.
 fn with_matching_dwell(line: &RibbonLine, form: Params) -> (Params, Change) {
-    let set = dwell_for(line, &form);
+    let set = matching_dwell(line, &form);
     let dwell = set.1.parse().unwrap_or(form.dwell);
     let button = msg!("advice.set-dwell", time = set.1.as_str());
     (Params { wait: Wait::Dwell, dwell, ..form }, (button, vec![("wait", "dwell".to_owned()), set]))
@@ -274,7 +269,7 @@ pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let (drawn, started) = (line.worst(|d| d.draw_tension), line.worst(|d| d.start_tension));
     let mut advice = Vec::new();
     if started.start_tension > most {
-        let (dwell, percent) = (matching_dwell(line), (started.knob(p), 1));
+        let (dwell, percent) = (matching_dwell(line, p), (started.knob(p), 1));
         let said = msg!(
             "ribbon.start-stretches",
             percent,
@@ -300,7 +295,7 @@ pub(super) fn advice_against_taut(line: &RibbonLine, said: Message) -> Advice {
     if drawn > started {
         return with_dancer(said);
     }
-    let dwell = matching_dwell(line);
+    let dwell = matching_dwell(line, &line.p);
     let button = msg!("advice.set-dwell", time = dwell.1.as_str());
     Advice::from(said).setting(button, [dwell])
 }
