@@ -117,53 +117,64 @@ fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec
     let mut cuts = Vec::new();
     for (begin, end) in spans {
         let (begin, end) = (begin.max(from), end.min(to));
-        let bends = stretches.iter().map(|stretch| stretch.t);
-        let first = stretches.partition_point(|stretch| stretch.t <= begin);
-        let pieces = (0..=count).map(|at| begin + (end - begin) * at as f64 / count as f64);
-        let mut moments: Vec<f64> = bends.skip(first).take_while(|t| *t < end).chain(pieces).collect();
-        moments.sort_by(f64::total_cmp);
-        for pair in moments.windows(2) {
-            if let [a, b] = *pair
-                && b > a
-                && let Some((a, b)) = within_stock(lathe, run, (a, b))
+        if begin >= end {
+            continue;
+        }
+        let tips: Vec<Tip> =
+            (0..=count).map(|at| Tip::at(lathe, run, begin + (end - begin) * at as f64 / count as f64)).collect();
+        for pair in tips.windows(2) {
+            if let [a, b] = pair
+                && let Some((a, b)) = within_stock(lathe, run, *a, *b)
             {
-                let diameter = 0.5 * (diameter_at(lathe, run, a) + diameter_at(lathe, run, b));
-                let torque = cutting::torque(p.cutting_force, diameter);
-                cuts.push(CutSpan { begin: a, end: b, torque: through_gear(torque, gear, p.efficiency / 100.0) });
+                let torque = cutting::torque(p.cutting_force, 0.5 * (a.diameter + b.diameter));
+                cuts.push(CutSpan { begin: a.t, end: b.t, torque: through_gear(torque, gear, p.efficiency / 100.0) });
             }
         }
     }
     cuts
 }
 
-/// Diameter (mm) at the middle of the edge at a time in a run.
-fn diameter_at(lathe: &TurningSpindle, run: &dyn Samples, t: f64) -> f64 {
-    lathe.p.middle_of_edge(lathe.diameter(&run.at(t)))
+/// The tool at a time in a run.
+#[derive(Clone, Copy)]
+struct Tip {
+    /// Seconds.
+    t: f64,
+    /// Diameter at the middle of the edge, mm.
+    diameter: f64,
+    /// Whether the tool moves in the stock.
+    cuts: bool,
 }
 
-/// The part of a span of a cutting block in which the tool moves in the stock.
-fn within_stock(lathe: &TurningSpindle, run: &dyn Samples, (a, b): (f64, f64)) -> Option<(f64, f64)> {
-    let p = &lathe.p;
-    let is_inside = |t: f64| {
+impl Tip {
+    fn at(lathe: &TurningSpindle, run: &dyn Samples, t: f64) -> Tip {
+        let p = &lathe.p;
         let now = run.at(t);
-        let (_, z) = lathe.tool(&now);
+        let (diameter, (_, z)) = (lathe.diameter(&now), lathe.tool(&now));
         let moves =
             [lathe.cross(), lathe.along()].iter().any(|axis| now.axes.get(*axis).is_some_and(|axis| axis.feed != 0.0));
         let along = p.path == Path::Facing || (-p.length..0.0).contains(&z);
-        moves && along && lathe.diameter(&now).abs() < p.stock_diameter
-    };
-    let edge = |inside: f64, outside: f64| {
-        let halved = |(inside, outside): (f64, f64), _| {
-            let middle = 0.5 * (inside + outside);
-            if is_inside(middle) { (middle, outside) } else { (inside, middle) }
+        let cuts = moves && along && diameter.abs() < p.stock_diameter;
+        Tip { t, diameter: p.middle_of_edge(diameter), cuts }
+    }
+}
+
+/// The part of a span of a cutting block in which the tool moves in the stock, from the tool at its ends.
+fn within_stock(lathe: &TurningSpindle, run: &dyn Samples, a: Tip, b: Tip) -> Option<(Tip, Tip)> {
+    let between = |a: Tip, b: Tip| Tip::at(lathe, run, 0.5 * (a.t + b.t));
+    let edge = |inside: Tip, outside: Tip| {
+        let halved = |(inside, outside), _| {
+            let middle = between(inside, outside);
+            if middle.cuts { (middle, outside) } else { (inside, middle) }
         };
         (0..HALVINGS).fold((inside, outside), halved).0
     };
-    let middle = 0.5 * (a + b);
-    match (is_inside(a), is_inside(b)) {
+    match (a.cuts, b.cuts) {
         (true, true) => Some((a, b)),
         (true, false) => Some((a, edge(a, b))),
         (false, true) => Some((edge(b, a), b)),
-        (false, false) => is_inside(middle).then(|| (edge(middle, a), edge(middle, b))),
+        (false, false) => {
+            let middle = between(a, b);
+            middle.cuts.then(|| (edge(middle, a), edge(middle, b)))
+        }
     }
 }
