@@ -1,6 +1,6 @@
 //! Items of the bill of materials, and the devices that ladder and form of a machine ask for.
 
-use super::ladder::{Bit, Device, Ladder, MachineContact, MachineOutput};
+use super::ladder::{Bit, Device, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
@@ -34,12 +34,22 @@ pub enum BillItem {
     Dancer,
     /// Button for the emergency stop.
     EmergencyStop,
+    /// Relay of the emergency stop, which takes the enable from the drives.
+    SafetyRelay,
+    /// Switch of an override.
+    OverrideSwitch,
     /// Key that the PLC reads.
     Key,
     /// Position switch of a gear stage.
     GearSwitch,
     /// Valve of a gear stage.
     GearValve,
+    /// Switch at the clamp of a spindle.
+    ClampSwitch,
+    /// Valve of the clamp of a spindle.
+    ClampValve,
+    /// Driven tool with its motor and drive.
+    DrivenTool,
     /// Sensor of the longest loop.
     LoopSensor,
     /// Switch of the tight web.
@@ -69,9 +79,14 @@ impl BillItem {
             BillItem::Fan => "size.item.fan",
             BillItem::Dancer => "size.item.dancer",
             BillItem::EmergencyStop => "size.item.emergency-stop",
+            BillItem::SafetyRelay => "size.item.safety-relay",
+            BillItem::OverrideSwitch => "size.item.override-switch",
             BillItem::Key => "size.item.key",
             BillItem::GearSwitch => "size.item.gear-switch",
             BillItem::GearValve => "size.item.gear-valve",
+            BillItem::ClampSwitch => "size.item.clamp-switch",
+            BillItem::ClampValve => "size.item.clamp-valve",
+            BillItem::DrivenTool => "size.item.driven-tool",
             BillItem::LoopSensor => "size.item.loop-sensor",
             BillItem::TensionSwitch => "size.item.tension-switch",
             BillItem::ReelSensor => "size.item.reel-sensor",
@@ -115,6 +130,7 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
         | MachineContact::AtSpeed
         | MachineContact::AtShiftSpeed => BillItem::Inverter,
         MachineContact::InGear(_) => BillItem::GearSwitch,
+        MachineContact::SpindleClamped => BillItem::ClampSwitch,
         MachineContact::LoopNotFull => BillItem::LoopSensor,
         MachineContact::WebNotTight => BillItem::TensionSwitch,
         MachineContact::ReelNotEmpty => BillItem::ReelSensor,
@@ -124,8 +140,10 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
 /// The item that a wire leads to; none for texts, and for a voltage that the control itself puts out.
 pub fn item_of_output(output: MachineOutput) -> Option<BillItem> {
     match output {
-        MachineOutput::Forward | MachineOutput::Reverse => Some(BillItem::Inverter),
+        MachineOutput::Forward | MachineOutput::Reverse | MachineOutput::Run => Some(BillItem::Inverter),
         MachineOutput::Gear(_) => Some(BillItem::GearValve),
+        MachineOutput::SpindleClamp => Some(BillItem::ClampValve),
+        MachineOutput::DrivenTool => Some(BillItem::DrivenTool),
         MachineOutput::ShiftVolts
         | MachineOutput::InverterAlarm
         | MachineOutput::ReversalAlarm
@@ -136,6 +154,10 @@ pub fn item_of_output(output: MachineOutput) -> Option<BillItem> {
 
 /// Inputs and outputs of the PLC that a wire leads to, with the item at its other end.
 pub fn wired(ladder: Option<&Ladder>) -> Vec<(BillItem, Device)> {
+    let knobs = ladder.into_iter().flat_map(|ladder| ladder.words.iter()).filter_map(|(word, device)| {
+        let is_knob = matches!(word, PlcNumber::Knob | PlcNumber::FeedKnob);
+        is_knob.then(|| (BillItem::OverrideSwitch, device.clone()))
+    });
     let bits = ladder.into_iter().flat_map(|ladder| ladder.bits.iter());
     let device = |(bit, device): &(Bit, Device)| {
         let item = match bit {
@@ -145,5 +167,5 @@ pub fn wired(ladder: Option<&Ladder>) -> Vec<(BillItem, Device)> {
         };
         Some((item?, device.clone()))
     };
-    bits.filter_map(device).collect()
+    bits.filter_map(device).chain(knobs).collect()
 }

@@ -9,6 +9,9 @@ use crate::drives::scaling::Fraction;
 use crate::msg;
 use crate::view::Limit::AtMost;
 
+/// Greatest numerator of the detection units between two marks: eight digits (FANUC 1821, from memory).
+const GREATEST_COUNTS: u64 = 99_999_999;
+
 /// Units of a turn of a rotary axis, as controls have it.
 const TURN: f64 = 360.0;
 
@@ -80,12 +83,19 @@ impl AxisDrive<'_> {
     fn by_feed_gear(&self, unit: f64, feedback: f64, multiplier: f64, terms: u64) -> Option<Scaling> {
         let fraction = Fraction::nearest(self.travel() / unit / feedback, terms)?;
         let travel = fraction.value() * feedback * unit;
-        let values = vec![
-            (ParamRole::CommandMultiplier, multiplier),
-            (ParamRole::ReferenceCounts, travel / unit),
+        let mut values = vec![(ParamRole::CommandMultiplier, multiplier)];
+        match Fraction::nearest(travel / unit, GREATEST_COUNTS).filter(|counts| counts.under <= terms) {
+            // Rounded: the zero point moves by at most half a unit with each turn that it is away.
+            None => values.push((ParamRole::ReferenceCounts, (travel / unit).round())),
+            Some(counts) => {
+                values.push((ParamRole::ReferenceCounts, counts.over as f64));
+                values.extend((counts.under > 1).then_some((ParamRole::ReferenceCountsUnder, counts.under as f64)));
+            }
+        }
+        values.extend([
             (ParamRole::FeedGearOver, fraction.over as f64),
             (ParamRole::FeedGearUnder, fraction.under as f64),
-        ];
+        ]);
         Some(Scaling { values, travel })
     }
 

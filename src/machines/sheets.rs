@@ -17,7 +17,7 @@ pub fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
 
 /// The value of a parameter of the control.
 pub enum ParamValue {
-    /// A number, in mm, mm/min, r/min, r/min per second, ms, mV or 1/s.
+    /// A number, in mm, mm/min, mm/s², r/min, r/min per second, ms, mV or 1/s.
     Number(f64),
     /// A number with six decimals.
     Fine(f64),
@@ -62,6 +62,11 @@ pub fn parameters(control: &Control, axes: &AxisUnits, values: Vec<(ParamRole, A
     }
 }
 
+/// Acceleration (mm/s² or °/s²) of an axis that takes `time_constant` (ms) to its greatest feed (mm/min or °/min): `v / τ`.
+pub fn acceleration(clamp: f64, time_constant: f64) -> f64 {
+    clamp / 60.0 / (time_constant / 1000.0)
+}
+
 /// Registers between PLC and control: writer, reader and purpose.
 pub fn interface(rows: Vec<Row>) -> Sheet {
     Sheet {
@@ -84,15 +89,17 @@ pub fn interface(rows: Vec<Row>) -> Sheet {
 /// A row of the sheet; none where the control's unit is not known.
 fn parameter(axes: &AxisUnits, def: &ParamDef, axis: &str, value: &ParamValue) -> Option<Row> {
     let words = if def.diameter && axes.in_diameters.contains(&axis) { 2.0 } else { 1.0 };
+    let is_rotary = axes.rotary.contains(&axis);
+    let per_form_unit = if is_rotary { def.unit.per_rotary_form_unit() } else { def.unit.per_form_unit() };
     let text = match value {
-        ParamValue::Number(value) => number_text(*value * words * def.unit.per_form_unit()?, 3),
-        ParamValue::Fine(value) => number_text(*value * words * def.unit.per_form_unit()?, 6),
+        ParamValue::Number(value) => number_text(*value * words * per_form_unit?, 3),
+        ParamValue::Fine(value) => number_text(*value * words * per_form_unit?, 6),
         ParamValue::Answer(yes) => def.answer(*yes).to_owned(),
     };
     if text.is_empty() {
         return None;
     }
-    let unit = if axes.rotary.contains(&axis) { def.unit.rotary_text() } else { def.unit.text() };
+    let unit = if is_rotary { def.unit.rotary_text() } else { def.unit.text() };
     Some(row(
         [def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit.to_owned(), def.text.to_string()],
         def.cite,

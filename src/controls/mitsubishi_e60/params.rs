@@ -91,7 +91,17 @@ pub(super) const PARAMS: &[ParamDef] = &[
     param(SpindleGear(2), "#3002", "slimt2", TurnsPerMinute, "spindle speed at 10 V, gear 01", HEADER),
     param(SpindleGear(3), "#3003", "slimt3", TurnsPerMinute, "spindle speed at 10 V, gear 10", HEADER),
     param(SpindleGear(4), "#3004", "slimt4", TurnsPerMinute, "spindle speed at 10 V, gear 11", HEADER),
-    param(SpindleMaximum, "#3005", "smax1", TurnsPerMinute, "spindle speed clamp, gear 00; at most slimt1", NAME),
+    param(
+        SpindleGearMaximum(1),
+        "#3005",
+        "smax1",
+        TurnsPerMinute,
+        "spindle speed clamp, gear 00; at most slimt1",
+        NAME,
+    ),
+    param(SpindleGearMaximum(2), "#3006", "smax2", TurnsPerMinute, "spindle speed clamp, gear 01", HEADER),
+    param(SpindleGearMaximum(3), "#3007", "smax3", TurnsPerMinute, "spindle speed clamp, gear 10", HEADER),
+    param(SpindleGearMaximum(4), "#3008", "smax4", TurnsPerMinute, "spindle speed clamp, gear 11", HEADER),
     param(SpindleMinimum, "#3023", "smini", TurnsPerMinute, "smallest spindle speed", NAME),
     param(
         SpindleConnection,

@@ -24,8 +24,10 @@ pub enum ParamRole {
     SpindleReached,
     /// Delay between a new speed command and the speed-reached check.
     SpindleReachedDelay,
-    /// Spindle speed clamp, first gear.
+    /// Spindle speed clamp of all gears.
     SpindleMaximum,
+    /// Spindle speed clamp of a gear, where each has its own.
+    SpindleGearMaximum(u8),
     /// Smallest spindle speed.
     SpindleMinimum,
     /// Whether the output is never negative.
@@ -76,6 +78,8 @@ pub enum ParamRole {
     AxisAcceleration,
     /// Time constant of linear acceleration for cutting feed.
     AxisTimeConstant,
+    /// Greatest acceleration of an axis, where a control has no time constant.
+    AxisGreatestAcceleration,
     /// Position gain of an axis.
     AxisPositionGain,
     /// Soft limits of an axis; as yes or no: there are any.
@@ -108,8 +112,10 @@ pub enum ParamRole {
     CountsUnder,
     /// Command units to detection units.
     CommandMultiplier,
-    /// Detection units between two marks of the encoder.
+    /// Detection units between two marks of the encoder; numerator where they are no whole number.
     ReferenceCounts,
+    /// Denominator of the detection units between two marks.
+    ReferenceCountsUnder,
     /// Numerator of the ratio of detection units to counts.
     FeedGearOver,
     /// Denominator of the ratio of detection units to counts.
@@ -147,6 +153,10 @@ pub enum ParamUnit {
     TenthMicrometre,
     /// mm/min.
     MmPerMinute,
+    /// mm/min; r/min of a rotary axis.
+    MmOrTurnsPerMinute,
+    /// m/s²; rev/s² of a rotary axis.
+    MetresPerSecondSquared,
     /// °.
     Degrees,
     /// r/min.
@@ -184,7 +194,8 @@ impl ParamUnit {
             ParamUnit::Mm => "mm",
             ParamUnit::ThousandthMm => "0.001 mm",
             ParamUnit::TenthMicrometre => "0.1 µm",
-            ParamUnit::MmPerMinute => "mm/min",
+            ParamUnit::MmPerMinute | ParamUnit::MmOrTurnsPerMinute => "mm/min",
+            ParamUnit::MetresPerSecondSquared => "m/s²",
             ParamUnit::Degrees => "°",
             ParamUnit::TurnsPerMinute => "r/min",
             ParamUnit::TurnsPerSecondSquared => "rev/s²",
@@ -207,11 +218,13 @@ impl ParamUnit {
             ParamUnit::Mm => "°",
             ParamUnit::ThousandthMm => "0.001 °",
             ParamUnit::MmPerMinute => "°/min",
+            ParamUnit::MmOrTurnsPerMinute => "r/min",
+            ParamUnit::MetresPerSecondSquared => "rev/s²",
             other => other.text(),
         }
     }
 
-    /// Units per unit of a machine's form (mm, mm/min, °, r/min, r/min per second, ms, 1/s, p/rev, mV, %); `None` where the length or
+    /// Units per unit of a machine's form (mm, mm/min, mm/s², °, r/min, r/min per second, ms, 1/s, p/rev, mV, %); `None` where the length or
     /// the voltage of the unit is unknown.
     pub const fn per_form_unit(self) -> Option<f64> {
         match self {
@@ -219,6 +232,7 @@ impl ParamUnit {
             | ParamUnit::Hexadecimal
             | ParamUnit::Mm
             | ParamUnit::MmPerMinute
+            | ParamUnit::MmOrTurnsPerMinute
             | ParamUnit::Degrees
             | ParamUnit::TurnsPerMinute
             | ParamUnit::Milliseconds
@@ -230,11 +244,19 @@ impl ParamUnit {
             ParamUnit::TenthMicrometre => Some(10_000.0),
             ParamUnit::HundredthPerSecond => Some(100.0),
             ParamUnit::TenthPercent => Some(10.0),
-            ParamUnit::KilopulsesPerTurn => Some(0.001),
+            ParamUnit::KilopulsesPerTurn | ParamUnit::MetresPerSecondSquared => Some(0.001),
             // 60 s of a minute by a thousand.
             ParamUnit::ThousandPerMinute => Some(0.06),
             ParamUnit::TurnsPerSecondSquared => Some(1.0 / 60.0),
             ParamUnit::Pulses => None,
+        }
+    }
+
+    /// Units per unit of a machine's form for a rotary axis, whose form counts degrees.
+    pub const fn per_rotary_form_unit(self) -> Option<f64> {
+        match self {
+            ParamUnit::MmOrTurnsPerMinute | ParamUnit::MetresPerSecondSquared => Some(1.0 / 360.0),
+            other => other.per_form_unit(),
         }
     }
 }

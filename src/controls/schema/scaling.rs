@@ -24,13 +24,14 @@ pub enum ScalingKind {
 }
 
 impl ScalingKind {
-    /// The parameters that it writes for a linear axis.
+    /// The parameters that it writes for a linear axis, some of them where a ratio is no whole number.
     pub const fn roles(self) -> &'static [ParamRole] {
         match self {
             ScalingKind::Counts => &[ParamRole::CountsOver, ParamRole::CountsUnder],
             ScalingKind::FeedGear { .. } => &[
                 ParamRole::CommandMultiplier,
                 ParamRole::ReferenceCounts,
+                ParamRole::ReferenceCountsUnder,
                 ParamRole::FeedGearOver,
                 ParamRole::FeedGearUnder,
             ],

@@ -170,11 +170,14 @@ impl<'a> Book<'a> {
                 (PlcSide::Machine, PlcSide::Plc),
                 input_meaning(input),
             ),
-            Bit::Output(output) => open(
-                output_device(language, places.outputs.get(&output).copied().unwrap_or(0)),
-                (PlcSide::Plc, PlcSide::Machine),
-                output_meaning(output),
-            ),
+            Bit::Output(output) => {
+                let number = places.outputs.get(&output).copied().unwrap_or(0);
+                let (name, reader) = match output.is_message() {
+                    true => (message_device(language, number), PlcSide::Control),
+                    false => (output_device(language, number), PlcSide::Machine),
+                };
+                open(name, (PlcSide::Plc, reader), output_meaning(output))
+            }
             Bit::Device(name) => open(name.to_owned(), (PlcSide::Plc, PlcSide::Control), ""),
             Bit::Block(name) => {
                 let sides = if driven { (PlcSide::Plc, PlcSide::Block) } else { (PlcSide::Block, PlcSide::Plc) };
@@ -287,11 +290,12 @@ impl Places {
         }
         let inputs = bits.iter().filter_map(|bit| if let Bit::Input(input) = *bit { Some(input) } else { None });
         let outputs = bits.iter().filter_map(|bit| if let Bit::Output(output) = *bit { Some(output) } else { None });
+        let (messages, wires): (Vec<_>, Vec<_>) = outputs.partition(|output| output.is_message());
         Places {
             relays: numbered(|bit| matches!(bit, Bit::Relay(_))),
             timers: numbered(|bit| matches!(bit, Bit::Timer(_))),
             inputs: inputs.zip(0..).collect(),
-            outputs: outputs.zip(0..).collect(),
+            outputs: wires.into_iter().zip(0..).chain(messages.into_iter().zip(0..)).collect(),
             // Numbered from 2: the knobs have the numbers before.
             data: words.iter().copied().filter(|word| matches!(word, PlcNumber::Data(_))).zip(2..).collect(),
             decoders,
@@ -348,6 +352,16 @@ fn output_device(language: PlcLanguage, number: u32) -> String {
     }
 }
 
+/// Device of a message that the control shows as a text: of an alarm on FANUC and GSK with its number below 2000, on Siemens 700000 plus
+/// its place. From memory of the makers' ladders.
+fn message_device(language: PlcLanguage, number: u32) -> String {
+    match language {
+        PlcLanguage::Pmc | PlcLanguage::Gsk => byte_bit('A', 0, number),
+        PlcLanguage::Melsec => format!("F{number}"),
+        PlcLanguage::Step7 => format!("V1600000{}.{}", number / 8, number % 8),
+    }
+}
+
 /// Device of a data word.
 fn data_device(language: PlcLanguage, number: u32) -> String {
     match language {
@@ -390,7 +404,9 @@ fn role_meaning(role: SignalRole) -> &'static str {
         SignalRole::ResetRequest => "plc.signal.reset-request",
         SignalRole::GearChange => "plc.signal.gear-change",
         SignalRole::GearAsked(_) => "plc.signal.gear-asked",
-        SignalRole::GearNumber(_) | SignalRole::GearIndex(_) => "plc.signal.gear-number",
+        SignalRole::GearNumber(0) | SignalRole::GearIndex(0) => "plc.signal.gear-bit-0",
+        SignalRole::GearNumber(1) | SignalRole::GearIndex(1) => "plc.signal.gear-bit-1",
+        SignalRole::GearNumber(_) | SignalRole::GearIndex(_) => "plc.signal.gear-bit-2",
         SignalRole::GearChanged => "plc.signal.gear-changed",
         SignalRole::MacroOutput(_)
         | SignalRole::SpindleCommand
@@ -408,8 +424,12 @@ fn input_meaning(input: MachineContact) -> &'static str {
         MachineContact::ForwardKey => "plc.input.forward-key",
         MachineContact::ReverseKey => "plc.input.reverse-key",
         MachineContact::StopKey => "plc.input.stop-key",
-        MachineContact::InGear(_) => "plc.input.in-gear",
+        MachineContact::InGear(1) => "plc.input.in-gear-1",
+        MachineContact::InGear(2) => "plc.input.in-gear-2",
+        MachineContact::InGear(3) => "plc.input.in-gear-3",
+        MachineContact::InGear(_) => "plc.input.in-gear-4",
         MachineContact::AtShiftSpeed => "plc.input.at-shift-speed",
+        MachineContact::SpindleClamped => "plc.input.spindle-clamped",
         MachineContact::InverterEnabled => "plc.input.inverter-enabled",
         MachineContact::LoopNotFull => "plc.input.loop-not-full",
         MachineContact::WebNotTight => "plc.input.web-not-tight",
@@ -421,7 +441,12 @@ fn output_meaning(output: MachineOutput) -> &'static str {
     match output {
         MachineOutput::Forward => "plc.output.forward",
         MachineOutput::Reverse => "plc.output.reverse",
-        MachineOutput::Gear(_) => "plc.output.gear",
+        MachineOutput::Run => "plc.output.run",
+        MachineOutput::Gear(2) => "plc.output.gear-2",
+        MachineOutput::Gear(3) => "plc.output.gear-3",
+        MachineOutput::Gear(_) => "plc.output.gear-4",
+        MachineOutput::SpindleClamp => "plc.output.spindle-clamp",
+        MachineOutput::DrivenTool => "plc.output.driven-tool",
         MachineOutput::ShiftVolts => "plc.output.shift-volts",
         MachineOutput::InverterAlarm => "plc.output.inverter-alarm",
         MachineOutput::ReversalAlarm => "plc.output.reversal-alarm",

@@ -25,6 +25,19 @@ pub struct SpindleRequirements<'a> {
     /// Contacts that hold the program while they are open, beside the fault contact of the inverter. Without its enable the inverter
     /// also loses its run command, and a begun program stops with the alarm: nothing restarts by itself.
     pub holds: &'a [MachineContact],
+    /// While this is on, the inverter gets no run command: another drive turns the spindle.
+    pub locked_by: Option<Bit>,
+    /// Direction of the inverter.
+    pub direction: Direction,
+}
+
+/// How the inverter gets its direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// By two run contacts, one for each direction.
+    Contacts,
+    /// By the sign of the voltage, with one run contact.
+    Sign,
 }
 
 impl Book<'_> {
@@ -90,18 +103,25 @@ impl Book<'_> {
     /// M3, M4, M5 and the keys to the inverter, its fault, and the reactions of the spindle to interruptions.
     pub fn spindle(&mut self, rules: &SpindleRules, requirements: &SpindleRequirements<'_>) {
         let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
-        let key = Bit::Input;
+        let (key, running) = (Bit::Input, Bit::Signal(SignalRole::Running));
         let ready = Bit::Input(MachineContact::InverterReady);
         let enabled = Bit::Input(MachineContact::InverterEnabled);
         let has_enable = requirements.holds.contains(&MachineContact::InverterEnabled);
         let mut fault = vec![vec![off(ready)]];
         // If the lost enable only held the program, cycle start would move the axes without the spindle.
         fault.extend(has_enable.then(|| vec![off(enabled), on(STARTED)]));
-        self.coil(Bit::Output(MachineOutput::InverterAlarm), fault, "plc.rung.inverter-alarm");
-        self.hold_program(ready, requirements.holds);
-        let (forward, reverse) = (Bit::Output(MachineOutput::Forward), Bit::Output(MachineOutput::Reverse));
+        // It stays until reset: a fault that clears itself has already stopped the spindle.
+        let alarm = Bit::Output(MachineOutput::InverterAlarm);
+        fault.push(vec![on(alarm), off(self.reset())]);
+        self.coil(alarm, fault, "plc.rung.inverter-alarm");
+        self.hold_program(ready, alarm, requirements.holds);
+        let [forward, reverse] = match requirements.direction {
+            Direction::Contacts => [MachineOutput::Forward, MachineOutput::Reverse].map(Bit::Output),
+            Direction::Sign => [Bit::Relay("clockwise"), Bit::Relay("counter-clockwise")],
+        };
         let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
         guard.extend(has_enable.then_some(on(enabled)));
+        guard.extend(requirements.locked_by.map(off));
         if (requirements.reaction)(Interruption::Reset) == SpindleReaction::Off {
             guard.push(off(self.reset()));
         }
@@ -112,8 +132,8 @@ impl Book<'_> {
             guard.push(off(ENDED));
         }
         if rules.stop_between {
-            let alarm = vec![vec![on(m3), on(reverse)], vec![on(m4), on(forward)]];
-            self.coil(Bit::Output(MachineOutput::ReversalAlarm), alarm, "plc.rung.reversal");
+            let reversed = vec![vec![on(m3), on(reverse)], vec![on(m4), on(forward)]];
+            self.coil(Bit::Output(MachineOutput::ReversalAlarm), reversed, "plc.rung.reversal");
         }
         let sides = [
             (forward, m3, MachineContact::ForwardKey, reverse, m4, MachineContact::ReverseKey, "plc.rung.forward"),
@@ -131,7 +151,14 @@ impl Book<'_> {
             } else {
                 keeps.push(off(other_code));
             }
-            self.coil(run, vec![with(by_code), with(vec![on(key(own_key))]), with(keeps)], note);
+            // The keys act while no program runs, from standstill, and stop takes precedence.
+            let stop = off(key(MachineContact::StopKey));
+            let by_key = vec![on(key(own_key)), off(key(other_key)), stop, off(other), off(running)];
+            self.coil(run, vec![with(by_code), with(by_key), with(keeps)], note);
+        }
+        if requirements.direction == Direction::Sign {
+            let runs = vec![vec![on(forward)], vec![on(reverse)]];
+            self.coil(Bit::Output(MachineOutput::Run), runs, "plc.rung.run");
         }
         if requirements.reports_speed && self.has(SignalRole::SpeedArrived) {
             let still = vec![off(forward), off(reverse)];
@@ -139,7 +166,7 @@ impl Book<'_> {
             self.coil(Bit::Signal(SignalRole::SpeedArrived), arrived, "plc.rung.speed-arrived");
         }
         let waits = Interruption::LASTING.iter().any(|at| (requirements.reaction)(*at) == SpindleReaction::Waits);
-        let stop = if waits { INTERRUPTED } else { Bit::Output(MachineOutput::InverterAlarm) };
+        let stop = if waits { INTERRUPTED } else { alarm };
         self.one_of(
             (SignalRole::SpindleEnable, vec![vec![off(stop)]]),
             (SignalRole::SpindleHold, vec![vec![on(stop)]]),
@@ -147,13 +174,15 @@ impl Book<'_> {
         );
     }
 
-    /// Holds the program while the inverter reports a fault or one of the contacts is open, with a text for each contact that stays until
-    /// the program runs again or reset is pressed.
-    fn hold_program(&mut self, ready: Bit, contacts: &[MachineContact]) {
+    /// Holds the program while the inverter reports a fault, after one until reset, and while one of the contacts is open, with a text for
+    /// each contact that stays until the program runs again or reset is pressed.
+    fn hold_program(&mut self, ready: Bit, alarm: Bit, contacts: &[MachineContact]) {
         let all: Vec<Bit> = [ready].into_iter().chain(contacts.iter().copied().map(Bit::Input)).collect();
+        let free = all.iter().copied().map(on).chain([off(alarm)]).collect();
+        let held = all.iter().map(|contact| vec![off(*contact)]).chain([vec![on(alarm)]]).collect();
         self.one_of(
-            (SignalRole::HoldReleased, vec![all.iter().copied().map(on).collect()]),
-            (SignalRole::HoldRequest, all.iter().map(|contact| vec![off(*contact)]).collect()),
+            (SignalRole::HoldReleased, vec![free]),
+            (SignalRole::HoldRequest, held),
             if contacts.is_empty() { "plc.rung.inverter-hold" } else { "plc.rung.contacts-hold" },
         );
         let (running, reset) = (Bit::Signal(SignalRole::Running), self.reset());
@@ -169,18 +198,19 @@ impl Book<'_> {
         self.one_of((SignalRole::AxesEnable, free), (SignalRole::AxesStop, held), note);
     }
 
-    /// One coil answers M, S and T: at once, or when nothing is busy any more. Without FIN the next block waits.
-    pub fn answer(&mut self, waits: bool) {
+    /// One coil answers M, S and T: at once, or when none of these signals is on any more. Without FIN the next block waits.
+    pub fn answer(&mut self, busy: &[Bit]) {
         if self.has(SignalRole::Finished) {
             let strobes = [SignalRole::MStrobe, SignalRole::SStrobe, SignalRole::TStrobe];
             let branch = |role: SignalRole| {
                 let mut contacts = vec![on(Bit::Signal(role))];
-                contacts.extend(waits.then_some(off(BUSY)));
+                contacts.extend(busy.iter().copied().map(off));
                 contacts
             };
             self.coil(Bit::Signal(SignalRole::Finished), strobes.map(branch).to_vec(), "plc.rung.finished");
-        } else if waits {
-            self.coil(Bit::Signal(SignalRole::ReadInDisable), vec![vec![on(BUSY)]], "plc.rung.read-in");
+        } else if !busy.is_empty() {
+            let waits = busy.iter().map(|bit| vec![on(*bit)]).collect();
+            self.coil(Bit::Signal(SignalRole::ReadInDisable), waits, "plc.rung.read-in");
         }
     }
 }

@@ -64,6 +64,8 @@ pub enum MachineContact {
     InGear(u8),
     /// The spindle turns at the shift speed or slower.
     AtShiftSpeed,
+    /// The clamp holds the spindle.
+    SpindleClamped,
     /// The inverter has its supply and its enable, and no fault.
     InverterEnabled,
     /// The loop is shorter than its longest limit.
@@ -81,8 +83,14 @@ pub enum MachineOutput {
     Forward,
     /// Inverter: run counterclockwise.
     Reverse,
+    /// Inverter: run in the direction of the voltage's sign.
+    Run,
     /// Valve of a gear stage above the first.
     Gear(u8),
+    /// Valve of the clamp that holds the spindle at an angle.
+    SpindleClamp,
+    /// Driven tool: run.
+    DrivenTool,
     /// Low voltage while gears mesh.
     ShiftVolts,
     /// Alarm text: the inverter reports a fault.
@@ -93,6 +101,25 @@ pub enum MachineOutput {
     GearAlarm,
     /// Text for the operator: this contact holds the program, or has held it.
     Message(MachineContact),
+}
+
+impl MachineOutput {
+    /// Whether it is a message of the PLC that the control shows as a text.
+    pub fn is_message(self) -> bool {
+        match self {
+            MachineOutput::InverterAlarm
+            | MachineOutput::ReversalAlarm
+            | MachineOutput::GearAlarm
+            | MachineOutput::Message(_) => true,
+            MachineOutput::Forward
+            | MachineOutput::Reverse
+            | MachineOutput::Run
+            | MachineOutput::Gear(_)
+            | MachineOutput::SpindleClamp
+            | MachineOutput::DrivenTool
+            | MachineOutput::ShiftVolts => false,
+        }
+    }
 }
 
 /// A number.

@@ -202,7 +202,7 @@ impl LadderPlc {
         })
     }
 
-    /// Contacts of the gear stages.
+    /// Contacts of the gear stages and of the clamp, which follows its valve at once.
     fn contacts(&mut self, t: f64) {
         let is_on = |stage: &u8| self.image.is_on(Bit::Output(MachineOutput::Gear(*stage)));
         let stage = self.valves.iter().copied().find(is_on).unwrap_or(1);
@@ -210,9 +210,16 @@ impl LadderPlc {
             self.gear = (stage, t);
         }
         for bit in self.named.iter() {
-            if let Bit::Input(MachineContact::InGear(stage)) = bit {
-                let meshed = *stage == self.gear.0 && t >= self.gear.1 + self.wiring.meshing;
-                self.image.set(*bit, meshed);
+            match bit {
+                Bit::Input(MachineContact::InGear(stage)) => {
+                    let meshed = *stage == self.gear.0 && t >= self.gear.1 + self.wiring.meshing;
+                    self.image.set(*bit, meshed);
+                }
+                Bit::Input(MachineContact::SpindleClamped) => {
+                    let clamped = self.image.is_on(Bit::Output(MachineOutput::SpindleClamp));
+                    self.image.set(*bit, clamped);
+                }
+                _ => {}
             }
         }
     }
@@ -240,8 +247,10 @@ impl LadderPlc {
         let coil = |bit: Bit| ladder.drives(bit).then(|| image.is_on(bit));
         let signal = |role: SignalRole| coil(Bit::Signal(role));
         let output = |output: MachineOutput| coil(Bit::Output(output));
-        let runs =
-            [MachineOutput::Forward, MachineOutput::Reverse].into_iter().filter_map(output).reduce(|a, b| a || b);
+        let runs = [MachineOutput::Forward, MachineOutput::Reverse, MachineOutput::Run]
+            .into_iter()
+            .filter_map(output)
+            .reduce(|a, b| a || b);
         let spindle = [signal(SignalRole::SpindleEnable), signal(SignalRole::SpindleHold).map(|held| !held), runs];
         io.stops.spindle = spindle.into_iter().flatten().any(|on| !on);
         let axes = [signal(SignalRole::AxesEnable), signal(SignalRole::AxesStop).map(|held| !held)];

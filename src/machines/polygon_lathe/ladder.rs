@@ -12,8 +12,8 @@ use super::resolved::PolygonLathe;
 use super::stops;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::SpindleRequirements;
-use crate::machines::ladder::{Bit, Ladder, Operator, PlcNumber, off, on};
+use crate::machines::ladder::codes::{Direction, SpindleRequirements};
+use crate::machines::ladder::{Bit, Ladder, MachineOutput, Operator, PlcNumber, off, on};
 use crate::motion::PMC_AXES;
 use crate::text::{Citation, Grade};
 
@@ -47,12 +47,19 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
         let rules = lathe.dialect.spindle();
         let reaction = |at| stops::main_spindle(lathe, at);
         let reports_speed = rules.reached.is_some();
-        book.spindle(&rules, &SpindleRequirements { reaction: &reaction, reports_speed, holds: &[] });
+        let requirements = SpindleRequirements {
+            reaction: &reaction,
+            reports_speed,
+            holds: &[],
+            locked_by: Some(TAKEN),
+            direction: Direction::Contacts,
+        };
+        book.spindle(&rules, &requirements);
     }
     channels(&mut book);
     sequence(&mut book, lathe.p.settling());
-    answers(&mut book);
-    book.answer(false);
+    answers(&mut book, lathe.has_main_spindle());
+    book.answer(&[]);
     meanings(&mut book);
     book.finish()
 }
@@ -137,11 +144,16 @@ fn sequence(book: &mut Book, settling: f64) {
 }
 
 /// The bits that the program reads.
-fn answers(book: &mut Book) {
+fn answers(book: &mut Book, has_main_spindle: bool) {
     let [index, turn] = [INDEX, TURN].map(Bit::Macro);
+    let mut idle = vec![off(TAKEN), off(index), off(turn)];
+    if has_main_spindle {
+        // The inverter would turn the work against the servo motor.
+        idle.extend([MachineOutput::Forward, MachineOutput::Reverse].map(|run| off(Bit::Output(run))));
+    }
     book.coil(Bit::Macro(AT_ANGLE), vec![vec![on(INDEXED)]], "polygon.ladder.bit");
     book.coil(Bit::Macro(ON), vec![vec![on(TAKEN)]], "polygon.ladder.on");
-    book.coil(Bit::Macro(IDLE), vec![vec![off(TAKEN), off(index), off(turn)]], "polygon.ladder.idle");
+    book.coil(Bit::Macro(IDLE), vec![idle], "polygon.ladder.idle");
 }
 
 /// Meanings of variables and blocks.

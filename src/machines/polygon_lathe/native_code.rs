@@ -1,6 +1,6 @@
 //! The part for controls with polygon turning as a native code: G51.2 and G50.2 as a program file, and as a list of blocks.
 
-use super::program::{self, PART};
+use super::program::{self, PART, TurnedEndPlace};
 use super::resolved::PolygonLathe;
 use crate::controls::{Address, Code};
 use crate::machines::sheets::{row, say};
@@ -10,6 +10,9 @@ use crate::nc::build::{Builder, NewWord, g, m, p as p_word, real, s, word, x, z}
 use crate::nc::{self, Deck, File};
 use crate::text::{Citation, Grade};
 use crate::view::{Column, Sheet, SheetKind};
+
+/// Number of the program: another one than that of the part with G512, so that neither replaces the other on a control.
+const NUMBER: u32 = PART + 1;
 
 const MANUAL: Citation = Citation::new("maker's manual on G51.2", Grade::Sister);
 
@@ -25,7 +28,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let p = &lathe.p;
     p.ratio()?;
     let mut b = Builder::new();
-    b.program(PART, "");
+    b.program(NUMBER, "FOR CONTROLS WITH G51.2");
     let mut notes = Vec::new();
     let mut add = |words: Vec<NewWord>, note: &'static str| {
         b.words(words);
@@ -36,20 +39,18 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let along = |length: f64| z(real(length, 3));
     let clear = p.clear_diameter();
     add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
-    let turned_end = |at: usize| {
-        let end = p.turned_ends.get(at).filter(|end| end.on);
-        end.map(|end| program::turned_end(lathe, end)).unwrap_or_default()
-    };
-    for block in turned_end(0) {
+    for block in program::turned_end(lathe, TurnedEndPlace::Before) {
         add(block.words, "");
     }
     add(vec![word(Address::T, p.tool as u32 * 101)], "");
     add(vec![g(0), cross(clear), along(p.clearance)], "");
+    let mut cutter = p.tool;
     for (at, polygon) in lathe.polygons().enumerate() {
         if at > 0 {
             add(vec![s(0)], "polygon.other.stop");
             add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
-            let changes = p.tool != polygon.p.tool;
+            let changes = cutter != polygon.p.tool;
+            cutter = polygon.p.tool;
             if changes {
                 add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
                 add(vec![word(Address::T, polygon.p.tool as u32 * 101)], "");
@@ -64,7 +65,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
     add(vec![s(0)], "polygon.other.stop");
     add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
-    for block in turned_end(1) {
+    for block in program::turned_end(lathe, TurnedEndPlace::After) {
         add(block.words, "");
     }
     add(vec![m(30)], "");

@@ -3,7 +3,6 @@
 //! The part program is the paper's, with more passes. Of O9120 and O9121 the paper names the variables that they write; everything else in
 //! them, and the bits to and from the PMC, is ours.
 
-use super::params::TurnedEnd;
 use super::path::{PassStep, SlideTarget};
 use super::resolved::{ALONG, CROSS, PolygonLathe};
 use crate::controls::Address;
@@ -142,9 +141,21 @@ impl TurnedEndBlock {
     }
 }
 
-/// Blocks of a turned end: each tool from the start of the slide and back, the spindle on for both.
-pub(super) fn turned_end(lathe: &PolygonLathe, end: &TurnedEnd) -> Vec<TurnedEndBlock> {
+/// Where a turned end stands in the program.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum TurnedEndPlace {
+    /// Before the polygons.
+    Before,
+    /// After them, at the end of the program.
+    After,
+}
+
+/// Blocks of a turned end, if the part has one there: each tool from the start of the slide and back, the spindle on for both.
+pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<TurnedEndBlock> {
     let p = &lathe.p;
+    let Some(end) = p.turned_ends.get(place as usize).filter(|end| end.on) else { return Vec::new() };
+    // The ramp from the speed at 10 V is long enough for every S and override.
+    let ramp = || writing::dwell(lathe.control, p.main.ramp).to_vec();
     let plain = |words: Vec<NewWord>| TurnedEndBlock::new(words, "");
     let away = || rapid([cross(lathe, p.start_x), z(real(p.start_z, 3))]);
     let mut all = Vec::new();
@@ -154,23 +165,27 @@ pub(super) fn turned_end(lathe: &PolygonLathe, end: &TurnedEnd) -> Vec<TurnedEnd
         all.push(TurnedEndBlock { changes_tool: true, ..tool });
         if at == 0 {
             all.push(plain(vec![m(3), s(end.speed as u32)]));
-            // The ramp to the speed at 10 V is long enough for every S and override.
-            let ramp = writing::dwell(lathe.control, p.main.ramp);
-            all.push(TurnedEndBlock::new(ramp.to_vec(), "SPINDLE COMES TO ITS SPEED"));
+            all.push(TurnedEndBlock::new(ramp(), "SPINDLE COMES TO ITS SPEED"));
         }
         all.push(plain(rapid([cross(lathe, p.clear_diameter())])));
         all.push(plain(vec![z(real(p.clearance, 3))]));
         all.extend(steps.into_iter().map(|step| plain(block(lathe, step))));
         all.push(plain(away()));
     }
-    all.push(TurnedEndBlock::new(vec![m(5)], "THE WORK AXIS TAKES OVER"));
+    match place {
+        TurnedEndPlace::Before => {
+            all.push(plain(vec![m(5)]));
+            // M5 is answered at once.
+            all.push(TurnedEndBlock::new(ramp(), "SPINDLE STOPS, THE WORK AXIS TAKES OVER"));
+        }
+        TurnedEndPlace::After => all.push(plain(vec![m(5)])),
+    }
     all
 }
 
 /// Writes the blocks of a turned end, with the checks after each tool change.
-fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: usize, place: Option<(u32, u32)>) {
-    let Some(end) = lathe.p.turned_ends.get(at).filter(|end| end.on) else { return };
-    for block in turned_end(lathe, end) {
+fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: TurnedEndPlace, place: Option<(u32, u32)>) {
+    for block in turned_end(lathe, at) {
         b.words(block.words);
         if !block.note.is_empty() {
             b.note(block.note);
@@ -209,7 +224,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
         writing::stays_clear(b.n(11), place, away, 900 + AWAY);
     }
     b.n(12).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
-    write_turned_end(b, lathe, 0, place);
+    write_turned_end(b, lathe, TurnedEndPlace::Before, place);
     b.n(13).words(writing::tool(lathe.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
     if let Some(place) = place {
         // The offset shifts the coordinates.
@@ -241,7 +256,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let end = 1000 * lathe.further.len() as u32 + 800;
     b.n(end).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
     b.n(end + 1).words([g(off)]).note("POLYGON TURNING OFF");
-    write_turned_end(b, lathe, 1, place);
+    write_turned_end(b, lathe, TurnedEndPlace::After, place);
     b.n(end + 2).words([m(30)]);
     if place.is_some() {
         writing::alarm(b, lathe.control, AWAY, "RETRACT THE CUTTER BY HAND");

@@ -54,6 +54,16 @@ fn cuts_unevenly(lathe: &PolygonLathe) -> bool {
     lathe.d.cuts && !lathe.d.even
 }
 
+/// Whether each corner has one opposite it: an even number of sides.
+fn cuts_opposite_corners(lathe: &PolygonLathe) -> bool {
+    lathe.d.cuts && lathe.d.sides % 2.0 == 0.0
+}
+
+/// Whether each flat has a corner opposite it: an odd number of sides.
+fn cuts_opposite_flats_to_corners(lathe: &PolygonLathe) -> bool {
+    lathe.d.cuts && !cuts_opposite_corners(lathe)
+}
+
 /// Whether the path of an insert is an ellipse.
 fn cuts_on_an_ellipse(lathe: &PolygonLathe) -> bool {
     lathe.d.cuts && lathe.d.ratio == 2.0
@@ -79,7 +89,8 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("deviation-low", "polygon.readout.deviation-low", "mm", 4, false, "lowest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.0, cuts),
     row!("deviation-high", "polygon.readout.deviation-high", "mm", 4, false, "highest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.1, cuts),
     row!("corner", "polygon.readout.corner", "mm", 3, false, "distance of the corners from the centre", GEOMETRY, |lathe| lathe.d.corner, cuts),
-    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |lathe| lathe.d.across_corners, cuts),
+    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |lathe| lathe.d.across_corners, cuts_opposite_corners),
+    row!("flat-to-corner", "polygon.readout.flat-to-corner", "mm", 3, false, "from a flat to the corner opposite it, as a caliper measures", GEOMETRY, |lathe| 0.5 * lathe.d.across_flats + lathe.d.corner, cuts_opposite_flats_to_corners),
     row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |lathe| lathe.d.area, cuts),
     row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.slowest_cut, cuts),
     row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.fastest_cut, cuts),

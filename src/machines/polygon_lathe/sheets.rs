@@ -47,6 +47,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
         (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
         (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
+        (ParamRole::EditLock, vec![("", ParamValue::Answer(false))]),
     ];
     if lathe.has_main_spindle() {
         let number = |value: f64| vec![("", ParamValue::Number(value))];

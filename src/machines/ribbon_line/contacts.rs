@@ -13,13 +13,13 @@ use crate::text::{Citation, Grade, Message};
 /// Source of the contacts and of their places.
 pub(super) const CONTACTS: Citation = Citation::new("ribbon line facts, 11", Grade::Inferred);
 
-/// The contacts, closed while nothing is wrong.
-pub(super) const HOLDING: [MachineContact; 4] = [
-    MachineContact::InverterEnabled,
-    MachineContact::LoopNotFull,
-    MachineContact::WebNotTight,
-    MachineContact::ReelNotEmpty,
-];
+/// The contacts, closed while nothing is wrong. A line without a loop has no sensor of its longest one.
+pub(super) fn holding(line: &RibbonLine) -> Vec<MachineContact> {
+    let mut all = vec![MachineContact::InverterEnabled];
+    all.extend((line.p.loop_capacity > 0.0).then_some(MachineContact::LoopNotFull));
+    all.extend([MachineContact::WebNotTight, MachineContact::ReelNotEmpty]);
+    all
+}
 
 /// Ribbon (mm) that the unwinder still takes off the reel at a hold with the knob at its highest position: `v · t_r / 2`. Source: ribbon
 /// line facts, 11.

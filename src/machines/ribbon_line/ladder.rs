@@ -1,13 +1,13 @@
 //! The ladder of the ribbon line: the knob (the paper's figure 1), the unwinder, its stops and restart, and the contacts that hold the program.
 
-use super::contacts::{CONTACTS, HOLDING};
+use super::contacts::{CONTACTS, holding};
 use super::derive::FIN_DELAY;
 use super::params::{OverrideForm, Wait};
 use super::resolved::RibbonLine;
 use super::stops::unwinder;
 use crate::controls::interface::{PlcLanguage, SignalRole};
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{BUSY, INTERRUPTED, STARTED, SpindleRequirements};
+use crate::machines::ladder::codes::{BUSY, Direction, INTERRUPTED, STARTED, SpindleRequirements};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, off, on};
 
 /// The axes wait for the unwinder at the restart.
@@ -22,13 +22,20 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
     let rules = line.dialect.spindle();
     let waits = line.p.wait == Wait::Fin;
     let reports_speed = waits || rules.reached.is_some();
-    let requirements = SpindleRequirements { reaction: &unwinder, reports_speed, holds: &HOLDING };
+    let holds = holding(line);
+    let requirements = SpindleRequirements {
+        reaction: &unwinder,
+        reports_speed,
+        holds: &holds,
+        locked_by: None,
+        direction: Direction::Contacts,
+    };
     book.spindle(&rules, &requirements);
-    HOLDING.into_iter().for_each(|contact| book.cite_input(contact, CONTACTS));
+    holds.into_iter().for_each(|contact| book.cite_input(contact, CONTACTS));
     if waits {
         run_up(&mut book);
     }
-    book.answer(waits);
+    book.answer(if waits { &[BUSY] } else { &[] });
     if !line.in_step() {
         restart(&mut book, line);
     }

@@ -73,7 +73,7 @@ mod parts_list;
 pub(crate) use resolved::RibbonLine;
 
 use crate::controls::Control;
-use crate::controls::options::SpeedReached;
+use crate::controls::options::{Diameter, SpeedReached};
 use crate::machines::chart_rows;
 use crate::machines::devices::AskedDevice;
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, read};
@@ -91,7 +91,7 @@ use crate::msg;
 use crate::text::number::four_digits;
 use crate::text::{Message, units};
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
-use params::{FIELDS, Params};
+use params::{Endless, FIELDS, Params};
 use rules::RULES;
 
 impl Machine for RibbonLine {
@@ -135,6 +135,10 @@ impl Machine for RibbonLine {
         defaults.keep_common(control);
         // Ribbon would pile up while axes wait for the speed of the unwinder.
         defaults.set(control, SpeedReached::NoWait);
+        if Params::default().endless_on(control) == Endless::RollOver {
+            // The pull axis is a rotary axis then.
+            defaults.set(control, Diameter::Radius);
+        }
         defaults
     }
 

@@ -24,7 +24,7 @@ fn position(line: &RibbonLine) -> Option<u32> {
 
 /// Whether the program itself brings a head to the ribbon.
 pub(super) fn program_sets_phase(line: &RibbonLine) -> bool {
-    position(line).is_some()
+    line.reads_positions()
 }
 
 /// Jumps to the alarm if the product before was broken off.

@@ -12,6 +12,7 @@ use crate::controls::{AnalogOutput, Control, Dialect};
 use crate::drives::speed::Steps;
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
+use crate::machines::writing;
 use crate::math::PI;
 use crate::text::columns;
 
@@ -149,10 +150,22 @@ impl RibbonLine {
         self.p.y_unit == YUnit::Degrees
     }
 
-    /// Whether the coordinates of the pull axis and of the print roller roll over. The print roller's always do if they count degrees.
+    /// Whether the coordinates of the pull axis and of the print roller roll over. The print roller's always do if they count degrees. In
+    /// mm they do not where the program looks for a head: the coordinate would lose the phase with each turn, whose length is no whole
+    /// number of increments.
     pub(super) fn rolls_over(&self) -> [bool; 2] {
         let rolls = self.p.endless == Endless::RollOver;
-        [rolls, rolls || self.degrees()]
+        [rolls, self.degrees() || rolls && !self.reads_positions()]
+    }
+
+    /// Whether a program of the control reads the positions of its axes.
+    pub(super) fn reads_positions(&self) -> bool {
+        writing::work_position(self.control).is_some()
+    }
+
+    /// Whether the pull axis rolls over, which makes it a rotary axis, while its words count diameters.
+    pub(super) fn rolls_in_diameters(&self) -> bool {
+        self.rolls_over()[0] && self.pull_words() > 1
     }
 
     /// Drives of the pull axis and of the print roller. `print` is the name of its axis.

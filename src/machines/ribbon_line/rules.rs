@@ -125,6 +125,9 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     if line.form.path_mode != p.path_mode {
         found.push(Diagnostic::info(msg!("ribbon.no-exact-stop", control = line.control.name)).about("path-mode"));
     }
+    if line.rolls_in_diameters() {
+        found.push(Diagnostic::error(msg!("ribbon.rolls-in-diameters")).about("endless"));
+    }
     if p.no_load_speed < p.rated_load_speed {
         let (no_load, rated) = ((p.no_load_speed, 1), (p.rated_load_speed, 1));
         found.push(Diagnostic::error(msg!("ribbon.no-load-below-rated", no_load, rated)).about("no-load-speed"));

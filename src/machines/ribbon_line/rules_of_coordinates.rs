@@ -58,13 +58,35 @@ fn roll_parameters(line: &RibbonLine) -> String {
 
 /// Remedies of a line whose axes leave the range: parameters, or the program where the control has no such parameters.
 fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
-    let set = |id: &str| [("endless", id.to_owned())];
-    if line.control.param(ParamRole::AxisRollOver).is_some() {
-        let advice = Advice::from(msg!("ribbon.range-roll-over", parameters = roll_parameters(line)));
-        return vec![advice.setting(msg!("advice.roll-over"), set("roll-over"))];
+    if line.rolls_over()[0] {
+        // The print roller is left, and counts millimetres.
+        let advice = Advice::from(msg!("ribbon.range-degrees"));
+        let set = [("y-unit", "degrees".to_owned())];
+        return if line.p.print_axis == PrintAxis::Y {
+            vec![advice.setting(msg!("advice.degrees"), set)]
+        } else {
+            vec![]
+        };
     }
-    if product_fits && line.p.endless != Endless::Shift && line.control.can(Code::SetCoordinates) {
-        return vec![Advice::from(msg!("ribbon.range-shift")).setting(msg!("advice.shift"), set("shift"))];
+    let needs_degrees = line.reads_positions() && !line.degrees();
+    let can_roll =
+        line.control.param(ParamRole::AxisRollOver).is_some() && (!needs_degrees || line.p.print_axis == PrintAxis::Y);
+    let shifts = product_fits && line.control.can(Code::SetCoordinates);
+    if can_roll && line.pull_words() > 1 && !shifts {
+        return vec![msg!("ribbon.range-roll-over-in-radius", parameters = roll_parameters(line)).into()];
+    }
+    if can_roll && line.pull_words() == 1 {
+        let advice = Advice::from(msg!("ribbon.range-roll-over", parameters = roll_parameters(line)));
+        let [rolls, in_degrees] = [("endless", "roll-over".to_owned()), ("y-unit", "degrees".to_owned())];
+        return vec![match needs_degrees {
+            true => advice.setting(msg!("advice.roll-over-in-degrees"), [rolls, in_degrees]),
+            false => advice.setting(msg!("advice.roll-over"), [rolls]),
+        }];
+    }
+    if shifts && line.p.endless != Endless::Shift {
+        return vec![
+            Advice::from(msg!("ribbon.range-shift")).setting(msg!("advice.shift"), [("endless", "shift".to_owned())]),
+        ];
     }
     Vec::new()
 }

@@ -4,6 +4,7 @@ use super::params::{Params, Path};
 use super::program::KEYWAY;
 use super::resolved::TurningSpindle;
 use crate::controls::CodeId;
+use crate::machines::devices::{AskedDevice, BillItem};
 use crate::machines::machine::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
@@ -49,6 +50,13 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     if p.lock_code > 0.0 && p.release_code <= 0.0 {
         found.push(Diagnostic::warning(msg!("turning.keyway-stays-locked")).about("release-code"));
     }
+}
+
+/// The driven tool that cuts the keyway, for the bill.
+pub(super) fn devices(lathe: &TurningSpindle) -> Option<AskedDevice> {
+    let (speed, diameter) = ((lathe.p.driven_speed, 0), (lathe.p.keyway_width, 3));
+    let asked = msg!("turning.device.driven-tool", speed, diameter);
+    lathe.keyway().map(|_| AskedDevice { item: BillItem::DrivenTool, drive: None, asked })
 }
 
 /// Codes of the machine builder that the control itself has.

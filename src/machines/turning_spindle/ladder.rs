@@ -1,11 +1,12 @@
 //! The ladder of the turning spindle: override, M3 to M5, gear change, and the answer to M, S and T.
 
 use super::gears::{GearTimes, gear_times};
+use super::params::Output;
 use super::resolved::TurningSpindle;
 use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{BUSY, SpindleRequirements};
+use crate::machines::ladder::codes::{BUSY, Direction, SpindleRequirements};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungContact, off, on};
 
 /// Relays of the stages that the control requests by number.
@@ -15,6 +16,11 @@ const WANTED: [Bit; 4] =
 const MESHED: Bit = Bit::Relay("meshed");
 /// The spindle is slow enough for the gears, from then on to the end of the change.
 const SLOWED: Bit = Bit::Relay("slowed");
+
+/// The valve of the clamp.
+const CLAMP: Bit = Bit::Output(MachineOutput::SpindleClamp);
+/// The clamp is on its way.
+const CLAMPING: Bit = Bit::Relay("clamping");
 
 /// The ladder of the lathe.
 pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
@@ -29,13 +35,55 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     let rules = lathe.rules();
     let reaction = |at| spindle(lathe, at);
     let reports_speed = rules.reached.is_some();
-    book.spindle(&rules, &SpindleRequirements { reaction: &reaction, reports_speed, holds: &[] });
+    let direction = if lathe.p.output == Output::Unipolar { Direction::Contacts } else { Direction::Sign };
+    let locks = lathe.lock_codes();
+    book.spindle(
+        &rules,
+        &SpindleRequirements {
+            reaction: &reaction,
+            reports_speed,
+            holds: &[],
+            locked_by: locks.map(|_| CLAMP),
+            direction,
+        },
+    );
     let stages = lathe.p.stages().count().min(WANTED.len());
     if stages > 1 {
         Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe) }.write();
     }
-    book.answer(stages > 1);
+    let clamps = locks.map(|codes| {
+        clamp(&mut book, codes);
+        CLAMPING
+    });
+    if let Some(codes) = lathe.driven_codes() {
+        driven_tool(&mut book, codes);
+    }
+    let busy: Vec<Bit> = (stages > 1).then_some(BUSY).into_iter().chain(clamps).collect();
+    book.answer(&busy);
     book.finish()
+}
+
+/// The clamp holds the spindle from its lock code to its release code, and until reset where there is none; each waits for the contact.
+fn clamp(book: &mut Book, (lock, release): (u32, Option<u32>)) {
+    let reset = book.reset();
+    let mut stays = vec![on(CLAMP), off(reset)];
+    stays.extend(release.map(|code| off(book.function(code))));
+    let begins = vec![on(book.function(lock))];
+    book.coil(CLAMP, vec![begins, stays], "turning.ladder.clamp");
+    let clamped = Bit::Input(MachineContact::SpindleClamped);
+    let differs = vec![vec![on(CLAMP), off(clamped)], vec![off(CLAMP), on(clamped)]];
+    book.coil(CLAMPING, differs, "turning.ladder.clamping");
+}
+
+/// A driven tool with codes of its own runs until its stop code, reset or emergency stop.
+fn driven_tool(book: &mut Book, (start, stop): (u32, Option<u32>)) {
+    let run = Bit::Output(MachineOutput::DrivenTool);
+    let guard = [on(Bit::Input(MachineContact::Emergency)), off(book.reset())];
+    let mut stays = vec![on(run)];
+    stays.extend(stop.map(|code| off(book.function(code))));
+    let begins = vec![on(book.function(start))];
+    let when = [begins, stays].map(|contacts| [contacts, guard.to_vec()].concat());
+    book.coil(run, when.to_vec(), "turning.ladder.driven-tool");
 }
 
 /// The rungs of a gear change.

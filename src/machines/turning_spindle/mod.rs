@@ -190,7 +190,7 @@ impl Prepared for TurningSpindle {
     }
 
     fn devices(&self) -> Vec<AskedDevice> {
-        cooling::devices(self)
+        cooling::devices(self).into_iter().chain(keyway::devices(self)).collect()
     }
 
     fn severe_site(&self) -> Option<SevereSite> {

@@ -153,6 +153,18 @@ impl TurningSpindle {
         self.p.keyway_diameter().filter(|_| cuts)
     }
 
+    /// Codes that lock the spindle at its angle and release it, where the program locks it.
+    pub(super) fn lock_codes(&self) -> Option<(u32, Option<u32>)> {
+        let [lock, release] = [self.p.lock_code, self.p.release_code].map(given_code);
+        Some((lock.filter(|_| self.positions())?, release))
+    }
+
+    /// Codes of the machine that start and stop the driven tool; none where the control's own second spindle drives it.
+    pub(super) fn driven_codes(&self) -> Option<(u32, Option<u32>)> {
+        let [start, stop] = [self.p.driven_code, self.p.driven_stop].map(given_code);
+        Some((start.filter(|_| self.keyway().is_some())?, stop))
+    }
+
     /// Positioning of the spindle, by the machine's data.
     pub(super) fn positioning(&self) -> Positioning {
         Positioning {
@@ -188,4 +200,9 @@ impl TurningSpindle {
         let low = if self.rules().low_always { self.p.lower_limit } else { 0.0 };
         self.p.stages().map(|speed| Stage { range: (low, f64::INFINITY), ..Stage::new(speed) }).collect()
     }
+}
+
+/// The code of a field; 0 is none.
+fn given_code(number: f64) -> Option<u32> {
+    (number > 0.0).then_some(number as u32)
 }

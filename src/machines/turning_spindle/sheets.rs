@@ -40,6 +40,8 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         stages.map(|(name, speed)| (name, ParamValue::Number(value(speed)))).collect()
     };
     let (rules, shift) = (lathe.rules(), gear_times(lathe));
+    // Where the sheet has the ratio of each stage, the voltage stands for the speed of the motor.
+    let by_motor = lathe.control.param(ParamRole::SpindleRatioMotor).is_some();
     let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
     let (shifts, positioning) = (p.stages().nth(1).is_some(), lathe.positioning());
     let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };
@@ -49,16 +51,20 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::SpindleOffsetRated, volts(ParamRole::SpindleOffsetRated, p.offset_full)),
         (ParamRole::SpindleOffsetZero, volts(ParamRole::SpindleOffsetZero, p.offset_zero)),
         (ParamRole::SpindleShiftVolts, volts(ParamRole::SpindleShiftVolts, 1000.0 * SHIFT_VOLTS)),
-        (ParamRole::SpindleLimit, number(p.stage_1)),
+        (ParamRole::SpindleLimit, number(if by_motor { p.motor_top } else { p.stage_1 })),
         (ParamRole::SpindleGear(2), stage(p.stage_2)),
         (ParamRole::SpindleGear(3), stage(p.stage_3)),
         (ParamRole::SpindleGear(4), stage(p.stage_4)),
         (ParamRole::SpindleMaximum, number(p.chuck_limit)),
+        (ParamRole::SpindleGearMaximum(1), number(p.chuck_limit.min(p.stage_1))),
+        (ParamRole::SpindleGearMaximum(2), stage(p.chuck_limit.min(p.stage_2))),
+        (ParamRole::SpindleGearMaximum(3), stage(p.chuck_limit.min(p.stage_3))),
+        (ParamRole::SpindleGearMaximum(4), stage(p.chuck_limit.min(p.stage_4))),
         (ParamRole::SpindleMinimum, minimum),
         (ParamRole::SpindleUnipolar, yes(p.output == Output::Unipolar)),
         (ParamRole::SpindleRatedVolts, number(100.0)),
         (ParamRole::SpindleRatioSpindle, by_stage(&|speed| speed)),
-        (ParamRole::SpindleRatioMotor, by_stage(&|_| p.stage_1)),
+        (ParamRole::SpindleRatioMotor, by_stage(&|_| p.motor_top)),
         (ParamRole::SpindleStageMaximum, by_stage(&|speed| speed)),
         (ParamRole::SpindleTolerance, number(rules.reached.unwrap_or(0.1))),
         (ParamRole::SpindleReached, yes(rules.reached.is_some())),
@@ -81,10 +87,15 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
         (ParamRole::AxisAcceleration, vec![("X", ParamValue::Answer(true)), ("Z", ParamValue::Answer(true))]),
         (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
+        (
+            ParamRole::AxisGreatestAcceleration,
+            slides(sheets::acceleration(p.clamp_x, p.time_constant), sheets::acceleration(p.clamp_z, p.time_constant)),
+        ),
         (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
         (ParamRole::CommandUnit, yes(true)),
         (ParamRole::VariablesAtReset, yes(false)),
         (ParamRole::VariablesAtPowerOn, yes(false)),
+        (ParamRole::EditLock, yes(false)),
     ];
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
     let axes = AxisUnits { in_diameters: if lathe.diameters() { &["X"] } else { &[] }, rotary: &[] };

@@ -125,10 +125,13 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
         }
         let meaning = listed(&told);
         let asked = match item {
-            BillItem::GearValve => msg!("size.bill.valve", meaning),
+            BillItem::GearValve | BillItem::ClampValve => msg!("size.bill.valve", meaning),
             _ => msg!("size.bill.contact", meaning),
         };
         devices.push(BillRow { quantity, ..open(item, None, &asked) });
+    }
+    if devices.iter().any(|row| row.item == BillItem::EmergencyStop) {
+        devices.push(open(BillItem::SafetyRelay, None, &msg!("size.bill.safety-relay")));
     }
     devices.push(open(BillItem::MainSwitch, None, &msg!("size.bill.main-switch")));
     devices.push(open(BillItem::ControlSupply, None, &msg!("size.bill.control-supply")));

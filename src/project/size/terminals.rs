@@ -3,7 +3,7 @@
 //! Each end is an item of the bill, and each item of the bill that wires lead to has its wires here. Plugs and pins of control, amplifiers
 //! and encoders are those of their makers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::bill::BillRow;
 use crate::machines::PreparedMachine;
@@ -113,19 +113,15 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wi
     let of_machine = |item: BillItem| WireEnd::of(item, None);
     let billed = |item: BillItem| bill.iter().any(|row| row.item == item && row.axis == axis);
     let drive = if billed(BillItem::Inverter) { BillItem::Inverter } else { BillItem::Amplifier };
-    let wire = |strip: Strip, signal: &'static str, from: WireEnd, to: WireEnd| Wire {
-        strip,
-        signal: say(signal),
-        from,
-        to,
-        cite: STRIPS,
-    };
     let fed = || {
         let end = || of_machine(BillItem::MainSwitch);
         ["size.terminal.mains", "size.terminal.earth"]
             .map(|signal| wire(Strip::Supply, signal, end(), own.clone()))
             .to_vec()
     };
+    let is_safe = bill.iter().any(|row| row.item == BillItem::SafetyRelay);
+    let enable =
+        is_safe.then(|| wire(Strip::Contacts, "size.terminal.enable", of_machine(BillItem::SafetyRelay), own.clone()));
     let analog = |signals: [&'static str; 3], from: WireEnd, to: WireEnd| {
         signals.map(|signal| wire(Strip::Analog, signal, from.clone(), to.clone())).to_vec()
     };
@@ -143,30 +139,15 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wi
         }
         BillItem::Amplifier => {
             let command = wire(Strip::Cables, "size.terminal.command", of_machine(BillItem::Control), own.clone());
-            fed().into_iter().chain([command]).collect()
+            fed().into_iter().chain([command]).chain(enable).collect()
         }
         BillItem::Inverter => {
             let output = WireEnd { place: say("size.terminal.analog-output"), ..of_machine(BillItem::Control) };
             let signals = ["size.terminal.set-speed", "size.terminal.common", "size.terminal.screen"];
-            fed().into_iter().chain(analog(signals, output, own.clone())).collect()
+            fed().into_iter().chain(analog(signals, output, own.clone())).chain(enable).collect()
         }
         BillItem::Fan | BillItem::ControlSupply | BillItem::BrakeSupply => fed(),
-        BillItem::BrakeContactor => {
-            // It closes the brake whenever the drive is off: its coil hangs on the output of the drive, not on the mains.
-            let output = WireEnd { place: headed(of(drive).text(), say("size.terminal.brake-output")), ..of(drive) };
-            let power = ["size.terminal.brake-supply-plus", "size.terminal.brake-supply-minus"]
-                .map(|signal| wire(Strip::Motors, signal, of(BillItem::BrakeSupply), own.clone()));
-            let coil = [
-                wire(
-                    Strip::Contacts,
-                    "size.terminal.brake-coil-plus",
-                    of_machine(BillItem::ControlSupply),
-                    own.clone(),
-                ),
-                wire(Strip::Contacts, "size.terminal.brake-coil", output, own.clone()),
-            ];
-            power.into_iter().chain(coil).collect()
-        }
+        BillItem::BrakeContactor => of_brake_contactor(drive, axis),
         BillItem::Brake => ["size.terminal.brake-plus", "size.terminal.brake-minus"]
             .map(|signal| wire(Strip::Motors, signal, of(BillItem::BrakeContactor), own.clone()))
             .into(),
@@ -176,6 +157,9 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wi
         BillItem::Encoder => {
             vec![wire(Strip::Cables, "size.terminal.spindle-encoder", own, of_machine(BillItem::Control))]
         }
+        BillItem::DrivenTool => {
+            vec![wire(Strip::Cables, "size.terminal.driven-tool", of_machine(BillItem::Control), own)]
+        }
         BillItem::Dancer => {
             let inverter = of(BillItem::Inverter);
             let input = WireEnd { place: headed(inverter.text(), say("size.terminal.trim-input")), ..inverter };
@@ -184,11 +168,22 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wi
         BillItem::Control => ["size.terminal.control-plus", "size.terminal.control-zero"]
             .map(|signal| wire(Strip::Supply, signal, of_machine(BillItem::ControlSupply), own.clone()))
             .into(),
+        BillItem::SafetyRelay => {
+            let button = || of_machine(BillItem::EmergencyStop);
+            let channels = ["size.terminal.first-channel", "size.terminal.second-channel"]
+                .map(|signal| wire(Strip::Contacts, signal, button(), own.clone()));
+            let supply = ["size.terminal.relay-plus", "size.terminal.relay-zero"]
+                .map(|signal| wire(Strip::Supply, signal, of_machine(BillItem::ControlSupply), own.clone()));
+            channels.into_iter().chain(supply).collect()
+        }
         BillItem::Gear
         | BillItem::EmergencyStop
+        | BillItem::OverrideSwitch
         | BillItem::Key
         | BillItem::GearSwitch
         | BillItem::GearValve
+        | BillItem::ClampSwitch
+        | BillItem::ClampValve
         | BillItem::LoopSensor
         | BillItem::TensionSwitch
         | BillItem::ReelSensor
@@ -196,18 +191,53 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wi
     }
 }
 
-/// The wires of the PLC's contacts and outputs.
+/// The wires of the contactor of a brake at the motor of an axis.
+fn of_brake_contactor(drive: BillItem, axis: Option<&'static str>) -> Vec<Wire> {
+    let of = |item: BillItem| WireEnd::of(item, axis);
+    let own = of(BillItem::BrakeContactor);
+    // It closes the brake whenever the drive is off: its coil hangs on the output of the drive, not on the mains.
+    let output = WireEnd { place: headed(of(drive).text(), say("size.terminal.brake-output")), ..of(drive) };
+    let power = ["size.terminal.brake-supply-plus", "size.terminal.brake-supply-minus"]
+        .map(|signal| wire(Strip::Motors, signal, of(BillItem::BrakeSupply), own.clone()));
+    let supply = WireEnd::of(BillItem::ControlSupply, None);
+    let coil = [
+        wire(Strip::Contacts, "size.terminal.brake-coil-plus", supply, own.clone()),
+        wire(Strip::Contacts, "size.terminal.brake-coil", output, own.clone()),
+    ];
+    power.into_iter().chain(coil).collect()
+}
+
+/// A wire with its signal (catalog id).
+fn wire(strip: Strip, signal: &'static str, from: WireEnd, to: WireEnd) -> Wire {
+    Wire { strip, signal: say(signal), from, to, cite: STRIPS }
+}
+
+/// The wires of the PLC's contacts and outputs, and after them the common wire of each item at their other end.
 fn contacts(ladder: Option<&Ladder>, bill: &[BillRow]) -> Vec<Wire> {
-    let wire = |(item, device): (BillItem, Device)| {
-        let axis = bill.iter().find(|row| row.item == item).and_then(|row| row.axis);
+    let end = |item: BillItem| WireEnd::of(item, bill.iter().find(|row| row.item == item).and_then(|row| row.axis));
+    let is_output = |device: &Device| device.sides.0 == PlcSide::Plc;
+    let wired = wired(ladder);
+    let wire = |(item, device): &(BillItem, Device)| {
         let plc = WireEnd {
             place: format!("{} {}", say("plc.side.plc"), device.name),
             ..WireEnd::of(BillItem::Control, None)
         };
-        let other = WireEnd::of(item, axis);
-        let is_output = device.sides.0 == PlcSide::Plc;
-        let (from, to) = if is_output { (plc, other) } else { (other, plc) };
+        let (from, to) = if is_output(device) { (plc, end(*item)) } else { (end(*item), plc) };
         Wire { strip: Strip::Contacts, signal: say(device.meaning), from, to, cite: device.cite }
     };
-    wired(ladder).into_iter().map(wire).collect()
+    // An inverter has a common of its own for its inputs.
+    let signal = |item: BillItem, is_output: bool| match (item, is_output) {
+        (BillItem::Inverter, true) => "size.terminal.inverter-common",
+        (_, true) => "size.terminal.output-common",
+        (_, false) => "size.terminal.contact-common",
+    };
+    let commons: BTreeSet<(BillItem, bool)> = wired.iter().map(|(item, device)| (*item, is_output(device))).collect();
+    let common = |(item, is_output): (BillItem, bool)| Wire {
+        strip: Strip::Contacts,
+        signal: say(signal(item, is_output)),
+        from: WireEnd::of(BillItem::ControlSupply, None),
+        to: end(item),
+        cite: STRIPS,
+    };
+    wired.iter().map(wire).chain(commons.into_iter().map(common)).collect()
 }

@@ -159,6 +159,104 @@ fn put_out(ladder: &Ladder, image: &mut Image, code: u32, on: bool) {
     }
 }
 
+/// Presses reset for a moment.
+fn reset(ladder: &Ladder, image: &mut Image) {
+    for on in [true, false] {
+        image.set(Bit::Signal(SignalRole::Reset), on);
+        image.set(Bit::Input(MachineContact::ResetKey), on);
+        settle(ladder, image, 0.0);
+    }
+}
+
+/// The ladder with its contacts closed, but for keys.
+fn at_rest(ladder: &Ladder) -> Image {
+    let mut image = Image::default();
+    let is_key = |contact: MachineContact| {
+        use MachineContact::{ForwardKey, ResetKey, ReverseKey, StopKey};
+        [ForwardKey, ReverseKey, StopKey, ResetKey].contains(&contact)
+    };
+    for (contact, _) in ladder.bits.iter().filter(|row| matches!(row.0, Bit::Input(input) if !is_key(input))) {
+        image.set(*contact, true);
+    }
+    image
+}
+
+#[test]
+fn spindle_keys_act_without_a_program_and_stop_wins() {
+    use MachineContact::{ForwardKey, ReverseKey, StopKey};
+    for (name, project) in projects().filter(|(name, _)| !name.starts_with("polygon")) {
+        let ladder = ladder(&project);
+        let [forward, reverse] = [MachineOutput::Forward, MachineOutput::Reverse].map(Bit::Output);
+        let press = |image: &mut Image, keys: &[MachineContact]| {
+            for on in [true, false] {
+                keys.iter().for_each(|key| image.set(Bit::Input(*key), on));
+                settle(&ladder, image, 0.0);
+            }
+            (image.is_on(forward), image.is_on(reverse))
+        };
+        let cases: [(&[MachineContact], (bool, bool)); 6] = [
+            (&[ForwardKey, ReverseKey], (false, false)),
+            (&[ForwardKey, StopKey], (false, false)),
+            (&[ForwardKey], (true, false)),
+            (&[ReverseKey, StopKey], (false, false)),
+            (&[ReverseKey], (false, true)),
+            (&[StopKey], (false, false)),
+        ];
+        let mut image = at_rest(&ladder);
+        for (keys, runs) in cases {
+            assert_eq!(press(&mut image, keys), runs, "{name}: {keys:?}");
+        }
+        image.set(Bit::Signal(SignalRole::Running), true);
+        assert_eq!(press(&mut image, &[ForwardKey]), (false, false), "{name}: a program runs");
+    }
+}
+
+#[test]
+fn sign_of_the_voltage_needs_one_run_contact() {
+    for control in ["sinumerik-802d", "sinumerik-808d"] {
+        let project = super::turning::project(control, &[("output", "+-10")]);
+        let ladder = ladder(&project);
+        let outputs = [MachineOutput::Forward, MachineOutput::Reverse, MachineOutput::Run];
+        assert_eq!(outputs.map(|output| ladder.drives(Bit::Output(output))), [false, false, true], "{control}");
+        let mut image = at_rest(&ladder);
+        image.set(Bit::Signal(SignalRole::Running), true);
+        let mut run = |code: u32| {
+            for on in [true, false] {
+                put_out(&ladder, &mut image, code, on);
+                settle(&ladder, &mut image, 0.0);
+            }
+            image.is_on(Bit::Output(MachineOutput::Run))
+        };
+        assert_eq!([3, 5, 4, 5].map(&mut run), [true, false, true, false], "{control}");
+    }
+}
+
+#[test]
+fn spindle_is_locked_by_its_clamp_for_the_keyway() {
+    let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+    let ladder = ladder(&project);
+    let mut image = at_rest(&ladder);
+    let clamped = Bit::Input(MachineContact::SpindleClamped);
+    image.set(clamped, false);
+    image.set(Bit::Signal(SignalRole::Running), true);
+    let pulse = |image: &mut Image, code: u32| {
+        for on in [true, false] {
+            put_out(&ladder, image, code, on);
+            settle(&ladder, image, 0.0);
+        }
+        let waits = image.is_on(Bit::Signal(SignalRole::ReadInDisable));
+        (image.is_on(Bit::Output(MachineOutput::SpindleClamp)), waits)
+    };
+    assert_eq!(pulse(&mut image, 81), (true, true), "the valve is on, and the next block waits for the contact");
+    image.set(clamped, true);
+    assert_eq!(pulse(&mut image, 3), (true, false));
+    assert!(!image.is_on(Bit::Output(MachineOutput::Forward)), "a clamped spindle gets no run command");
+    assert_eq!(pulse(&mut image, 82), (false, true));
+    image.set(clamped, false);
+    assert_eq!(pulse(&mut image, 3), (false, false));
+    assert!(image.is_on(Bit::Output(MachineOutput::Forward)));
+}
+
 #[test]
 fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
     for (name, project) in projects().filter(|(name, _)| !name.starts_with("polygon")) {
@@ -192,6 +290,15 @@ fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
             image.set(Bit::Input(opens), true);
             settle(&ladder, &mut image, 0.0);
             assert!(!image.is_on(forward), "{name}: {opens:?} is over, and nothing restarts");
+            let alarm = Bit::Output(MachineOutput::InverterAlarm);
+            assert_eq!(image.is_on(alarm), opens == MachineContact::InverterReady, "{name}: alarm until reset");
+            let held = |image: &Image| match ladder.drives(Bit::Signal(SignalRole::HoldRequest)) {
+                true => image.is_on(Bit::Signal(SignalRole::HoldRequest)),
+                false => !image.is_on(Bit::Signal(SignalRole::HoldReleased)),
+            };
+            assert_eq!(held(&image), image.is_on(alarm), "{name}: no cycle start goes on after a fault");
+            reset(&ladder, &mut image);
+            assert!(!image.is_on(alarm) && !held(&image), "{name}: {opens:?}");
         }
         // Hold: the unwinder of the ribbon line stops with the axes, the work of a lathe turns on.
         let held = |image: &mut Image, running: bool| {

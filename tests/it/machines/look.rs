@@ -352,105 +352,117 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         39 | LDI X25 | 
         40 | AND M204 | 
         41 | ORB | 
-        42 | OUT Y22 | fault of the inverter: alarm
-        43 | LD X21 | 
-        44 | AND X25 | 
-        45 | AND X26 | 
-        46 | AND X27 | 
-        47 | AND X28 | 
-        48 | OUT Y211 | fault, inverter not ready, loop or reel at its limit: program held
-        49 | LDI X25 | 
-        50 | LD Y23 | 
-        51 | ANI X1F3 | 
-        52 | ANI X1F5 | 
-        53 | ORB | 
-        54 | OUT Y23 | text for the operator until the program runs again
-        55 | LDI X26 | 
-        56 | LD Y24 | 
-        57 | ANI X1F3 | 
-        58 | ANI X1F5 | 
-        59 | ORB | 
-        60 | OUT Y24 | text for the operator until the program runs again
-        61 | LDI X27 | 
-        62 | LD Y25 | 
-        63 | ANI X1F3 | 
-        64 | ANI X1F5 | 
-        65 | ORB | 
-        66 | OUT Y25 | text for the operator until the program runs again
-        67 | LDI X28 | 
-        68 | LD Y26 | 
-        69 | ANI X1F3 | 
-        70 | ANI X1F5 | 
-        71 | ORB | 
-        72 | OUT Y26 | text for the operator until the program runs again
-        73 | LD M303 | 
-        74 | AND X20 | 
-        75 | AND X21 | 
-        76 | AND X25 | 
-        77 | ANI X1F5 | 
-        78 | LD X22 | 
-        79 | AND X20 | 
-        80 | AND X21 | 
-        81 | AND X25 | 
-        82 | ANI X1F5 | 
-        83 | ORB | 
-        84 | LD Y20 | 
-        85 | ANI M305 | 
-        86 | ANI X23 | 
-        87 | ANI X24 | 
-        88 | ANI M304 | 
-        89 | AND X20 | 
-        90 | AND X21 | 
-        91 | AND X25 | 
-        92 | ANI X1F5 | 
-        93 | ORB | 
-        94 | OUT Y20 | run clockwise: M3 or key, until M5, M4, fault
-        95 | LD M304 | 
-        96 | AND X20 | 
-        97 | AND X21 | 
-        98 | AND X25 | 
-        99 | ANI X1F5 | 
-        100 | LD X23 | 
-        101 | AND X20 | 
-        102 | AND X21 | 
-        103 | AND X25 | 
-        104 | ANI X1F5 | 
-        105 | ORB | 
-        106 | LD Y21 | 
-        107 | ANI M305 | 
-        108 | ANI X22 | 
-        109 | ANI X24 | 
-        110 | ANI M303 | 
-        111 | AND X20 | 
-        112 | AND X21 | 
-        113 | AND X25 | 
-        114 | ANI X1F5 | 
-        115 | ORB | 
-        116 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
-        117 | LD M202 | 
-        118 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
-        119 | LD X230 | 
-        120 | OR X234 | 
-        121 | OR X238 | 
-        122 | OUT Y226 | one answer for M, S and T
-        123 | LD M202 | 
-        124 | AND Y20 | 
-        125 | ANI X1F5 | 
-        126 | LD M202 | 
-        127 | AND Y21 | 
-        128 | ANI X1F5 | 
-        129 | ORB | 
-        130 | LD M203 | 
-        131 | ANI T20 | 
-        132 | ANI X1F5 | 
-        133 | ORB | 
-        134 | OUT M203 | axes wait at the restart
-        135 | LD M203 | 
-        136 | ANI M202 | 
-        137 | OUT T20 K205 | as long as behind M3
-        138 | LDI M203 | 
-        139 | OR M202 | 
-        140 | OUT Y20F | axes may move
+        42 | LD F0 | 
+        43 | ANI X1F5 | 
+        44 | ORB | 
+        45 | OUT F0 | fault of the inverter: alarm until reset
+        46 | LD X21 | 
+        47 | AND X25 | 
+        48 | AND X26 | 
+        49 | AND X27 | 
+        50 | AND X28 | 
+        51 | ANI F0 | 
+        52 | OUT Y211 | fault, inverter not ready, loop or reel at its limit: program held
+        53 | LDI X25 | 
+        54 | LD F1 | 
+        55 | ANI X1F3 | 
+        56 | ANI X1F5 | 
+        57 | ORB | 
+        58 | OUT F1 | text for the operator until the program runs again
+        59 | LDI X26 | 
+        60 | LD F2 | 
+        61 | ANI X1F3 | 
+        62 | ANI X1F5 | 
+        63 | ORB | 
+        64 | OUT F2 | text for the operator until the program runs again
+        65 | LDI X27 | 
+        66 | LD F3 | 
+        67 | ANI X1F3 | 
+        68 | ANI X1F5 | 
+        69 | ORB | 
+        70 | OUT F3 | text for the operator until the program runs again
+        71 | LDI X28 | 
+        72 | LD F4 | 
+        73 | ANI X1F3 | 
+        74 | ANI X1F5 | 
+        75 | ORB | 
+        76 | OUT F4 | text for the operator until the program runs again
+        77 | LD M303 | 
+        78 | AND X20 | 
+        79 | AND X21 | 
+        80 | AND X25 | 
+        81 | ANI X1F5 | 
+        82 | LD X22 | 
+        83 | ANI X23 | 
+        84 | ANI X24 | 
+        85 | ANI Y21 | 
+        86 | ANI X1F3 | 
+        87 | AND X20 | 
+        88 | AND X21 | 
+        89 | AND X25 | 
+        90 | ANI X1F5 | 
+        91 | ORB | 
+        92 | LD Y20 | 
+        93 | ANI M305 | 
+        94 | ANI X23 | 
+        95 | ANI X24 | 
+        96 | ANI M304 | 
+        97 | AND X20 | 
+        98 | AND X21 | 
+        99 | AND X25 | 
+        100 | ANI X1F5 | 
+        101 | ORB | 
+        102 | OUT Y20 | run clockwise: M3, or key while no program runs, until M5, M4, stop, fault
+        103 | LD M304 | 
+        104 | AND X20 | 
+        105 | AND X21 | 
+        106 | AND X25 | 
+        107 | ANI X1F5 | 
+        108 | LD X23 | 
+        109 | ANI X22 | 
+        110 | ANI X24 | 
+        111 | ANI Y20 | 
+        112 | ANI X1F3 | 
+        113 | AND X20 | 
+        114 | AND X21 | 
+        115 | AND X25 | 
+        116 | ANI X1F5 | 
+        117 | ORB | 
+        118 | LD Y21 | 
+        119 | ANI M305 | 
+        120 | ANI X22 | 
+        121 | ANI X24 | 
+        122 | ANI M303 | 
+        123 | AND X20 | 
+        124 | AND X21 | 
+        125 | AND X25 | 
+        126 | ANI X1F5 | 
+        127 | ORB | 
+        128 | OUT Y21 | run counter-clockwise: M4, or key while no program runs, until M5, M3, stop, fault
+        129 | LD M202 | 
+        130 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        131 | LD X230 | 
+        132 | OR X234 | 
+        133 | OR X238 | 
+        134 | OUT Y226 | one answer for M, S and T
+        135 | LD M202 | 
+        136 | AND Y20 | 
+        137 | ANI X1F5 | 
+        138 | LD M202 | 
+        139 | AND Y21 | 
+        140 | ANI X1F5 | 
+        141 | ORB | 
+        142 | LD M203 | 
+        143 | ANI T20 | 
+        144 | ANI X1F5 | 
+        145 | ORB | 
+        146 | OUT M203 | axes wait at the restart
+        147 | LD M203 | 
+        148 | ANI M202 | 
+        149 | OUT T20 K205 | as long as behind M3
+        150 | LDI M203 | 
+        151 | OR M202 | 
+        152 | OUT Y20F | axes may move
          |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
     "#]]
     .assert_eq(&rows(&[], "ladder"));
@@ -501,129 +513,141 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         43 | LDI X26 | 
         44 | AND M205 | 
         45 | ORB | 
-        46 | OUT Y22 | fault of the inverter: alarm
-        47 | LD X21 | 
-        48 | AND X26 | 
-        49 | AND X27 | 
-        50 | AND X28 | 
-        51 | AND X29 | 
-        52 | OUT Y211 | fault, inverter not ready, loop or reel at its limit: program held
-        53 | LDI X26 | 
-        54 | LD Y23 | 
-        55 | ANI X1F3 | 
-        56 | ANI X1F5 | 
-        57 | ORB | 
-        58 | OUT Y23 | text for the operator until the program runs again
-        59 | LDI X27 | 
-        60 | LD Y24 | 
-        61 | ANI X1F3 | 
-        62 | ANI X1F5 | 
-        63 | ORB | 
-        64 | OUT Y24 | text for the operator until the program runs again
-        65 | LDI X28 | 
-        66 | LD Y25 | 
-        67 | ANI X1F3 | 
-        68 | ANI X1F5 | 
-        69 | ORB | 
-        70 | OUT Y25 | text for the operator until the program runs again
-        71 | LDI X29 | 
-        72 | LD Y26 | 
-        73 | ANI X1F3 | 
-        74 | ANI X1F5 | 
-        75 | ORB | 
-        76 | OUT Y26 | text for the operator until the program runs again
-        77 | LD M303 | 
-        78 | AND X20 | 
-        79 | AND X21 | 
-        80 | AND X26 | 
-        81 | ANI X1F5 | 
-        82 | LD X23 | 
-        83 | AND X20 | 
-        84 | AND X21 | 
-        85 | AND X26 | 
-        86 | ANI X1F5 | 
-        87 | ORB | 
-        88 | LD Y20 | 
-        89 | ANI M305 | 
-        90 | ANI X24 | 
-        91 | ANI X25 | 
-        92 | ANI M304 | 
-        93 | AND X20 | 
-        94 | AND X21 | 
-        95 | AND X26 | 
-        96 | ANI X1F5 | 
-        97 | ORB | 
-        98 | OUT Y20 | run clockwise: M3 or key, until M5, M4, fault
-        99 | LD M304 | 
-        100 | AND X20 | 
-        101 | AND X21 | 
-        102 | AND X26 | 
-        103 | ANI X1F5 | 
-        104 | LD X24 | 
-        105 | AND X20 | 
-        106 | AND X21 | 
-        107 | AND X26 | 
-        108 | ANI X1F5 | 
-        109 | ORB | 
-        110 | LD Y21 | 
-        111 | ANI M305 | 
-        112 | ANI X23 | 
-        113 | ANI X25 | 
-        114 | ANI M303 | 
-        115 | AND X20 | 
-        116 | AND X21 | 
-        117 | AND X26 | 
-        118 | ANI X1F5 | 
-        119 | ORB | 
-        120 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
-        121 | LD M203 | 
-        122 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
-        123 | LD M303 | 
-        124 | ANI T20 | 
-        125 | LD M303 | 
-        126 | ANI X22 | 
-        127 | ORB | 
-        128 | LD M304 | 
-        129 | ANI T20 | 
-        130 | ORB | 
-        131 | LD M304 | 
-        132 | ANI X22 | 
-        133 | ORB | 
-        134 | OUT M201 | M3 and M4 wait for the speed
+        46 | LD F0 | 
+        47 | ANI X1F5 | 
+        48 | ORB | 
+        49 | OUT F0 | fault of the inverter: alarm until reset
+        50 | LD X21 | 
+        51 | AND X26 | 
+        52 | AND X27 | 
+        53 | AND X28 | 
+        54 | AND X29 | 
+        55 | ANI F0 | 
+        56 | OUT Y211 | fault, inverter not ready, loop or reel at its limit: program held
+        57 | LDI X26 | 
+        58 | LD F1 | 
+        59 | ANI X1F3 | 
+        60 | ANI X1F5 | 
+        61 | ORB | 
+        62 | OUT F1 | text for the operator until the program runs again
+        63 | LDI X27 | 
+        64 | LD F2 | 
+        65 | ANI X1F3 | 
+        66 | ANI X1F5 | 
+        67 | ORB | 
+        68 | OUT F2 | text for the operator until the program runs again
+        69 | LDI X28 | 
+        70 | LD F3 | 
+        71 | ANI X1F3 | 
+        72 | ANI X1F5 | 
+        73 | ORB | 
+        74 | OUT F3 | text for the operator until the program runs again
+        75 | LDI X29 | 
+        76 | LD F4 | 
+        77 | ANI X1F3 | 
+        78 | ANI X1F5 | 
+        79 | ORB | 
+        80 | OUT F4 | text for the operator until the program runs again
+        81 | LD M303 | 
+        82 | AND X20 | 
+        83 | AND X21 | 
+        84 | AND X26 | 
+        85 | ANI X1F5 | 
+        86 | LD X23 | 
+        87 | ANI X24 | 
+        88 | ANI X25 | 
+        89 | ANI Y21 | 
+        90 | ANI X1F3 | 
+        91 | AND X20 | 
+        92 | AND X21 | 
+        93 | AND X26 | 
+        94 | ANI X1F5 | 
+        95 | ORB | 
+        96 | LD Y20 | 
+        97 | ANI M305 | 
+        98 | ANI X24 | 
+        99 | ANI X25 | 
+        100 | ANI M304 | 
+        101 | AND X20 | 
+        102 | AND X21 | 
+        103 | AND X26 | 
+        104 | ANI X1F5 | 
+        105 | ORB | 
+        106 | OUT Y20 | run clockwise: M3, or key while no program runs, until M5, M4, stop, fault
+        107 | LD M304 | 
+        108 | AND X20 | 
+        109 | AND X21 | 
+        110 | AND X26 | 
+        111 | ANI X1F5 | 
+        112 | LD X24 | 
+        113 | ANI X23 | 
+        114 | ANI X25 | 
+        115 | ANI Y20 | 
+        116 | ANI X1F3 | 
+        117 | AND X20 | 
+        118 | AND X21 | 
+        119 | AND X26 | 
+        120 | ANI X1F5 | 
+        121 | ORB | 
+        122 | LD Y21 | 
+        123 | ANI M305 | 
+        124 | ANI X23 | 
+        125 | ANI X25 | 
+        126 | ANI M303 | 
+        127 | AND X20 | 
+        128 | AND X21 | 
+        129 | AND X26 | 
+        130 | ANI X1F5 | 
+        131 | ORB | 
+        132 | OUT Y21 | run counter-clockwise: M4, or key while no program runs, until M5, M3, stop, fault
+        133 | LD M203 | 
+        134 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
         135 | LD M303 | 
-        136 | OR M304 | 
-        137 | OUT T20 K5 | until the contact is about the new speed
-        138 | LD X230 | 
-        139 | ANI M201 | 
-        140 | LD X234 | 
-        141 | ANI M201 | 
+        136 | ANI T20 | 
+        137 | LD M303 | 
+        138 | ANI X22 | 
+        139 | ORB | 
+        140 | LD M304 | 
+        141 | ANI T20 | 
         142 | ORB | 
-        143 | LD X238 | 
-        144 | ANI M201 | 
+        143 | LD M304 | 
+        144 | ANI X22 | 
         145 | ORB | 
-        146 | OUT Y226 | one answer for M, S and T
-        147 | LD M203 | 
-        148 | AND Y20 | 
-        149 | ANI X1F5 | 
-        150 | LD M203 | 
-        151 | AND Y21 | 
-        152 | ANI X1F5 | 
-        153 | ORB | 
-        154 | LD M204 | 
-        155 | ANI T21 | 
-        156 | ANI X1F5 | 
+        146 | OUT M201 | M3 and M4 wait for the speed
+        147 | LD M303 | 
+        148 | OR M304 | 
+        149 | OUT T20 K5 | until the contact is about the new speed
+        150 | LD X230 | 
+        151 | ANI M201 | 
+        152 | LD X234 | 
+        153 | ANI M201 | 
+        154 | ORB | 
+        155 | LD X238 | 
+        156 | ANI M201 | 
         157 | ORB | 
-        158 | LD M204 | 
-        159 | ANI X22 | 
-        160 | ANI X1F5 | 
-        161 | ORB | 
-        162 | OUT M204 | axes wait at the restart
-        163 | LD M204 | 
-        164 | ANI M203 | 
-        165 | OUT T21 K5 | until the contact is about the new speed
-        166 | LDI M204 | 
-        167 | OR M203 | 
-        168 | OUT Y20F | axes may move
+        158 | OUT Y226 | one answer for M, S and T
+        159 | LD M203 | 
+        160 | AND Y20 | 
+        161 | ANI X1F5 | 
+        162 | LD M203 | 
+        163 | AND Y21 | 
+        164 | ANI X1F5 | 
+        165 | ORB | 
+        166 | LD M204 | 
+        167 | ANI T21 | 
+        168 | ANI X1F5 | 
+        169 | ORB | 
+        170 | LD M204 | 
+        171 | ANI X22 | 
+        172 | ANI X1F5 | 
+        173 | ORB | 
+        174 | OUT M204 | axes wait at the restart
+        175 | LD M204 | 
+        176 | ANI M203 | 
+        177 | OUT T21 K5 | until the contact is about the new speed
+        178 | LDI M204 | 
+        179 | OR M203 | 
+        180 | OUT Y20F | axes may move
          |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
     "#]]
     .assert_eq(&rows(&[("knob-step", "5"), ("override-form", "final-speed"), ("wait", "fin")], "ladder"));

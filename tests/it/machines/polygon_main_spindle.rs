@@ -100,14 +100,15 @@ fn main_spindle_is_ordered_and_wired_where_the_program_turns() {
         items.dedup();
         let wired =
             |item| sizing.terminals.iter().filter(|row| row.to.item == item && row.to.axis == Some(NAME)).count();
-        // Mains and earth, the set speed with its screen, the run commands of M03 and M04; three phases and earth.
+        // Mains and earth, the set speed with its screen, enable, the run commands of M03 and M04 with their common, and that of the contacts;
+        // three phases and earth.
         (items, wired(BillItem::Inverter), wired(BillItem::Motor))
     };
     let (motor, inverter, resistor, encoder) =
         (BillItem::Motor, BillItem::Inverter, BillItem::Resistor, BillItem::Encoder);
-    assert_eq!(items(&shaft(&[])), (vec![motor, inverter, resistor, encoder], 7, 4));
-    assert_eq!(items(&shaft(&[("before-pitch", "0")])), (vec![motor, inverter, resistor], 7, 4));
-    assert_eq!(items(&shaft(&[("before-pitch", "0"), ("main-braking", "20")])), (vec![motor, inverter], 7, 4));
+    assert_eq!(items(&shaft(&[])), (vec![motor, inverter, resistor, encoder], 10, 4));
+    assert_eq!(items(&shaft(&[("before-pitch", "0")])), (vec![motor, inverter, resistor], 10, 4));
+    assert_eq!(items(&shaft(&[("before-pitch", "0"), ("main-braking", "20")])), (vec![motor, inverter], 10, 4));
     assert_eq!(items(&shaft(&[("before", "false")])), (vec![], 0, 0));
 }
 

@@ -5,6 +5,7 @@ use macroline::controls::Switches;
 use macroline::machines::ladder::scan::Image;
 use macroline::machines::ladder::{Bit, MachineContact};
 use macroline::nc::{self, Files};
+use macroline::project::Project;
 use macroline::text::Severity;
 
 use super::polygon::{project, result};
@@ -94,6 +95,25 @@ fn exported_g51_2_file_reads_without_errors() {
         let errors: Vec<_> = parsed.diagnostics().iter().filter(|d| d.severity == Severity::Error).collect();
         assert!(errors.is_empty(), "{errors:?}");
     }
+}
+
+#[test]
+fn own_code_changes_the_cutter_where_the_program_does() {
+    let third = [("third", "true"), ("third-from-face", "70"), ("third-across-flats", "18")];
+    let mut shaft = Project::named("polygon-lathe", None, Some("square-and-hexagon")).unwrap();
+    let fields = shaft.machine.fields();
+    for (id, typed) in third {
+        let value = fields.iter().find(|field| field.id == id).unwrap().read(typed).unwrap();
+        shaft.values.insert(id.to_owned(), value);
+    }
+    let cutters = |name: &str| {
+        let files = shaft.export().files;
+        let text = files.into_iter().find(|file| file.name == name).unwrap().text;
+        text.split_whitespace().filter(|word| word.starts_with('T')).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let program = cutters("O3000.nc");
+    assert_eq!(program.iter().filter(|word| word.ends_with("01")).collect::<Vec<_>>().len(), 2, "{program:?}");
+    assert_eq!(cutters("own-code.nc"), ["T101", "T202", "T101"]);
 }
 
 #[test]

@@ -415,8 +415,8 @@ fn lathe_parameter_sheets_match_their_goldens() {
             1622 |  | Z | 100 | ms | time constant of acceleration, cutting feed
             1820 | CMR | X | 102 |  | command to detection units: 2 is 1, 102 is 1/2 (diameters)
             1820 | CMR | Z | 2 |  | command to detection units: 2 is 1, 102 is 1/2 (diameters)
-            1821 |  | X | 31415.929204 |  | reference counter: detection units per turn of the motor
-            1821 |  | Z | 75398.218789 |  | reference counter: detection units per turn of the motor
+            1821 |  | X | 3550000 |  | reference counter: detection units per turn of the motor
+            1821 |  | Z | 60997159 |  | reference counter: detection units per turn of the motor
             1825 |  | X | 3300 | 0.01/s | servo loop gain
             1825 |  | Z | 3300 | 0.01/s | servo loop gain
             1826 |  | X | 20 | 0.001 mm | in-position width
@@ -425,6 +425,8 @@ fn lathe_parameter_sheets_match_their_goldens() {
             2084 | N | Z | 2362 |  | flexible feed gear, numerator: detection units per turn of the motor
             2085 | M | X | 2260 |  | its denominator: 1 000 000 counts, both in lowest terms
             2085 | M | Z | 31327 |  | its denominator: 1 000 000 counts, both in lowest terms
+            2179 |  | X | 113 |  | denominator of the reference counter, where it is no whole number
+            2179 |  | Z | 809 |  | denominator of the reference counter, where it is no whole number
             3202#4 | NE9 |  | 0 |  | 1: programs 9000 to 9999 cannot be edited; 0 to load O9120
             3701#1 | ISI |  | 1 |  | 0: serial spindle, 1: analog; or 3716#0, where 0 is analog
             3741 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1

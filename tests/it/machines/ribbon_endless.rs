@@ -1,9 +1,10 @@
 //! Axes that run one way for ever: the control stops where one leaves its range, and parameters or the program prevent it.
 
-use macroline::controls::options::{CoordinateRange, SwitchChoice};
+use macroline::controls::options::{CoordinateRange, Diameter, SwitchChoice};
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, RunEnd};
 use macroline::project::Project;
+use macroline::text::Severity;
 use macroline::view::{Readout, Row, Verdict};
 
 use super::ribbon_controls::{ended, over_time, project};
@@ -54,7 +55,9 @@ fn control_stops_where_an_axis_leaves_its_range() {
             RunEnd::Alarm(alarm) => assert_eq!(alarm.message.id, "interp.coordinate-range", "{}", control.id),
             end => panic!("{}: {end:?}", control.id),
         }
-        let mut rolls = endless("roll-over");
+        // Heads are found by the position of the print roller: it rolls over without a remainder in degrees.
+        let in_degrees = [("pitch-count", count.as_str()), ("endless", "roll-over"), ("y-unit", "degrees")];
+        let mut rolls = line(control.id, &in_degrees);
         let verdict = range(&rolls).verdict;
         let known = verdict == Verdict::Ok;
         assert_eq!(known, control.id != "gsk-980tdc", "{}", control.id);
@@ -82,7 +85,7 @@ fn coordinates_taken_back_let_products_follow_for_ever() {
     assert!(is_alarm(three(&[("endless", "shift")], CoordinateRange::Machine)));
     assert!(is_alarm(three(&[("endless", "nothing")], CoordinateRange::Program)));
     for frame in [CoordinateRange::Program, CoordinateRange::Machine] {
-        assert_eq!(three(&[("endless", "roll-over")], frame), RunEnd::ProgramEnd);
+        assert_eq!(three(&[("endless", "roll-over"), ("y-unit", "degrees")], frame), RunEnd::ProgramEnd);
     }
     assert_eq!(three(&[("endless", "nothing")], CoordinateRange::NoAlarm), RunEnd::ProgramEnd);
 }
@@ -109,7 +112,8 @@ fn advice_about_the_range_ends_it() {
         beyond.values.insert("pitch-count".to_owned(), Value::Number(most + 1.0));
         assert_eq!(range(&beyond).verdict, Verdict::Fail, "{}", control.id);
         let Some(after) = taken("endless") else {
-            assert_eq!(control.id, "gsk-980tdc");
+            let told = before.advice.iter().any(|advice| advice.message.id == "ribbon.range-roll-over-in-radius");
+            assert!(control.id == "gsk-980tdc" || told, "{}", control.id);
             continue;
         };
         assert_eq!(range(&after).verdict, Verdict::Ok, "{}", control.id);
@@ -129,7 +133,7 @@ fn parameters_of_endless_axes_stand_on_the_sheet() {
         ("knd-k2000t", &[("1006#0", "1"), ("1008#0", "1"), ("1260", "360000")]),
     ];
     for (control, rows) in cases {
-        let rolls = line(control, &[("endless", "roll-over")]);
+        let rolls = line(control, &[("endless", "roll-over"), ("y-unit", "degrees")]);
         let nothing = line(control, &[("endless", "nothing")]);
         for (number, value) in rows {
             let found = parameter(&rolls, number);
@@ -142,4 +146,35 @@ fn parameters_of_endless_axes_stand_on_the_sheet() {
     // An axis that counts degrees rolls over whatever X does.
     let degrees = parameter(&line("mitsubishi-e60", &[("y-unit", "degrees"), ("endless", "nothing")]), "#1090");
     assert_eq!(degrees.iter().map(|row| row.cells[2].as_str()).collect::<Vec<_>>(), ["Y"]);
+}
+
+#[test]
+fn pull_axis_in_diameters_cannot_roll_over() {
+    for control in ["sinumerik-802d", "sinumerik-808d", "fanuc-0i-tf", "knd-k2000t"] {
+        let errors = |words: Diameter| {
+            let mut project = line(control, &[("endless", "roll-over"), ("y-unit", "degrees")]);
+            let row = project.control.switch(Diameter::SWITCH).unwrap();
+            project.switches.set(row, words.option().id);
+            let found = project.design().diagnostics;
+            found.iter().filter(|found| found.message.id == "ribbon.rolls-in-diameters").count()
+        };
+        assert_eq!((errors(Diameter::Diameter), errors(Diameter::Radius)), (1, 0), "{control}");
+    }
+    // A new line on a control whose axes can only roll over has them so.
+    let new = Project::named("ribbon-line", Some("sinumerik-802d"), None).unwrap();
+    assert!(new.design().diagnostics.iter().all(|found| found.severity != Severity::Error));
+    assert!(parameter(&new, "MD20100").iter().all(|row| row.cells[3] != "X"));
+}
+
+#[test]
+fn print_roller_with_found_heads_rolls_over_in_degrees() {
+    for (control, number, finds) in
+        [("mitsubishi-e60", "#1017", true), ("knd-k2000t", "1006#0", true), ("sinumerik-802d", "MD30300", false)]
+    {
+        let rolls = |unit: &str| {
+            let project = line(control, &[("endless", "roll-over"), ("y-unit", unit)]);
+            parameter(&project, number).iter().any(|row| row.cells[2] == "Y" && row.cells[3] == "1")
+        };
+        assert_eq!((rolls("degrees"), rolls("mm")), (true, !finds), "{control}");
+    }
 }

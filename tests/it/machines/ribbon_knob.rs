@@ -52,7 +52,8 @@ fn block_time_is_judged_at_the_end_of_the_knob() {
     for (project, percent, starves) in [(&line, 113.0, false), (&line, 114.0, true), (&better, 130.0, false)] {
         // Five blocks are read ahead: a small deficit takes a while, and the loop takes it up.
         let mut long = project.clone();
-        long.values.extend(values(&[("pitch-count", "3000"), ("endless", "roll-over"), ("loop-capacity", "10000")]));
+        let rolls = [("endless", "roll-over"), ("y-unit", "degrees")];
+        long.values.extend(values(&[&rolls[..], &[("pitch-count", "3000"), ("loop-capacity", "10000")]].concat()));
         let mut planner = over_time(&long, vec![knob(6.0, percent)]);
         assert_eq!(ended(&mut planner), RunEnd::ProgramEnd);
         assert_eq!(planner.starved() > 0, starves, "{percent} %");

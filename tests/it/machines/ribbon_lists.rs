@@ -27,7 +27,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             G8.0 |  | PLC | control |  | 0 holds the axes of the program
             G8.5 |  | PLC | control |  | Feed hold: 0 acts
             G8.4 |  | PLC | control |  | Emergency stop: 0 acts
-            X0.5 |  | machine | PLC |  | Emergency stop: open while it is pressed; hard-wired it also takes the run command off, and the enable by a timer not shorter than the ramp
+            X0.5 |  | machine | PLC |  | Emergency stop: open while it is pressed; its relay also takes the enable from the drives
             X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
             X3.2 |  | machine | PLC |  | Key: spindle clockwise
             X3.3 |  | machine | PLC |  | Key: spindle counterclockwise
@@ -38,12 +38,12 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X4.0 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
-            Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
-            Y5.3 |  | PLC | machine |  | Alarm: M03 and M04 without M05 between them
-            Y5.4 |  | PLC | machine |  | Message: inverter is not ready
-            Y5.5 |  | PLC | machine |  | Message: loop at its longest limit
-            Y5.6 |  | PLC | machine |  | Message: ribbon taut to its limit
-            Y5.7 |  | PLC | machine |  | Message: reel at its end
+            A0.0 |  | PLC | control |  | Alarm: fault of the inverter
+            A0.1 |  | PLC | control |  | Alarm: M03 and M04 without M05 between them
+            A0.2 |  | PLC | control |  | Message: inverter is not ready
+            A0.3 |  | PLC | control |  | Message: loop at its longest limit
+            A0.4 |  | PLC | control |  | Message: ribbon taut to its limit
+            A0.5 |  | PLC | control |  | Message: reel at its end
         "#]],
     );
     check(
@@ -84,111 +84,123 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             30 | LDI X3.5 | 
             31 | AND R10.4 | 
             32 | ORB | 
-            33 | OUT Y5.2 | fault of the inverter: alarm
-            34 | LD X3.1 | 
-            35 | AND X3.5 | 
-            36 | AND X3.6 | 
-            37 | AND X3.7 | 
-            38 | AND X4.0 | 
-            39 | OUT G8.5 | fault, inverter not ready, loop or reel at its limit: program held
-            40 | LDI X3.5 | 
-            41 | LD Y5.4 | 
-            42 | ANI F0.5 | 
-            43 | ANI F1.1 | 
-            44 | ORB | 
-            45 | OUT Y5.4 | text for the operator until the program runs again
-            46 | LDI X3.6 | 
-            47 | LD Y5.5 | 
-            48 | ANI F0.5 | 
-            49 | ANI F1.1 | 
-            50 | ORB | 
-            51 | OUT Y5.5 | text for the operator until the program runs again
-            52 | LDI X3.7 | 
-            53 | LD Y5.6 | 
-            54 | ANI F0.5 | 
-            55 | ANI F1.1 | 
-            56 | ORB | 
-            57 | OUT Y5.6 | text for the operator until the program runs again
-            58 | LDI X4.0 | 
-            59 | LD Y5.7 | 
-            60 | ANI F0.5 | 
-            61 | ANI F1.1 | 
-            62 | ORB | 
-            63 | OUT Y5.7 | text for the operator until the program runs again
-            64 | LD R40.0 | 
-            65 | AND Y5.1 | 
-            66 | LD R40.1 | 
-            67 | AND Y5.0 | 
-            68 | ORB | 
-            69 | OUT Y5.3 | M3 and M4 need M5 between them
-            70 | LD R40.0 | 
-            71 | ANI Y5.1 | 
-            72 | AND X0.5 | 
-            73 | AND X3.1 | 
-            74 | AND X3.5 | 
-            75 | ANI F1.1 | 
-            76 | LD X3.2 | 
-            77 | AND X0.5 | 
-            78 | AND X3.1 | 
-            79 | AND X3.5 | 
-            80 | ANI F1.1 | 
-            81 | ORB | 
-            82 | LD Y5.0 | 
-            83 | ANI R40.2 | 
-            84 | ANI X3.3 | 
-            85 | ANI X3.4 | 
-            86 | AND X0.5 | 
-            87 | AND X3.1 | 
-            88 | AND X3.5 | 
-            89 | ANI F1.1 | 
-            90 | ORB | 
-            91 | OUT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
-            92 | LD R40.1 | 
-            93 | ANI Y5.0 | 
+            33 | LD A0.0 | 
+            34 | ANI F1.1 | 
+            35 | ORB | 
+            36 | OUT A0.0 | fault of the inverter: alarm until reset
+            37 | LD X3.1 | 
+            38 | AND X3.5 | 
+            39 | AND X3.6 | 
+            40 | AND X3.7 | 
+            41 | AND X4.0 | 
+            42 | ANI A0.0 | 
+            43 | OUT G8.5 | fault, inverter not ready, loop or reel at its limit: program held
+            44 | LDI X3.5 | 
+            45 | LD A0.2 | 
+            46 | ANI F0.5 | 
+            47 | ANI F1.1 | 
+            48 | ORB | 
+            49 | OUT A0.2 | text for the operator until the program runs again
+            50 | LDI X3.6 | 
+            51 | LD A0.3 | 
+            52 | ANI F0.5 | 
+            53 | ANI F1.1 | 
+            54 | ORB | 
+            55 | OUT A0.3 | text for the operator until the program runs again
+            56 | LDI X3.7 | 
+            57 | LD A0.4 | 
+            58 | ANI F0.5 | 
+            59 | ANI F1.1 | 
+            60 | ORB | 
+            61 | OUT A0.4 | text for the operator until the program runs again
+            62 | LDI X4.0 | 
+            63 | LD A0.5 | 
+            64 | ANI F0.5 | 
+            65 | ANI F1.1 | 
+            66 | ORB | 
+            67 | OUT A0.5 | text for the operator until the program runs again
+            68 | LD R40.0 | 
+            69 | AND Y5.1 | 
+            70 | LD R40.1 | 
+            71 | AND Y5.0 | 
+            72 | ORB | 
+            73 | OUT A0.1 | M3 and M4 need M5 between them
+            74 | LD R40.0 | 
+            75 | ANI Y5.1 | 
+            76 | AND X0.5 | 
+            77 | AND X3.1 | 
+            78 | AND X3.5 | 
+            79 | ANI F1.1 | 
+            80 | LD X3.2 | 
+            81 | ANI X3.3 | 
+            82 | ANI X3.4 | 
+            83 | ANI Y5.1 | 
+            84 | ANI F0.5 | 
+            85 | AND X0.5 | 
+            86 | AND X3.1 | 
+            87 | AND X3.5 | 
+            88 | ANI F1.1 | 
+            89 | ORB | 
+            90 | LD Y5.0 | 
+            91 | ANI R40.2 | 
+            92 | ANI X3.3 | 
+            93 | ANI X3.4 | 
             94 | AND X0.5 | 
             95 | AND X3.1 | 
             96 | AND X3.5 | 
             97 | ANI F1.1 | 
-            98 | LD X3.3 | 
-            99 | AND X0.5 | 
-            100 | AND X3.1 | 
-            101 | AND X3.5 | 
-            102 | ANI F1.1 | 
-            103 | ORB | 
-            104 | LD Y5.1 | 
-            105 | ANI R40.2 | 
-            106 | ANI X3.2 | 
-            107 | ANI X3.4 | 
-            108 | AND X0.5 | 
-            109 | AND X3.1 | 
-            110 | AND X3.5 | 
-            111 | ANI F1.1 | 
-            112 | ORB | 
-            113 | OUT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
-            114 | LDI R10.2 | 
-            115 | OUT G29.6 | spindle stops with the axes; S and M3 stay
-            116 | LD F7.0 | 
-            117 | OR F7.2 | 
-            118 | OR F7.3 | 
-            119 | OUT G4.3 | one answer for M, S and T
-            120 | LD R10.2 | 
-            121 | AND Y5.0 | 
-            122 | ANI F1.1 | 
-            123 | LD R10.2 | 
-            124 | AND Y5.1 | 
-            125 | ANI F1.1 | 
-            126 | ORB | 
-            127 | LD R10.3 | 
-            128 | ANI T0 | 
-            129 | ANI F1.1 | 
-            130 | ORB | 
-            131 | OUT R10.3 | axes wait at the restart
-            132 | LD R10.3 | 
-            133 | ANI R10.2 | 
-            134 | TMRB T0 2050 | as long as behind M3
-            135 | LDI R10.3 | 
-            136 | OR R10.2 | 
-            137 | OUT G8.0 | axes may move
+            98 | ORB | 
+            99 | OUT Y5.0 | run clockwise: M3, or key while no program runs, until M5, M4, stop, fault
+            100 | LD R40.1 | 
+            101 | ANI Y5.0 | 
+            102 | AND X0.5 | 
+            103 | AND X3.1 | 
+            104 | AND X3.5 | 
+            105 | ANI F1.1 | 
+            106 | LD X3.3 | 
+            107 | ANI X3.2 | 
+            108 | ANI X3.4 | 
+            109 | ANI Y5.0 | 
+            110 | ANI F0.5 | 
+            111 | AND X0.5 | 
+            112 | AND X3.1 | 
+            113 | AND X3.5 | 
+            114 | ANI F1.1 | 
+            115 | ORB | 
+            116 | LD Y5.1 | 
+            117 | ANI R40.2 | 
+            118 | ANI X3.2 | 
+            119 | ANI X3.4 | 
+            120 | AND X0.5 | 
+            121 | AND X3.1 | 
+            122 | AND X3.5 | 
+            123 | ANI F1.1 | 
+            124 | ORB | 
+            125 | OUT Y5.1 | run counter-clockwise: M4, or key while no program runs, until M5, M3, stop, fault
+            126 | LDI R10.2 | 
+            127 | OUT G29.6 | spindle stops with the axes; S and M3 stay
+            128 | LD F7.0 | 
+            129 | OR F7.2 | 
+            130 | OR F7.3 | 
+            131 | OUT G4.3 | one answer for M, S and T
+            132 | LD R10.2 | 
+            133 | AND Y5.0 | 
+            134 | ANI F1.1 | 
+            135 | LD R10.2 | 
+            136 | AND Y5.1 | 
+            137 | ANI F1.1 | 
+            138 | ORB | 
+            139 | LD R10.3 | 
+            140 | ANI T0 | 
+            141 | ANI F1.1 | 
+            142 | ORB | 
+            143 | OUT R10.3 | axes wait at the restart
+            144 | LD R10.3 | 
+            145 | ANI R10.2 | 
+            146 | TMRB T0 2050 | as long as behind M3
+            147 | LDI R10.3 | 
+            148 | OR R10.2 | 
+            149 | OUT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );
@@ -213,7 +225,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             G29.4 |  | PLC | control |  | Spindle has its speed
             G8.5 |  | PLC | control |  | Feed hold: 0 acts
             G8.4 |  | PLC | control |  | Emergency stop: 0 acts
-            X8.4 |  | machine | PLC |  | Emergency stop: open while it is pressed; hard-wired it also takes the run command off, and the enable by a timer not shorter than the ramp
+            X8.4 |  | machine | PLC |  | Emergency stop: open while it is pressed; its relay also takes the enable from the drives
             X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
             X3.2 |  | machine | PLC |  | Inverter is at the commanded speed
             X3.3 |  | machine | PLC |  | Key: spindle clockwise
@@ -225,11 +237,11 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X4.1 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
-            Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
-            Y5.3 |  | PLC | machine |  | Message: inverter is not ready
-            Y5.4 |  | PLC | machine |  | Message: loop at its longest limit
-            Y5.5 |  | PLC | machine |  | Message: ribbon taut to its limit
-            Y5.6 |  | PLC | machine |  | Message: reel at its end
+            A0.0 |  | PLC | control |  | Alarm: fault of the inverter
+            A0.1 |  | PLC | control |  | Message: inverter is not ready
+            A0.2 |  | PLC | control |  | Message: loop at its longest limit
+            A0.3 |  | PLC | control |  | Message: ribbon taut to its limit
+            A0.4 |  | PLC | control |  | Message: reel at its end
         "#]],
     );
     check(
@@ -268,106 +280,118 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             28 | RD.NOT.STK X3.5 | 
             29 | AND R10.4 | 
             30 | OR.STK | 
-            31 | WRT Y5.2 | fault of the inverter: alarm
-            32 | RD X3.1 | 
-            33 | AND X3.5 | 
-            34 | AND X3.6 | 
-            35 | AND X3.7 | 
-            36 | AND X4.0 | 
-            37 | WRT G8.5 | fault, inverter not ready, loop or reel at its limit: program held
-            38 | RD.NOT X3.5 | 
-            39 | RD.STK Y5.3 | 
-            40 | AND.NOT F0.5 | 
-            41 | AND.NOT F1.1 | 
-            42 | OR.STK | 
-            43 | WRT Y5.3 | text for the operator until the program runs again
-            44 | RD.NOT X3.6 | 
-            45 | RD.STK Y5.4 | 
-            46 | AND.NOT F0.5 | 
-            47 | AND.NOT F1.1 | 
-            48 | OR.STK | 
-            49 | WRT Y5.4 | text for the operator until the program runs again
-            50 | RD.NOT X3.7 | 
-            51 | RD.STK Y5.5 | 
-            52 | AND.NOT F0.5 | 
-            53 | AND.NOT F1.1 | 
-            54 | OR.STK | 
-            55 | WRT Y5.5 | text for the operator until the program runs again
-            56 | RD.NOT X4.0 | 
-            57 | RD.STK Y5.6 | 
-            58 | AND.NOT F0.5 | 
-            59 | AND.NOT F1.1 | 
-            60 | OR.STK | 
-            61 | WRT Y5.6 | text for the operator until the program runs again
-            62 | RD R40.0 | 
-            63 | AND X8.4 | 
-            64 | AND X3.1 | 
-            65 | AND X3.5 | 
-            66 | AND.NOT F1.1 | 
-            67 | RD.STK X3.2 | 
-            68 | AND X8.4 | 
-            69 | AND X3.1 | 
-            70 | AND X3.5 | 
-            71 | AND.NOT F1.1 | 
-            72 | OR.STK | 
-            73 | RD.STK Y5.0 | 
-            74 | AND.NOT R40.2 | 
-            75 | AND.NOT X3.3 | 
-            76 | AND.NOT X3.4 | 
-            77 | AND.NOT R40.1 | 
-            78 | AND X8.4 | 
-            79 | AND X3.1 | 
-            80 | AND X3.5 | 
-            81 | AND.NOT F1.1 | 
-            82 | OR.STK | 
-            83 | WRT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
-            84 | RD R40.1 | 
-            85 | AND X8.4 | 
-            86 | AND X3.1 | 
-            87 | AND X3.5 | 
-            88 | AND.NOT F1.1 | 
-            89 | RD.STK X3.3 | 
-            90 | AND X8.4 | 
-            91 | AND X3.1 | 
-            92 | AND X3.5 | 
-            93 | AND.NOT F1.1 | 
-            94 | OR.STK | 
-            95 | RD.STK Y5.1 | 
-            96 | AND.NOT R40.2 | 
-            97 | AND.NOT X3.2 | 
-            98 | AND.NOT X3.4 | 
-            99 | AND.NOT R40.0 | 
-            100 | AND X8.4 | 
-            101 | AND X3.1 | 
-            102 | AND X3.5 | 
-            103 | AND.NOT F1.1 | 
-            104 | OR.STK | 
-            105 | WRT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
-            106 | RD.NOT R10.2 | 
-            107 | WRT G29.6 | spindle stops with the axes; S and M3 stay
-            108 | RD F7.0 | 
-            109 | OR F7.2 | 
-            110 | OR F7.3 | 
-            111 | WRT G4.3 | one answer for M, S and T
-            112 | RD R10.2 | 
-            113 | AND Y5.0 | 
-            114 | AND.NOT F1.1 | 
-            115 | RD.STK R10.2 | 
-            116 | AND Y5.1 | 
-            117 | AND.NOT F1.1 | 
-            118 | OR.STK | 
-            119 | RD.STK R10.3 | 
-            120 | AND.NOT R30.0 | 
-            121 | AND.NOT F1.1 | 
-            122 | OR.STK | 
-            123 | WRT R10.3 | axes wait at the restart
-            124 | RD R10.3 | 
-            125 | AND.NOT R10.2 | 
-            126 | SUB 24 TMRB 1 2050 | 
-            127 | WRT R30.0 | as long as behind M3
-            128 | RD.NOT R10.3 | 
-            129 | OR R10.2 | 
-            130 | WRT G8.0 | axes may move
+            31 | RD.STK A0.0 | 
+            32 | AND.NOT F1.1 | 
+            33 | OR.STK | 
+            34 | WRT A0.0 | fault of the inverter: alarm until reset
+            35 | RD X3.1 | 
+            36 | AND X3.5 | 
+            37 | AND X3.6 | 
+            38 | AND X3.7 | 
+            39 | AND X4.0 | 
+            40 | AND.NOT A0.0 | 
+            41 | WRT G8.5 | fault, inverter not ready, loop or reel at its limit: program held
+            42 | RD.NOT X3.5 | 
+            43 | RD.STK A0.1 | 
+            44 | AND.NOT F0.5 | 
+            45 | AND.NOT F1.1 | 
+            46 | OR.STK | 
+            47 | WRT A0.1 | text for the operator until the program runs again
+            48 | RD.NOT X3.6 | 
+            49 | RD.STK A0.2 | 
+            50 | AND.NOT F0.5 | 
+            51 | AND.NOT F1.1 | 
+            52 | OR.STK | 
+            53 | WRT A0.2 | text for the operator until the program runs again
+            54 | RD.NOT X3.7 | 
+            55 | RD.STK A0.3 | 
+            56 | AND.NOT F0.5 | 
+            57 | AND.NOT F1.1 | 
+            58 | OR.STK | 
+            59 | WRT A0.3 | text for the operator until the program runs again
+            60 | RD.NOT X4.0 | 
+            61 | RD.STK A0.4 | 
+            62 | AND.NOT F0.5 | 
+            63 | AND.NOT F1.1 | 
+            64 | OR.STK | 
+            65 | WRT A0.4 | text for the operator until the program runs again
+            66 | RD R40.0 | 
+            67 | AND X8.4 | 
+            68 | AND X3.1 | 
+            69 | AND X3.5 | 
+            70 | AND.NOT F1.1 | 
+            71 | RD.STK X3.2 | 
+            72 | AND.NOT X3.3 | 
+            73 | AND.NOT X3.4 | 
+            74 | AND.NOT Y5.1 | 
+            75 | AND.NOT F0.5 | 
+            76 | AND X8.4 | 
+            77 | AND X3.1 | 
+            78 | AND X3.5 | 
+            79 | AND.NOT F1.1 | 
+            80 | OR.STK | 
+            81 | RD.STK Y5.0 | 
+            82 | AND.NOT R40.2 | 
+            83 | AND.NOT X3.3 | 
+            84 | AND.NOT X3.4 | 
+            85 | AND.NOT R40.1 | 
+            86 | AND X8.4 | 
+            87 | AND X3.1 | 
+            88 | AND X3.5 | 
+            89 | AND.NOT F1.1 | 
+            90 | OR.STK | 
+            91 | WRT Y5.0 | run clockwise: M3, or key while no program runs, until M5, M4, stop, fault
+            92 | RD R40.1 | 
+            93 | AND X8.4 | 
+            94 | AND X3.1 | 
+            95 | AND X3.5 | 
+            96 | AND.NOT F1.1 | 
+            97 | RD.STK X3.3 | 
+            98 | AND.NOT X3.2 | 
+            99 | AND.NOT X3.4 | 
+            100 | AND.NOT Y5.0 | 
+            101 | AND.NOT F0.5 | 
+            102 | AND X8.4 | 
+            103 | AND X3.1 | 
+            104 | AND X3.5 | 
+            105 | AND.NOT F1.1 | 
+            106 | OR.STK | 
+            107 | RD.STK Y5.1 | 
+            108 | AND.NOT R40.2 | 
+            109 | AND.NOT X3.2 | 
+            110 | AND.NOT X3.4 | 
+            111 | AND.NOT R40.0 | 
+            112 | AND X8.4 | 
+            113 | AND X3.1 | 
+            114 | AND X3.5 | 
+            115 | AND.NOT F1.1 | 
+            116 | OR.STK | 
+            117 | WRT Y5.1 | run counter-clockwise: M4, or key while no program runs, until M5, M3, stop, fault
+            118 | RD.NOT R10.2 | 
+            119 | WRT G29.6 | spindle stops with the axes; S and M3 stay
+            120 | RD F7.0 | 
+            121 | OR F7.2 | 
+            122 | OR F7.3 | 
+            123 | WRT G4.3 | one answer for M, S and T
+            124 | RD R10.2 | 
+            125 | AND Y5.0 | 
+            126 | AND.NOT F1.1 | 
+            127 | RD.STK R10.2 | 
+            128 | AND Y5.1 | 
+            129 | AND.NOT F1.1 | 
+            130 | OR.STK | 
+            131 | RD.STK R10.3 | 
+            132 | AND.NOT R30.0 | 
+            133 | AND.NOT F1.1 | 
+            134 | OR.STK | 
+            135 | WRT R10.3 | axes wait at the restart
+            136 | RD R10.3 | 
+            137 | AND.NOT R10.2 | 
+            138 | SUB 24 TMRB 1 2050 | 
+            139 | WRT R30.0 | as long as behind M3
+            140 | RD.NOT R10.3 | 
+            141 | OR R10.2 | 
+            142 | WRT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );

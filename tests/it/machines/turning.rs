@@ -287,15 +287,17 @@ fn parameter_sheets_match_their_goldens() {
         MD31050 DRIVE_AX_RATIO_DENOM 3 1500 Sister
         MD31060 DRIVE_AX_RATIO_NUMERA X 1 Sister
         MD31060 DRIVE_AX_RATIO_NUMERA Z 1 Sister
-        MD31060 DRIVE_AX_RATIO_NUMERA 1 1000 Sister
-        MD31060 DRIVE_AX_RATIO_NUMERA 2 1000 Sister
-        MD31060 DRIVE_AX_RATIO_NUMERA 3 1000 Sister
+        MD31060 DRIVE_AX_RATIO_NUMERA 1 1500 Sister
+        MD31060 DRIVE_AX_RATIO_NUMERA 2 1500 Sister
+        MD31060 DRIVE_AX_RATIO_NUMERA 3 1500 Sister
         MD32000 MAX_AX_VELO X 8000 mm/min Sister
         MD32000 MAX_AX_VELO Z 10000 mm/min Sister
         MD32200 POSCTRL_GAIN X 1.98 1000/min Open
         MD32200 POSCTRL_GAIN Z 1.98 1000/min Open
         MD32250 RATED_OUTVAL 100 % Open
-        MD32260 RATED_VELO 1000 r/min Open
+        MD32260 RATED_VELO 1500 r/min Open
+        MD32300 MAX_AX_ACCEL X 0.667 m/s² Open
+        MD32300 MAX_AX_ACCEL Z 1.333 m/s² Open
         MD35100 SPIND_VELO_LIMIT 3000 r/min Sister
         MD35130 GEAR_STEP_MAX_VELO_LIMIT 1 1000 r/min Sister
         MD35130 GEAR_STEP_MAX_VELO_LIMIT 2 3000 r/min Sister
@@ -369,6 +371,7 @@ fn parameter_sheets_match_their_goldens() {
         2084 N Z 1 Open
         2085 M X 200 Open
         2085 M Z 200 Open
+        3202#4 NE9 0 Open
         3701#1 ISI 1 Open
         3708#0 SAR 0 Open
         3740 0 ms Open
@@ -384,6 +387,7 @@ fn parameter_sheets_match_their_goldens() {
     expect![[r#"
         #1015 cunit 10 0.1 µm Sister
         #1039 spinno 1 Manual
+        #1121 edlk_c 0 Sister
         #1128 RstVC1 0 Sister
         #1129 PwrVC1 0 Sister
         #2001 rapid X 8000 mm/min Sister
@@ -407,10 +411,11 @@ fn parameter_sheets_match_their_goldens() {
         #2220 RNG2 X 10 kp/rev Open
         #2220 RNG2 Z 10 kp/rev Open
         #3001 slimt1 1000 r/min Sister
-        #3005 smax1 3000 r/min Open
+        #3005 smax1 1000 r/min Open
         #3023 smini 0 r/min Open
         #3024 sout 2 Open
         #3025 enc-on 1 Open
+        #8105 EDIT LOCK B 0 Sister
     "#]]
     .assert_eq(&sheet("mitsubishi-e60", &changes));
 }

@@ -319,6 +319,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),
     ("turning.limited", "a fact about the limit that the form asks for"),
     ("turning.overload", "a fact: the share of time is the operator's"),
+    ("ribbon.range-roll-over-in-radius", "the words of X are a setting of the control, no field"),
 ];
 
 #[test]

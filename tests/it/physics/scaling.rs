@@ -59,7 +59,9 @@ fn roller_of_the_facts_has_its_parameters_on_each_control() {
     assert!((drift("mitsubishi-e60") + 0.0768).abs() < 1e-3, "{}", drift("mitsubishi-e60"));
     let fanuc = values(&ROLLER, "fanuc-0i-tf");
     assert_eq!(fanuc[0], (CommandMultiplier, 2.0));
-    assert_eq!(fanuc[2..], [(FeedGearOver, 71.0), (FeedGearUnder, 2260.0)]);
+    // 1 000 000 · 71/2260 detection units per turn of the motor.
+    assert_eq!(fanuc[1..3], [(ReferenceCounts, 3_550_000.0), (ReferenceCountsUnder, 113.0)]);
+    assert_eq!(fanuc[3..], [(FeedGearOver, 71.0), (FeedGearUnder, 2260.0)]);
     assert_eq!(values(&ROLLER, "gsk-980tdc"), [(CountsOver, 18_637.0), (CountsUnder, 4467.0)]);
     assert!((drift("gsk-980tdc") + 0.0018).abs() < 1e-4, "{}", drift("gsk-980tdc"));
     let siemens = values(&ROLLER, "sinumerik-802d");

@@ -457,9 +457,11 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             // A set speed where an inverter is, and nowhere else; the position of a dancer beside it.
             let inverter = usize::from(project.prepared().inverter_drive().is_some());
             assert_eq!(rows("X3:"), 3 * (inverter + billed(BillItem::Dancer)), "{name}");
-            // Mains and PE of every drive and of the supplies; control voltage.
+            // Mains and PE of every drive and of the supplies; voltage of the control and of the relay of the emergency stop.
             let drives = billed(BillItem::Amplifier) + billed(BillItem::Inverter);
-            assert_eq!(rows("X0:"), 2 * (drives + supplies) + 4, "{name}");
+            assert_eq!(rows("X0:"), 2 * (drives + supplies) + 6, "{name}");
+            let enabled = sizing.terminals.iter().filter(|row| row.from.item == BillItem::SafetyRelay).count();
+            assert_eq!(enabled, drives, "{name}: the emergency stop takes the enable from every drive");
             // Encoder and command of every servo motor, pulses of the spindle.
             assert_eq!(rows("W"), 2 * billed(BillItem::Amplifier) + billed(BillItem::Encoder), "{name}");
             // Every input and output of the ladder that a wire leads to, each once, with its device.

@@ -35,6 +35,14 @@ pub const LATHE: &[ParamDef] = &[
         MEMORY,
     ),
     param(FeedGearUnder, "2085", "M", Plain, "its denominator: 1 000 000 counts, both in lowest terms", MEMORY),
+    param(
+        ReferenceCountsUnder,
+        "2179",
+        "",
+        Plain,
+        "denominator of the reference counter, where it is no whole number",
+        MEMORY,
+    ),
     param(EditLock, "3202#4", "NE9", Plain, "1: programs 9000 to 9999 cannot be edited", MEMORY),
     param(DecimalPoint, "3401#0", "DPI", Plain, "word without a point: 0 in command units, 1 in mm", MEMORY),
     param(
