@@ -6,10 +6,10 @@ use std::cell::Cell;
 /// Maximum characters of a typed number.
 const LONGEST: usize = 40;
 
-/// Reads a typed decimal number: `1.5`, `1,5`, `-1.50`, `−3`; no exponent, no thousands separators, at most one point, at most 40
-/// characters. `None` for anything else.
+/// Reads a typed decimal number: `1.5`, `1,5`, `-1.50`, `−3`, `１２`, and thousands apart as they are shown, `1 200`; no exponent, at most one
+/// point, at most 40 characters. `None` for anything else.
 pub fn read(text: &str) -> Option<f64> {
-    let text = text.trim();
+    let text = &without_thousands(text.trim())?;
     let plain = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',');
     let digits = text.strip_prefix(['-', '+', '\u{2212}']).unwrap_or(text);
     if digits.len() > LONGEST || !digits.chars().all(plain) {
@@ -17,6 +17,36 @@ pub fn read(text: &str) -> Option<f64> {
     }
     let size: f64 = digits.replace(',', ".").parse().ok()?;
     Some(if text.starts_with(['-', '\u{2212}']) { -size } else { size })
+}
+
+/// The text with the digits and signs of ASCII in place of full-width ones, and without the spaces between groups of three digits; `None`
+/// for spaces elsewhere, or a text too long for a number.
+fn without_thousands(text: &str) -> Option<String> {
+    let ascii = |c: char| match c {
+        '\u{FF0B}'..='\u{FF19}' => char::from_u32(c as u32 - 0xFEE0).unwrap_or(c),
+        _ => c,
+    };
+    if text.chars().count() > LONGEST {
+        return None;
+    }
+    let text: String = text.chars().map(ascii).collect();
+    let mut groups = text.split(|c: char| c.is_whitespace());
+    let first = groups.next().unwrap_or_default();
+    let mut joined = first.to_owned();
+    let mut last = true;
+    let digits = |text: &str| text.chars().take_while(char::is_ascii_digit).count();
+    for group in groups {
+        // Only the last group has decimals, and only the first is shorter.
+        let signless = first.trim_start_matches(['-', '+', '\u{2212}']);
+        let fits =
+            last && digits(group) == 3 && (1..=3).contains(&digits(signless)) && digits(signless) == signless.len();
+        if !fits {
+            return None;
+        }
+        last = group.len() == 3;
+        joined.push_str(group);
+    }
+    Some(joined)
 }
 
 /// A number for people, with a maximum number of decimals, without trailing zeros, never `-0`: `8`, `15.279`, `-0.5`; from 10¹⁵ on with an

@@ -147,3 +147,37 @@ fn figures_are_written_as_the_language_has_them() {
     catalog::speak(Language::English.sentences());
     assert_eq!(figures(), english);
 }
+
+#[test]
+fn typed_number_may_be_written_as_it_is_shown() {
+    let cases = [
+        ("1 200", Some(1200.0)),
+        ("1\u{202f}200", Some(1200.0)),
+        ("\u{2212}15 080,5", Some(-15_080.5)),
+        ("12 345 678", Some(12_345_678.0)),
+        ("１２００", Some(1200.0)),
+        ("－１．５", Some(-1.5)),
+        ("1 20", None),
+        ("1200 300", None),
+        ("1 200.5 300", None),
+        ("1 .5", None),
+        ("- 5", None),
+        ("1 200 ", Some(1200.0)),
+        ("1e3", None),
+        ("1.2.3", None),
+    ];
+    for (text, wanted) in cases {
+        assert_eq!(number::read(text), wanted, "{text:?}");
+    }
+}
+
+#[test]
+fn typed_number_may_have_its_unit_behind_it() {
+    let field = macroline::machines::find("ribbon-line").unwrap().fields();
+    let field = field.iter().find(|field| field.id == "spindle-speed").unwrap();
+    let read = |typed: &str| field.typed(typed).ok();
+    assert!(read("1200 r/min").is_some());
+    assert_eq!(read("1200 r/min"), read("1200"));
+    assert_eq!(read("1 200r/min"), read("1200"));
+    assert_eq!(read("1200 mm"), None);
+}

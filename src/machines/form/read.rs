@@ -29,7 +29,9 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
     let text = typed.trim();
     match &field.kind {
         FieldKindInfo::Number { unit, decimals, .. } => {
-            let number = number::read(text).ok_or_else(|| {
+            // With the field's unit behind it, as it is shown.
+            let plain = text.strip_suffix(units::unit(unit)).unwrap_or(text);
+            let number = number::read(plain).ok_or_else(|| {
                 let wrong = if text.is_empty() {
                     msg!("form.empty")
                 } else {

@@ -98,7 +98,6 @@ fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16
     let mut texts = vec![
         (node::SPEED, format!("{} r/min", figure(spindle.actual, 0))),
         (node::SURFACE, units::figure(surface_speed(spindle.actual, diameter), 1, "m/min")),
-        (node::DIAMETER, format!("Ø {}", units::figure(diameter, 2, "mm"))),
         (node::STAGE, format!("{} {}", say("turning.scene.gear"), gear(lathe, spindle.stage))),
         (node::STAGE_SPEED, format!("{} r/min", figure(stage, 0))),
         (node::VOLTS, format!("{} V", figure(spindle.volts, 3))),

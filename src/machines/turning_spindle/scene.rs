@@ -104,8 +104,8 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let low = p.finished_diameter.min(p.stock_diameter);
     let end = layout.tip(0.5 * low, if p.path == Path::Facing { 0.0 } else { -0.2 * p.length });
     callout(d, "finished-diameter", (376.0, ROW), "start", "turning.scene.finished", &finished[..count], Some(end));
-    let tool = [(Some(node::SURFACE), ""), (Some(node::DIAMETER), "")];
-    callout(d, "cutting-speed", (TOOL, ROW), "start", "turning.scene.surface", &tool, None);
+    // The diameter there is that of the slides: a third line would lie on the turret.
+    callout(d, "cutting-speed", (TOOL, ROW), "start", "turning.scene.surface", &[(Some(node::SURFACE), "")], None);
     let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
     callout(d, allowance, (664.0, ROW), "start", "turning.scene.left", &[(Some(node::LEFT), "")], None);
     callout(d, "depth", (RIGHT, ROW), "end", "turning.scene.pass", &[(Some(node::PASS), "")], None);
@@ -131,17 +131,15 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
 /// Right end of labels, left end of the label at the tool.
 const RIGHT: f64 = 1008.0;
 const TOOL: f64 = 490.0;
-/// Leader of the label at the tool: its distance to the left of the texts, beside which it begins, and from where it leads to the part:
-/// below their three lines where the letters are largest.
-const BESIDE: f64 = 8.0;
-const LEADER: f64 = ROW + 66.0;
+/// Begin of the leader of the label at the tool: below its two lines where the letters are largest, and under their first letters.
+const LEADER: (f64, f64) = (TOOL + 26.0, ROW + 44.0);
 
 /// Leader of the label at the tool to its tip; none where the tip has left the drawing.
 pub(super) fn tool_leader((x, y): (f64, f64)) -> String {
-    if x > VIEW[0] + VIEW[2] || y < LEADER {
+    if x > VIEW[0] + VIEW[2] || y < LEADER.1 {
         return String::new();
     }
-    filled("M# #V#L# #", &[TOOL - BESIDE, ROW - 12.0, LEADER, x, y - 11.0])
+    filled("M# #L# #", &[LEADER.0, LEADER.1, x, y - 11.0])
 }
 
 /// The length of the cut along the part, or the allowance of a face.

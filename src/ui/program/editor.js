@@ -45,8 +45,18 @@ const colours = (pieces) =>
 // Pixels at the foot of the window that bars of the page cover, where the window is small.
 const covered = () => parseFloat(getComputedStyle(document.body).paddingBottom) || 0;
 
+// A bar that comes in above the editor makes it lower: the line that is being typed stays in view.
+const staysInView = EditorView.updateListener.of(({ geometryChanged, view }) => {
+  const height = view.scrollDOM.clientHeight;
+  const lower = height < view.heightBefore;
+  view.heightBefore = height;
+  if (!geometryChanged || !lower || !view.hasFocus) return;
+  requestAnimationFrame(() => view.dom.isConnected && view.dispatch({ effects: EditorView.scrollIntoView(view.state.selection.main.head) }));
+});
+
 // The cursor and what belongs to it stay clear of them.
 const inSight = [
+  staysInView,
   EditorView.scrollMargins.of(() => ({ bottom: covered() })),
   tooltips({ tooltipSpace: () => ({ top: 0, left: 0, right: innerWidth, bottom: innerHeight - covered() }) }),
 ];

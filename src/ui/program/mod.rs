@@ -53,6 +53,13 @@ pub(crate) fn ProgramTab() -> impl IntoView {
             put(page.view.file, place.file.0 as usize);
         }
     });
+    // A program with fewer files than the one before shows its first.
+    Effect::new(move |_| {
+        let files = page.program.written.with(|written| written.files.0.len());
+        if page.view.file.get() >= files.max(1) {
+            page.view.file.set(0);
+        }
+    });
     let body = move || match page.view.program.get() {
         ProgramView::Listing => view! { <Listing follow=follow /> }.into_any(),
         ProgramView::Editor => view! { <Editor /> }.into_any(),

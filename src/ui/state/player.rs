@@ -115,6 +115,8 @@ pub(super) struct PlayerState {
     pub(super) visible: f64,
     pub(super) head: f64,
     stamp: Option<f64>,
+    /// Whether the play head waits for cycle start, where the run waits for the operator.
+    waits: bool,
     pub(super) slow_at: f64,
     pub(super) slicing: bool,
     asked: bool,
@@ -136,6 +138,7 @@ impl Player {
             visible: 1.0,
             head: 0.0,
             stamp: None,
+            waits: false,
             slow_at: 0.0,
             slicing: false,
             asked: false,
@@ -199,7 +202,11 @@ impl Player {
         if playing && self.at_end() {
             self.seek(0.0);
         }
-        self.state.update_value(|state| state.stamp = None);
+        self.play(playing);
+    }
+
+    fn play(self, playing: bool) {
+        self.state.update_value(|state| (state.stamp, state.waits) = (None, false));
         self.playing.set(playing);
         self.ask();
     }
@@ -214,7 +221,7 @@ impl Player {
     pub(crate) fn set_head(self, t: f64) {
         self.state.update_value(|state| {
             state.head = if t > 0.0 { t } else { 0.0 };
-            state.slow_at = 0.0;
+            (state.slow_at, state.waits) = (0.0, false);
         });
         self.ask();
         self.plan_on();
@@ -261,8 +268,12 @@ impl Player {
                 planner.event(event.clone());
             }
         });
+        let waited = self.state.with_value(|state| state.waits);
         self.replanned();
         self.settle();
+        if waited && event.action == Action::Start {
+            self.play(true);
+        }
         event
     }
 
@@ -361,10 +372,13 @@ impl Player {
                 self.plan_on();
             }
             if self.at_end() {
-                if self.repeat.get_untracked() && self.planned.get_untracked().0 > 0.0 {
+                let waits = self.ended.with_untracked(|end| matches!(end, Some(RunEnd::Stop | RunEnd::Alarm(_))));
+                if !waits && self.repeat.get_untracked() && self.planned.get_untracked().0 > 0.0 {
                     self.seek(0.0);
                 } else {
+                    // What the operator does next counts from here: the run does not begin anew by itself.
                     self.playing.set(false);
+                    self.state.update_value(|state| state.waits = waits);
                 }
             }
         }

@@ -37,7 +37,6 @@ pub(in super::super) mod node {
     pub(in crate::machines::turning_spindle) const ORIENTATION: u16 = 9;
     pub(in crate::machines::turning_spindle) const SPEED: u16 = 10;
     pub(in crate::machines::turning_spindle) const SURFACE: u16 = 11;
-    pub(in crate::machines::turning_spindle) const DIAMETER: u16 = 12;
     pub(in crate::machines::turning_spindle) const STAGE: u16 = 13;
     pub(in crate::machines::turning_spindle) const VOLTS: u16 = 14;
     pub(in crate::machines::turning_spindle) const PASS: u16 = 15;
