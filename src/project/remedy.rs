@@ -2,7 +2,12 @@
 
 use super::Project;
 use super::run::{Run, RunOptions, of_project};
+use crate::machines::form::FieldKindInfo;
+use crate::machines::sheets::say;
 use crate::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
+use crate::msg;
+use crate::text::catalog::number_text;
+use crate::text::{Diagnostic, units};
 use crate::view::{Advice, Verdict};
 
 /// Budget of a trial run. A program that calculates or waits longer before anything moves counts as working.
@@ -28,14 +33,24 @@ pub fn stops_at_once(project: &Project) -> bool {
     }
 }
 
-/// The remedy of a failed result with which a run moves that now [stops at once](stops_at_once): tried by a run before it is offered.
+/// The remedy of an error of the form or of a failed result with which a run moves that now [stops at once](stops_at_once): tried by a run
+/// before it is offered.
 pub fn remedy(project: &Project) -> Option<Advice> {
-    let readouts = project.design().readouts;
-    let failed = readouts.iter().filter(|readout| readout.verdict == Verdict::Fail);
-    let offered = failed.flat_map(|readout| &readout.advice).filter(|advice| !advice.sets.is_empty());
-    let mut runs =
-        offered.filter(|advice| project.with_entries(&advice.sets).is_some_and(|after| !stops_at_once(&after)));
-    runs.next().cloned()
+    let design = project.design();
+    let failed = design.readouts.into_iter().filter(|readout| readout.verdict == Verdict::Fail);
+    let of_results = failed.flat_map(|readout| readout.advice).filter(|advice| !advice.sets.is_empty());
+    let of_errors = design.diagnostics.iter().filter_map(|found| of_error(project, found));
+    let moves = |advice: &Advice| project.with_entries(&advice.sets).is_some_and(|after| !stops_at_once(&after));
+    of_errors.chain(of_results).find(moves)
+}
+
+/// The advice to enter what mends an error of a field.
+fn of_error(project: &Project, found: &Diagnostic) -> Option<Advice> {
+    let (id, entry) = found.field.zip(found.entry)?;
+    let field = project.machine.fields().into_iter().find(|field| field.id == id)?;
+    let FieldKindInfo::Number { unit, .. } = field.kind else { return None };
+    let button = msg!("advice.set-field", field = say(field.label), value = units::text(entry, 3, unit));
+    Some(Advice::from(found.message.clone()).setting(button, [(id, number_text(entry, 3))]))
 }
 
 /// Whether cycle start after a stopped run leads to the same stop again without any motion.

@@ -94,6 +94,8 @@ pub struct Diagnostic {
     pub wording: Option<Phrase>,
     /// Id of the form field concerned.
     pub field: Option<&'static str>,
+    /// Entry of that field, in its metric unit, with which the fault is gone.
+    pub entry: Option<f64>,
     /// Advice in words.
     pub hints: Vec<Message>,
     /// Changes of text that correct it.
@@ -110,6 +112,7 @@ impl Diagnostic {
             alarm: None,
             wording: None,
             field: None,
+            entry: None,
             hints: Vec::new(),
             fixes: Vec::new(),
         }
@@ -168,6 +171,11 @@ impl Diagnostic {
         self.alarm = alarm.map(|(number, _)| Cow::Borrowed(number));
         self.wording = alarm.map(|(_, wording)| wording).filter(|wording| !wording.is_empty());
         self
+    }
+
+    /// Adds the entry of its field with which the fault is gone.
+    pub fn mended_by(self, entry: f64) -> Diagnostic {
+        Diagnostic { entry: Some(entry), ..self }
     }
 
     /// Adds a hint.

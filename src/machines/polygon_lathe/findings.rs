@@ -191,15 +191,14 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
             "free-length",
         );
     }
-    let least = p.clear_diameter();
-    if p.start_x < least {
-        error(msg!("polygon.start-in-stock", start = (p.start_x, 3), least = (least, 3)), "start-x");
-    }
-    if p.start_z < p.clearance {
-        error(msg!("polygon.start-in-stock", start = (p.start_z, 3), least = (p.clearance, 3)), "start-z");
-    }
     let mut found: Vec<Diagnostic> =
         faults.into_iter().map(|(message, field)| Diagnostic::error(message).about(field)).collect();
+    for (field, start, least) in [("start-x", p.start_x, p.clear_diameter()), ("start-z", p.start_z, p.clearance)] {
+        if start < least {
+            let fault = msg!("polygon.start-in-stock", start = (start, 3), least = (least, 3));
+            found.push(Diagnostic::error(fault).about(field).mended_by(least.ceil()));
+        }
+    }
     if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));
     }

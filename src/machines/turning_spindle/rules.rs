@@ -457,7 +457,8 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
         let least = p.stock_diameter + 2.0 * p.clearance;
         found.push(
             Diagnostic::error(msg!("turning.start-in-stock", start = (p.start_x, 3), least = (least, 3)))
-                .about("start-x"),
+                .about("start-x")
+                .mended_by(least.floor() + 2.0),
         );
     }
     travels(lathe, &mut found);

@@ -71,6 +71,29 @@ fn remedy_is_the_highest_speed_that_the_control_runs() {
 }
 
 #[test]
+fn larger_stock_is_offered_a_start_outside_it() {
+    let large: [(&str, &[(&'static str, &str)]); 2] = [
+        ("turning-spindle", &[("stock-diameter", "300"), ("finished-diameter", "250")]),
+        ("polygon-lathe", &[("stock-diameter", "80"), ("across-flats", "64"), ("length", "60")]),
+    ];
+    for (machine, entries) in large {
+        for control in machines::find(machine).unwrap().controls() {
+            let entries: Vec<_> = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+            let project = Project::named(machine, Some(control), None).unwrap().with_entries(&entries).unwrap();
+            if !stops_at_once(&project) {
+                // A control without alarms of a program: the form tells.
+                assert!(project.design().diagnostics.iter().any(|found| found.field == Some("start-x")), "{control}");
+                continue;
+            }
+            let remedy = remedy(&project).unwrap_or_else(|| panic!("{machine} on {control}"));
+            assert_eq!(remedy.sets[0].0, "start-x", "{machine} on {control}");
+            let after = project.with_entries(&remedy.sets).unwrap();
+            assert!(after.design().diagnostics.iter().all(|found| found.field != Some("start-x")), "{control}");
+        }
+    }
+}
+
+#[test]
 fn run_that_moves_is_offered_nothing() {
     let line = ribbon("mitsubishi-e60");
     assert!(!stops_at_once(&line));
