@@ -224,7 +224,7 @@ fn slower(best: Option<(u8, f64)>, next: (u8, f64)) -> Option<(u8, f64)> {
 }
 
 impl Derived {
-    /// Computes the results for an analog output of `bits` bits with `volts` at full scale, on a control with these rules.
+    /// Computes the results for the analog output of a control with these rules of the spindle.
     pub(super) fn new(p: &Params, output: &AnalogOutput, rules: &SpindleRules) -> Derived {
         let (largest, smallest) = p.diameters();
         let largest_cut = p.largest_cut((largest, smallest));
