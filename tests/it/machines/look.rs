@@ -426,7 +426,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         113 | AND X25 | 
         114 | ANI X1F5 | 
         115 | ORB | 
-        116 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
+        116 | OUT Y21 | run counter-clockwise: M4 or key, until M5, M3, fault
         117 | LD M202 | 
         118 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
         119 | LD X230 | 
@@ -575,7 +575,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         117 | AND X26 | 
         118 | ANI X1F5 | 
         119 | ORB | 
-        120 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
+        120 | OUT Y21 | run counter-clockwise: M4 or key, until M5, M3, fault
         121 | LD M203 | 
         122 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
         123 | LD M303 | 

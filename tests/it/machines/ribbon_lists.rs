@@ -30,14 +30,14 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X0.5 |  | machine | PLC |  | Emergency stop: open while it is pressed; hard-wired it also takes the run command off, and the enable by a timer not shorter than the ramp
             X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
             X3.2 |  | machine | PLC |  | Key: spindle clockwise
-            X3.3 |  | machine | PLC |  | Key: spindle counterclockwise
+            X3.3 |  | machine | PLC |  | Key: spindle counter-clockwise
             X3.4 |  | machine | PLC |  | Key: spindle stop
             X3.5 |  | machine | PLC |  | Inverter ready: closed while the supply is on, the enable is closed and there is no fault
             X3.6 |  | machine | PLC |  | Loop sensor: opens when the loop reaches its longest limit, the loop capacity
             X3.7 |  | machine | PLC |  | Tension switch at the loop: opens when the ribbon reaches its tension limit
             X4.0 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
-            Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
+            Y5.1 |  | PLC | machine |  | Inverter: run counter-clockwise
             Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
             Y5.3 |  | PLC | machine |  | Alarm: M03 and M04 without M05 between them
             Y5.4 |  | PLC | machine |  | Message: inverter is not ready
@@ -164,7 +164,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             110 | AND X3.5 | 
             111 | ANI F1.1 | 
             112 | ORB | 
-            113 | OUT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
+            113 | OUT Y5.1 | run counter-clockwise: M4 or key, until M5, M3, fault
             114 | LDI R10.2 | 
             115 | OUT G29.6 | spindle stops with the axes; S and M3 stay
             116 | LD F7.0 | 
@@ -217,14 +217,14 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
             X3.2 |  | machine | PLC |  | Inverter is at the commanded speed
             X3.3 |  | machine | PLC |  | Key: spindle clockwise
-            X3.4 |  | machine | PLC |  | Key: spindle counterclockwise
+            X3.4 |  | machine | PLC |  | Key: spindle counter-clockwise
             X3.5 |  | machine | PLC |  | Key: spindle stop
             X3.6 |  | machine | PLC |  | Inverter ready: closed while the supply is on, the enable is closed and there is no fault
             X3.7 |  | machine | PLC |  | Loop sensor: opens when the loop reaches its longest limit, the loop capacity
             X4.0 |  | machine | PLC |  | Tension switch at the loop: opens when the ribbon reaches its tension limit
             X4.1 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
-            Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
+            Y5.1 |  | PLC | machine |  | Inverter: run counter-clockwise
             Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
             Y5.3 |  | PLC | machine |  | Message: inverter is not ready
             Y5.4 |  | PLC | machine |  | Message: loop at its longest limit
@@ -342,7 +342,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             102 | AND X3.5 | 
             103 | AND.NOT F1.1 | 
             104 | OR.STK | 
-            105 | WRT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
+            105 | WRT Y5.1 | run counter-clockwise: M4 or key, until M5, M3, fault
             106 | RD.NOT R10.2 | 
             107 | WRT G29.6 | spindle stops with the axes; S and M3 stay
             108 | RD F7.0 | 
