@@ -120,10 +120,10 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let weak = Advice::from(msg!("polygon.main-spindle-weak", torque = shown, speed = (speed, 0), limit));
     let share = (most - p.main.friction) / (torque - p.main.friction);
     let set = down(FIELDS, field, end.depth * share);
-    let depth = set.1.parse().unwrap_or(0.0);
+    let depth = set.value;
     let is_endless = TurnedEnd { depth, ..end.clone() }.is_endless(p.stock_diameter);
     advice.push(match depth >= LEAST_DEPTH && !is_endless {
-        true => weak.setting(msg!("advice.set-depth", depth = set.1.as_str()), [set]),
+        true => weak.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set]),
         false => weak,
     });
     fail(AtMost(most), advice)
