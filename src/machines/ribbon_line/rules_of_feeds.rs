@@ -5,6 +5,7 @@ use super::params::{FIELDS, PathMode, Variant};
 use super::resolved::RibbonLine;
 use super::rules_of_slack::{with_dancer, worst_knob};
 use crate::controls::Code;
+use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
 use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
 use crate::msg;
@@ -272,9 +273,6 @@ pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
     }
     ok(limit)
 }
-
-/// Least voltage (V) at which an inverter's analog input is accurate.
-const FEW_VOLTS: f64 = 0.5;
 
 pub(super) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
     let d = &line.d;

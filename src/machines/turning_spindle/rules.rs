@@ -10,6 +10,8 @@ use super::program;
 use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::controls::spindle::RapidSpeed;
+use crate::drives::analog::FEW_VOLTS;
+use crate::drives::cutting::LEAST_DEPTH;
 use crate::drives::{Bound, spindle_motor};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
@@ -89,9 +91,6 @@ fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
     let judgement = if d.limit_diameter > middle { warn(AtMost(middle), []) } else { ok(AtMost(middle)) };
     Some(Judgement { advice: vec![advice.into()], ..judgement? })
 }
-
-/// Least voltage (V) at which offsets and noise of the analog output are small beside it.
-const FEW_VOLTS: f64 = 0.5;
 
 fn few(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     if volts.abs() >= FEW_VOLTS {
@@ -287,9 +286,6 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     }
     advice.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
 }
-
-/// Least depth of cut (mm) that an advice names: below it an edge rubs.
-const LEAST_DEPTH: f64 = 0.1;
 
 /// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.
 fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
