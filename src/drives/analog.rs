@@ -1,5 +1,8 @@
 //! Analog spindle output: conversion of a speed into a voltage by a converter with few bits.
 
+/// Least voltage (V) of a speed command at which offsets and noise are small beside it, and an inverter's input accurate. Engineering choice.
+pub const FEW_VOLTS: f64 = 0.5;
+
 /// A stepped output on a straight line through two points: standstill and rated speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Analog {

@@ -3,6 +3,9 @@
 use super::speed::{limit_diameter, surface_rpm};
 use crate::math::{self, PI};
 
+/// Least depth of cut (mm) that an advice names: below it an edge rubs. Engineering choice.
+pub const LEAST_DEPTH: f64 = 0.1;
+
 /// A straight cut: along the part, across its face, or a taper. The diameter changes linearly along the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cut {
@@ -60,12 +63,15 @@ pub fn kienzle(unit_force: f64, exponent: f64, (depth, feed): (f64, f64), (edge,
     unit_force * depth / sine * math::pow(feed * sine, 1.0 - exponent) * (1.0 - rake / 100.0)
 }
 
-/// Power in kW of a cutting force in N at a surface speed in m/min: `P = F v / 60 000`.
-pub fn power(force: f64, speed: f64) -> f64 {
-    force * speed / 60e3
-}
-
 /// Torque in Nm of a cutting force in N at a diameter in mm: `M = F d / 2000`.
 pub fn torque(force: f64, diameter: f64) -> f64 {
     force * diameter.abs() / 2000.0
+}
+
+/// Acceleration of a spindle (r/min per second) at constant surface speed: `dn/dt = n² f s / (60 d)`, where n is its speed in r/min, f the
+/// feed in mm per revolution, d the diameter in mm and s the change of the diameter for each millimetre of path (2 on a face). 0 at the centre.
+///
+/// Source: derivative of `n = 1000 v / (π d)` along the path.
+pub fn speed_gradient(rpm: f64, feed: f64, slope: f64, diameter: f64) -> f64 {
+    if diameter > 0.0 { rpm * rpm * feed * slope / (60.0 * diameter) } else { 0.0 }
 }

@@ -45,11 +45,6 @@ impl Reel {
         2.0 * radius_after(0.5 * self.core, self.thickness, length)
     }
 
-    /// Diameter in m after a length in m was removed from the full reel: `√(D² - 4 t L / π)`, at least the core. Source: sizing facts 2.9.
-    pub fn diameter_after(&self, length: f64) -> f64 {
-        (2.0 * radius_after(0.5 * self.full, self.thickness, -length)).max(self.core)
-    }
-
     /// Mass of the web in kg at a diameter in m, as a hollow cylinder. Source: sizing facts 2.1.
     pub fn web_mass(&self, diameter: f64) -> f64 {
         self.web(diameter).mass()

@@ -153,6 +153,15 @@ pub fn stage_for(stages: &[Stage], present: u8, rpm: f64) -> Option<u8> {
     stages.iter().position(fits).map(|at| at as u8 + 1)
 }
 
+/// Ends of an override knob, seen from one of its positions, in percent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KnobEnds {
+    /// Highest position; `None` if the knob is there.
+    pub higher: Option<f64>,
+    /// Lowest position at which the spindle turns; `None` if the knob is there or below.
+    pub lower: Option<f64>,
+}
+
 /// Positions of an override knob in percent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Steps {
@@ -168,6 +177,12 @@ impl Steps {
     /// The lowest position at which the spindle turns.
     pub fn lowest_turning(&self) -> f64 {
         if self.low > 0.0 { self.low } else { self.step }
+    }
+
+    /// The ends of the knob, seen from a position in percent.
+    pub fn ends(&self, percent: f64) -> KnobEnds {
+        let (highest, lowest) = (self.high, self.lowest_turning());
+        KnobEnds { higher: (percent < highest).then_some(highest), lower: (lowest < percent).then_some(lowest) }
     }
 
     /// The position nearest to a percentage.

@@ -41,12 +41,6 @@ pub fn mark_length(head: f64, ratio: f64, contact: f64) -> f64 {
     head / ratio + smear(ratio, contact)
 }
 
-/// Contact length of a roller of radius `radius`, pressed `depth` into a flat counter surface: `2 √(2 R δ)`, in their unit.
-/// Source: sizing facts 3.2, checked as E10.
-pub fn contact_length(radius: f64, depth: f64) -> f64 {
-    2.0 * (2.0 * radius * depth).sqrt()
-}
-
 /// Used share of the holding force of a nip over start, steady run and stop: `(|T₁ - T₂| + m a) / (μ N)`, at most one half for a web that
 /// does not slip. A start loads the nip if the pull `T₁ - T₂` brakes the web, a stop if it drives the web.
 /// Newtons, kg, m/s². Source: sizing facts 2.2, checked as the reciprocal of B19.

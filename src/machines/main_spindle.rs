@@ -27,7 +27,7 @@ pub(super) fn judge_ramp<P>(
         let set = up(fields, id, shortest);
         let said =
             Advice::from(msg!("lathe.ramp-at-knob", percent = (percent, 0), needed = (shortest, 2), ramp = (ramp, 2)));
-        let button = msg!("advice.set-ramp", time = set.1.as_str());
+        let button = msg!("advice.set-ramp", time = set.text.as_str());
         return warn(limit, [if shortest <= maximum(fields, id) { said.setting(button, [set]) } else { said }]);
     }
     if shortest == f64::INFINITY {
@@ -38,7 +38,7 @@ pub(super) fn judge_ramp<P>(
     }
     let set = up(fields, id, shortest);
     let advice = Advice::from(msg!("lathe.ramp-too-short", needed = (shortest, 2), ramp = (ramp, 2)));
-    let button = msg!("advice.set-ramp", time = set.1.as_str());
+    let button = msg!("advice.set-ramp", time = set.text.as_str());
     fail(limit, [if shortest <= maximum(fields, id) { advice.setting(button, [set]) } else { advice }])
 }
 

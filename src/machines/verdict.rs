@@ -99,18 +99,35 @@ fn judgement(verdict: Verdict, limit: impl Into<Option<Limit>>, advice: impl Int
     Some(Judgement { verdict, limit: limit.into(), advice: advice.into() })
 }
 
-/// The greatest entry of a number field that is not above `value`: its id and the text to be typed.
-pub fn down<P>(fields: &[Field<P>], id: &'static str, value: f64) -> (&'static str, String) {
+/// An entry of a number field with the decimals that the field keeps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldEntry {
+    /// Id of the field.
+    pub field: &'static str,
+    /// Value in the unit of the field.
+    pub value: f64,
+    /// Text to be typed.
+    pub text: String,
+}
+
+impl From<FieldEntry> for (&'static str, String) {
+    fn from(entry: FieldEntry) -> (&'static str, String) {
+        (entry.field, entry.text)
+    }
+}
+
+/// The greatest entry of a number field that is not above `value`.
+pub fn down<P>(fields: &[Field<P>], id: &'static str, value: f64) -> FieldEntry {
     entry(fields, id, value, f64::floor)
 }
 
 /// The least entry of a number field that is not below `value`.
-pub fn up<P>(fields: &[Field<P>], id: &'static str, value: f64) -> (&'static str, String) {
+pub fn up<P>(fields: &[Field<P>], id: &'static str, value: f64) -> FieldEntry {
     entry(fields, id, value, f64::ceil)
 }
 
 /// The entry of a number field that is nearest to `value`.
-pub fn near<P>(fields: &[Field<P>], id: &'static str, value: f64) -> (&'static str, String) {
+pub fn near<P>(fields: &[Field<P>], id: &'static str, value: f64) -> FieldEntry {
     entry(fields, id, value, f64::round)
 }
 
@@ -123,13 +140,14 @@ pub fn maximum<P>(fields: &[Field<P>], id: &str) -> f64 {
     }
 }
 
-fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> (&'static str, String) {
+fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> FieldEntry {
     let decimals = fields.iter().find(|field| field.id == id).map_or(0, |field| match field.kind {
         FieldKind::Number { decimals, .. } => decimals,
         _ => 0,
     });
     let unit = crate::nc::dec::POW10[usize::from(decimals.min(12))] as f64;
-    (id, number_text(round(value * unit) / unit, decimals))
+    let value = round(value * unit) / unit;
+    FieldEntry { field: id, value, text: number_text(value, decimals) }
 }
 
 /// The results that apply to the form, each with the judgement of every rule about it.

@@ -50,14 +50,14 @@ test('table parts join the choice, wrong row is told with line', () =>
 test('machines are drawn by a button', () =>
   withPage(app, {}, async ({ page }) => {
     await sized(page);
-    await page.getByRole('button', { name: 'Draw 10,000 machines' }).click();
+    await page.getByRole('button', { name: 'Draw 10000 machines' }).click();
     await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
   }));
 
 test('cancelled draw of machines runs again by a button', () =>
   withPage(app, {}, async ({ page }) => {
     await sized(page);
-    await page.getByRole('button', { name: 'Draw 10,000 machines' }).click();
+    await page.getByRole('button', { name: 'Draw 10000 machines' }).click();
     // Dispatched without waiting: the button is visible only during a slow answer.
     await page.locator('.working').nth(1).locator('button').dispatchEvent('click');
     await page.getByText('Cancelled').waitFor();

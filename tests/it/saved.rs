@@ -459,7 +459,8 @@ proptest! {
 #[test]
 fn old_sentences_of_settings_are_upgraded() {
     use macroline::controls::ALL;
-    // Control, switch, the sentence of files up to November 2026, the id of the option.
+    // Copied on purpose: a change of the table in the code must not change what old files mean.
+    // Switch, the sentence of files up to November 2026, the id of the option.
     let old = [
         ("angle-range", "ATAN -180 to 180, ASIN -90 to 90", "atan-minus-180-to-180-asin-minus-90-to-90"),
         ("angle-range", "ATAN -180 to 180, ASIN 90 to 270", "atan-minus-180-to-180-asin-90-to-270"),

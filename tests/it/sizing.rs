@@ -328,9 +328,14 @@ fn dots() -> Vec<(&'static str, f64)> {
         ("E7", forty.speed_at(law, (0.8 * motor.peak - load.torque) / surface(PRINT_ROLLER)) * 1e3),
         ("E8", web_speed() * (warms / moving).sqrt() * 1e3),
         ("E9", web::mark_length(3.0, arc() / PITCH, CONTACT * 1e3)),
-        ("E10", web::contact_length(60.0, 0.02)),
+        ("E10", contact_length(60.0, 0.02)),
         ("E11", 100.0 * 0.05 / 2.0),
     ]
+}
+
+/// Contact length of a roller of radius `radius`, pressed `depth` into a flat counter surface: `2 √(2 R δ)`, in their unit.
+fn contact_length(radius: f64, depth: f64) -> f64 {
+    2.0 * (2.0 * radius * depth).sqrt()
 }
 
 /// Seconds after the end of the interpolation until a block after an exponential filter is within `width` millimetres of its end:

@@ -166,21 +166,21 @@ fn sentence_converts_numbers_and_entries() {
         .join("\n")
     };
     expect![[r#"
-        The roller's surface runs 1.5 times as fast as the ribbon: each head slips 2.54 mm while it touches, 0.5 are allowed.
+        The roller’s surface runs 1.5 times as fast as the ribbon: each head slips 2.54 mm while it touches, 0.5 are allowed.
         Set a pitch of 62.832 mm
         Set 0.25 / 0.1 mm/rev
         Set as now mm/rev
         Allowed: 0.01 to 10000 mm
         Allowed: 1 to 100 %
-        Rounding A to the control's unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&said());
+        Rounding A to the control’s unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&said());
     expect![[r#"
-        The roller's surface runs 1.5 times as fast as the ribbon: each head slips 0.1 in while it touches, 0.0197 are allowed.
+        The roller’s surface runs 1.5 times as fast as the ribbon: each head slips 0.1 in while it touches, 0.0197 are allowed.
         Set a pitch of 2.4737 in
         Set 0.00984 / 0.00394 in/rev
         Set as now mm/rev
         Allowed: 0.0004 to 393.7008 in
         Allowed: 1 to 100 %
-        Rounding A to the control's unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&in_inches(said));
+        Rounding A to the control’s unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&in_inches(said));
 }
 
 #[test]

@@ -22,7 +22,7 @@ pub(crate) struct CommandLine {
 pub(crate) enum Command {
     /// Machines, controls and which goes with which
     List {
-        /// For programs
+        /// Prints JSON, for other software
         #[arg(long)]
         json: bool,
     },
@@ -55,7 +55,7 @@ pub(crate) enum Command {
     Design {
         /// Project file
         project: PathBuf,
-        /// For programs
+        /// Prints JSON, for other software
         #[arg(long)]
         json: bool,
     },
@@ -69,7 +69,7 @@ pub(crate) enum Command {
         /// Seed of the draws
         #[arg(long, value_name = "N", default_value_t = chance::SEED)]
         seed: u64,
-        /// For programs
+        /// Prints JSON, for other software
         #[arg(long)]
         json: bool,
     },
@@ -78,7 +78,7 @@ pub(crate) enum Command {
         /// Project files, two or more; or one that keeps variants: its present settings beside those
         #[arg(required = true)]
         projects: Vec<PathBuf>,
-        /// For programs
+        /// Prints JSON, for other software
         #[arg(long)]
         json: bool,
     },
@@ -130,7 +130,7 @@ pub(crate) enum Command {
         /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
         #[arg(long, value_name = "ID")]
         silence: Vec<String>,
-        /// For programs: `--format json`
+        /// Same as `--format json`
         #[arg(long)]
         json: bool,
         /// How the diagnostics are printed
@@ -146,7 +146,7 @@ pub(crate) enum Command {
         /// Control that comes first
         #[arg(long, value_name = "ID", conflicts_with = "project")]
         control: Option<String>,
-        /// For programs
+        /// Prints JSON, for other software
         #[arg(long)]
         json: bool,
     },
@@ -200,7 +200,7 @@ pub(crate) struct RunArgs {
     /// Settles an open point of the control, see `list`; repeat as needed
     #[arg(long = "switch", value_name = "ID=VALUE")]
     pub(crate) switch: Vec<String>,
-    /// The operator's hand: JSON array of events
+    /// Panel file: the operator's actions, a JSON array
     #[arg(long)]
     pub(crate) panel: Option<PathBuf>,
     /// Project whose plant runs bare programs, instead of the control's bench

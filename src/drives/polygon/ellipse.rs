@@ -25,17 +25,6 @@ pub fn sag(apothem: f64, radius: f64, sides: u32) -> f64 {
     apothem * rise * rise / (root * (root + 1.0))
 }
 
-/// Twice the distance of a corner from the centre: `2 d / (cos(π/N) √(1 + ε² T²))`. For 3 sides or more.
-pub fn across_corners(apothem: f64, radius: f64, sides: u32) -> f64 {
-    2.0 * reach(apothem, radius, PI / f64::from(sides))
-}
-
-/// Area of the section in mm²: `(N d² / ε) atan(ε T)`. For 3 sides or more.
-pub fn area(apothem: f64, radius: f64, sides: u32) -> f64 {
-    let e = flattening(apothem, radius);
-    f64::from(sides) * apothem * apothem / e * math::atan(e * half_angle_tangent(sides))
-}
-
 /// Least tip circle with corners at most `sag` below the ideal side: the formula of [`sag`] solved for r. 0 if every radius does.
 pub fn radius_for(apothem: f64, sides: u32, sag: f64) -> f64 {
     let root = apothem / (apothem - sag);

@@ -7,6 +7,7 @@ use crate::drives::cutting;
 use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::inertia::through_gear as inertia_through_gear;
 use crate::drives::load::{Load, through_gear};
+use crate::drives::speed::KnobEnds;
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::machines::devices::{AskedDevice, forced_cooling_advice};
 use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
@@ -21,9 +22,6 @@ use crate::view::{Advice, Chart};
 
 /// Catalog id of the name of the drive.
 pub(super) const NAME: &str = "polygon.drive.main";
-
-/// Least depth of cut (mm) that an advice names: below it an edge rubs.
-const LEAST_DEPTH: f64 = 0.1;
 
 impl Params {
     /// The spindle with its motor. The work's motor stays on the spindle, so that its inertia includes that of the work axis.
@@ -58,6 +56,16 @@ impl Params {
 }
 
 impl PolygonLathe {
+    /// Ends of the override knob; the form has it at 100 %.
+    fn knob_ends(&self) -> KnobEnds {
+        self.dialect.spindle().knob.ends(100.0)
+    }
+
+    /// Speed (r/min) of the spindle at a position (%) of the override knob, for a speed of the form: at most that at 10 V.
+    fn speed_at(&self, speed: f64, percent: f64) -> f64 {
+        (speed * percent / 100.0).min(self.p.main.speed)
+    }
+
     /// The turned ends of the program, with the fields of their depths.
     fn turned_ends(&self) -> impl Iterator<Item = (&TurnedEnd, &'static str)> {
         self.p.turned_ends.iter().zip(["before-depth", "after-depth"]).filter(|(end, _)| end.on)
@@ -109,7 +117,7 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let curve = p.main_continuous();
     let most = curve.torque(speed);
     if torque <= most {
-        return at_highest_knob(lathe, most);
+        return judge_torque_at_highest_knob(lathe, most);
     }
     let (shown, limit) = ((torque, 1), (most, 1));
     let mut advice = Vec::new();
@@ -120,10 +128,10 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let weak = Advice::from(msg!("polygon.main-spindle-weak", torque = shown, speed = (speed, 0), limit));
     let share = (most - p.main.friction) / (torque - p.main.friction);
     let set = down(FIELDS, field, end.depth * share);
-    let depth = set.1.parse().unwrap_or(0.0);
+    let depth = set.value;
     let is_endless = TurnedEnd { depth, ..end.clone() }.is_endless(p.stock_diameter);
-    advice.push(match depth >= LEAST_DEPTH && !is_endless {
-        true => weak.setting(msg!("advice.set-depth", depth = set.1.as_str()), [set]),
+    advice.push(match depth >= cutting::LEAST_DEPTH && !is_endless {
+        true => weak.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set]),
         false => weak,
     });
     fail(AtMost(most), advice)
@@ -131,32 +139,33 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// A cut that the motor carries at the speed of the form: a warning where it does not with the knob at its highest position, where the
 /// speed is greater and the torque the same.
-fn at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
-    let (p, percent) = (&lathe.p, lathe.dialect.spindle().knob.high);
-    let curve = p.main_continuous();
-    let at_highest_knob = |end: &TurnedEnd| curve.torque((end.speed * percent / 100.0).min(p.main.speed));
-    let mut ends = lathe.turned_ends().map(|(end, _)| (lathe.end_torque(end), at_highest_knob(end)));
-    match ends.find(|(torque, most)| torque > most) {
-        Some((torque, most)) => {
-            let (torque, shown) = ((torque, 1), (most, 1));
+fn judge_torque_at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
+    let exceeding = lathe.knob_ends().higher.and_then(|percent| Some((percent, end_exceeding_at(lathe, percent)?)));
+    match exceeding {
+        Some((percent, (end, most))) => {
+            let (torque, shown) = ((lathe.end_torque(end), 1), (most, 1));
             warn(AtMost(limit), [msg!("lathe.torque-at-knob", percent = (percent, 0), torque, limit = shown).into()])
         }
-        None => with_slow_fan(lathe).or_else(|| ok(AtMost(limit))),
+        None => judge_torque_at_lowest_knob(lathe).or_else(|| ok(AtMost(limit))),
     }
+}
+
+/// The first turned end whose torque exceeds that of the motor with the knob at a position (%), and the motor's torque (Nm) there.
+fn end_exceeding_at(lathe: &PolygonLathe, percent: f64) -> Option<(&TurnedEnd, f64)> {
+    let curve = lathe.p.main_continuous();
+    let mut ends = lathe.turned_ends().map(|(end, _)| (end, curve.torque(lathe.speed_at(end.speed, percent))));
+    ends.find(|(end, most)| lathe.end_torque(end) > *most)
 }
 
 /// A cut that the motor carries at the speed of the form: a warning where it does not with the knob at its lowest position, because the fan on
 /// the motor's shaft cools less there.
-fn with_slow_fan(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (p, percent) = (&lathe.p, lathe.dialect.spindle().knob.lowest_turning());
-    let curve = p.main_continuous();
-    let least = |end: &TurnedEnd| curve.torque(end.speed * percent / 100.0);
-    let (end, _) = lathe.turned_ends().find(|(end, _)| lathe.end_torque(end) > least(end))?;
-    let (torque, least) = (lathe.end_torque(end), least(end));
-    let speed = (end.speed * percent / 100.0 * p.main_gear(), 0);
-    let (percent, torque, shown) = ((percent, 0), (torque, 1), (least, 1));
+fn judge_torque_at_lowest_knob(lathe: &PolygonLathe) -> Option<Judgement> {
+    let (p, percent) = (&lathe.p, lathe.knob_ends().lower?);
+    let (end, least) = end_exceeding_at(lathe, percent)?;
+    let speed = (lathe.speed_at(end.speed, percent) * p.main_gear(), 0);
+    let (percent, torque, shown) = ((percent, 0), (lathe.end_torque(end), 1), (least, 1));
     let said = msg!("lathe.shaft-fan-at-knob", percent, speed, torque, limit = shown);
-    warn(AtMost(curve.torque(end.speed)), [forced_cooling_advice("main-forced-cooling", said)])
+    warn(AtMost(p.main_continuous().torque(end.speed)), [forced_cooling_advice("main-forced-cooling", said)])
 }
 
 /// The greatest speed of the turned ends against that of the work axis, whose motor runs along.
@@ -174,8 +183,8 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The ramp of the inverter against the shortest one to the greatest speed of the turned ends.
 pub(super) fn judge_ramp(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (speed, percent) = (highest(lathe), lathe.dialect.spindle().knob.high);
-    let at_knob = (percent > 100.0).then(|| (percent, (speed * percent / 100.0).min(lathe.p.main.speed)));
+    let speed = highest(lathe);
+    let at_knob = lathe.knob_ends().higher.map(|percent| (percent, lathe.speed_at(speed, percent)));
     main_spindle::judge_ramp(&lathe.p.main_spindle(), speed, at_knob, (FIELDS, "main-ramp"))
 }
 
@@ -198,7 +207,7 @@ pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
         gear: None,
         full: None,
         cooled_at: (!p.main.forced_cooling)
-            .then(|| end.speed * gear * lathe.dialect.spindle().knob.lowest_turning().min(100.0) / 100.0),
+            .then(|| gear * lathe.speed_at(end.speed, lathe.knob_ends().lower.unwrap_or(100.0))),
         fields: None,
     })
 }

@@ -109,7 +109,7 @@ fn better(lathe: &PolygonLathe) -> Option<Advice> {
         return None;
     }
     let mut sets = own_shape(lathe.p.sides, f64::from(inserts), (tool, work));
-    sets.push(near(FIELDS, "tip-radius", best.radius));
+    sets.push(near(FIELDS, "tip-radius", best.radius).into());
     let advice = msg!(
         "polygon.better",
         inserts,
@@ -170,7 +170,7 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
         let set = up(FIELDS, "tip-radius", radius);
         let fits = radius <= p.greatest_radius;
         advice.push(if fits {
-            larger.setting(msg!("advice.set-tips", radius = set.1.as_str()), [set])
+            larger.setting(msg!("advice.set-tips", radius = set.text.as_str()), [set])
         } else {
             larger
         });
@@ -183,7 +183,7 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
 fn same_sense(lathe: &PolygonLathe) -> Advice {
     let p = &lathe.p;
     let set = near(FIELDS, "tool-ratio", p.tool_ratio.abs() * p.work_ratio.signum());
-    Advice::from(msg!("polygon.wrong-sense")).setting(msg!("advice.set-q", tool_turns = set.1.as_str()), [set])
+    Advice::from(msg!("polygon.wrong-sense")).setting(msg!("advice.set-q", tool_turns = set.text.as_str()), [set])
 }
 
 fn sides(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -323,13 +323,13 @@ fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
         "polygon.body-touches",
         overlap = (d.reach - overhang, 3),
         overhang = (d.reach, 3),
-        diameter = stock.1.as_str()
+        diameter = stock.text.as_str()
     );
     let set = up(FIELDS, "overhang", d.reach);
     let fits = d.reach < p.tip_radius;
     let advice = Advice::from(fact);
     let advice =
-        if fits { advice.setting(msg!("advice.set-overhang", overhang = set.1.as_str()), [set]) } else { advice };
+        if fits { advice.setting(msg!("advice.set-overhang", overhang = set.text.as_str()), [set]) } else { advice };
     fail(AtMost(overhang), [advice])
 }
 
@@ -429,15 +429,18 @@ fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<
     let said = msg!("polygon.short-run-in", needed = (needed, 2), clearance = (p.clearance, 2));
     let mut advice = Vec::new();
     let set = up(FIELDS, "clearance", needed);
-    let wider = Params { clearance: set.1.parse().unwrap_or(0.0), ..p.clone() };
+    let wider = Params { clearance: set.value, ..p.clone() };
     if wider.clearance <= maximum(FIELDS, "clearance") && wider.has_room(lathe.length_to_jaws() - p.clearance) {
-        let button = msg!("advice.set-clearance", clearance = set.1.as_str());
+        let button = msg!("advice.set-clearance", clearance = set.text.as_str());
         advice.push(Advice::from(said.clone()).setting(button, [set]));
     }
     let set = down(FIELDS, speed, end.speed * p.clearance / needed);
     let slower = Advice::from(if advice.is_empty() { said } else { msg!("polygon.slower-thread") });
-    let fits = set.1.parse().is_ok_and(|rpm: f64| rpm >= 1.0);
-    advice.push(if fits { slower.setting(msg!("advice.set-speed", speed = set.1.as_str()), [set]) } else { slower });
+    advice.push(if set.value >= 1.0 {
+        slower.setting(msg!("advice.set-speed", speed = set.text.as_str()), [set])
+    } else {
+        slower
+    });
     fail(limit, advice)
 }
 
@@ -448,7 +451,7 @@ fn within_clamp(field: &'static str, per_turn: f64, feed: f64, clamp: f64) -> Op
     }
     let set = down(FIELDS, field, per_turn * clamp / feed);
     let advice = Advice::from(msg!("polygon.above-clamp", feed = (feed, 0), clamp = (clamp, 0)));
-    fail(AtMost(clamp), [advice.setting(msg!("advice.set-feed", feed = set.1.as_str()), [set])])
+    fail(AtMost(clamp), [advice.setting(msg!("advice.set-feed", feed = set.text.as_str()), [set])])
 }
 
 fn clamp(lathe: &PolygonLathe) -> Option<Judgement> {

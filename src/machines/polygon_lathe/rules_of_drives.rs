@@ -4,7 +4,7 @@ use super::demand::DemandKind;
 use super::load::{FEEDS, PolygonAxis};
 use super::params::FIELDS;
 use super::resolved::PolygonLathe;
-use crate::machines::verdict::{Judgement, down, fail, maximum, ok, up, warn};
+use crate::machines::verdict::{FieldEntry, Judgement, down, fail, maximum, ok, up, warn};
 use crate::math;
 use crate::msg;
 use crate::text::Message;
@@ -19,14 +19,14 @@ fn with_feeds(lathe: &PolygonLathe, axis: PolygonAxis, kind: DemandKind, fact: M
     let p = &lathe.p;
     let power = 1.0 / (1.0 - p.specific().exponent);
     let feeds = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
-    let sets: Vec<(&str, String)> = feeds
+    let sets: Vec<FieldEntry> = feeds
         .filter_map(|(at, (field, feed))| {
             let excess = lathe.excess(axis, kind, at);
             (excess > 1.0).then(|| down(FIELDS, field, feed * math::pow(excess, -power)))
         })
         .collect();
-    let values: Vec<&str> = sets.iter().map(|(_, typed)| typed.as_str()).collect();
-    let least = values.iter().filter_map(|typed| typed.parse().ok()).fold(f64::INFINITY, f64::min);
+    let values: Vec<&str> = sets.iter().map(|set| set.text.as_str()).collect();
+    let least = sets.iter().map(|set| set.value).fold(f64::INFINITY, f64::min);
     let button = match values.as_slice() {
         [one] => msg!("advice.set-feed", feed = *one),
         several => msg!("advice.set-feeds", feeds = several.join(" / ").as_str()),
@@ -107,7 +107,7 @@ fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Me
     let ramp = (1000.0 * lathe.ramp()).max(p.work_time_constant).max(p.tool_time_constant);
     let advice = Advice::from(told(asked, limit));
     let sets = ["work-time-constant", "tool-time-constant"].map(|field| up(FIELDS, field, ramp));
-    let button = msg!("advice.set-ramps", time = sets[0].1.as_str());
+    let button = msg!("advice.set-ramps", time = sets[0].text.as_str());
     fail(
         AtMost(limit),
         [if ramp <= maximum(FIELDS, "work-time-constant") { advice.setting(button, sets) } else { advice }],

@@ -105,7 +105,7 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
         let brake = ((torque - line.mechanics.unwinder) / BRAKES).ceil() * BRAKES;
         if brake <= STRONGEST * line.p.unwinding.torque {
             let set = up(FIELDS, "unwinder-motor-brake", brake);
-            let button = msg!("advice.set-motor-brake", torque = set.1.as_str());
+            let button = msg!("advice.set-motor-brake", torque = set.text.as_str());
             advice.push(Advice::from(said.clone()).setting(button, [set]));
         }
     }

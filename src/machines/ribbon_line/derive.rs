@@ -268,7 +268,7 @@ pub(super) fn vector_feed(x_speed: f64, a: f64, b: f64) -> f64 {
 }
 
 impl Derived {
-    /// Computes the results for an analog output of `bits` bits.
+    /// Computes the results for the analog output of a control.
     pub(super) fn new(p: &Params, output: &AnalogOutput) -> Derived {
         let pi = p.program_pi();
         let k = k(pi, p.press_roller_diameter, p.reduction_ratio);

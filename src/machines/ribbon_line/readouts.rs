@@ -135,7 +135,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "slack-rate-knob", label: "ribbon.readout.slack-rate-knob", unit: "mm/min", decimals: 1,
-        formula: "K · (n with the knob at its highest position - #104)",
+        formula: "K · (n with the knob at its worse end - #104)",
         cite: Citation::new("ribbon line facts, 8", Grade::Inferred), value: slack::knob_slack, ..ReadoutRow::BASE
     },
     ReadoutRow {

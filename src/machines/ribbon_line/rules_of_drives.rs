@@ -10,7 +10,7 @@ use super::unwinder_motor::SHORT_TIME;
 use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
 use crate::machines::devices::forced_cooling_advice;
-use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, near, ok, up, warn};
+use crate::machines::verdict::{FieldEntry, Judgement, Rule, down, fail, maximum, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
 use crate::view::Advice;
@@ -58,8 +58,8 @@ fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
     }
     // Both axes must have the same ramp, otherwise their ratio is wrong on every ramp.
     let set = up(FIELDS, "time-constant-x", ramp);
-    let milliseconds: f64 = set.1.parse().unwrap_or(ramp);
-    let both = [set.clone(), ("time-constant-y", set.1)];
+    let milliseconds = set.value;
+    let both = [set.clone(), FieldEntry { field: "time-constant-y", ..set }];
     let sentence =
         msg!("ribbon.peak-torque", torque = (fast.duty.peak, 2), limit = (most, 2), time = (milliseconds, 1));
     fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", time = (milliseconds, 1)), both)])
@@ -141,7 +141,7 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let set = up(FIELDS, "pinch-force", line.p.pull.pinch_force * fast / GRIP);
-    let force: f64 = set.1.parse().unwrap_or_default();
+    let force = set.value;
     let tautest = line.mechanics.tautest;
     let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= fast && tautest > line.p.web.tension_before;
     let said = match is_taut {
@@ -182,8 +182,7 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     advice.push(match brake > 0.0 {
         true => {
             let set = down(FIELDS, "reel-brake", brake);
-            let shown: f64 = set.1.parse().unwrap_or(brake);
-            weaker.setting(msg!("advice.set-brake", force = (shown, 2)), [set])
+            weaker.setting(msg!("advice.set-brake", force = (set.value, 2)), [set])
         }
         false => weaker,
     });
@@ -204,13 +203,12 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
     let ramp = p.inverter_ramp * (torque + steady) / (most + steady);
     if ramp <= maximum(FIELDS, "inverter-ramp") {
         let set = up(FIELDS, "inverter-ramp", ramp);
-        let seconds: f64 = set.1.parse().unwrap_or(ramp);
-        advice.push(Advice::from(said.clone()).setting(msg!("advice.set-ramp", time = (seconds, 2)), [set]));
+        advice.push(Advice::from(said.clone()).setting(msg!("advice.set-ramp", time = (set.value, 2)), [set]));
     }
     let asked = 100.0 * torque / p.unwinding.short_time(1.0, line.fast.frequency);
     if asked <= 100.0 * SHORT_TIME {
         let set = up(FIELDS, "unwinder-motor-braking", asked);
-        let button = msg!("advice.set-braking", percent = set.1.as_str());
+        let button = msg!("advice.set-braking", percent = set.text.as_str());
         advice.push(Advice::from(msg!("ribbon.brake-resistor", percent = (asked, 0))).setting(button, [set]));
     }
     if advice.is_empty() {
@@ -233,8 +231,7 @@ fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     let advice = match most > steady && ramp <= maximum(FIELDS, "inverter-ramp") {
         true => {
             let set = up(FIELDS, "inverter-ramp", ramp);
-            let seconds: f64 = set.1.parse().unwrap_or(ramp);
-            advice.setting(msg!("advice.set-ramp", time = (seconds, 2)), [set])
+            advice.setting(msg!("advice.set-ramp", time = (set.value, 2)), [set])
         }
         false => advice,
     };
@@ -249,6 +246,5 @@ fn unwinder_load(line: &RibbonLine) -> Option<Judgement> {
     }
     let set = near(FIELDS, "unwinder-load", share.min(200.0));
     let sentence = msg!("ribbon.unwinder-load-differs", load = (p.unwinder_load, 2), needed = (share, 2));
-    let shown: f64 = set.1.parse().unwrap_or(share);
-    warn(None, [Advice::from(sentence).setting(msg!("advice.set-load", load = (shown, 2)), [set])])
+    warn(None, [Advice::from(sentence).setting(msg!("advice.set-load", load = (set.value, 2)), [set])])
 }

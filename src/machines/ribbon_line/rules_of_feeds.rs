@@ -5,6 +5,7 @@ use super::params::{FIELDS, PathMode, Variant};
 use super::resolved::RibbonLine;
 use super::rules_of_slack::{with_dancer, worst_knob};
 use crate::controls::Code;
+use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
 use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
 use crate::msg;
@@ -72,8 +73,8 @@ pub(super) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advi
         sets.push(down(FIELDS, "speed-clamp", speed));
     }
     let button = match sets.first() {
-        Some((id, typed)) if *id == "spindle-speed" => msg!("advice.set-speed", speed = typed.as_str()),
-        Some((_, typed)) => msg!("advice.clamp-speed", speed = typed.as_str()),
+        Some(set) if set.field == "spindle-speed" => msg!("advice.set-speed", speed = set.text.as_str()),
+        Some(set) => msg!("advice.clamp-speed", speed = set.text.as_str()),
         None => return advice.into(),
     };
     Advice::from(advice).setting(button, sets)
@@ -227,13 +228,12 @@ pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
         Variant::ReadyMade => {
             let wanted = if turned.is_infinite() { needed } else { turned };
             let set = up(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
-            let count = set.1.parse().unwrap_or(p.block_pitches());
-            let (lacks, time, count) = (if steady { turned } else { needed }, (lasts, 1), (count, 0));
+            let (lacks, time, count) = (if steady { turned } else { needed }, (lasts, 1), (set.value, 0));
             let sentence = match steady {
                 true => msg!("ribbon.more-pitches-to-turn", needed = (lacks, 1), time, percent = knob, count),
                 false => msg!("ribbon.more-pitches", needed = (lacks, 1), time, percent = knob, count),
             };
-            Advice::from(sentence).setting(msg!("advice.set-pitches", count = set.1.as_str()), [set])
+            Advice::from(sentence).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set])
         }
         Variant::Published | Variant::Precomputed => {
             let sentence = match steady {
@@ -266,16 +266,13 @@ pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
         let advice =
             Advice::from(msg!("ribbon.clamp-above-output", clamp = (p.speed_clamp, 1), speed = (p.speed_at_10v, 1)));
         let set = down(FIELDS, "speed-clamp", p.speed_at_10v);
-        return warn(limit, [advice.setting(msg!("advice.clamp-speed", speed = set.1.as_str()), [set])]);
+        return warn(limit, [advice.setting(msg!("advice.clamp-speed", speed = set.text.as_str()), [set])]);
     }
     if d.volts_command < FEW_VOLTS && d.actual_speed > 0.0 {
         return warn(AtLeast(FEW_VOLTS), [msg!("ribbon.few-volts", volts = (d.volts_command, 3)).into()]);
     }
     ok(limit)
 }
-
-/// Least voltage (V) at which an inverter's analog input is accurate.
-const FEW_VOLTS: f64 = 0.5;
 
 pub(super) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
     let d = &line.d;

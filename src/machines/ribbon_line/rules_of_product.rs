@@ -53,7 +53,7 @@ pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
             Advice::from(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)))
                 .setting(msg!("advice.set-heads", count = heads), [count]),
             Advice::from(msg!("ribbon.match-pitch", pitch = (d.matching_pitch, 3)))
-                .setting(msg!("advice.set-pitch", pitch = pitch.1.as_str()), [pitch]),
+                .setting(msg!("advice.set-pitch", pitch = pitch.text.as_str()), [pitch]),
         ]
         .into_iter()
         .chain(rules_of_cams::advice(line).map(Advice::from))
@@ -90,7 +90,7 @@ pub(super) fn thickness(line: &RibbonLine) -> Option<Judgement> {
     let set = near(FIELDS, "press-roller-diameter", effective);
     let advice = Advice::from(msg!("ribbon.thickness", percent = (d.thickness_error, 2), diameter = (effective, 3)));
     let button = msg!("advice.set-diameter", diameter = (effective, 2));
-    warn(limit, [advice.setting(button, [set, ("effective-diameter", "true".to_owned())])])
+    warn(limit, [advice.setting(button, [set.into(), ("effective-diameter", "true".to_owned())])])
 }
 
 fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static str, f64)) -> Option<Judgement> {
@@ -101,7 +101,7 @@ fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static st
     }
     let set = up(FIELDS, field, pulses * micrometres / limit);
     let advice = Advice::from(msg!("ribbon.coarse-encoder", error = (limit, 3)));
-    warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", pulses = set.1.as_str()), [set])])
+    warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", pulses = set.text.as_str()), [set])])
 }
 
 pub(super) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
@@ -122,7 +122,7 @@ pub(super) fn length(line: &RibbonLine) -> Option<Judgement> {
     let limit = Within(tolerance);
     let whole = near(FIELDS, "product-length", p.count() * p.pitch);
     let whole_length = |advice: Message| {
-        Advice::from(advice).setting(msg!("advice.set-length", length = whole.1.as_str()), [whole.clone()])
+        Advice::from(advice).setting(msg!("advice.set-length", length = whole.text.as_str()), [whole.clone()])
     };
     if p.pitches_of_length() < 1.0 {
         return fail(None, [whole_length(msg!("ribbon.length-below-pitch"))]);

@@ -114,8 +114,8 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
     let needed = (line.d.product_length + left_at_reel_end(line)) / 1e3;
     let said = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
     let set = up(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
-    let fits = set.1.parse().is_ok_and(|diameter: f64| diameter <= maximum(FIELDS, "reel-diameter"));
-    let button = || msg!("advice.set-reel", diameter = set.1.as_str());
+    let fits = set.value <= maximum(FIELDS, "reel-diameter");
+    let button = || msg!("advice.set-reel", diameter = set.text.as_str());
     fail(limit, [if fits { said.setting(button(), [set.clone()]) } else { said }])
 }
 
@@ -133,7 +133,7 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
         with_ramp(ramp, said.into())
     } else if most > extra {
         let set = down(FIELDS, "reel-brake", most - extra);
-        Advice::from(said).setting(msg!("advice.set-brake", force = set.1.as_str()), [set])
+        Advice::from(said).setting(msg!("advice.set-brake", force = set.text.as_str()), [set])
     } else {
         said.into()
     };
@@ -155,7 +155,7 @@ fn follows_diameter(line: &RibbonLine) -> Option<Judgement> {
 /// An advice with a longer ramp of the inverter, s.
 fn with_ramp(seconds: f64, said: Advice) -> Advice {
     let set = up(FIELDS, "inverter-ramp", seconds);
-    said.setting(msg!("advice.set-ramp", time = set.1.as_str()), [set])
+    said.setting(msg!("advice.set-ramp", time = set.text.as_str()), [set])
 }
 
 /// Whether the brake slows the reel down as fast as the unwinder stops: otherwise the reel runs on and the ribbon goes slack.
@@ -172,7 +172,7 @@ fn holds(line: &RibbonLine) -> Option<Judgement> {
     let with = |brake: f64| reel.pull(reel.worst(), coasting_acceleration(p, brake));
     let (without, growth) = (with(0.0), with(1.0) - with(0.0));
     let set = up(FIELDS, "reel-brake", ramp.max(without / (1.0 - growth)));
-    let mut advice = vec![said().setting(msg!("advice.set-brake", force = set.1.as_str()), [set])];
+    let mut advice = vec![said().setting(msg!("advice.set-brake", force = set.text.as_str()), [set])];
     let seconds = p.inverter_ramp * ramp / brake;
     if coasting <= brake && seconds <= maximum(FIELDS, "inverter-ramp") {
         advice.push(with_ramp(seconds, said()));

@@ -5,7 +5,7 @@ use super::params::{FIELDS, Params, PathMode, Variant, Wait};
 use super::resolved::{GREATEST, RibbonLine};
 use super::unwinder_motor::shortest_ramp;
 use crate::controls::Code;
-use crate::machines::verdict::{Judgement, fail, near, ok, up, warn};
+use crate::machines::verdict::{FieldEntry, Judgement, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::catalog::sentence;
 use crate::text::{Message, clauses};
@@ -13,7 +13,7 @@ use crate::view::Advice;
 use crate::view::Limit::{AtMost, Equal, Within};
 
 /// Entries that give both axes the greater time constant and the lower gain.
-pub(super) fn equal_entries(p: &Params) -> Vec<(&'static str, String)> {
+pub(super) fn equal_entries(p: &Params) -> Vec<FieldEntry> {
     let (slow, soft) = (p.time_constant_x.max(p.time_constant_y), p.position_gain_x.min(p.position_gain_y));
     let mut sets = Vec::new();
     for (id, value, same) in [
@@ -62,7 +62,7 @@ pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
 
 /// The shortest dwell (s) of a form after which no start pulls the ribbon tight, with the knob at its highest position: each second lays `v` mm
 /// more. A feed per revolution follows the unwinder from standstill, and the best dwell is none.
-fn matching_dwell(line: &RibbonLine, p: &Params) -> (&'static str, String) {
+fn matching_dwell(line: &RibbonLine, p: &Params) -> FieldEntry {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
     let short = if line.in_step() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
     up(FIELDS, "dwell", short.max(0.0))
@@ -91,7 +91,7 @@ fn taking(advice: Advice, changes: Vec<Change>) -> Advice {
 /// The loop that holds `needed` mm.
 fn longer_loop(needed: f64) -> Change {
     let set = up(FIELDS, "loop-capacity", needed);
-    (msg!("advice.set-loop", capacity = set.1.as_str()), vec![set])
+    (msg!("advice.set-loop", capacity = set.text.as_str()), vec![set.into()])
 }
 
 /// An advice with further changes after which a product lays `needed` mm, and the loop for it; without a button where no such loop is built.
@@ -136,13 +136,12 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
         offer(said, left, vec![dwell]);
     }
     let ramp = up(FIELDS, "inverter-ramp", shortest_ramp(line));
-    let seconds: f64 = ramp.1.parse().unwrap_or(f64::INFINITY);
-    if seconds < p.inverter_ramp {
-        let (steep, dwell) = with_matching_dwell(line, Params { inverter_ramp: seconds, ..p.clone() });
+    if ramp.value < p.inverter_ramp {
+        let (steep, dwell) = with_matching_dwell(line, Params { inverter_ramp: ramp.value, ..p.clone() });
         let shortest = after(&steep);
         if shortest < left.min(d.loop_needed) {
-            let said = msg!("ribbon.shorter-ramp", time = ramp.1.as_str(), capacity = (shortest.ceil(), 0));
-            offer(said, shortest, vec![(msg!("advice.set-ramp", time = ramp.1.as_str()), vec![ramp]), dwell]);
+            let said = msg!("ribbon.shorter-ramp", time = ramp.text.as_str(), capacity = (shortest.ceil(), 0));
+            offer(said, shortest, vec![(msg!("advice.set-ramp", time = ramp.text.as_str()), vec![ramp.into()]), dwell]);
         }
     }
     if d.slack_run != 0.0 && !p.dancer {
@@ -154,9 +153,9 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
 /// A form with the dwell that matches it, and the change to it.
 fn with_matching_dwell(line: &RibbonLine, form: Params) -> (Params, Change) {
     let set = matching_dwell(line, &form);
-    let dwell = set.1.parse().unwrap_or(form.dwell);
-    let button = msg!("advice.set-dwell", time = set.1.as_str());
-    (Params { wait: Wait::Dwell, dwell, ..form }, (button, vec![("wait", "dwell".to_owned()), set]))
+    let dwell = set.value;
+    let button = msg!("advice.set-dwell", time = set.text.as_str());
+    (Params { wait: Wait::Dwell, dwell, ..form }, (button, vec![("wait", "dwell".to_owned()), set.into()]))
 }
 
 /// Slack rate (mm/min) that an operator can watch and correct by hand: 50. Engineering choice.
@@ -170,9 +169,11 @@ fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
     let pitches = ready.pass_needed() * line.following(d) / d.pitch_time;
     let set = up(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
     match p.variant {
-        Variant::ReadyMade => Advice::from(message).setting(msg!("advice.set-pitches", count = set.1.as_str()), [set]),
+        Variant::ReadyMade => {
+            Advice::from(message).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set])
+        }
         Variant::Published | Variant::Precomputed => {
-            Advice::from(message).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned()), set])
+            Advice::from(message).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned()), set.into()])
         }
     }
 }
@@ -278,7 +279,7 @@ pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
             tension = (started.start_tension, 0),
             limit = (most, 0)
         );
-        let button = msg!("advice.set-dwell", time = dwell.1.as_str());
+        let button = msg!("advice.set-dwell", time = dwell.text.as_str());
         advice.push(Advice::from(said).setting(button, [dwell]));
     }
     if drawn.draw_tension > most {
@@ -296,7 +297,7 @@ pub(super) fn advice_against_taut(line: &RibbonLine, said: Message) -> Advice {
         return with_dancer(said);
     }
     let dwell = matching_dwell(line, &line.p);
-    let button = msg!("advice.set-dwell", time = dwell.1.as_str());
+    let button = msg!("advice.set-dwell", time = dwell.text.as_str());
     Advice::from(said).setting(button, [dwell])
 }
 

@@ -130,7 +130,7 @@ fn speed<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgem
     }
     let set = down(M::fields(), field, slide.rapid * most / speed);
     let advice = Advice::from(msg!("slides.motor-too-fast", speed = (speed, 0), limit = (most, 0)));
-    fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.1.as_str()), [set])])
+    fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
 }
 
 /// A screw near its critical speed of bending whirls.
@@ -141,7 +141,7 @@ fn whirl<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgem
     }
     let set = down(M::fields(), field, slide.rapid * most / speed);
     let advice = Advice::from(msg!("slides.screw-whirls", speed = (speed, 0), limit = (most, 0)));
-    fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.1.as_str()), [set])])
+    fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
 }
 
 fn inertia(slide: &ServoSlide) -> Option<Judgement> {
@@ -172,7 +172,7 @@ fn rapid<M: HasSlides>(slide: &ServoSlide) -> Option<Judgement> {
         return fail(AtMost(most), [msg!("slides.no-ramp", torque = (torque, 2), limit = (most, 2)).into()]);
     }
     let set = up(M::fields(), "time-constant", ramp);
-    let milliseconds: f64 = set.1.parse().unwrap_or(ramp);
+    let milliseconds = set.value;
     let advice =
         Advice::from(msg!("slides.ramp-too-short", torque = (torque, 2), limit = (most, 2), time = (milliseconds, 1)));
     fail(AtMost(most), [advice.setting(msg!("advice.set-time-constant", time = (milliseconds, 1)), [set])])

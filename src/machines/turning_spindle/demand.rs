@@ -38,20 +38,14 @@ pub(super) struct CutPoint {
 }
 
 impl Derived {
-    /// Acceleration of the spindle (r/min per second) at a diameter (mm) of a cut towards smaller ones: `dn/dt = n² f s / (60 d)`, at most
-    /// that of the ramp; 0 where the speed does not change with the diameter.
-    ///
-    /// Source: derivative of `n = 1000 v / (π d)` along the path.
+    /// Acceleration of the spindle (r/min per second) at a diameter (mm) of a cut towards smaller ones, at most that of the ramp; 0
+    /// where the speed does not change with the diameter.
     fn acceleration_at(&self, p: &Params, diameter: f64) -> f64 {
         let n = self.speed_at(p, diameter);
         let changes = p.speed_mode == SpeedMode::Surface && self.speed_at(p, diameter * (1.0 + CLOSE)) < n;
         let cuts = p.cuts(1.0).filter(|cut| cut.length > 0.0);
         let slope = cuts.map(|cut| (cut.diameters.0 - cut.diameters.1) / cut.length).fold(0.0, f64::max);
-        if changes && diameter > 0.0 {
-            (n * n * p.feed * slope / (60.0 * diameter)).min(self.acceleration)
-        } else {
-            0.0
-        }
+        if changes { cutting::speed_gradient(n, p.feed, slope, diameter).min(self.acceleration) } else { 0.0 }
     }
 
     /// Torque (Nm) at the spindle with the tool tip at a diameter (mm): `F d_m / 2000 + M_f + J · 2π / 60 · dn/dt`. Source: turning spindle facts, 4.

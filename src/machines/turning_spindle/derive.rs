@@ -224,7 +224,7 @@ fn slower(best: Option<(u8, f64)>, next: (u8, f64)) -> Option<(u8, f64)> {
 }
 
 impl Derived {
-    /// Computes the results for an analog output of `bits` bits with `volts` at full scale, on a control with these rules.
+    /// Computes the results for the analog output of a control with these rules of the spindle.
     pub(super) fn new(p: &Params, output: &AnalogOutput, rules: &SpindleRules) -> Derived {
         let (largest, smallest) = p.diameters();
         let largest_cut = p.largest_cut((largest, smallest));
@@ -311,13 +311,9 @@ impl Derived {
     }
 }
 
-/// Acceleration of the spindle at a diameter d [mm], r/min per second: `dn/dt = n² f s / (60 d)`, where the diameter changes by `s`
-/// for each millimetre of path (2 on a face).
-///
-/// Source: derivative of `n = 1000 v / (π d)` along the path.
+/// Acceleration of the spindle (r/min per second) at a diameter in mm, with a surface speed in m/min.
 fn acceleration(p: &Params, v: f64, diameter: f64) -> f64 {
     let cuts = p.cuts(1.0).filter(|cut| cut.length > 0.0);
     let slope = cuts.map(|cut| (cut.diameters.1 - cut.diameters.0).abs() / cut.length).fold(0.0, f64::max);
-    let n = surface_rpm(v, diameter);
-    if diameter > 0.0 { n * n * p.feed * slope / (60.0 * diameter) } else { 0.0 }
+    cutting::speed_gradient(surface_rpm(v, diameter), p.feed, slope, diameter)
 }

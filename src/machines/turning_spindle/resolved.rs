@@ -81,16 +81,14 @@ impl TurningSpindle {
 
     /// The highest position (%) of the override knob with the results there; none if the form has it there.
     pub(super) fn at_highest_knob(&self) -> Option<(f64, &Derived)> {
-        let highest = self.rules().knob.high;
-        let results = || self.at_knob(highest);
-        (self.p.override_percent < highest).then(|| (highest, self.at_highest_knob.get_or_init(results)))
+        let highest = self.rules().knob.ends(self.p.override_percent).higher?;
+        Some((highest, self.at_highest_knob.get_or_init(|| self.at_knob(highest))))
     }
 
     /// The lowest position (%) of the override knob at which the spindle turns, with the results there; none if the form has it there.
     pub(super) fn at_lowest_knob(&self) -> Option<(f64, &Derived)> {
-        let lowest = self.rules().knob.lowest_turning();
-        let results = || self.at_knob(lowest);
-        (lowest < self.p.override_percent).then(|| (lowest, self.at_lowest_knob.get_or_init(results)))
+        let lowest = self.rules().knob.ends(self.p.override_percent).lower?;
+        Some((lowest, self.at_lowest_knob.get_or_init(|| self.at_knob(lowest))))
     }
 
     /// The results with the knob at another position: the program keeps its gear stage.

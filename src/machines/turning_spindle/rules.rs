@@ -10,6 +10,8 @@ use super::program;
 use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::controls::spindle::RapidSpeed;
+use crate::drives::analog::FEW_VOLTS;
+use crate::drives::cutting::LEAST_DEPTH;
 use crate::drives::{Bound, spindle_motor};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
@@ -62,7 +64,7 @@ fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
         let set = down(FIELDS, "upper-limit", p.chuck_limit);
         let advice =
             Advice::from(msg!("turning.limit-above-chuck", speed = (p.upper_limit, 0), limit = (p.chuck_limit, 0)))
-                .setting(msg!("advice.set-speed", speed = set.1.as_str()), [set]);
+                .setting(msg!("advice.set-speed", speed = set.text.as_str()), [set]);
         return if d.speed_smallest.max(d.speed_largest) >= p.chuck_limit {
             fail(limit, [advice])
         } else {
@@ -89,9 +91,6 @@ fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
     let judgement = if d.limit_diameter > middle { warn(AtMost(middle), []) } else { ok(AtMost(middle)) };
     Some(Judgement { advice: vec![advice.into()], ..judgement? })
 }
-
-/// Least voltage (V) at which offsets and noise of the analog output are small beside it.
-const FEW_VOLTS: f64 = 0.5;
 
 fn few(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     if volts.abs() >= FEW_VOLTS {
@@ -157,13 +156,13 @@ fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
         shorter = (2.0 * patience, 2),
         present = (p.gear_time, 2)
     ));
-    fail(None, [advice.setting(msg!("advice.set-gear-time", time = set.1.as_str()), [set])])
+    fail(None, [advice.setting(msg!("advice.set-gear-time", time = set.text.as_str()), [set])])
 }
 
 /// An advice with the feed that is `share` of the present one.
 fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     let set = down(FIELDS, "feed", lathe.p.feed * share);
-    Advice::from(message).setting(msg!("advice.set-feed", feed = set.1.as_str()), [set])
+    Advice::from(message).setting(msg!("advice.set-feed", feed = set.text.as_str()), [set])
 }
 
 fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -262,7 +261,7 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
                 limit = (rated, 2),
                 speed = (slower, 0)
             ))
-            .setting(msg!("advice.set-cutting-speed", speed = set.1.as_str()), [set])
+            .setting(msg!("advice.set-cutting-speed", speed = set.text.as_str()), [set])
         }
         false if slower >= 1.0 => {
             with_depth(lathe, part, msg!("turning.slower-lacks-torque", power = (d.power, 2), limit = (rated, 2)))
@@ -280,16 +279,13 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     // The first of more passes is at a larger diameter, at most that of the stock.
     let grows = lathe.p.stock_diameter / lathe.p.middle_of_edge(lathe.d.largest_cut);
     let set = down(FIELDS, "depth", lathe.p.depth * share / grows);
-    let depth = set.1.parse().unwrap_or(0.0);
+    let depth = set.value;
     let passes = Params { depth, ..lathe.p.clone() };
     if lathe.p.material == Material::None || depth < LEAST_DEPTH || passes.passes() >= super::derive::PASSES {
         return advice;
     }
-    advice.setting(msg!("advice.set-depth", depth = set.1.as_str()), [set])
+    advice.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
 }
-
-/// Least depth of cut (mm) that an advice names: below it an edge rubs.
-const LEAST_DEPTH: f64 = 0.1;
 
 /// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.
 fn torque(lathe: &TurningSpindle) -> Option<Judgement> {

@@ -43,7 +43,7 @@ pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
     let slower = lathe.p.positioning_acceleration * (most - friction) / (torque - friction);
     let advice = Advice::from(msg!("turning.positioning-too-hard", torque = (torque, 1), limit = (most, 1)));
     let set = down(FIELDS, "positioning-acceleration", slower);
-    let button = msg!("advice.set-positioning-acceleration", acceleration = set.1.as_str());
+    let button = msg!("advice.set-positioning-acceleration", acceleration = set.text.as_str());
     fail(AtMost(most), [if slower >= 1.0 { advice.setting(button, [set]) } else { advice }])
 }
 

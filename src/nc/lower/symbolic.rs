@@ -124,15 +124,25 @@ fn jumps(deck: &mut Deck, origins: &mut Vec<u32>) {
     if !deck.blocks.iter().any(strange) {
         return;
     }
+    rebuild(deck, origins, |deck, _, (blocks, origin), origins| {
+        Labels::new(deck, blocks).write(deck, blocks, origin, origins);
+    });
+}
+
+/// Writes every program anew: `write` gets the deck, the program, its present blocks with their origins, and the list of the new origins.
+fn rebuild(
+    deck: &mut Deck,
+    origins: &mut Vec<u32>,
+    write: impl Fn(&mut Deck, &mut Program, (&[Block], &[u32]), &mut Vec<u32>),
+) {
     let old = core::mem::take(&mut deck.blocks);
     let from = core::mem::take(origins);
     let mut programs = core::mem::take(&mut deck.programs);
     for program in &mut programs {
         let range = program.first as usize..program.end as usize;
-        let (blocks, origin) = (old.get(range.clone()).unwrap_or_default(), from.get(range).unwrap_or_default());
+        let present = (old.get(range.clone()).unwrap_or_default(), from.get(range).unwrap_or_default());
         let first = deck.blocks.len() as u32;
-        let labels = Labels::new(deck, blocks);
-        labels.write(deck, blocks, origin, origins);
+        write(deck, program, present, origins);
         (program.first, program.end) = (first, deck.blocks.len() as u32);
     }
     deck.programs = programs;
@@ -269,23 +279,15 @@ fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
     if deck.programs.iter().all(|program| program.title.is_none()) {
         return;
     }
-    let old = core::mem::take(&mut deck.blocks);
-    let from = core::mem::take(origins);
-    let mut programs = core::mem::take(&mut deck.programs);
-    for program in &mut programs {
-        let range = program.first as usize..program.end as usize;
-        let first = deck.blocks.len() as u32;
+    rebuild(deck, origins, |deck, program, (blocks, origin), origins| {
         if let Some(comment) = program.title.take() {
             deck.blocks.push(Block { comment: Some(comment), ..Block::EMPTY });
             // In a program without blocks the title has no original block.
-            let own = from.get(range.start).filter(|_| !range.is_empty());
-            origins.push(own.copied().unwrap_or(u32::MAX));
+            origins.push(origin.first().copied().unwrap_or(u32::MAX));
         }
-        deck.blocks.extend(old.get(range.clone()).unwrap_or_default());
-        origins.extend(from.get(range).unwrap_or_default());
-        (program.first, program.end) = (first, deck.blocks.len() as u32);
-    }
-    deck.programs = programs;
+        deck.blocks.extend(blocks);
+        origins.extend(origin);
+    });
 }
 
 /// Rewrites a deck for a language without names.

@@ -345,18 +345,7 @@ impl Envelope<'_> {
             }
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
             let OperatingPoint { torque, speed, .. } = worst_point(axis, &stretches, works.as_deref());
-            let limit = Some(Limit::AtMost(axis.fitted.most(speed)));
-            let of_torque = EnvelopeRow {
-                id: format!("{}-torque", axis.id),
-                label: "size.torque",
-                axis: Some(axis.name),
-                value: torque,
-                unit: "Nm",
-                decimals: 3,
-                limit,
-                verdict: verdict(limit, torque),
-                ..time(event, 0.0)
-            };
+            let of_torque = torque_row(event, (axis.id, axis.name), torque, axis.fitted.most(speed));
             let of_current = ampere_per_torque.map(|per_torque| EnvelopeRow {
                 id: format!("{}-current", axis.id),
                 label: "size.current",
@@ -375,20 +364,25 @@ impl Envelope<'_> {
         let spindle = spindle.map(|spindle| {
             let OperatingPoint { torque, speed, share } = spindle.worst_point(&spindle.motor, spindle.rotor);
             let most = if share > 0.0 { torque / share } else { spindle.peak[0] * spindle.motor.torque(speed) };
-            let limit = Some(Limit::AtMost(most));
-            EnvelopeRow {
-                id: "spindle-torque".to_owned(),
-                label: "size.torque",
-                axis: Some(spindle.name),
-                value: torque,
-                unit: "Nm",
-                decimals: 3,
-                limit,
-                verdict: verdict(limit, torque),
-                ..time(event, 0.0)
-            }
+            torque_row(event, ("spindle", spindle.name), torque, most)
         });
         gauges.chain(motors).chain(spindle).collect()
+    }
+}
+
+/// The greatest torque (Nm) of a motor against a limit, for a mover with an id and a name.
+fn torque_row(event: OperatingEvent, (id, name): (&str, &'static str), torque: f64, most: f64) -> EnvelopeRow {
+    let limit = Some(Limit::AtMost(most));
+    EnvelopeRow {
+        id: format!("{id}-torque"),
+        label: "size.torque",
+        axis: Some(name),
+        value: torque,
+        unit: "Nm",
+        decimals: 3,
+        limit,
+        verdict: verdict(limit, torque),
+        ..time(event, 0.0)
     }
 }
 

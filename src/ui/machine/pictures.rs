@@ -179,10 +179,7 @@ mod tests {
         let record = sentence(&crate::msg!("page.clip", time = clip::SECONDS));
         let choices = bench.all("#pictures button");
         let offered = choices.iter().any(|button| button.text_content().is_some_and(|text| text.trim() == record));
-        assert_eq!(offered, clip::is_possible(), "a browser that cannot record offers no clip");
-        if !offered {
-            return;
-        }
+        assert!(offered && clip::is_possible(), "Chromium, which runs the tests, records");
         let under_way = || bench.has("#pictures button:disabled");
         bench.press_button(&record).await;
         assert!(bench.has(".clip progress") && under_way());

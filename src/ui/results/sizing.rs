@@ -10,9 +10,11 @@ use web_sys::Element;
 
 use super::take::{listed, take};
 use super::variants::Variants;
+use crate::msg;
+use crate::project::chance;
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::Page;
-use crate::ui::words::t;
+use crate::ui::words::{sentence, t};
 use crate::ui::worker::messages::Request;
 
 /// Delay after the last change before the project is sized, so that a dragged number asks once.
@@ -39,7 +41,7 @@ pub(crate) fn SizingTab() -> impl IntoView {
             <Show
                 when=move || drawn.get()
                 fallback=move || view! {
-                    <p class="row"><button type="button" class="chip" on:click=move |_| drawn.set(true)>{t("page.chance")}</button></p>
+                    <p class="row"><button type="button" class="chip" on:click=move |_| drawn.set(true)>{sentence(&msg!("page.chance", count = chance::DRAWS))}</button></p>
                 }
             >
                 <SheetView which=|sheets| sheets.sizing request=|| Request::Chance rest=REST long=true />

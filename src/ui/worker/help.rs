@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use super::documents::tagged;
 use super::messages::{HelpPageHtml, Hit};
 use crate::machines;
 use crate::project::Project;
@@ -177,12 +178,6 @@ fn open(out: &mut String, tag: &str, name: &str, value: &str) {
     out.push_str(&format!("<{tag} {name}=\""));
     escape(out, value);
     out.push_str("\">");
-}
-
-fn tagged(out: &mut String, tag: &str, text: &str) {
-    out.push_str(&format!("<{tag}>"));
-    escape(out, text);
-    out.push_str(&format!("</{tag}>"));
 }
 
 #[cfg(test)]

@@ -485,21 +485,21 @@ fn design_readouts_match_their_golden() {
     };
     expect![[""]].assert_eq(&said(&[]));
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.0496 mm, 0.01 mm are allowed. Tips at a radius of 106.7 mm are flat enough at this ratio. No choice on this tip circle keeps within every limit: the flattest has 0.0496 mm of flatness error. The list of choices says which limit excludes each.
+        Fail flatness: The sides are uneven by 0.0496 mm; 0.01 mm are allowed. Tips at a radius of 106.7 mm are flat enough at this ratio. No choice on this tip circle keeps within every limit: the flattest has 0.0496 mm of flatness error. The list of choices says which limit excludes each.
     "#]].assert_eq(&said(&[("flatness", "0.01"), ("stock-diameter", "29")]));
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.9914 mm, 0.1 mm are allowed. Tool and work turn against each other: sides come out hollow. Give D and Q the same sign.
+        Fail flatness: The sides are uneven by 0.9914 mm; 0.1 mm are allowed. Tool and work turn against each other: sides come out hollow. Give D and Q the same sign.
         Warn relief: The tips move over the work against the turning of the cutter: inserts have to face the other way.
         Fail curvature: The sides are hollow: 0.9914 mm higher toward the corners than in the middle.
     "#]].assert_eq(&said(&[("shape", "own"), ("tool-ratio", "-2")]));
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.1012 mm, 0.1 mm are allowed. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts make them less hollow. The flattest choice here: 3 inserts, D1 Q2, tips at a radius of 45 mm, 0.0166 mm of flatness error.
+        Fail flatness: The sides are uneven by 0.1012 mm; 0.1 mm are allowed. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts make them less hollow. The flattest choice here: 3 inserts, D1 Q2, tips at a radius of 45 mm, 0.0166 mm of flatness error.
         Fail curvature: The sides are hollow: 0.1012 mm higher toward the corners than in the middle.
     "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "3"), ("sides", "6")]));
     expect![[r#"
         Fail sides: This cutter turns 6 sides, not 4. The flattest choice here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
-        Fail flatness: The sides are uneven by 0.239 mm, 0.1 mm are allowed.
-        Fail tool-speed: The tool axis ends at 2000 r/min: B may be 333 at most.
+        Fail flatness: The sides are uneven by 0.239 mm; 0.1 mm are allowed.
+        Fail tool-speed: The tool axis turns 2000 r/min at most: B may be 333 at most.
         Fail curvature: The sides are hollow: 0.239 mm higher toward the corners than in the middle.
         Warn fastest-cut: The inserts cut faster than they may: 141 r/min for B is as fast as suits.
     "#]].assert_eq(&said(&[
@@ -514,7 +514,7 @@ fn design_readouts_match_their_golden() {
         Warn orientation-error: A side is 15° off the orientation that is asked for: A15 corrects it.
     "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.1338 mm, 0.1 mm are allowed.
+        Fail flatness: The sides are uneven by 0.1338 mm; 0.1 mm are allowed.
         Warn insert-depth: Insert 2 is 0.1 mm off the tip circle: sides that it cuts alone are deeper by as much, or higher where that is negative. Reset it, or set all inserts to one radius.
         Warn insert-turn: Insert 2 turns its sides by 0.5° against where they belong.
     "#]].assert_eq(&said(&[
@@ -527,7 +527,7 @@ fn design_readouts_match_their_golden() {
         Fail twist: G512 has whole D and Q only: the program turns the sides straight. The twist needs the tool at 399.75 r/min while Z feeds, from the same angle in every pass; own-code.nc has it for a control with G51.2.
     "#]].assert_eq(&said(&[("lead", "400")]));
     expect![[r#"
-        Error across-flats: The finished part is 25 mm across flats, the stock has 24 mm: there is nothing to cut.
+        Error across-flats: The finished part is 25 mm across flats; the stock has 24 mm: there is nothing to cut.
         Error start-x: The slide would start at 20 mm, inside the stock or its clearance: start at 28 mm or more.
     "#]]
     .assert_eq(&said(&[("across-flats", "25"), ("start-x", "20"), ("depth", "0.01"), ("stock-diameter", "24")]));
@@ -539,16 +539,16 @@ fn design_readouts_match_their_golden() {
     .assert_eq(&said(&[("shape", "own"), ("tool-ratio", "0"), ("radius-errors", "0 0 9"), ("angle-errors", "x")]));
     // A preset beyond its tolerance: there is no other way to turn it.
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.2212 mm, 0.1 mm are allowed. No choice on this tip circle keeps within every limit: the flattest has 0.158 mm of flatness error. The list of choices says which limit excludes each.
+        Fail flatness: The sides are uneven by 0.2212 mm; 0.1 mm are allowed. No choice on this tip circle keeps within every limit: the flattest has 0.158 mm of flatness error. The list of choices says which limit excludes each.
     "#]].assert_eq(&said(&[("shape", "triangle")]));
     // The relief is too small, so the insert would have to cut with its back.
     expect![[r#"
-        Fail flatness: The sides are uneven by 1.8627 mm, 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio. No choice on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of choices says which limit excludes each.
+        Fail flatness: The sides are uneven by 1.8627 mm; 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio. No choice on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of choices says which limit excludes each.
         Fail relief: In pass 3, to 54 mm, an insert would move back into its flank where it meets the work: no relief is enough. Take less depth of cut or a larger cutter.
         Warn slowest-cut: The inserts cut more slowly than they should: from 523 r/min for B on they do not.
         Fail distance: The axes would be nearer to each other than 20 mm.
         Fail reach: The body of the cutter touches the stock beside the polygon and overlaps it by 18 mm: the tips need an overhang of at least 20 mm, or the stock a diameter of at most 24 mm.
-        Warn work-torque-effective: The strikes of the cut heat the drive of the work's axis like 33.06 Nm without a pause, and its drive gives 31.51 Nm continuously at this speed: less feed, or less depth.
+        Warn work-torque-effective: The strikes of the cut heat the drive of the work’s axis like 33.06 Nm without a pause, and its drive gives 31.51 Nm continuously at this speed: reduce feed or depth.
     "#]].assert_eq(&said(&[("tip-radius", "2"), ("stock-diameter", "60"), ("start-x", "70")]));
     expect![[r#"
         Warn relief: Less than 2° of relief are left.
@@ -559,7 +559,7 @@ fn design_readouts_match_their_golden() {
     "#]]
     .assert_eq(&said(&[("work-limit", "150"), ("speed", "40"), ("slowest-cut", "60")]));
     expect![[r#"
-        Fail work-speed: The work axis ends at 150 r/min: B may be 150 at most.
+        Fail work-speed: The work axis turns 150 r/min at most: B may be 150 at most.
     "#]]
     .assert_eq(&said(&[("work-limit", "150")]));
     expect![[r#"
@@ -577,12 +577,12 @@ fn design_readouts_match_their_golden() {
     "#]]
     .assert_eq(&said(&[("depth", "0.01"), ("feed", "0.001"), ("speed", "1"), ("finish-feed", "0.001")]));
     expect![[r#"
-        Fail tool-speed: The tool axis ends at 2000 r/min: B may be 20 at most.
+        Fail tool-speed: The tool axis turns 2000 r/min at most: B may be 20 at most.
         Fail tool-run-up: The run-up asks 138.2 Nm of the tool, and its drive gives 6 Nm: the tool falls behind its ratio to the work. A longer ramp on both axes keeps them together, or a lower B.
         Error tool-ratio: This cutter leaves no section: it reaches the centre of the work, or there would be more than 1000 sides.
     "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "50"), ("tool-ratio", "99")]));
     expect![[r#"
-        Fail flatness: The sides are uneven by 2.195 mm, 0.1 mm are allowed. Tool and work turn against each other: sides come out hollow. Give D and Q the same sign.
+        Fail flatness: The sides are uneven by 2.195 mm; 0.1 mm are allowed. Tool and work turn against each other: sides come out hollow. Give D and Q the same sign.
         Warn relief: The tips move over the work against the turning of the cutter: inserts have to face the other way.
         Fail curvature: The sides are hollow: 2.195 mm higher toward the corners than in the middle.
     "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "-2"), ("stock-diameter", "30")]));

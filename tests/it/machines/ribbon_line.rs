@@ -235,7 +235,7 @@ fn paper_example_fails_the_slip_rule_and_names_the_match() {
         advice(&ratio),
         [
             "slips: match Ø 15.28 mm or 47 heads",
-            "The roller's surface runs 7.854 times as fast as the ribbon: each head slips 1.745 mm while it touches, 0.05 are allowed.",
+            "The roller’s surface runs 7.854 times as fast as the ribbon: each head slips 1.745 mm while it touches, 0.05 are allowed.",
             "Match the diameter: 15.28 mm roll without slip with 6 heads.",
             "Or match the heads: 47 on this roller give a ratio of 1.00264 and a smear of 0.005 mm.",
             "Or a pitch of 62.832 mm.",

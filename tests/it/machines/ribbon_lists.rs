@@ -30,14 +30,14 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X0.5 |  | machine | PLC |  | Emergency stop: open while it is pressed; its relay also takes the enable from the drives
             X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
             X3.2 |  | machine | PLC |  | Key: spindle clockwise
-            X3.3 |  | machine | PLC |  | Key: spindle counterclockwise
+            X3.3 |  | machine | PLC |  | Key: spindle counter-clockwise
             X3.4 |  | machine | PLC |  | Key: spindle stop
             X3.5 |  | machine | PLC |  | Inverter ready: closed while the supply is on, the enable is closed and there is no fault
             X3.6 |  | machine | PLC |  | Loop sensor: opens when the loop reaches its longest limit, the loop capacity
             X3.7 |  | machine | PLC |  | Tension switch at the loop: opens when the ribbon reaches its tension limit
             X4.0 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
-            Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
+            Y5.1 |  | PLC | machine |  | Inverter: run counter-clockwise
             A0.0 |  | PLC | control |  | Alarm: fault of the inverter
             A0.1 |  | PLC | control |  | Alarm: M03 and M04 without M05 between them
             A0.2 |  | PLC | control |  | Message: inverter is not ready
@@ -229,14 +229,14 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
             X3.2 |  | machine | PLC |  | Inverter is at the commanded speed
             X3.3 |  | machine | PLC |  | Key: spindle clockwise
-            X3.4 |  | machine | PLC |  | Key: spindle counterclockwise
+            X3.4 |  | machine | PLC |  | Key: spindle counter-clockwise
             X3.5 |  | machine | PLC |  | Key: spindle stop
             X3.6 |  | machine | PLC |  | Inverter ready: closed while the supply is on, the enable is closed and there is no fault
             X3.7 |  | machine | PLC |  | Loop sensor: opens when the loop reaches its longest limit, the loop capacity
             X4.0 |  | machine | PLC |  | Tension switch at the loop: opens when the ribbon reaches its tension limit
             X4.1 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
-            Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
+            Y5.1 |  | PLC | machine |  | Inverter: run counter-clockwise
             A0.0 |  | PLC | control |  | Alarm: fault of the inverter
             A0.1 |  | PLC | control |  | Message: inverter is not ready
             A0.2 |  | PLC | control |  | Message: loop at its longest limit

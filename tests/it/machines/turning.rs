@@ -237,17 +237,17 @@ fn design_readouts_match_their_golden() {
     expect![[""]].assert_eq(&said(&[("spindle-ramp", "1"), ("motor-power", "22")]));
     expect![[r#"
         Fail speed-smallest: The speed limit of 3500 r/min lies above the 3000 r/min of chuck and spindle: set it to 3000 or less.
-        Warn acceleration-needed: The spindle would have to gain 3142 r/min each second, it can 1000: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.
+        Warn acceleration-needed: The spindle would have to gain 3142 r/min each second; it can gain only 1000: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.
     "#]].assert_eq(&said(&[("upper-limit", "3500"), ("finished-diameter", "0")]));
     expect![[r#"
-        Error finished-diameter: The finished part reaches 80 mm, the stock has 80 mm: there is nothing to cut.
+        Error finished-diameter: The finished part reaches 80 mm; the stock has 80 mm: there is nothing to cut.
         Error start-x: The tool would start at 80 mm, inside the stock or its clearance: start at more than 84 mm.
     "#]]
     .assert_eq(&said(&[("finished-diameter", "80"), ("start-x", "80")]));
     expect![[r#"
         Warn limit-diameter: Below 57.296 mm the spindle is held at 1000 r/min: the surface speed falls to 62.8 m/min, over 58 % of the diameter.
         Warn stage-speed: Stage 1 ends at 1000 r/min, below the speed limit of 2500 r/min: the surface speed falls from there on. Take a faster stage. That makes another result fail: Highest feed.
-        Warn acceleration-needed: The spindle would have to gain 1164 r/min each second, it can 333: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.
+        Warn acceleration-needed: The spindle would have to gain 1164 r/min each second; it can gain only 333: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.
         Fail power: Cut and friction need 12.21 kW, 6 kW are available at the spindle, and at a lower cutting speed the torque is too small. Cut with less depth.
         Fail torque: Cut and friction take 162 Nm at 716 r/min, and the motor gives 49.2 Nm in stage 1: the spindle stalls. Take a stage with more torque, or cut with less depth.
         Fail peak-torque: At Ø 80 mm cut, friction and the acceleration of the constant surface speed together take 171.4 Nm at 716 r/min; the motor gives 85.9 Nm there for a short time: the spindle lags or stalls. Feed more slowly, or limit the speed to less.

@@ -317,7 +317,7 @@ fn sentences_name_the_list_of_projects_by_its_title() {
 }
 
 /// Words that the glossary bars, and the term in their place.
-const BARRED: [(&str, &str); 9] = [
+const BARRED: [(&str, &str); 10] = [
     ("控制器", "系统 or 数控系统"),
     ("告警", "报警"),
     ("警报", "报警"),
@@ -327,6 +327,7 @@ const BARRED: [(&str, &str); 9] = [
     ("单节", "程序段"),
     ("刀片", "车刀"),
     ("程序块", "程序段"),
+    ("持续转矩", "连续转矩"),
 ];
 
 /// Faults of a Chinese sentence: words that the glossary bars, marks, spaces.
@@ -336,6 +337,9 @@ pub(crate) fn chinese_faults(sentence: &str) -> Vec<String> {
     let barred = BARRED.iter().filter(|(word, _)| sentence.contains(word));
     let mut faults: Vec<String> = barred.map(|(word, instead)| format!("{word} is {instead}")).collect();
     let text: Vec<char> = sentence.chars().collect();
+    if sentence.contains("} %") {
+        faults.push("space between a place and %".to_owned());
+    }
     for pair in text.windows(2) {
         let fault = match *pair {
             [a, b] if chinese(a) && ",;:?!".contains(b) => "half-width mark",
@@ -360,6 +364,23 @@ fn chinese_follows_its_glossary() {
     };
     let broken = rows.into_iter().flat_map(faults).collect();
     hold("Chinese follows docs/glossary.md.", "see its rules of style", broken);
+}
+
+#[test]
+fn apostrophes_of_sentences_are_curved() {
+    let mut broken = Vec::new();
+    for sentences in
+        Language::ALL.into_iter().flat_map(|language| [Sentences::of(language), Sentences::of_help(language)])
+    {
+        let is_straight = |[before, mark]: [char; 2]| before.is_alphabetic() && mark == '\'';
+        for (key, sentence) in &sentences.rows {
+            let text: Vec<char> = sentence.chars().collect();
+            if text.array_windows().any(|pair| is_straight(*pair)) {
+                broken.push(format!("{}: {key}: {sentence}", sentences.file));
+            }
+        }
+    }
+    hold("Apostrophes are ’.", "’ after a letter; straight marks only around words of a program or a command", broken);
 }
 
 /// Sentences whose lengths stay in millimetres in any units: about words that the control reads, or values of a program or a parameter.

@@ -51,6 +51,17 @@ fn wrong_sense_sides_do_not_meet_in_the_stock() {
     near(section.corners()[0].angle, section.begin() + 0.25 * PI, 1e-12);
 }
 
+/// Twice the distance of a corner from the centre at ratio 2: `2 d / (cos(π/N) √(1 + ε² T²))`. For 3 sides or more.
+fn across_corners(apothem: f64, radius: f64, sides: u32) -> f64 {
+    2.0 * ellipse::reach(apothem, radius, PI / f64::from(sides))
+}
+
+/// Area (mm²) of the section at ratio 2: `(N d² / ε) atan(ε T)`, with `ε = d / (2 r + d)` and `T = tan(π/N)`. For 3 sides or more.
+fn area(apothem: f64, radius: f64, sides: u32) -> f64 {
+    let e = apothem / (2.0 * radius + apothem);
+    f64::from(sides) * apothem * apothem / e * math::atan(e * math::tan(PI / f64::from(sides)))
+}
+
 #[test]
 fn ratio_2_sections_equal_the_ellipse_formula() {
     let mut random = Random(1);
@@ -63,7 +74,7 @@ fn ratio_2_sections_equal_the_ellipse_formula() {
         cutter.tool_start = random.between(-7.0, 7.0);
         let sides = 2 * inserts;
         let whole = sides > 2 && case % 3 > 0;
-        let full = if sides > 2 { ellipse::across_corners(d, r, sides) / 2.0 } else { 1.5 * d };
+        let full = if sides > 2 { across_corners(d, r, sides) / 2.0 } else { 1.5 * d };
         let stock = if whole { 1.5 * full } else { random.between(d, full) };
         let section = Section::new(&cutter, stock).unwrap();
         let half = PI / f64::from(sides);
@@ -80,8 +91,8 @@ fn ratio_2_sections_equal_the_ellipse_formula() {
         if whole {
             near(side.flatness(), ellipse::sag(d, r, sides), 1e-9);
             near(corner.radius, full, 1e-9);
-            near(section.across_corners().0, ellipse::across_corners(d, r, sides), 1e-9);
-            close(section.area(), ellipse::area(d, r, sides), 1e-12);
+            near(section.across_corners().0, across_corners(d, r, sides), 1e-9);
+            close(section.area(), area(d, r, sides), 1e-12);
         } else {
             near(side.flatness(), sag_in_stock(d, r, stock), 1e-9);
             assert!(!corner.meets && corner.radius == stock);
@@ -139,10 +150,12 @@ fn worn(random: &mut Random) -> CutterSetup {
 #[test]
 fn tips_pass_outside_the_section_and_never_inside() {
     let mut random = Random(4);
+    let (mut sections, mut edges) = (0, 0);
     for case in 0..300 {
         let cutter = worn(&mut random);
         let stock = (cutter.distance - cutter.radius) * random.between(1.05, 6.0);
         let Some(section) = Section::new(&cutter, stock) else { continue };
+        sections += 1;
         let (inserts, turns) = (cutter.tips.len(), f64::from(cutter.ratio.work()));
         // Within: no tip is ever nearer than the section. Random times in the turns in which the pattern closes.
         for _ in 0..2000 {
@@ -162,6 +175,7 @@ fn tips_pass_outside_the_section_and_never_inside() {
             if radius > stock - 1e-9 {
                 continue;
             }
+            edges += 1;
             let point = (radius * math::cos(angle), radius * math::sin(angle));
             let off = |insert: usize, turned: f64| {
                 let (x, y) = tip(&cutter, insert, turned);
@@ -181,6 +195,7 @@ fn tips_pass_outside_the_section_and_never_inside() {
             assert!(nearest < 1e-9, "case {case}: {nearest} mm from a tip at {angle}, {cutter:?}");
         }
     }
+    assert!(sections > 100 && edges > 1000, "{sections} sections, {edges} edges");
 }
 
 #[test]
