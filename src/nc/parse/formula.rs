@@ -26,7 +26,10 @@ pub(super) struct OpenBracket {
 }
 
 /// Function names of other languages, and the control's names.
-const OTHER_NAMES: [(&str, &str); 7] = [
+const OTHER_NAMES: [(&str, &str); 10] = [
+    ("ATN", "ATAN"),
+    ("ATAN", "ATAN2"),
+    ("SQR", "SQRT"),
     ("INT", "FIX"),
     ("TRUNC", "FIX"),
     ("CEIL", "FUP"),

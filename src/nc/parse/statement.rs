@@ -55,7 +55,7 @@ impl Reader<'_> {
                 let cond = self.condition(Alarm::WhileSentence, "WHILE")?;
                 self.no_other_condition(Alarm::WhileSentence)?;
                 let head = self.cursor.at;
-                if !self.take("DO") {
+                if !self.take("DO") && !self.do_with_zero() {
                     return Err(self.while_without_do(start));
                 }
                 let (label, keyword) = self.loop_number("DO", head)?;

@@ -126,6 +126,19 @@ impl Reader<'_> {
         failure
     }
 
+    /// Whether the cursor is at a `DO` that is written with the digit 0, which is reported and passed.
+    pub(in crate::nc::parse) fn do_with_zero(&mut self) -> bool {
+        self.pass_blanks();
+        let at = self.cursor.at;
+        let is_number = self.cursor.line.get(at + 2).is_some_and(u8::is_ascii_digit);
+        if !self.cursor.ahead("D0") || !is_number {
+            return false;
+        }
+        self.report_replaced(Alarm::WhileSentence, at, at + 2, msg!("nc.zero-in-do"), "DO");
+        self.cursor.at = at + 2;
+        true
+    }
+
     /// Reports `=` after an address, which these controls do not have, and reads on after it.
     pub(in crate::nc::parse) fn equals_in_word(&mut self) {
         let at = self.cursor.at;
