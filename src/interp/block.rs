@@ -8,6 +8,7 @@ use super::canon::Canon;
 use super::codes::{BlockCodes, END, OPTIONAL_STOP, STOP, macro_kind};
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
+use super::frame::CalledBy;
 use super::state::RunState;
 use super::step::End;
 use super::words::BlockWords;
@@ -151,9 +152,11 @@ impl RunState {
         match (codes.flow, codes.call) {
             (_, Some(call)) => {
                 let program = f64::from(call.program);
-                self.call_sub(cx, Some(program), None, values.call.l, true)
+                self.call_sub(cx, Some(program), None, values.call.l, CalledBy::Code)
             }
-            (Some(Code::SubCall), None) => self.call_sub(cx, values.call.p, values.call.h, values.call.l, false),
+            (Some(Code::SubCall), None) => {
+                self.call_sub(cx, values.call.p, values.call.h, values.call.l, CalledBy::Word)
+            }
             (Some(Code::Return), None) if self.frames.is_empty() => {
                 Err(Trap::alarm(Alarm::MainReturn, msg!("interp.main-return")))
             }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::canon::Canon;
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
-use super::frame::{CallArguments, CallFrame, ModalCall};
+use super::frame::{CallArguments, CallFrame, CalledBy, ModalCall};
 use super::state::RunState;
 use super::step::End;
 use super::vars::{LOCALS, Locals, VACANT};
@@ -33,7 +33,7 @@ struct Callee {
     repeats: u32,
     arguments: Option<CallArguments>,
     modal_call: Option<Rc<ModalCall>>,
-    by_code: bool,
+    called_by: CalledBy,
 }
 
 /// P, L and arguments of a macro call.
@@ -62,7 +62,7 @@ impl RunState {
 
     /// Whether the running program was called by a code, directly or indirectly. Codes call no further programs then.
     pub(super) fn called_by_code(&self) -> bool {
-        self.frames.iter().any(|frame| frame.by_code)
+        self.frames.iter().any(|frame| frame.called_by == CalledBy::Code)
     }
 
     fn enter(&mut self, cx: &BlockContext, callee: Callee) -> BlockResult<()> {
@@ -84,7 +84,7 @@ impl RunState {
         if callee.repeats == 0 {
             return Ok(());
         }
-        let Callee { program, entry, repeats, arguments, by_code, .. } = callee;
+        let Callee { program, entry, repeats, arguments, called_by, .. } = callee;
         // A subprogram keeps the modal call of its caller.
         let mut modal_call = None;
         if let Some(arguments) = &arguments {
@@ -93,7 +93,7 @@ impl RunState {
         }
         let back = self.at;
         let frame =
-            CallFrame { program: self.program, back, modal_call, entry, again: repeats - 1, arguments, by_code };
+            CallFrame { program: self.program, back, modal_call, entry, again: repeats - 1, arguments, called_by };
         self.frames.push(frame);
         self.go_to_program(cx.deck, program);
         self.at = entry;
@@ -134,13 +134,13 @@ impl RunState {
         p: Option<f64>,
         h: Option<f64>,
         l: Option<f64>,
-        by_code: bool,
+        called_by: CalledBy,
     ) -> BlockResult<()> {
         let macros = &cx.control.macros;
         self.refuse_in_modal(cx)?;
         let at: &'static [Address] = if l.is_some() { &[Address::L] } else { &[Address::P] };
         let (mut p, mut l) = (p, l);
-        if let (Some(number), true, false) = (p, macros.repeats_in_p, by_code) {
+        if let (Some(number), true, CalledBy::Word) = (p, macros.repeats_in_p, called_by) {
             // The repeats are the digits in front of the program number.
             let programs = POW10.get(usize::from(cx.control.syntax.program_digits)).map_or(1e18, |&p| p as f64);
             if number >= programs {
@@ -166,7 +166,7 @@ impl RunState {
             }
         };
         let repeats = self.repeats(cx, l, at)?;
-        self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, by_code })
+        self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, called_by })
     }
 
     /// A call of a program by its name.
@@ -194,7 +194,7 @@ impl RunState {
             }
         };
         let entry = cx.deck.programs.get(program as usize).map_or(0, |program| program.first);
-        self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, by_code: false })
+        self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, called_by: CalledBy::Word })
     }
 
     /// Raises the alarm of a call or jump during a modal macro call, on controls that have it.
@@ -212,11 +212,11 @@ impl RunState {
         (program, repeats): (u32, u32),
         arguments: CallArguments,
         modal_call: Option<Rc<ModalCall>>,
-        by_code: bool,
+        called_by: CalledBy,
     ) -> BlockResult<()> {
         let program = self.program_of(cx, f64::from(program))?;
         let entry = cx.deck.programs.get(program as usize).map_or(0, |program| program.first);
-        self.enter(cx, Callee { program, entry, repeats, arguments: Some(arguments), modal_call, by_code })
+        self.enter(cx, Callee { program, entry, repeats, arguments: Some(arguments), modal_call, called_by })
     }
 
     /// One call of the modal macro in force.
@@ -226,7 +226,7 @@ impl RunState {
         call: &ModalCall,
         arguments: CallArguments,
     ) -> BlockResult<()> {
-        self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), call.by_code)
+        self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), call.called_by)
     }
 
     /// `G65 P L arguments`, or `G66` or `G66.1`, which set a modal call.
@@ -244,7 +244,7 @@ impl RunState {
         };
         // G66 and G66.1 already need the program.
         self.program_of(cx, number)?;
-        self.call_as(cx, number as u32, arguments, kind, false)
+        self.call_as(cx, number as u32, arguments, kind, CalledBy::Word)
     }
 
     /// Macro call by a code bound to a macro; the words of the block are arguments.
@@ -265,7 +265,7 @@ impl RunState {
             return Err(trap.within(word.span(block)));
         }
         let arguments = self.arguments(cx, block, words, caller)?;
-        self.call_as(cx, call.program, arguments, call.kind, true)
+        self.call_as(cx, call.program, arguments, call.kind, CalledBy::Code)
     }
 
     fn call_as(
@@ -274,19 +274,19 @@ impl RunState {
         program: u32,
         arguments: Arguments,
         kind: CallKind,
-        by_code: bool,
+        called_by: CalledBy,
     ) -> BlockResult<()> {
         let repeats = self.repeats(cx, arguments.repeats, &[Address::L])?;
         let arguments = arguments.into_call_arguments();
         if matches!(kind, CallKind::Modal | CallKind::ModalBlock) {
             let (each_block, outer) = (kind == CallKind::ModalBlock, self.modal_call.take());
-            self.modal_call = Some(Rc::new(ModalCall { program, repeats, arguments, each_block, by_code, outer }));
+            self.modal_call = Some(Rc::new(ModalCall { program, repeats, arguments, each_block, called_by, outer }));
             return Ok(());
         }
         if cx.control.macros.call_ends_modal {
             self.modal_call = None;
         }
-        self.call_macro(cx, (program, repeats), arguments, None, by_code)
+        self.call_macro(cx, (program, repeats), arguments, None, called_by)
     }
 
     /// Arguments of both specifications, mixed. Of two words for one variable the later one counts.

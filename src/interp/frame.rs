@@ -4,6 +4,15 @@ use std::rc::Rc;
 
 use super::vars::Locals;
 
+/// Caller of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum CalledBy {
+    /// A word or statement that names the program: `M98 P`, `G65 P`, a name.
+    Word,
+    /// A code bound to the program.
+    Code,
+}
+
 /// Return data of a call.
 #[derive(Debug, Clone)]
 pub(super) struct CallFrame {
@@ -19,8 +28,8 @@ pub(super) struct CallFrame {
     pub(super) again: u32,
     /// Arguments of a macro; a subprogram has none and shares its caller's locals.
     pub(super) arguments: Option<CallArguments>,
-    /// Called by a code: codes in this program call no further program.
-    pub(super) by_code: bool,
+    /// Codes in a program called by a code call no further program.
+    pub(super) called_by: CalledBy,
 }
 
 /// Arguments of a macro call.
@@ -43,8 +52,8 @@ pub(super) struct ModalCall {
     pub(super) arguments: CallArguments,
     /// G66.1: each block is only a call.
     pub(super) each_block: bool,
-    /// Set by a code bound to a program.
-    pub(super) by_code: bool,
+    /// What set it.
+    pub(super) called_by: CalledBy,
     /// The preceding modal call: in force within the macro, and again when this one ends.
     pub(super) outer: Option<Rc<ModalCall>>,
 }

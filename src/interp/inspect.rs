@@ -5,7 +5,7 @@ use super::context::BlockContext;
 use super::error::Trap;
 use super::state::RunState;
 use super::vars::{LOCALS, Locals, VACANT};
-use super::world::World;
+use super::world::{MachineClock, World};
 use crate::controls::{CodeId, Group, VarKind};
 use crate::nc::{Block, ParsedFormula};
 use crate::text::{Diagnostic, FileId, Place, Span};
@@ -178,8 +178,8 @@ impl Interp {
                 compare(What::Variable(number), value(then), value(now));
             }
             let clock = match row.kind {
-                VarKind::PowerOnTime(_) => 0,
-                VarKind::RunTime(_) => 1,
+                VarKind::PowerOnTime(_) => MachineClock::PowerOn as usize,
+                VarKind::RunTime(_) => MachineClock::AutomaticRun as usize,
                 _ => continue,
             };
             if now.clock_zero[clock] != then.clock_zero[clock] {

@@ -60,4 +60,4 @@ pub use canon::{Canon, Feed, Target};
 pub use interpreter::{Interp, run};
 pub use precheck::precheck;
 pub use step::{Counts, End, StartProgram, Step};
-pub use world::World;
+pub use world::{MachineClock, World};

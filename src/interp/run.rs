@@ -3,6 +3,7 @@
 use super::canon::Canon;
 use super::context::{BlockContext, Shared};
 use super::error::Trap;
+use super::frame::CalledBy;
 use super::state::RunState;
 use super::step::{End, Step};
 use super::world::World;
@@ -80,7 +81,7 @@ impl RunState {
     #[cold]
     fn calling_block(&self, shared: &Shared) -> Option<(Place, u32)> {
         let deck = shared.parsed.deck();
-        let frame = self.frames.iter().find(|frame| frame.by_code)?;
+        let frame = self.frames.iter().find(|frame| frame.called_by == CalledBy::Code)?;
         let block = deck.blocks.get(frame.back.checked_sub(1)? as usize)?;
         let file = deck.programs.get(frame.program as usize)?.file;
         Some((Place { file, span: block.span }, deck.programs.get(self.program as usize)?.number))

@@ -61,7 +61,7 @@ pub(super) struct RunState {
     /// Last block read.
     pub(super) place: Place,
     pub(super) counts: Counts,
-    /// Machine time (ms) of the zero of `#3001` and of `#3002`.
+    /// Machine time (ms) of the zero of each [`MachineClock`](super::world::MachineClock).
     pub(super) clock_zero: [f64; 2],
     /// The machine is at rest for the next block.
     pub(super) synced: bool,

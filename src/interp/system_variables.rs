@@ -7,6 +7,7 @@ use super::eval::variable_number;
 use super::index::VariableSlot;
 use super::state::RunState;
 use super::vars::VACANT;
+use super::world::MachineClock;
 use crate::controls::vars::Width;
 use crate::controls::{Alarm, VarKind, VarRange};
 use crate::math;
@@ -46,12 +47,16 @@ impl RunState {
                 slot.map_or(0.0, |slot| zero_if_vacant(self.vars.common(slot)))
             }
             VarKind::PowerOnTime(clock) => {
-                (finite_or_zero(cx.world.clock_ms(false)) - self.clock_zero[0]) / clock.milliseconds()
+                (finite_or_zero(cx.world.clock_ms(MachineClock::PowerOn))
+                    - self.clock_zero[MachineClock::PowerOn as usize])
+                    / clock.milliseconds()
             }
             VarKind::RunTime(clock) => {
-                (finite_or_zero(cx.world.clock_ms(true)) - self.clock_zero[1]) / clock.milliseconds()
+                (finite_or_zero(cx.world.clock_ms(MachineClock::AutomaticRun))
+                    - self.clock_zero[MachineClock::AutomaticRun as usize])
+                    / clock.milliseconds()
             }
-            VarKind::PartTime => finite_or_zero(cx.world.clock_ms(true)) / 1000.0,
+            VarKind::PartTime => finite_or_zero(cx.world.clock_ms(MachineClock::AutomaticRun)) / 1000.0,
             VarKind::ModalCode(group) => self.modal.codes[group as usize].to_f64(),
             VarKind::ExecutingCode(group) => self.executing(cx).codes[group as usize].to_f64(),
             VarKind::ModalWord(letter) => self.modal.shown(letter),
@@ -181,10 +186,12 @@ impl RunState {
                 self.pause = true;
             }
             VarKind::PowerOnTime(clock) => {
-                self.clock_zero[0] = finite_or_zero(cx.world.clock_ms(false)) - value * clock.milliseconds();
+                self.clock_zero[MachineClock::PowerOn as usize] =
+                    finite_or_zero(cx.world.clock_ms(MachineClock::PowerOn)) - value * clock.milliseconds();
             }
             VarKind::RunTime(clock) => {
-                self.clock_zero[1] = finite_or_zero(cx.world.clock_ms(true)) - value * clock.milliseconds();
+                self.clock_zero[MachineClock::AutomaticRun as usize] =
+                    finite_or_zero(cx.world.clock_ms(MachineClock::AutomaticRun)) - value * clock.milliseconds();
             }
             VarKind::WorkOffset(system) => self.write_offset(cx, row, system, number, value)?,
             VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),

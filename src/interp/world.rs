@@ -2,12 +2,21 @@
 
 use crate::text::Diagnostic;
 
+/// A clock of the machine that programs read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MachineClock {
+    /// Time since power-on (`#3001`).
+    PowerOn,
+    /// Time of automatic operation (`#3002`).
+    AutomaticRun,
+}
+
 /// The machine as seen by the interpreter. It is read when a block is read, possibly several blocks ahead of execution.
 pub trait World {
     /// A macro input from the PLC (bit or signed word), by variable number.
     fn input(&mut self, variable: u32) -> f64;
-    /// Milliseconds since power-on (`run` false) or of automatic operation (`run` true).
-    fn clock_ms(&mut self, run: bool) -> f64;
+    /// Milliseconds of a clock.
+    fn clock_ms(&mut self, clock: MachineClock) -> f64;
     /// Position of an axis in millimetres or degrees as its words count (diameter on a diameter axis), machine frame. Called only after a
     /// [`Step::Sync`](super::Step::Sync).
     fn position(&mut self, axis: usize) -> f64;
@@ -48,7 +57,7 @@ impl World for MachineAtRest {
         self.inputs.iter().find(|(number, _)| *number == variable).map_or(0.0, |(_, value)| *value)
     }
 
-    fn clock_ms(&mut self, _run: bool) -> f64 {
+    fn clock_ms(&mut self, _clock: MachineClock) -> f64 {
         0.0
     }
 

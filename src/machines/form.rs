@@ -40,6 +40,24 @@ pub fn with_entries(values: &Values, fields: &[FieldInfo], entries: &[(&'static 
 /// Origins by field id; a missing one is assumed.
 pub type Origins = BTreeMap<String, Provenance>;
 
+/// Part of a field's value in the design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FieldRole {
+    /// A choice of the engineer.
+    Choice,
+    /// A fact of the machine: measured, from a data sheet or assumed.
+    Fact,
+    /// A fact that is set, counted or agreed, such as a gain or a time constant of an axis: its origin counts, but it is exact.
+    ExactFact,
+}
+
+impl FieldRole {
+    /// Whether the value is a fact of the machine, which has a provenance.
+    pub fn is_fact(self) -> bool {
+        self != FieldRole::Choice
+    }
+}
+
 /// A field of a machine with parameters `P`.
 pub struct Field<P: 'static> {
     /// Id in projects, for instance `pitch`.
@@ -54,10 +72,8 @@ pub struct Field<P: 'static> {
     pub symbol: &'static str,
     /// A field that defines the product: shown first, and always in a program's header.
     pub essential: bool,
-    /// A fact of the machine (measured, from a data sheet or assumed), not a choice of the engineer.
-    pub fact: bool,
-    /// A fact that is set, counted or agreed, such as a gain or a time constant of an axis: its origin counts, but it is exact.
-    pub setting: bool,
+    /// Choice of the engineer or fact of the machine.
+    pub role: FieldRole,
     /// Whether the field is shown with these parameters on this control.
     pub shown: fn(&P, &Control) -> bool,
     /// Kind and limits of its value.
@@ -129,10 +145,8 @@ pub struct FieldInfo {
     pub symbol: &'static str,
     /// Shown first.
     pub essential: bool,
-    /// Whether the value is a fact of the machine, not a choice: it has a provenance.
-    pub fact: bool,
-    /// A fact that is exact: a setting or a count.
-    pub setting: bool,
+    /// Choice or fact: a fact has a provenance.
+    pub role: FieldRole,
     /// Kind and limits of its value.
     pub kind: FieldKindInfo,
 }
@@ -173,8 +187,7 @@ impl<P> Field<P> {
             help: self.help,
             symbol: self.symbol,
             essential: self.essential,
-            fact: self.fact,
-            setting: self.setting,
+            role: self.role,
             kind: match self.kind {
                 FieldKind::Number { unit, min, max, default, decimals, step, .. } => {
                     FieldKindInfo::Number { unit, min, max, default, decimals, step }

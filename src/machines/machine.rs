@@ -548,7 +548,7 @@ impl<M: Machine> AnyMachine for Erased<M> {
         let invalid = fill(M::fields(), values, &mut params);
         let (shown, hidden): (Vec<_>, Vec<_>) =
             M::fields().iter().partition(|field| (field.shown)(&params, on.control));
-        let facts = shown.into_iter().filter(|field| field.fact).map(|field| field.id).collect();
+        let facts = shown.into_iter().filter(|field| field.role.is_fact()).map(|field| field.id).collect();
         let hidden = hidden.into_iter().map(|field| field.id).collect();
         let trial = Trial {
             machine: const { &Erased::<M>::new() },

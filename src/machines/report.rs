@@ -115,7 +115,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
         symbol: field.symbol,
         value: text,
         unit,
-        origin: field.fact.then_some(origin),
+        origin: field.role.is_fact().then_some(origin),
     }
 }
 

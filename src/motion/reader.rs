@@ -10,7 +10,7 @@ use super::sim::Sim;
 use super::state::{Over, Queued, SimState};
 use super::timeline::{Timeline, VariableChange};
 use crate::interp::canon::AXES;
-use crate::interp::{Canon, Step, World};
+use crate::interp::{Canon, MachineClock, Step, World};
 use crate::text::Diagnostic;
 
 /// The machine as read by a block of the program.
@@ -63,8 +63,12 @@ impl World for ReaderWorld<'_> {
         self.inputs.get(&variable).copied().unwrap_or(0.0)
     }
 
-    fn clock_ms(&mut self, run: bool) -> f64 {
-        1000.0 * if run { self.running } else { self.power_on }
+    fn clock_ms(&mut self, clock: MachineClock) -> f64 {
+        let seconds = match clock {
+            MachineClock::PowerOn => self.power_on,
+            MachineClock::AutomaticRun => self.running,
+        };
+        1000.0 * seconds
     }
 
     fn position(&mut self, axis: usize) -> f64 {

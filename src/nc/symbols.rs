@@ -396,14 +396,13 @@ impl<'a> Reader<'a> {
             return;
         }
         if let Some((by, call)) = words.iter().find_map(|word| Some((word, codes.call_of(word)?))) {
-            let with_locals = call.kind != CallKind::Sub;
-            self.call(here, words, by, self.names.number(call.program), with_locals);
+            self.call(here, words, by, self.names.number(call.program), call.kind);
         } else if code(&[Code::MacroCall, Code::MacroModal, Code::MacroModalBlock]) {
-            let to = word(Address::P).and_then(|word| self.program_of(word, false));
-            word(Address::P).into_iter().for_each(|by| self.call(here, words, by, to, true));
+            let to = word(Address::P).and_then(|word| self.program_of(word, CallKind::Macro));
+            word(Address::P).into_iter().for_each(|by| self.call(here, words, by, to, CallKind::Macro));
         } else if code(&[Code::SubCall]) {
-            let to = word(Address::P).and_then(|word| self.program_of(word, true));
-            word(Address::P).into_iter().for_each(|by| self.call(here, words, by, to, false));
+            let to = word(Address::P).and_then(|word| self.program_of(word, CallKind::Sub));
+            word(Address::P).into_iter().for_each(|by| self.call(here, words, by, to, CallKind::Sub));
             if let Some(entry) = word(Address::H).filter(|_| self.control.macros.sub_sequence) {
                 self.names_block(here, entry, to.unwrap_or(here.program), usize::MAX);
             }
@@ -419,21 +418,21 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Index of the program with the number in P; repeats may precede the number.
-    fn program_of(&self, word: &Word, sub: bool) -> Option<u32> {
+    /// Index of the program with the number in P; repeats of a subprogram may precede the number.
+    fn program_of(&self, word: &Word, kind: CallKind) -> Option<u32> {
         let WordValue::Number(number) = word.value else { return None };
         let number = number.to_f64();
         let whole = (number.fract() == 0.0 && (1.0..4e9).contains(&number)).then_some(number as u32)?;
-        let repeats = sub && self.control.macros.repeats_in_p;
+        let repeats = kind == CallKind::Sub && self.control.macros.repeats_in_p;
         self.names.number(whole).or_else(|| self.names.number(whole % 10_000).filter(|_| repeats))
     }
 
     /// Records a call of a program by a word.
-    fn call(&mut self, here: Here, words: &[Word], by: &Word, to: Option<u32>, with_locals: bool) {
+    fn call(&mut self, here: Here, words: &[Word], by: &Word, to: Option<u32>, kind: CallKind) {
         let Some(to) = to else { return };
         self.add(Place { file: here.file, span: by.span(here.block) }, Symbol::Program(to), Role::Call);
         self.calls.push((to, here.program));
-        if !with_locals {
+        if kind == CallKind::Sub {
             let (from, to) = (self.level_of(here.program), self.level_of(to));
             if let Some(level) = self.level.get_mut(from.max(to) as usize) {
                 *level = from.min(to);

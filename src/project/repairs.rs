@@ -15,8 +15,9 @@ pub fn repairs(project: &Project) -> Repairs {
     let mut best = Trial::of(project.clone());
     while best.faults.failing > 0 && changes.len() < MOST {
         let fields = best.project.machine.fields();
-        let essential =
-            |(id, _): &(&str, String)| fields.iter().any(|field| field.id == *id && field.essential && !field.fact);
+        let essential = |(id, _): &(&str, String)| {
+            fields.iter().any(|field| field.id == *id && field.essential && !field.role.is_fact())
+        };
         let (of_product, of_machine): (Vec<Repair>, Vec<Repair>) =
             best.offered().into_iter().partition(|repair| repair.sets.iter().any(essential));
         let Some((change, after)) = best.improved(of_machine).or_else(|| best.improved(of_product)) else { break };

@@ -1,7 +1,7 @@
 //! Assumed facts of a machine whose error by a tenth changes a verdict: the ones to measure first.
 
 use super::Project;
-use crate::machines::form::{FieldInfo, FieldKindInfo, Provenance, Value};
+use crate::machines::form::{FieldInfo, FieldKindInfo, FieldRole, Provenance, Value};
 use crate::math;
 use crate::text::catalog::number_text;
 use crate::view::{Readout, Verdict};
@@ -76,8 +76,7 @@ pub(super) fn assumed_numbers(project: &Project) -> Vec<FieldInfo> {
     let assumed = |id: &str| project.provenance.get(id).is_none_or(|origin| *origin == Provenance::Assumed);
     let counts = |field: &FieldInfo| {
         matches!(field.kind, FieldKindInfo::Number { .. })
-            && field.fact
-            && !field.setting
+            && field.role == FieldRole::Fact
             && assumed(field.id)
             && !prepared.hidden().contains(&field.id)
     };

@@ -104,7 +104,11 @@ pub struct Advice {
 
 impl Advice {
     /// Adds a remedy: text of the button, and the form entries.
-    pub fn setting<E: Into<(&'static str, String)>>(self, button: Message, sets: impl IntoIterator<Item = E>) -> Advice {
+    pub fn setting<E: Into<(&'static str, String)>>(
+        self,
+        button: Message,
+        sets: impl IntoIterator<Item = E>,
+    ) -> Advice {
         Advice { button: Some(button), sets: sets.into_iter().map(E::into).collect(), ..self }
     }
 }

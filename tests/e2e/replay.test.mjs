@@ -69,7 +69,7 @@ test('action added, edited, removed at the play head, a step each', () =>
     await page.waitForFunction(() => document.querySelector('.percents').textContent.includes('S 50 %'));
     // A bad value is reported and not accepted.
     await enter(entry(page, 0, 'value'), '2000');
-    assert.equal(await page.locator('#hand-list-told').textContent(), 'Spindle override takes a number from 0 to 1000 %.');
+    assert.equal(await page.locator('#hand-list-reason').textContent(), 'Spindle override takes a number from 0 to 1000 %.');
     await accessible(page);
     await page.keyboard.press('Control+a');
     await page.keyboard.type('60');

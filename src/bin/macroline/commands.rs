@@ -14,7 +14,7 @@ use macroline::project::help::{Help, explain, pages};
 use macroline::project::render::summary;
 use macroline::project::repairs::repairs;
 use macroline::project::run::AtStop;
-use macroline::project::size::tell::sheet_text;
+use macroline::project::size::words::sheet_text;
 use macroline::project::{Project, answers, drawing, list, origins, parts, request, variants};
 use macroline::text::catalog::{self, words};
 use macroline::text::units;

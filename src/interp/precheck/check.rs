@@ -6,7 +6,7 @@ use super::super::context::BlockContext;
 use super::super::error::{BlockResult, Trap};
 use super::super::modal::Modal;
 use super::super::state::RunState;
-use super::super::world::{MachineAtRest, World};
+use super::super::world::{MachineAtRest, MachineClock, World};
 use super::clean::Clean;
 use super::modal_states;
 use crate::controls::{Alarm, VarKind};
@@ -24,8 +24,8 @@ impl World for Listener<'_> {
         self.machine.input(variable)
     }
 
-    fn clock_ms(&mut self, run: bool) -> f64 {
-        self.machine.clock_ms(run)
+    fn clock_ms(&mut self, clock: MachineClock) -> f64 {
+        self.machine.clock_ms(clock)
     }
 
     fn position(&mut self, axis: usize) -> f64 {

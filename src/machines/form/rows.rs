@@ -4,7 +4,7 @@
 
 use core::ops::RangeInclusive;
 
-use super::{Field, FieldKind};
+use super::{Field, FieldKind, FieldRole};
 use crate::controls::Control;
 
 /// Getter and setter of a member of the parameters `P`.
@@ -110,8 +110,7 @@ impl<P> Field<P> {
             help: "",
             symbol: "",
             essential: false,
-            fact: false,
-            setting: false,
+            role: FieldRole::Choice,
             shown: always,
             kind,
         }
@@ -149,13 +148,14 @@ impl<P> Field<P> {
 
     /// A fact of the machine (measured, from a data sheet or assumed), not a choice of the engineer.
     pub const fn fact(mut self) -> Field<P> {
-        self.fact = true;
+        self.role = FieldRole::Fact;
         self
     }
 
     /// A fact that is set, counted or agreed: exact once its value is known.
-    pub const fn setting(self) -> Field<P> {
-        Field { setting: true, ..self.fact() }
+    pub const fn setting(mut self) -> Field<P> {
+        self.role = FieldRole::ExactFact;
+        self
     }
 
     /// Shown only where the condition holds; its value stays.

@@ -436,7 +436,11 @@ fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<
     }
     let set = down(FIELDS, speed, end.speed * p.clearance / needed);
     let slower = Advice::from(if advice.is_empty() { said } else { msg!("polygon.slower-thread") });
-    advice.push(if set.value >= 1.0 { slower.setting(msg!("advice.set-speed", speed = set.text.as_str()), [set]) } else { slower });
+    advice.push(if set.value >= 1.0 {
+        slower.setting(msg!("advice.set-speed", speed = set.text.as_str()), [set])
+    } else {
+        slower
+    });
     fail(limit, advice)
 }
 

@@ -231,7 +231,7 @@ fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     let advice = match most > steady && ramp <= maximum(FIELDS, "inverter-ramp") {
         true => {
             let set = up(FIELDS, "inverter-ramp", ramp);
-                advice.setting(msg!("advice.set-ramp", time = (set.value, 2)), [set])
+            advice.setting(msg!("advice.set-ramp", time = (set.value, 2)), [set])
         }
         false => advice,
     };

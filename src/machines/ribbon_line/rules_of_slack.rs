@@ -169,7 +169,9 @@ fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
     let pitches = ready.pass_needed() * line.following(d) / d.pitch_time;
     let set = up(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
     match p.variant {
-        Variant::ReadyMade => Advice::from(message).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set]),
+        Variant::ReadyMade => {
+            Advice::from(message).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set])
+        }
         Variant::Published | Variant::Precomputed => {
             Advice::from(message).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned()), set.into()])
         }

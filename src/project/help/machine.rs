@@ -79,7 +79,7 @@ fn fields(project: &Project, depends: &BTreeMap<&'static str, Vec<&'static str>>
             entry.also.push(format!("var.{number}"));
             entry.facts.push(on_control(project.control, number, texts));
         }
-        if field.fact {
+        if field.role.is_fact() {
             entry.text.push(plain(texts.words("field.fact")));
         }
         let results = depends.iter().filter(|(_, fields)| fields.contains(&field.id));

@@ -19,7 +19,7 @@ mod runs;
 
 pub mod sheets;
 
-pub mod tell;
+pub mod words;
 
 mod terminals;
 

@@ -324,7 +324,7 @@ pub(crate) fn takes_text(element: &Element) -> bool {
 }
 
 /// Text of a JavaScript error. Browsers write it in English, so in another language the name of the error alone is shown.
-pub(crate) fn told(error: &JsValue) -> String {
+pub(crate) fn error_text(error: &JsValue) -> String {
     if let Some(text) = error.as_string() {
         return text;
     }

@@ -272,9 +272,9 @@ fn save_all(page: Page, files: Arc<[NamedBytes]>) {
         let archive = load(ARCHIVE).await.and_then(|module| call(&module, "zip", &[&list]));
         match archive.and_then(|archive| archive.dyn_into::<js_sys::Uint8Array>()) {
             Ok(bytes) => dom::download(&name, "application/zip", &bytes.to_vec()),
-            Err(error) => {
-                page.notices.notify(Tone::Fail, sentence(&crate::msg!("page.no-archive", reason = dom::told(&error))))
-            }
+            Err(error) => page
+                .notices
+                .notify(Tone::Fail, sentence(&crate::msg!("page.no-archive", reason = dom::error_text(&error)))),
         }
     });
 }
@@ -286,7 +286,7 @@ fn show(page: Page, html: &str) {
     };
     if let Err(error) = print(&tab, html) {
         let _ = tab.close();
-        page.notices.notify(Tone::Fail, sentence(&crate::msg!("page.no-print", reason = dom::told(&error))));
+        page.notices.notify(Tone::Fail, sentence(&crate::msg!("page.no-print", reason = dom::error_text(&error))));
     }
 }
 

@@ -41,7 +41,7 @@ fn reason(error: &JsValue) -> String {
         "SecurityError" | "NotAllowedError" => t("projects.denied").to_owned(),
         "NoArchive" => t("projects.no-archive").to_owned(),
         "Incomplete" => t("projects.incomplete").to_owned(),
-        _ => dom::told(error),
+        _ => dom::error_text(error),
     }
 }
 

@@ -79,7 +79,7 @@ fn Content(
             <dd>{default_text}</dd>
             {metric}
         </dl>
-        {info.fact.then(|| view! { <Origin id=id /> })}
+        {info.role.is_fact().then(|| view! { <Origin id=id /> })}
         <p>
             <button type="button" class="link" on:click=move |_| page.view.explain(format!("field.{id}"))>
                 {t("help.more")}

@@ -111,7 +111,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn at_most_five_facts_are_listed() {
         let fields = crate::ui::testing::project().machine.fields();
-        let facts: Vec<&str> = fields.iter().filter(|field| field.fact).map(|field| field.id).collect();
+        let facts: Vec<&str> = fields.iter().filter(|field| field.role.is_fact()).map(|field| field.id).collect();
         assert_eq!(listed(&facts).await.all("button").len(), MOST);
     }
 

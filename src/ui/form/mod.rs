@@ -86,7 +86,7 @@ fn MachineData(
     fields: Vec<FieldInfo>,
 ) -> impl IntoView {
     let page = Page::here();
-    let facts: Vec<&'static str> = fields.iter().filter(|field| field.fact).map(|field| field.id).collect();
+    let facts: Vec<&'static str> = fields.iter().filter(|field| field.role.is_fact()).map(|field| field.id).collect();
     let count = Memo::new(move |_| {
         let here: Vec<_> =
             page.results.hidden.with(|hidden| facts.iter().copied().filter(|id| !hidden.contains(id)).collect());
@@ -222,7 +222,7 @@ mod tests {
         let bench = form().await;
         let fields = crate::ui::testing::project().machine.fields();
         let hidden = bench.page.results.hidden.get_untracked();
-        let all = fields.iter().filter(|field| field.fact && !hidden.contains(&field.id)).count() as f64;
+        let all = fields.iter().filter(|field| field.role.is_fact() && !hidden.contains(&field.id)).count() as f64;
         let count = |assumed: f64| sentence(&crate::msg!("page.assumed-of", count = assumed, all));
         assert_eq!(
             (bench.text(".data > summary .count"), bench.style(".known", "--part")),

@@ -14,7 +14,7 @@ use crate::view::Advice;
 
 /// Content of the screen.
 #[derive(Clone, PartialEq)]
-struct Told {
+struct ScreenText {
     /// Weight.
     tone: Tone,
     /// Number of the alarm and the text, in the control's own words.
@@ -32,7 +32,7 @@ struct Told {
 }
 
 /// Content of the screen at the play head; `None` if there is nothing to report.
-fn told(page: Page) -> Option<Told> {
+fn screen_text(page: Page) -> Option<ScreenText> {
     let player = page.player;
     let at_once = page.outlook.stopped.with(Option::is_some);
     let (planned, over) = player.planned.get();
@@ -40,7 +40,7 @@ fn told(page: Page) -> Option<Told> {
     match player.ended.get().filter(|_| at_once || at_end) {
         Some(RunEnd::Alarm(alarm)) => Some(of_alarm(page, &alarm, at_once)),
         Some(RunEnd::Stop) => of_stop(page, planned, at_once),
-        _ => player.message.get().map(|headline| Told {
+        _ => player.message.get().map(|headline| ScreenText {
             tone: Tone::Info,
             translation: of_program(&headline),
             headline,
@@ -53,7 +53,7 @@ fn told(page: Page) -> Option<Told> {
 }
 
 /// A stop at the end of the run, with the message of the PLC that holds the program, or the program's own.
-fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
+fn of_stop(page: Page, end: f64, at_once: bool) -> Option<ScreenText> {
     let (held, headline, place) = page.player.ask_planner(|run| {
         let timeline = run.timeline();
         (run.plc_hold().map(sentence), timeline.message_at(end).map(str::to_owned), timeline.block_at(end))
@@ -70,16 +70,24 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
     let (tone, meaning) =
         if at_once { (Tone::Fail, "page.own-message-at-once") } else { (Tone::Warn, "page.own-message") };
     let translation = of_program(&headline);
-    Some(Told { tone, headline, translation, meaning: t(meaning).to_owned(), alarm: String::new(), place, way_out })
+    Some(ScreenText {
+        tone,
+        headline,
+        translation,
+        meaning: t(meaning).to_owned(),
+        alarm: String::new(),
+        place,
+        way_out,
+    })
 }
 
 /// A hold of the PLC: its sentence has the way out.
-fn of_hold(meaning: String, place: Option<Place>) -> Told {
+fn of_hold(meaning: String, place: Option<Place>) -> ScreenText {
     let (headline, alarm) = (t("size.hold").to_owned(), String::new());
-    Told { tone: Tone::Fail, headline, translation: None, meaning, alarm, place, way_out: "" }
+    ScreenText { tone: Tone::Fail, headline, translation: None, meaning, alarm, place, way_out: "" }
 }
 
-fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
+fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> ScreenText {
     // Uses the sentence of the finding at the place of the alarm in the program.
     let known = page.program.findings.with(|found| reported(found, alarm).cloned());
     let alarm = known.as_ref().unwrap_or(alarm);
@@ -101,7 +109,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
     };
     let number = alarm.alarm.as_deref().unwrap_or_default().to_owned();
     let headline = parts.collect::<Vec<_>>().join(" ");
-    Told { tone: Tone::Fail, headline, translation, meaning, alarm: number, place: alarm.place, way_out }
+    ScreenText { tone: Tone::Fail, headline, translation, meaning, alarm: number, place: alarm.place, way_out }
 }
 
 /// Variables that a text names, with meaning and value at the end of the run.
@@ -120,11 +128,11 @@ fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
 #[component]
 pub(super) fn AlarmScreen() -> impl IntoView {
     let page = Page::here();
-    let told = Memo::new(move |_| told(page));
+    let text = Memo::new(move |_| screen_text(page));
     // On a phone it is a bar over the edge of the drawing until opened.
     let open = RwSignal::new(false);
     move || {
-        let Told { tone, headline, translation, meaning, alarm, place, way_out } = told.get()?;
+        let ScreenText { tone, headline, translation, meaning, alarm, place, way_out } = text.get()?;
         let more = (!alarm.is_empty()).then(|| {
             let open = move |_| page.view.explain(format!("alarm.{alarm}"));
             view! { <button type="button" class="link more" on:click=open>{t("help.more")}</button> }

@@ -327,7 +327,7 @@ fn Programs(
             close();
             match module.and_then(|module| call(&module, "difference", &[&host, before, after, &options])) {
                 Ok(editor) => drop(shown.try_set_value(Some(editor))),
-                Err(error) => drop(failed.try_set(format!("{} {}", t("compare.failed"), dom::told(&error)))),
+                Err(error) => drop(failed.try_set(format!("{} {}", t("compare.failed"), dom::error_text(&error)))),
             }
         });
     });

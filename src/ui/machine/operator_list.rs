@@ -46,7 +46,7 @@ pub(super) fn OperatorList() -> impl IntoView {
                     </For>
                 </ol>
             </div>
-            <p class="told" id="hand-list-told" role="status">{move || list.told()}</p>
+            <p class="told" id="hand-list-reason" role="status">{move || list.reason()}</p>
             <Files list=list />
         </section>
     }

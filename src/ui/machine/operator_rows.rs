@@ -55,7 +55,7 @@ struct Wrong {
     /// The action of its row; the entry is dropped when another action is there.
     event: Event,
     /// The values that the column accepts.
-    told: String,
+    reason: String,
 }
 
 /// An action with the meaning of its variable.
@@ -117,7 +117,7 @@ pub(super) fn Row(
             on:pointerdown=press on:keydown=keys
         >
             <input
-                type="text" inputmode="decimal" autocomplete="off" data-column="time" aria-describedby="hand-list-told"
+                type="text" inputmode="decimal" autocomplete="off" data-column="time" aria-describedby="hand-list-reason"
                 aria-label=move || about(|_, action| msg!("operator.time-of", action)) aria-invalid=move || list.is_wrong(at, "time")
                 prop:value=time on:change=set_time
             />
@@ -188,7 +188,7 @@ fn Value(
         EntryKind::Number => view! {
             <span class="value">
                 <input
-                    type="text" inputmode="decimal" autocomplete="off" data-column="value" aria-label=label aria-describedby="hand-list-told"
+                    type="text" inputmode="decimal" autocomplete="off" data-column="value" aria-label=label aria-describedby="hand-list-reason"
                     aria-invalid=move || list.is_wrong(at, "value")
                     prop:value=typed on:change=set
                 />
@@ -236,8 +236,8 @@ impl RowList {
     }
 
     /// The values that the column of a wrong entry accepts.
-    pub(super) fn told(self) -> Option<String> {
-        self.wrong.with(|wrong| wrong.as_ref().filter(|wrong| self.holds(wrong)).map(|wrong| wrong.told.clone()))
+    pub(super) fn reason(self) -> Option<String> {
+        self.wrong.with(|wrong| wrong.as_ref().filter(|wrong| self.holds(wrong)).map(|wrong| wrong.reason.clone()))
     }
 
     /// Takes a typed entry, or shows the allowed values and keeps the text as typed.
@@ -252,7 +252,7 @@ impl RowList {
         let event = match read {
             Ok(new) => new(present.clone()),
             Err(message) => {
-                return self.wrong.set(Some(Wrong { at, column, event: present, told: sentence(&message) }));
+                return self.wrong.set(Some(Wrong { at, column, event: present, reason: sentence(&message) }));
             }
         };
         self.wrong.set(None);
@@ -471,16 +471,16 @@ pub(super) mod tests {
         bench.choose(&selector(0, "value"), "1001").await;
         assert_eq!(bench.value(&selector(0, "value")), "1001");
         assert_eq!(bench.attribute(&selector(0, "value"), "aria-invalid"), "true");
-        assert!(bench.text("#hand-list-told").contains("1000 %"));
+        assert!(bench.text("#hand-list-reason").contains("1000 %"));
         assert_eq!(events(&bench)[0], feed(2.0, 80.0));
         bench.choose(&selector(0, "value"), "90").await;
-        assert!(bench.text("#hand-list-told").is_empty() && !bench.has("[aria-invalid]"));
+        assert!(bench.text("#hand-list-reason").is_empty() && !bench.has("[aria-invalid]"));
         bench.choose(&selector(0, "time"), "soon").await;
-        assert_eq!(bench.text("#hand-list-told"), t("operator.time-from-0"));
+        assert_eq!(bench.text("#hand-list-reason"), t("operator.time-from-0"));
         bench.page.edit("", |project| drop(project.panel.remove(0)));
         settled().await;
         assert!(
-            !bench.has("[aria-invalid]") && bench.text("#hand-list-told").is_empty(),
+            !bench.has("[aria-invalid]") && bench.text("#hand-list-reason").is_empty(),
             "another action is there now"
         );
         assert_eq!(bench.value(&selector(0, "time")), "4");

@@ -17,7 +17,7 @@ pub(super) fn BlockTimes() -> impl IntoView {
         player.plans.track();
         Some(player.ask_planner(|run| run.timeline().begins(place).collect::<Vec<_>>()).unwrap_or_default())
     });
-    let told = Memo::new(move |_| {
+    let shown = Memo::new(move |_| {
         times.with(|times| {
             let times = times.as_ref()?;
             let next = next_begin(times, player.now.with(|now| now.t));
@@ -29,9 +29,9 @@ pub(super) fn BlockTimes() -> impl IntoView {
     });
     let never = move || times.with(|times| times.as_ref().is_none_or(Vec::is_empty));
     view! {
-        <Show when=move || told.with(Option::is_some)>
+        <Show when=move || shown.with(Option::is_some)>
             <button type="button" class="begins" prop:disabled=never on:click=move |_| stepping::show_block(page)>
-                {move || told.get()}
+                {move || shown.get()}
             </button>
         </Show>
     }

@@ -87,7 +87,7 @@ fn Bundle(
         wasm_bindgen_futures::spawn_local(async move {
             match load(MODULE).await.and_then(|module| begin(&module, &host)) {
                 Ok(editor) => drop(handle.try_set_value(Some(editor))),
-                Err(error) => drop(failed.try_set(format!("{} {}", t("page.editor-failed"), dom::told(&error)))),
+                Err(error) => drop(failed.try_set(format!("{} {}", t("page.editor-failed"), dom::error_text(&error)))),
             }
         });
     });

@@ -168,11 +168,11 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     let prose = matches!(sheet.columns.last(), Some(Column::Prose(_))) && shown.len() > 3;
     // In a narrow layout, sentences in several columns go below one another, each with its head: see `.told`.
     let is_bill = sheet.kind == SheetKind::Bill;
-    let told = is_bill || shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
+    let has_sentences = is_bill || shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
     // A source that all rows share is shown once.
-    let common = sheet.common_source().filter(|_| is_bill || !told && !prose);
+    let common = sheet.common_source().filter(|_| is_bill || !has_sentences && !prose);
     out.push_str("<table class=\"sheet");
-    if told {
+    if has_sentences {
         out.push_str(" told");
     } else if prose {
         out.push_str(&format!(" stacked n{}", shown.len() - 1));
@@ -210,8 +210,8 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
                     }
                     Some(Column::Prose(_) | Column::Product(_)) => tagged(out, "td", cell),
                     // No head over nothing.
-                    _ if told && cell.is_empty() => out.push_str("<td></td>"),
-                    Some(column) if told => {
+                    _ if has_sentences && cell.is_empty() => out.push_str("<td></td>"),
+                    Some(column) if has_sentences => {
                         out.push_str("<td>");
                         tagged(out, "small", t(column.head()));
                         escape(out, cell);
@@ -289,7 +289,7 @@ fn today() -> String {
 }
 
 /// A finding as a sentence; assumed facts are counted, because the results list them by name.
-fn told(found: &Diagnostic) -> String {
+fn finding_text(found: &Diagnostic) -> String {
     match found.kind {
         DiagnosticKind::AssumedFacts => sentence(&Message { id: "page.assumed-facts", ..found.message.clone() }),
         _ => sentence_with_hints(found),
@@ -306,7 +306,7 @@ pub(super) fn documents(project: &Project) -> ExportDocuments {
         refuses: found.severity == Severity::Error,
         tone: found.severity.into(),
         alarm: found.alarm.as_deref().unwrap_or_default().to_owned(),
-        text: told(found),
+        text: finding_text(found),
         field: found.field.unwrap_or_default().to_owned(),
         place: found.place.map(Range::from),
     };

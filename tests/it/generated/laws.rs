@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use macroline::controls::{Alarm, Control};
 use macroline::interp::canon::AXES;
-use macroline::interp::{Interp, StartProgram, Step, World, precheck};
+use macroline::interp::{Interp, MachineClock, StartProgram, Step, World, precheck};
 use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::{self, Block, Files, Parsed, Stmt};
 use macroline::project::check::review;
@@ -144,7 +144,7 @@ impl World for AnyWorld<'_> {
         self.number()
     }
 
-    fn clock_ms(&mut self, _: bool) -> f64 {
+    fn clock_ms(&mut self, _: MachineClock) -> f64 {
         self.number()
     }
 

@@ -1,6 +1,6 @@
 //! The chance that every verdict holds, against the share that follows from one fact alone.
 
-use macroline::machines::form::{Provenance, Value};
+use macroline::machines::form::{FieldRole, Provenance, Value};
 use macroline::project::Project;
 use macroline::project::chance::{chance, chance_telling};
 use macroline::project::size::{size, size_telling};
@@ -8,7 +8,7 @@ use macroline::project::size::{size, size_telling};
 /// A line whose facts are all measured.
 fn measured() -> Project {
     let mut project = Project::named("ribbon-line", None, None).unwrap();
-    for field in project.machine.fields().iter().filter(|field| field.fact) {
+    for field in project.machine.fields().iter().filter(|field| field.role.is_fact()) {
         project.provenance.insert(field.id.to_owned(), Provenance::Measured);
     }
     project
@@ -67,7 +67,12 @@ fn settings_and_counts_are_not_drawn() {
     // Time constants that differ between the axes would fail it always: both are set at the control.
     assert!(fails.iter().all(|row| row.0 != "register-error"), "{fails:?}");
     let tried = size(&project, &project.written()).sensitivities;
-    let settings: Vec<_> =
-        project.machine.fields().into_iter().filter(|field| field.setting).map(|field| field.id).collect();
+    let settings: Vec<_> = project
+        .machine
+        .fields()
+        .into_iter()
+        .filter(|field| field.role == FieldRole::ExactFact)
+        .map(|field| field.id)
+        .collect();
     assert!(tried.iter().all(|flip| !settings.contains(&flip.field)), "{tried:?}");
 }

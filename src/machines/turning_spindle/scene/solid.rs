@@ -63,8 +63,18 @@ pub(super) struct FaceBlock {
     pub(super) angle: f64,
 }
 
+/// A corner of a block on a face.
+struct Corner {
+    /// At the end to the right of the axis.
+    right: bool,
+    /// At the end away from the axis.
+    outer: bool,
+    /// At the side towards greater angles.
+    ahead: bool,
+}
+
 impl FaceBlock {
-    fn corner(&self, right: bool, outer: bool, ahead: bool) -> (f64, f64) {
+    fn corner(&self, Corner { right, outer, ahead }: Corner) -> (f64, f64) {
         let pick = |(low, high): (f64, f64), upper: bool| if upper { high } else { low };
         corner(pick(self.x, right), pick(self.out, outer), self.angle, if ahead { self.half } else { -self.half })
     }
@@ -78,13 +88,13 @@ impl FaceBlock {
         let (s, c) = math::sin_cos(self.angle);
         let (ahead, outer) = (c > 0.0, s > 0.0);
         let flank = [(false, false), (true, false), (true, true), (false, true)];
-        FaceBlock::quad(out, flank.map(|(right, outer)| self.corner(right, outer, ahead)));
-        FaceBlock::quad(out, flank.map(|(right, ahead)| self.corner(right, outer, ahead)));
+        FaceBlock::quad(out, flank.map(|(right, outer)| self.corner(Corner { right, outer, ahead })));
+        FaceBlock::quad(out, flank.map(|(right, ahead)| self.corner(Corner { right, outer, ahead })));
     }
 
     /// The end to the right.
     pub(super) fn end(&self, out: &mut String) {
         let around = [(false, false), (true, false), (true, true), (false, true)];
-        FaceBlock::quad(out, around.map(|(outer, ahead)| self.corner(true, outer, ahead)));
+        FaceBlock::quad(out, around.map(|(outer, ahead)| self.corner(Corner { right: true, outer, ahead })));
     }
 }

@@ -307,7 +307,7 @@ impl ProjectActions {
         let name = file.name();
         self.then(async move {
             let added = async {
-                let buffer = JsFuture::from(file.array_buffer()).await.map_err(|error| dom::told(&error))?;
+                let buffer = JsFuture::from(file.array_buffer()).await.map_err(|error| dom::error_text(&error))?;
                 shelf::ask("unpack", &[&js_sys::Uint8Array::new(&buffer)]).await
             };
             match added.await {
