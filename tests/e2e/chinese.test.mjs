@@ -1,7 +1,7 @@
 // The page in Chinese: chosen by the browser or by the user, without an English sentence, and a change of language loses nothing.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, enter, openGroups, openPanel, ready, saved, showSteps, start, withPage } from './page.mjs';
+import { MACHINES, accessible, enter, openGroups, openPanel, ready, saved, showSteps, start, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -10,7 +10,6 @@ after(() => app?.close());
 
 const say = words('zh');
 const zh = { locale: 'zh-CN' };
-const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 
 // Texts, names and titles on the page that have two English words in a row. Programs and quotations of them may be English.
 const english = (page) =>

@@ -1,15 +1,13 @@
 // Another control, another machine, or a file that names them: all entries stay, and undo goes back.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, enter, goTo, listing, openPanel, ready, saved, showSteps, start, takeExample, withPage } from './page.mjs';
+import { PAPER, accessible, enter, field, goTo, line, listing, openPanel, ready, saved, showSteps, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
 const CONTROL = 'sinumerik-802d';
-const field = (page, id) => page.locator(`#${id}`);
-const line = (page, text) => page.locator('.listing li', { hasText: text }).first();
 const chosen = (page) => page.locator('select.control').inputValue();
 const choose = async (page, control = CONTROL) => {
   await page.locator('select.control').focus();

@@ -1,7 +1,7 @@
 // The editor of the page by the tables of the control: proposals, meanings, places, breakpoints, findings, by key, pointer and finger.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { FIREFOX, accessible, start, withPage } from './page.mjs';
+import { FIREFOX, accessible, press, start, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -9,7 +9,6 @@ before(async () => (app = await start()));
 after(() => app?.close());
 
 const say = words('en');
-const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
 
 // Opens the editor of a file.
 async function edit(page, file, told = say) {

@@ -1,13 +1,12 @@
 // The one screen: machine, play and emergency stop at every size; no message moves a control; the page opens playing.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { FIREFOX, PAPER, doubleClick, openPanel, ready, saved, start, takeExample, withPage } from './page.mjs';
+import { FIREFOX, PAPER, clock, doubleClick, openPanel, ready, saved, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
-const clock = (page) => page.locator('#clock').textContent();
 const box = (page, selector) => page.locator(selector).boundingBox();
 
 // The last two are 1366 × 768 and 1440 × 900 at a zoom of 200 %.

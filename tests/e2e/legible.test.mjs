@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { covered } from './covered.mjs';
-import { PAPER, openGroups, openPanel, ready, start, takeExample, withPage } from './page.mjs';
+import { MACHINES, PAPER, openGroups, openPanel, ready, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -15,7 +15,6 @@ const SIZES = {
 };
 // In inches figures are a digit or two longer.
 const IN_INCHES = { en: [[1440, 900], [1024, 768], [390, 844], [320, 640]], zh: [[1366, 768], [390, 844]] };
-const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 
 // Words that reach beyond a clipping element: box, button, window. Exempt are the running block and the name of the project, which may be
 // longer than their places, the title of a chart, which is on its chip too, and elements that scroll sideways.

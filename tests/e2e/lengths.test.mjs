@@ -1,14 +1,13 @@
 // The page in inches: chosen by the user, typed and shown everywhere; the program stays in millimetres.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, enter, listing, openGroups, openPanel, ready, saved, start, withPage } from './page.mjs';
+import { MACHINES, accessible, enter, listing, openGroups, openPanel, ready, saved, start, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
-const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
 // Values of the control stay in millimetres: its variables and parameters, and the sentence about the word X in the program.
 const OF_THE_CONTROL = ['tab-variables', 'tab-parameters'];
 

@@ -1,14 +1,13 @@
 // No loss of work: machines and tabs left behind, undone actions, edits without a change, remedies by one click.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, enter, goTo, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
+import { PAPER, accessible, enter, field, goTo, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
-const field = (page, id) => page.locator(`#${id}`);
 const machine = (page, name) => page.locator('.segments button', { hasText: name });
 
 test('a machine that was left comes back as it was', () =>

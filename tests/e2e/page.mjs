@@ -133,6 +133,15 @@ export async function takeExample(page, name) {
 // The published machine of the ribbon line, whose faults several paths need.
 export const PAPER = 'The paper’s machine';
 
+// Names of the machines in the catalog.
+export const MACHINES = ['ribbon.name', 'turning.name', 'polygon.name'];
+
+// A field of the form, a line of the program, the clock of the run; a click on a button by its whole name.
+export const field = (page, id) => page.locator(`#${id}`);
+export const line = (page, text) => page.locator('.listing li', { hasText: text }).first();
+export const clock = (page) => page.locator('#clock').textContent();
+export const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
+
 // Puts the play head at a time in seconds.
 export const goTo = (page, seconds) => enter(page.locator('#go-to'), String(seconds));
 

@@ -1,13 +1,12 @@
 // Sizing a polygon lathe: the preset, the run in which flats appear, the explorer, the drawings of an export.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, goTo, openGroups, saved, start, withPage } from './page.mjs';
+import { accessible, goTo, line, openGroups, saved, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
-const line = (page, text) => page.locator('.listing li', { hasText: text }).first();
 const named = (page, within, label) => page.locator(`${within} .card`).filter({ has: page.locator('.k', { hasText: label }) });
 const card = async (page, label) => (await named(page, '.cards', label).textContent()).replace(/\s/g, '');
 const lathe = (act, options = {}) =>

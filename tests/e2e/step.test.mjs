@@ -1,7 +1,7 @@
 // Stepping through the program on the page: breakpoints, levels, watches, what changed.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, enter, ready, showSteps, start, withPage } from './page.mjs';
+import { accessible, clock, enter, press, ready, showSteps, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -9,7 +9,6 @@ after(() => app?.close());
 
 // Lines of the file that is shown.
 const line = (page, text) => page.locator('.listing li[data-l]', { hasText: text }).first();
-const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
 const file = (page, name) => page.getByRole('button', { name, exact: true }).click();
 const next = (page, text) => page.locator('.listing li.next', { hasText: text }).waitFor();
 const point = async (page, text) => {
@@ -19,7 +18,6 @@ const point = async (page, text) => {
 const fill = (page, field, text) => enter(page.getByLabel(field), text);
 const why = (page) => page.locator('.here');
 const seen = (page) => page.locator('.seen').innerText();
-const clock = (page) => page.locator('#clock').textContent();
 
 test('line number sets breakpoint; stepping into, over, out works', () =>
   withPage(app, {}, async ({ page }) => {

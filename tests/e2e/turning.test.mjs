@@ -1,13 +1,12 @@
 // Sizing a turning spindle: values, cut, charts over time and over the diameter, export.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, goTo, openGroups, start, withPage } from './page.mjs';
+import { accessible, field, goTo, openGroups, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
 after(() => app?.close());
 
-const field = (page, id) => page.locator(`#${id}`);
 const card = async (page, label) =>
   (await page.locator('.card', { hasText: label }).first().textContent()).replace(/\s/g, '');
 const lathe = (act) =>

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { after, before, test } from 'node:test';
-import { PAPER, accessible, enter, goTo, listing, openGroups, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
+import { PAPER, accessible, enter, field, goTo, listing, openGroups, openPanel, processorTime, ready, saved, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -15,7 +15,6 @@ const seconds = async (page) => {
   const [, minutes, rest] = /(\d+):([\d.]+)/.exec(await page.locator('#clock').textContent());
   return Number(minutes) * 60 + Number(rest);
 };
-const field = (page, id) => page.locator(`#${id}`);
 
 test('what is typed stays as it is typed, and counts as it reads', () =>
   withPage(app, {}, async ({ page }) => {

@@ -11,6 +11,8 @@ use macroline::project::export::ExportOptions;
 use macroline::project::run::{self, RunOptions, RunSummary};
 use proptest::prelude::*;
 
+use crate::asked::near_share;
+
 fn controls() -> &'static [&'static str] {
     macroline::machines::find("ribbon-line").unwrap().controls()
 }
@@ -50,11 +52,6 @@ fn variable(outcome: &RunSummary, name: &str) -> f64 {
     outcome.variables.iter().find(|(key, _)| key[1..] == name[1..]).unwrap_or_else(|| panic!("no {name}")).1
 }
 
-#[track_caller]
-fn near(value: f64, want: f64, relative: f64) {
-    assert!((value - want).abs() <= relative * want.abs(), "{value} is not {want} to {relative}");
-}
-
 /// The position of the override switch that is nearest to a percentage, where the control takes it as a code.
 fn switched(project: &Project, percent: f64) -> f64 {
     let coded = project.control.interface.iter().any(|row| row.role == SignalRole::SpindleOverrideCode);
@@ -89,7 +86,7 @@ fn exported_text_reproduces_the_override_table() {
                 project.values.insert("spindle-encoder".to_owned(), Value::Flag(true));
             }
             let out = run(&project);
-            near(variable(&out, "#104"), rpm, 1e-12);
+            near_share(variable(&out, "#104"), rpm, 1e-12);
             assert!((variable(&out, "#105") - speed).abs() < 6e-4, "{control} {percent} {pi} #105");
             assert!((variable(&out, "#115") - feed).abs() < 6e-4, "{control} {percent} {pi} #115");
             let design = project.design();
@@ -109,10 +106,10 @@ fn analog_volts_while_printing_match_the_design() {
     let mut planner = run::of_project(&project, &written, &begin);
     planner.advance(4.5, usize::MAX);
     let now = planner.timeline().at(4.0);
-    near(now.spindle.volts_command, 8.108108, 1e-6);
+    near_share(now.spindle.volts_command, 8.108108, 1e-6);
     assert_eq!((now.spindle.volts * 1000.0).round(), 8107.0);
     // Y is rounded to 62.832 in this block, which takes 2.3e-6 of the vector.
-    near(now.axes[0].feed, 15079.644737, 3e-6);
+    near_share(now.axes[0].feed, 15079.644737, 3e-6);
 }
 
 #[test]

@@ -15,7 +15,6 @@ use macroline::nc::{self, Files};
 use macroline::project::Project;
 use macroline::project::check::review;
 use macroline::project::run::{self, RunOptions};
-use macroline::view::Readout;
 
 /// A clause of a paper: its section, its sentence, the test that shows it.
 pub(super) struct Clause {
@@ -36,6 +35,8 @@ macro_rules! clauses {
     };
 }
 use clauses;
+
+use crate::asked::{near, readout};
 
 const LIMITS: Budget = Budget { blocks: 1_000_000, seconds: 3600.0 };
 
@@ -108,21 +109,11 @@ fn with_part(mut project: Project, text: &str) -> Project {
     project
 }
 
-#[track_caller]
-fn readout(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
-}
-
 /// A file of the export.
 #[track_caller]
 fn exported(project: &Project, name: &str) -> String {
     let found = project.export().files.into_iter().find(|file| file.name == name);
     found.unwrap_or_else(|| panic!("no file {name}")).text
-}
-
-#[track_caller]
-fn near(value: f64, wanted: f64, within: f64) {
-    assert!((value - wanted).abs() <= within, "{value}, expected {wanted} ± {within}");
 }
 
 impl Run {

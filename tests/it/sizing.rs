@@ -35,7 +35,6 @@ use macroline::drives::web;
 use macroline::machines::form;
 use macroline::math::{self, PI};
 use macroline::project::Project;
-use macroline::view::Readout;
 use serde_json::Value;
 
 /// Relative difference that two calculations in double precision may have.
@@ -58,11 +57,6 @@ fn line(entries: &[(&str, f64)]) -> Project {
         project.values.insert((*id).to_owned(), form::Value::Number(*number));
     }
     project
-}
-
-/// A result by its id.
-fn result(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
 }
 
 // The inputs of the paper, and the mechanics that the facts assume for it. SI units.

@@ -430,9 +430,28 @@ fn ranges(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
 
 /// Errors that refuse the export, and notes for the operator.
 pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
-    let TurningSpindle { p, d, .. } = lathe;
-    let limits = &lathe.control.limits;
+    let p = &lathe.p;
     let mut found = Vec::new();
+    check_diameters(p, &mut found);
+    travels(lathe, &mut found);
+    check_words(lathe, &mut found);
+    ranges(lathe, &mut found);
+    if lathe.form.speed_mode != p.speed_mode {
+        found.push(Diagnostic::info(msg!("turning.no-surface-speed", control = lathe.control.name)));
+    }
+    keyway::findings(lathe, &mut found);
+    if p.stages().count() < usize::from(p.gear as u8) {
+        found.push(Diagnostic::warning(msg!("turning.no-such-stage", stage = f64::from(p.gear as u8))).about("gear"));
+    }
+    check_speed_limits(lathe, &mut found);
+    if !lathe.control.macros.common_kept {
+        found.push(Diagnostic::info(msg!("form.values-are-lost", program = program::SETUP)));
+    }
+    found
+}
+
+/// Finished diameters and start position against the stock, and the number of passes.
+fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
     let largest = if p.path == Path::Taper { p.finished_diameter.max(p.large_diameter) } else { p.finished_diameter };
     let field = if p.path == Path::Taper && p.large_diameter > p.finished_diameter {
         "large-diameter"
@@ -457,7 +476,12 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
                 .mended_by(least.floor() + 2.0),
         );
     }
-    travels(lathe, &mut found);
+}
+
+/// Values of the form against the words of the control: range, whole numbers, positions of the override knob.
+fn check_words(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
+    let TurningSpindle { p, d, .. } = lathe;
+    let limits = &lathe.control.limits;
     if p.upper_limit > limits.speed_max {
         let message = msg!("turning.speed-above-range", speed = (p.upper_limit, 0), most = limits.speed_max);
         found.push(Diagnostic::error(message).about("upper-limit"));
@@ -480,14 +504,11 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
     if p.override_percent != lathe.form.override_percent {
         found.push(Diagnostic::warning(msg!("turning.knob-steps", percent = p.override_percent)).about("override"));
     }
-    ranges(lathe, &mut found);
-    if lathe.form.speed_mode != p.speed_mode {
-        found.push(Diagnostic::info(msg!("turning.no-surface-speed", control = lathe.control.name)));
-    }
-    keyway::findings(lathe, &mut found);
-    if p.stages().count() < usize::from(p.gear as u8) {
-        found.push(Diagnostic::warning(msg!("turning.no-such-stage", stage = f64::from(p.gear as u8))).about("gear"));
-    }
+}
+
+/// The limits of the speed against each other, and against the knob at a fixed speed.
+fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
+    let TurningSpindle { p, d, .. } = lathe;
     if !lathe.surface() && d.fixed_speed > p.upper_limit {
         found.push(
             Diagnostic::warning(msg!(
@@ -503,8 +524,4 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
         let message = msg!("turning.limits-crossed", lower = show(p.lower_limit, 0), upper = show(upper, 0));
         found.push(Diagnostic::warning(message).about("lower-limit"));
     }
-    if !lathe.control.macros.common_kept {
-        found.push(Diagnostic::info(msg!("form.values-are-lost", program = program::SETUP)));
-    }
-    found
 }

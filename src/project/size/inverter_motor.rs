@@ -13,7 +13,7 @@ use crate::drives::parts::{InductionRatings, InverterRatings, Part, Ratings};
 use crate::drives::servo::Shares;
 use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::PreparedMachine;
-use crate::machines::driven::{InverterDrive, SpindleRun};
+use crate::machines::driven::{InverterCycle, InverterDrive, SpindleRun};
 use crate::math::RPM;
 use crate::motion::Mover;
 use crate::msg;
@@ -129,29 +129,10 @@ fn induction(
         None
     };
     if let Some(cycle) = &drive.cycle {
-        let ramps = cycle.ramps(of.inertia);
         // Power, not torque, limits the end of a ramp above rated speed.
         let gives = torque.min(rated_power / cycle.of.speed);
-        // A load that brakes harder than the ramp leaves the motor to drive in the stop too.
-        let share = |torque: f64| cycle.peak[usize::from(torque < 0.0)];
-        let of_peak = ramps.map(|ramp| (ramp.torque.abs(), share(ramp.torque) * gives));
-        for (asked, most) in of_peak {
-            shares.peak = shares.peak.max(asked / most);
-            if asked > most {
-                refusal = refusal
-                    .or_else(|| Some((Rank::Peak, msg!("size.refused-ramp", torque = (asked, 3), limit = (most, 3)))));
-            }
-        }
-        let [rise, fall] = ramps;
-        let run = cycle.of.run + 2.0 * cycle.of.ramp;
-        let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.of.run }, fall]);
-        let effective = with_pause(effective, run, cycle.of.pause, cycle.of.hold);
-        shares.effective = effective / most;
-        if effective > most {
-            let refused =
-                || Some((Rank::Effective, msg!("size.refused-cycle", torque = (effective, 3), limit = (most, 3))));
-            refusal = refusal.or_else(refused);
-        }
+        let reason = over_cycle(cycle, of.inertia, (asked, most, gives), &mut shares);
+        refusal = refusal.or(reason);
     }
     let curve = MotorCurve::with_torque(rated_power / 1000.0, torque);
     let in_runs = spindles
@@ -180,6 +161,38 @@ fn induction(
         entries: entries.unwrap_or_default(),
         ..unknown(part)
     }
+}
+
+/// Run-up, work and stop of a cycle, by the torque (Nm) of the work, the continuous torque of the motor and its torque at the end of a ramp:
+/// raises the shares of the motor, and gives the refusal where it is too weak or too hot.
+fn over_cycle(
+    cycle: &InverterCycle,
+    inertia: Option<f64>,
+    (asked, continuous, gives): (f64, f64, f64),
+    shares: &mut Shares,
+) -> Option<(Rank, Message)> {
+    let mut refusal = None;
+    let ramps = cycle.ramps(inertia);
+    // A load that brakes harder than the ramp leaves the motor to drive in the stop too.
+    let share = |torque: f64| cycle.peak[usize::from(torque < 0.0)];
+    for (asked, most) in ramps.map(|ramp| (ramp.torque.abs(), share(ramp.torque) * gives)) {
+        shares.peak = shares.peak.max(asked / most);
+        if asked > most {
+            refusal = refusal
+                .or_else(|| Some((Rank::Peak, msg!("size.refused-ramp", torque = (asked, 3), limit = (most, 3)))));
+        }
+    }
+    let [rise, fall] = ramps;
+    let run = cycle.of.run + 2.0 * cycle.of.ramp;
+    let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.of.run }, fall]);
+    let effective = with_pause(effective, run, cycle.of.pause, cycle.of.hold);
+    shares.effective = effective / continuous;
+    if effective > continuous {
+        let limit = (continuous, 3);
+        let refused = || Some((Rank::Effective, msg!("size.refused-cycle", torque = (effective, 3), limit)));
+        refusal = refusal.or_else(refused);
+    }
+    refusal
 }
 
 /// Refusal of a motor whose continuous torque is below the demand (Nm): with its cooling, and with forced cooling.

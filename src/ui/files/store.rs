@@ -311,6 +311,37 @@ fn note_projects(page: Page, [shown, watched]: [StoredValue<Option<Project>, Loc
     });
 }
 
+/// Whether this tab stores the project: no other tab holds it, and the page is still there.
+fn is_stored_here(page: Page) -> bool {
+    page.view.kept.try_get_untracked().is_some_and(|kept| kept != Kept::Elsewhere)
+}
+
+/// Stores the project shortly after each change: the timer that waits, and the function that stores at once.
+fn save_after_changes(page: Page, by_link: bool) -> (StoredValue<Option<TimeoutHandle>>, impl Fn() + Copy + 'static) {
+    let timer = StoredValue::new(None::<TimeoutHandle>);
+    let save = move || {
+        if is_stored_here(page) {
+            store_now(page);
+            timer.set_value(None);
+        }
+    };
+    Effect::new(move |first: Option<()>| {
+        page.project.track();
+        if first.is_none() && !by_link || !is_stored_here(page) {
+            return;
+        }
+        page.view.kept.set(Kept::Soon);
+        if let Some(timer) = timer.get_value() {
+            timer.clear();
+        }
+        // The project of a link waits for the answer of a tab that holds another one, which a busy machine delays.
+        let rest = if first.is_none() { ANSWER } else { REST };
+        let next = set_timeout_with_handle(save, rest).ok();
+        timer.set_value(next);
+    });
+    (timer, save)
+}
+
 /// Keeps the project from now on, shortly after each change, as long as no other tab holds it. A project that a link replaced is one step
 /// back.
 pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
@@ -336,33 +367,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     let shown = StoredValue::new_local(None::<Project>);
     let watched = StoredValue::new_local(None::<Project>);
     note_projects(page, [shown, watched]);
-    let timer = StoredValue::new(None::<TimeoutHandle>);
-    let save = move || {
-        // The page may be gone.
-        if page.view.kept.try_get_untracked().is_none_or(|kept| kept == Kept::Elsewhere) {
-            return;
-        }
-        store_now(page);
-        timer.set_value(None);
-    };
-    Effect::new(move |first: Option<()>| {
-        page.project.track();
-        if first.is_none() && !by_link {
-            return;
-        }
-        // The page may be gone.
-        if page.view.kept.try_get_untracked().is_none_or(|kept| kept == Kept::Elsewhere) {
-            return;
-        }
-        page.view.kept.set(Kept::Soon);
-        if let Some(timer) = timer.get_value() {
-            timer.clear();
-        }
-        // The project of a link waits for the answer of a tab that holds another one, which a busy machine delays.
-        let rest = if first.is_none() { ANSWER } else { REST };
-        let next = set_timeout_with_handle(save, rest).ok();
-        timer.set_value(next);
-    });
+    let (timer, save) = save_after_changes(page, by_link);
     dom::on_event("storage", move |event| {
         let event: &StorageEvent = event.unchecked_ref();
         // The page may be gone.

@@ -186,38 +186,17 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     }
     out.push_str("</tr></thead><tbody>");
     for row in &sheet.rows {
-        let cells: Vec<&String> = shown.iter().filter_map(|at| row.cells.get(*at)).collect();
-        if let [first, rest @ ..] = cells.as_slice()
-            && !row.sets.is_empty()
-        {
-            let sets: Vec<String> = row.sets.iter().map(|(id, text)| format!("{id}={text}")).collect();
-            out.push_str("<tr data-sets=\"");
-            escape(out, &sets.join("\n"));
-            out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");
-            escape(out, &format!("{} {first}", t("page.take")));
-            out.push_str("\">");
-            escape(out, first);
-            out.push_str("</button></td>");
-            rest.iter().for_each(|cell| tagged(out, "td", cell));
-        } else {
-            out.push_str("<tr>");
-            for (at, cell) in shown.iter().zip(&cells) {
-                match sheet.columns.get(*at) {
-                    Some(Column::Parameter(_)) if meaning::of(project, cell, Table::Parameters).is_some() => {
-                        out.push_str("<td data-means=\"parameters\">");
-                        escape(out, cell);
-                        out.push_str("</td>");
-                    }
-                    Some(Column::Prose(_) | Column::Product(_)) => tagged(out, "td", cell),
-                    // No head over nothing.
-                    _ if has_sentences && cell.is_empty() => out.push_str("<td></td>"),
-                    Some(column) if has_sentences => {
-                        out.push_str("<td>");
-                        tagged(out, "small", t(column.head()));
-                        escape(out, cell);
-                        out.push_str("</td>");
-                    }
-                    _ => devices(out, cell, project),
+        let cells: Vec<(Option<&Column>, &String)> =
+            shown.iter().filter_map(|at| Some((sheet.columns.get(*at), row.cells.get(*at)?))).collect();
+        match cells.as_slice() {
+            [(_, first), rest @ ..] if !row.sets.is_empty() => {
+                offer(out, row, first);
+                rest.iter().for_each(|(_, cell)| tagged(out, "td", cell));
+            }
+            cells => {
+                out.push_str("<tr>");
+                for (column, cell) in cells {
+                    table_cell(out, *column, cell, has_sentences, project);
                 }
             }
         }
@@ -232,6 +211,39 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     }
     if folded {
         out.push_str("</details>");
+    }
+}
+
+/// Opens a row whose entries the form can take, with its first cell as a button.
+fn offer(out: &mut String, row: &Row, first: &str) {
+    let sets: Vec<String> = row.sets.iter().map(|(id, text)| format!("{id}={text}")).collect();
+    out.push_str("<tr data-sets=\"");
+    escape(out, &sets.join("\n"));
+    out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");
+    escape(out, &format!("{} {first}", t("page.take")));
+    out.push_str("\">");
+    escape(out, first);
+    out.push_str("</button></td>");
+}
+
+/// A cell of a column, with the head of the column where the table has sentences.
+fn table_cell(out: &mut String, column: Option<&Column>, cell: &str, has_sentences: bool, project: &Project) {
+    match column {
+        Some(Column::Parameter(_)) if meaning::of(project, cell, Table::Parameters).is_some() => {
+            out.push_str("<td data-means=\"parameters\">");
+            escape(out, cell);
+            out.push_str("</td>");
+        }
+        Some(Column::Prose(_) | Column::Product(_)) => tagged(out, "td", cell),
+        // No head over nothing.
+        _ if has_sentences && cell.is_empty() => out.push_str("<td></td>"),
+        Some(column) if has_sentences => {
+            out.push_str("<td>");
+            tagged(out, "small", t(column.head()));
+            escape(out, cell);
+            out.push_str("</td>");
+        }
+        _ => devices(out, cell, project),
     }
 }
 

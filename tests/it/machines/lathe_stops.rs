@@ -5,6 +5,7 @@ use macroline::motion::{Action, Event, Snapshot};
 use macroline::project::Project;
 
 use super::ribbon_controls::over_time;
+use crate::asked::stop_table;
 
 /// Each of the two machines on each of its controls.
 fn projects() -> impl Iterator<Item = Project> {
@@ -17,11 +18,6 @@ fn projects() -> impl Iterator<Item = Project> {
     })
 }
 
-fn table(project: &Project) -> Vec<Vec<String>> {
-    let sheet = project.prepared().sheets().into_iter().find(|sheet| sheet.id == "stops").expect("a table of stops");
-    sheet.rows.into_iter().map(|row| row.cells).collect()
-}
-
 /// Speeds of spindle, work and tool.
 fn turning(now: &Snapshot) -> [f64; 3] {
     [now.spindle.actual, now.pmc[0].feed, now.pmc[1].feed]
@@ -30,7 +26,7 @@ fn turning(now: &Snapshot) -> [f64; 3] {
 #[test]
 fn tables_of_both_lathes_name_every_interruption() {
     for project in projects() {
-        let rows = table(&project);
+        let rows = stop_table(&project);
         let names: Vec<_> = rows.iter().map(|cells| cells[0].as_str()).collect();
         let mut wanted =
             vec!["Feed hold", "Stop between two blocks: M00, single block", "Alarm", "Reset", "Emergency stop"];
@@ -58,7 +54,7 @@ fn both_lathes_stop_and_turn_on_as_their_tables_say() {
         };
         let at = (1..1000).map(|k| end * f64::from(k) / 1000.0).find(cuts).expect("a cut");
         let name = format!("{} at {at}", project.control.id);
-        let rows = table(&project);
+        let rows = stop_table(&project);
         let mut actions =
             vec![(0, Action::Hold), (1, Action::SingleBlock(true)), (3, Action::Reset), (4, Action::EmergencyStop)];
         let fault = project.prepared().plc().watches_inverter();

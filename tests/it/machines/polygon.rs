@@ -17,6 +17,8 @@ use macroline::text::catalog::{number_text, sentence};
 use macroline::view::{Theme, Verdict, svg};
 
 use super::drawn::area;
+use crate::asked;
+use crate::asked::value;
 
 const WORK: usize = 0;
 const TOOL: usize = 1;
@@ -26,9 +28,7 @@ pub(super) fn machine() -> &'static dyn AnyMachine {
 }
 
 fn values(changes: &[(&str, &str)]) -> Values {
-    let fields = machine().fields();
-    let field = |id: &str| fields.iter().find(|field| field.id == id).unwrap_or_else(|| panic!("no field {id}"));
-    changes.iter().map(|(id, typed)| ((*id).to_owned(), field(id).read(typed).unwrap())).collect()
+    asked::values(machine(), changes)
 }
 
 pub(super) fn project(changes: &[(&str, &str)]) -> Project {
@@ -67,10 +67,6 @@ fn edited(changes: &[(&str, &str)], text: &str) -> Project {
     text.clone_into(&mut part.text);
     project.edited = Some(files);
     project
-}
-
-pub(super) fn result(project: &Project, id: &str) -> f64 {
-    project.design().readouts.iter().find(|row| row.id == id).unwrap().value
 }
 
 /// Twelve sides in five turns of the work, both turning backward.
@@ -119,9 +115,9 @@ fn paper_example_turns_work_at_200_and_tool_at_400() {
     let end = timeline.at(timeline.end());
     assert_eq!((end.pmc[WORK].feed, end.pmc[TOOL].feed), (0.0, 0.0));
     let square = project(&[("stock-diameter", "29")]);
-    assert_eq!(result(&square, "sides"), 4.0);
-    assert!((result(&square, "across-flats") - 20.0).abs() < 1e-9);
-    assert_eq!(result(&project(&[("shape", "own"), ("inserts", "3"), ("sides", "6")]), "sides"), 6.0);
+    assert_eq!(value(&square, "sides"), 4.0);
+    assert!((value(&square, "across-flats") - 20.0).abs() < 1e-9);
+    assert_eq!(value(&project(&[("shape", "own"), ("inserts", "3"), ("sides", "6")]), "sides"), 6.0);
 }
 
 #[test]
@@ -335,7 +331,7 @@ fn drives_off_at_emergency_stop_lose_the_ratio() {
     }
     let stands = timeline.at(9.0).pmc;
     let lost = stands[TOOL].actual - 2.0 * stands[WORK].actual;
-    let told = result(&project, "coast-phase");
+    let told = value(&project, "coast-phase");
     // Coasting is given in steps of 10 ms.
     assert!(told < -300.0 && (lost - told).abs() < 1.0, "{lost} for {told}");
     // Reset while they coast brakes nothing, and the next start finds the start angles again.
@@ -452,7 +448,7 @@ fn unequal_time_constants_fail_the_phase_verdict() {
     let planner = whole(&project);
     let now = planner.timeline().at(8.0);
     let ahead = now.pmc[TOOL].actual - 2.0 * now.pmc[WORK].actual;
-    let told = result(&project, "phase");
+    let told = value(&project, "phase");
     assert!((ahead - told).abs() < 1e-3, "{ahead} for {told}");
     // (0.25 + 1/30 - 0.15 - 1/40) s at 400 r/min.
     assert!((told + 6.0 * 400.0 * (0.1 + 1.0 / 30.0 - 1.0 / 40.0)).abs() < 1e-9);
@@ -620,7 +616,7 @@ fn cut_section_never_grows_and_ends_exact() {
             .find(|(id, _)| *id == "stock-diameter")
             .map_or(12.5, |(_, d)| d.parse::<f64>().unwrap() / 2.0);
         let scale = (74.0 / radius) * (74.0 / radius);
-        let exact = result(&project, "area");
+        let exact = value(&project, "area");
         assert!(stock && (left / scale / exact - 1.0).abs() < 2e-3, "{changes:?}: {} for {exact}", left / scale);
     }
 }
@@ -637,7 +633,7 @@ fn paper_program_cuts_and_coasting_behind_the_face_does_not() {
     let paper = edited(&[], PAPER);
     assert_eq!(look(&paper, 0.5).0.round(), 491.0, "the stock");
     let (left, pass) = look(&paper, 100.0);
-    assert!((left / result(&paper, "area") - 1.0).abs() < 2e-3, "{left}");
+    assert!((left / value(&paper, "area") - 1.0).abs() < 2e-3, "{left}");
     assert_eq!(pass, "1");
     // Stopped in the second pass: 21 mm across flats are left, and stay while the axes coast out of ratio.
     let mut stopped = project(&[("emergency", "off")]);

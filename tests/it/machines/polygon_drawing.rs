@@ -1,7 +1,8 @@
 //! The drawing of the polygon lathe: true proportion, the deviation in its lens, a leader that leaves the disc free, blur and stillness.
 
 use super::drawn::{FRAME, Still, texts};
-use super::polygon::{project, result};
+use super::polygon::project;
+use crate::asked::value;
 use macroline::controls::Address;
 use macroline::machines::Frame;
 use macroline::motion::Snapshot;
@@ -130,7 +131,7 @@ fn lens_shows_the_deviation_of_the_results() {
             _ => None,
         });
         let flatness = (bottom - top) / scale / label.unwrap();
-        assert!((flatness / result(&project, "flatness") - 1.0).abs() < 0.02, "{changes:?}: {flatness}");
+        assert!((flatness / value(&project, "flatness") - 1.0).abs() < 0.02, "{changes:?}: {flatness}");
     }
 }
 

@@ -2,11 +2,12 @@
 
 use macroline::machines::devices::BillItem;
 use macroline::project::Project;
-use macroline::project::size::{OperatingEvent, Sizing, SizingRuns, answers, size};
+use macroline::project::size::{OperatingEvent, size};
 use macroline::text::catalog::sentence;
-use macroline::view::{Readout, Verdict};
+use macroline::view::Verdict;
 
 use super::polygon_shaft::whole;
+use crate::asked::{near, readout, sized_without_envelope};
 
 const NAME: &str = "polygon.drive.main";
 
@@ -18,19 +19,6 @@ fn shaft(entries: &[(&'static str, &str)]) -> Project {
     shaft.with_entries(&entries).unwrap()
 }
 
-fn row(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
-}
-
-fn sized(project: &Project) -> Sizing {
-    answers(project, &SizingRuns::new(project, &project.written()))
-}
-
-#[track_caller]
-fn near(value: f64, expected: f64, within: f64) {
-    assert!((value - expected).abs() <= within, "{value} is not {expected}");
-}
-
 /// Newton metres of the motor at the spindle: 7.5 kW with 90 %, base speed 1500 · 3000 / 2250 = 2000 r/min.
 const RATED: f64 = 9_549.297 * 7.5 * 0.9 / 2000.0;
 
@@ -38,33 +26,33 @@ const RATED: f64 = 9_549.297 * 7.5 * 0.9 / 2000.0;
 fn cut_of_a_turned_end_is_judged_by_the_main_motor() {
     // 1750 N/mm² · 2 mm · 0.2 mm = 700 N at Ø 25, and 2 Nm of friction; the fan on the motor's shaft leaves 0.5 + 0.5 · 800 / 2000.
     let light = shaft(&[]);
-    let torque = row(&light, "main-torque");
+    let torque = readout(&light, "main-torque");
     near(torque.value, 700.0 * 25.0 / 2000.0 + 2.0, 1e-9);
     near(torque.limit.unwrap().value(), 0.7 * RATED, 1e-3);
     assert_eq!(torque.verdict, Verdict::Ok);
-    near(row(&light, "main-cutting-power").value, 10.75 * 800.0 / 9_549.297, 1e-6);
-    near(row(&light, "main-volts").value, 10.0 * 800.0 / 3000.0, 0.003);
+    near(readout(&light, "main-cutting-power").value, 10.75 * 800.0 / 9_549.297, 1e-6);
+    near(readout(&light, "main-volts").value, 10.0 * 800.0 / 3000.0, 0.003);
     // 6 mm by 0.6 mm: less depth is offered.
     let deep = shaft(&[("before-depth", "6"), ("before-feed", "0.6")]);
-    let torque = row(&deep, "main-torque");
+    let torque = readout(&deep, "main-torque");
     assert_eq!((torque.verdict, torque.advice[0].sets[0].0), (Verdict::Fail, "before-depth"));
     let less = deep.with_entries(&torque.advice[0].sets).unwrap();
-    assert!(row(&less, "main-torque").verdict < Verdict::Fail);
+    assert!(readout(&less, "main-torque").verdict < Verdict::Fail);
 }
 
 #[test]
 fn cut_too_heavy_for_the_shaft_fan_gets_forced_cooling() {
     // 1750 N: 23.9 Nm of 22.6 with a fan on the motor's shaft, of 32.2 with forced cooling.
     let heavy = shaft(&[("before-feed", "0.5")]);
-    let torque = row(&heavy, "main-torque");
+    let torque = readout(&heavy, "main-torque");
     assert_eq!(torque.verdict, Verdict::Fail);
     assert_eq!(torque.advice[0].sets, [("main-forced-cooling", "true".to_owned())]);
     let cooled = heavy.with_entries(&torque.advice[0].sets).unwrap();
-    let torque = row(&cooled, "main-torque");
+    let torque = readout(&cooled, "main-torque");
     assert_eq!(torque.verdict, Verdict::Ok);
     near(torque.limit.unwrap().value(), RATED, 1e-3);
     for (project, fans) in [(&heavy, 0), (&cooled, 1)] {
-        let sizing = sized(project);
+        let sizing = sized_without_envelope(project);
         assert_eq!(sizing.bill.iter().filter(|row| row.item == BillItem::Fan && row.axis == Some(NAME)).count(), fans);
         assert_eq!(sizing.terminals.iter().filter(|row| row.to.item == BillItem::Fan).count(), 2 * fans);
     }
@@ -76,24 +64,24 @@ fn ramp_shorter_than_the_main_motor_gives_fails() {
     let inertia = 0.2 + 0.03 * 0.75 * 0.75;
     let omega = 3000.0 * std::f64::consts::PI / 30.0;
     let hasty = shaft(&[("main-ramp", "1")]);
-    let shortest = row(&hasty, "main-shortest-ramp");
+    let shortest = readout(&hasty, "main-shortest-ramp");
     near(shortest.value, inertia * omega / (1.5 * RATED - 2.0), 1e-6);
     assert_eq!(shortest.verdict, Verdict::Fail);
     // Twice the first advice, for the speed of the form and for that of the knob at 120 %.
     let mut slower = hasty.clone();
     for after in [Verdict::Warn, Verdict::Ok] {
-        slower = slower.with_entries(&row(&slower, "main-shortest-ramp").advice[0].sets).unwrap();
-        assert_eq!(row(&slower, "main-shortest-ramp").verdict, after);
+        slower = slower.with_entries(&readout(&slower, "main-shortest-ramp").advice[0].sets).unwrap();
+        assert_eq!(readout(&slower, "main-shortest-ramp").verdict, after);
     }
     let to_speed = inertia * 800.0 * std::f64::consts::PI / 30.0 / (1.5 * RATED - 2.0);
-    near(row(&hasty, "main-run-up-time").value, to_speed, 1e-6);
-    near(row(&hasty, "main-coasting-time").value, inertia * 800.0 * std::f64::consts::PI / 30.0 / 2.0, 1e-6);
+    near(readout(&hasty, "main-run-up-time").value, to_speed, 1e-6);
+    near(readout(&hasty, "main-coasting-time").value, inertia * 800.0 * std::f64::consts::PI / 30.0 / 2.0, 1e-6);
 }
 
 #[test]
 fn main_spindle_is_ordered_and_wired_where_the_program_turns() {
     let items = |project: &Project| {
-        let sizing = sized(project);
+        let sizing = sized_without_envelope(project);
         let own = sizing.bill.iter().filter(|row| row.axis == Some(NAME)).map(|row| row.item);
         let mut items: Vec<BillItem> = own.collect();
         items.sort();
@@ -155,18 +143,18 @@ fn stops_name_the_inverter_where_the_bar_is_turned() {
 #[test]
 fn turned_end_faster_than_the_idling_motor_warns() {
     let fast = shaft(&[("before-speed", "1200")]);
-    let speed = row(&fast, "main-top-speed");
+    let speed = readout(&fast, "main-top-speed");
     assert_eq!((speed.value, speed.limit.unwrap().value(), speed.verdict), (1200.0, 1000.0, Verdict::Warn));
     assert_eq!(speed.advice[0].sets, [("before-speed", "1000".to_owned())]);
     let slower = fast.with_entries(&speed.advice[0].sets).unwrap();
-    assert_eq!(row(&slower, "main-top-speed").verdict, Verdict::Ok);
+    assert_eq!(readout(&slower, "main-top-speed").verdict, Verdict::Ok);
 }
 
 #[test]
 fn turned_end_is_judged_at_the_highest_knob_too() {
     // 1400 N: 19.5 Nm of 22.6 at 800 r/min; the knob of 254 % takes the spindle to 2032 r/min, where a base speed of 1000 r/min leaves less.
     let cooled = [("before-feed", "0.4"), ("main-forced-cooling", "true")];
-    let at = |motor: &[(&'static str, &'static str)]| row(&shaft(&[&cooled, motor].concat()), "main-torque");
+    let at = |motor: &[(&'static str, &'static str)]| readout(&shaft(&[&cooled, motor].concat()), "main-torque");
     assert_eq!(at(&[("main-base", "1500")]).verdict, Verdict::Ok);
     let weak = at(&[("main-base", "1000"), ("main-power", "4.5")]);
     assert_eq!((weak.verdict, weak.advice[0].message.id), (Verdict::Warn, "lathe.torque-at-knob"));
@@ -177,11 +165,11 @@ fn shaft_fan_is_judged_at_the_lowest_knob_too() {
     // At 1 % of 800 r/min the fan on the motor's shaft leaves 0.502 of the torque: 16.2 Nm.
     for (feed, verdict) in [("0.3", Verdict::Ok), ("0.4", Verdict::Warn)] {
         let lathe = shaft(&[("before-feed", feed)]);
-        let torque = row(&lathe, "main-torque");
+        let torque = readout(&lathe, "main-torque");
         assert_eq!(torque.verdict, verdict, "{} Nm", torque.value);
         for advice in torque.advice {
             assert_eq!(advice.message.id, "lathe.shaft-fan-at-knob");
-            assert_eq!(row(&lathe.with_entries(&advice.sets).unwrap(), "main-torque").verdict, Verdict::Ok);
+            assert_eq!(readout(&lathe.with_entries(&advice.sets).unwrap(), "main-torque").verdict, Verdict::Ok);
         }
     }
 }
@@ -191,7 +179,7 @@ fn shaft_fan_is_judged_at_the_lowest_knob_too() {
 fn work_axis_runs_up_the_main_motor_too() {
     let motor = [("main-rotor", "0.2"), ("main-speed", "1000")];
     let [alone, coupled] =
-        ["false", "true"].map(|on| row(&shaft(&[&motor[..], &[("before", on)]].concat()), "work-run-up"));
+        ["false", "true"].map(|on| readout(&shaft(&[&motor[..], &[("before", on)]].concat()), "work-run-up"));
     let run_up =
         |inertia: f64| inertia * 200.0 * std::f64::consts::PI / 30.0 * (1.0 - macroline::math::exp(-9.0)) / 0.3;
     near(alone.value, run_up(0.2), 1e-6);

@@ -2,7 +2,8 @@
 
 use super::super::command;
 use super::drawn::area;
-use super::polygon::{project, result};
+use super::polygon::project;
+use crate::asked::value;
 use macroline::machines;
 use macroline::machines::{Frame, Samples};
 use macroline::motion::{Budget, Retention, RunEnd};
@@ -33,7 +34,7 @@ fn end(project: &Project, seconds: f64) -> RunSummary {
 #[test]
 fn half_axes_are_results_at_ratio_two_alone() {
     let square = project(&[]);
-    assert_eq!((result(&square, "half-axis-near"), result(&square, "half-axis-far")), (10.0, 100.0));
+    assert_eq!((value(&square, "half-axis-near"), value(&square, "half-axis-far")), (10.0, 100.0));
     let triangle = project(&[("shape", "triangle"), ("across-flats", "8"), ("stock-diameter", "11")]);
     assert!(triangle.design().readouts.iter().all(|row| !row.id.starts_with("half-axis")));
 }
@@ -42,13 +43,13 @@ fn half_axes_are_results_at_ratio_two_alone() {
 fn milling_takes_its_way_around_for_each_depth() {
     // Three times around four sides of 2 (10 + 8) mm at 400 mm/min.
     let square = project(&[]);
-    assert!((result(&square, "milling-time") - 3.0 * 144.0 / 400.0 * 60.0).abs() < 1e-9);
-    let turned = result(&square, "ready") + result(&square, "cutting-time");
-    assert!((result(&square, "milling-ratio") - result(&square, "milling-time") / turned).abs() < 1e-9);
+    assert!((value(&square, "milling-time") - 3.0 * 144.0 / 400.0 * 60.0).abs() < 1e-9);
+    let turned = value(&square, "ready") + value(&square, "cutting-time");
+    assert!((value(&square, "milling-ratio") - value(&square, "milling-time") / turned).abs() < 1e-9);
     // Two chords of 2 √(6² - 4²) mm, and the mill beyond them.
     let knob = project(&[("shape", "knob"), ("across-flats", "8"), ("stock-diameter", "12"), ("mill-depth", "15")]);
     let way = 2.0 * (2.0 * 20.0_f64.sqrt() + 16.0);
-    assert!((result(&knob, "milling-time") - way / 400.0 * 60.0).abs() < 1e-9);
+    assert!((value(&knob, "milling-time") - way / 400.0 * 60.0).abs() < 1e-9);
 }
 
 #[test]
@@ -127,7 +128,7 @@ fn finished_section_stays_whatever_the_moments_of_the_blocks() {
     let hexagon = project(&[("shape", "hexagon"), ("stock-diameter", "24"), ("tool-start", "-40"), ("depth", "3")]);
     let text = hexagon.written().files.0[0].text.clone();
     let (head, tail) = text.split_once("N20 G512").unwrap();
-    let exact = result(&hexagon, "area");
+    let exact = value(&hexagon, "area");
     for more in 0..16 {
         let mut longer = hexagon.clone();
         let mut files = longer.written().files;

@@ -8,8 +8,9 @@ use macroline::project::Project;
 use macroline::text::{Diagnostic, Severity};
 use macroline::view::{Shape, Verdict};
 
-use super::polygon::{project, result};
+use super::polygon::project;
 use super::polygon_shaft::{Dice, whole};
+use crate::asked::value;
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::run::{self, RunOptions};
 
@@ -58,7 +59,7 @@ fn drawing_follows_the_polygon_that_is_cut() {
             assert_eq!(groups.map(|group| place(group).opacity), [[1.0, 0.0], [0.0, 1.0]][cut], "{groups:?} at {t}");
         }
         let text = |id: u16| pose.texts.iter().find(|(node, _)| *node == id).unwrap().1.clone();
-        let flatness = result(&project, ["flatness", "second-flatness"][cut]);
+        let flatness = value(&project, ["flatness", "second-flatness"][cut]);
         assert_eq!(text(16), format!("{} mm", macroline::text::catalog::number_text(flatness, 4)));
         assert_eq!([text(17), text(18)], [["AF 20 mm", "r 45 mm"], ["AF 21 mm", "r 60 mm"]][cut]);
         // The disc is drawn as large as its tip circle, at its distance from the work, in the scale of the drawing.
@@ -137,12 +138,12 @@ fn exported_sections_hold_every_polygon_by_name() {
 #[test]
 fn each_cutter_has_its_tip_radius() {
     let own = two(&[]);
-    assert_eq!(result(&own, "second-distance"), 10.5 + 60.0);
-    assert_eq!([result(&own, "offset"), result(&own, "second-offset")], [-90.0, -120.0]);
+    assert_eq!(value(&own, "second-distance"), 10.5 + 60.0);
+    assert_eq!([value(&own, "offset"), value(&own, "second-offset")], [-90.0, -120.0]);
     assert!(own.written().files.0[0].text.contains("(X OFFSET OF T2 IS -120)"));
     // A form without an own tip radius, as in older projects, uses that of the first cutter.
     let old = project(&[&TWO[..6], &[("tip-radius", "30")]].concat());
-    assert_eq!(result(&old, "second-distance"), 10.5 + 30.0);
+    assert_eq!(value(&old, "second-distance"), 10.5 + 30.0);
     let found = |changes: &[(&str, &str)]| {
         let design = two(changes).design();
         let errors = design.diagnostics.iter().filter(|found| found.severity == Severity::Error);

@@ -1,7 +1,8 @@
 //! Polygons in the middle of a shaft: no rapid in the stock, shoulders and jaws stay, the drawing follows.
 
 use super::drawn::area;
-use super::polygon::{project, result};
+use super::polygon::project;
+use crate::asked::value;
 use macroline::controls::Address;
 use macroline::interp::{Canon, Interp};
 use macroline::machines::form::Value;
@@ -228,7 +229,7 @@ fn section_and_bar_in_the_middle_shrink_to_the_results() {
         }
         let stock: f64 = if changes.len() > 2 { 24.0 } else { 25.0 };
         let scale = (148.0 / stock) * (148.0 / stock);
-        let exact = result(&project, "area");
+        let exact = value(&project, "area");
         assert!((left[0] / scale / exact - 1.0).abs() < 2e-3, "{} for {exact}", left[0] / scale);
         // The bar has lost both sides of the polygon over its length, and nothing else.
         let full = pose(0.0).paths[BAR].1.clone();
@@ -306,7 +307,7 @@ fn overlapping_polygons_and_a_shared_cutter_are_refused() {
     let own = [("second-shape", "own"), ("second-tool", "1"), ("second-tool-ratio", "3"), ("second-sides", "6")];
     let same = project(&[&TWO[..], &own].concat());
     assert!(!refused(&same));
-    assert_eq!(result(&same, "second-sides"), 6.0);
+    assert_eq!(value(&same, "second-sides"), 6.0);
 }
 
 #[test]
@@ -318,8 +319,8 @@ fn advice_for_the_second_polygon_sets_its_own_fields() {
     assert_eq!(sets.len(), 1, "{:?}", error.advice);
     assert_eq!(sets[0].0, "second-work-start");
     let mended = project(&[&TWO[..], &[("second-work-start", sets[0].1.as_str())]].concat());
-    assert!(result(&mended, "second-angle-error").abs() < 1e-6);
-    assert!((result(&mended, "second-angle") - 15.0).abs() < 1e-6);
+    assert!(value(&mended, "second-angle-error").abs() < 1e-6);
+    assert!((value(&mended, "second-angle") - 15.0).abs() < 1e-6);
 }
 
 #[test]
@@ -371,14 +372,14 @@ fn end_is_turned_and_threaded_before_the_square() {
 fn time_of_turning_and_thread_is_that_of_their_ways() {
     let turned = project(&[("from-face", "30"), ("before", "true"), ("before-depth", "10"), ("retract-feed", "10000")]);
     // One cut of 12 mm in all at 160 mm/min, and out over 8.5 mm at the clamp of 3000 mm/min.
-    assert!((result(&turned, "turning-time") - (12.0 / 160.0 + 8.5 / 3000.0) * 60.0).abs() < 1e-9);
+    assert!((value(&turned, "turning-time") - (12.0 / 160.0 + 8.5 / 3000.0) * 60.0).abs() < 1e-9);
     let threaded =
         project(&[("from-face", "30"), ("after", "true"), ("after-pitch", "1"), ("after-thread-infeed", "2")]);
     let plain = project(&[("from-face", "30"), ("after", "true")]);
     // 10 mm in a pitch each at 800 r/min, and out from the root.
     let way_out = 14.5 - (6.0 - 0.613_435);
     let more = 10.0 / 800.0 * 60.0 + way_out / 1000.0 * 60.0;
-    assert!((result(&threaded, "turning-time") - result(&plain, "turning-time") - more).abs() < 1e-9);
+    assert!((value(&threaded, "turning-time") - value(&plain, "turning-time") - more).abs() < 1e-9);
 }
 
 #[test]
@@ -447,7 +448,7 @@ fn slide_reaches_the_pitch_in_the_told_run_in() {
             ("start-z", "30"),
         ];
         let project = project(&shaft);
-        let told = result(&project, "before-run-in");
+        let told = value(&project, "before-run-in");
         assert!((told - needed).abs() < 1e-3, "{told} for {needed}");
         let speed = rpm.parse::<f64>().unwrap() * 1.75 / 60.0;
         let ran = run_in_of(&project, speed);

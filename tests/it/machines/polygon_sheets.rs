@@ -8,7 +8,8 @@ use macroline::nc::{self, Files};
 use macroline::project::Project;
 use macroline::text::Severity;
 
-use super::polygon::{project, result};
+use super::polygon::project;
+use crate::asked::value;
 
 fn rows(changes: &[(&str, &str)], id: &str) -> String {
     let project = project(changes);
@@ -127,7 +128,7 @@ fn radius_errors_of_inserts_show_on_their_sides() {
     "#]]
     .assert_eq(&rows(&off("0.1"), "inserts"));
     let (even, deep, both) = (off(""), off("0.1"), off("0.1 0.1"));
-    let felt = |changes: &[(&str, &str)], id: &str| result(&project(changes), id);
+    let felt = |changes: &[(&str, &str)], id: &str| value(&project(changes), id);
     let across = felt(&even, "across-flats");
     assert!((felt(&deep, "least-across-flats") - (across - 0.1)).abs() < 5e-3, "{}", felt(&deep, "least-across-flats"));
     assert!((felt(&both, "across-flats") - (across - 0.2)).abs() < 5e-3);

@@ -4,19 +4,10 @@ use std::f64::consts::PI;
 
 use macroline::drives::polygon::{CutterSetup, Ratio, Section, load};
 use macroline::math;
-use macroline::project::Project;
-use macroline::view::{Readout, Verdict};
+use macroline::view::Verdict;
 
-use super::polygon::{project, result};
-
-fn row(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
-}
-
-#[track_caller]
-fn near(value: f64, expected: f64, share: f64) {
-    assert!((value - expected).abs() <= share * expected.abs(), "{value} is not {expected}");
-}
+use super::polygon::project;
+use crate::asked::{near_share, readout, value};
 
 /// The paper's single pass: 2.5 mm deep at 1 mm for each turn, tips at 45 mm.
 const SINGLE: [(&str, &str); 4] = [("depth", "2.5"), ("allowance", "0"), ("feed", "1"), ("finish-feed", "1")];
@@ -25,16 +16,16 @@ const SINGLE: [(&str, &str); 4] = [("depth", "2.5"), ("allowance", "0"), ("feed"
 fn peak_in_the_middle_of_a_side_is_force_times_radius() {
     let square = project(&SINGLE);
     // 1750 N/mm² · 2.5 mm · 1 mm at 45 mm from the tool's axis and 10 mm from that of the work.
-    near(result(&square, "cutting-force"), 4375.0, 1e-9);
-    near(result(&square, "tool-torque"), 4375.0 * 0.045, 1e-9);
-    assert!(result(&square, "work-torque") >= 4375.0 * 0.010 * (1.0 - 1e-9));
+    near_share(value(&square, "cutting-force"), 4375.0, 1e-9);
+    near_share(value(&square, "tool-torque"), 4375.0 * 0.045, 1e-9);
+    assert!(value(&square, "work-torque") >= 4375.0 * 0.010 * (1.0 - 1e-9));
     // C45 after Kienzle: 1500 · 2.5 · 1^0.78, and half of the feed 0.5^0.78 of it.
     let steel = project(&[&SINGLE[..], &[("material", "c45")]].concat());
-    near(result(&steel, "tool-torque"), 1500.0 * 2.5 * 0.045, 1e-9);
+    near_share(value(&steel, "tool-torque"), 1500.0 * 2.5 * 0.045, 1e-9);
     let slow = project(&[&SINGLE[..], &[("material", "c45"), ("feed", "0.5")]].concat());
-    near(result(&slow, "tool-torque"), 1500.0 * 2.5 * math::pow(0.5, 0.78) * 0.045, 1e-9);
+    near_share(value(&slow, "tool-torque"), 1500.0 * 2.5 * math::pow(0.5, 0.78) * 0.045, 1e-9);
     // 45 mm, 10 mm, stock of 12.5 mm: cos σ = (a² + r² - R²) / (2 a r), so that one insert of two is in the cut.
-    assert_eq!(result(&square, "at-once"), 1.0);
+    assert_eq!(value(&square, "at-once"), 1.0);
 }
 
 /// Mean and peak torque (Nm) of work and tool of the first pass, from positions and motions of the tips in the frame of the machine: tips
@@ -79,8 +70,8 @@ fn same_as_in_motion(changes: &[(&str, &str)], inserts: u32, terms: (f64, f64), 
     let lathe = project(&[&plain[..], changes].concat());
     let expected = turned(inserts, terms, d, 45.0, 12.5, 1750.0 * chip);
     for (id, (mean, peak)) in ["work-torque", "tool-torque"].into_iter().zip(expected) {
-        near(result(&lathe, id), peak, 1e-3);
-        near(result(&lathe, &format!("{id}-mean")), mean, 2e-3);
+        near_share(value(&lathe, id), peak, 1e-3);
+        near_share(value(&lathe, &format!("{id}-mean")), mean, 2e-3);
     }
 }
 
@@ -107,7 +98,7 @@ fn energy_of_a_thin_layer_is_that_of_its_area() {
         let areas = sizes.map(|size| Section::new(&CutterSetup::even(size, r, ratio, inserts), stock).unwrap().area());
         // Over a turn of the work, 2π: every side is cut equally often.
         let energy = 2.0 * PI * (pass.work.mean + ratio.value() * pass.tool.mean);
-        near(energy, (areas[0] - areas[1]) * ratio.passes_per_turn(inserts), 2e-3);
+        near_share(energy, (areas[0] - areas[1]) * ratio.passes_per_turn(inserts), 2e-3);
     }
 }
 
@@ -130,24 +121,24 @@ fn several_inserts_in_the_cut_at_once_add_up() {
     let sigma = math::acos((a * a + r * r - stock * stock) / (2.0 * a * r));
     let at_once = (24.0 * sigma / PI).floor() + 1.0;
     assert!(at_once > 1.0);
-    assert_eq!(result(&lathe, "at-once"), at_once);
-    near(result(&lathe, "tool-torque"), at_once * 1750.0 * 5.0 * 0.5 * 0.045, 1e-9);
+    assert_eq!(value(&lathe, "at-once"), at_once);
+    near_share(value(&lathe, "tool-torque"), at_once * 1750.0 * 5.0 * 0.5 * 0.045, 1e-9);
 }
 
 #[test]
 fn feed_that_the_drive_holds_is_offered_to_the_last_digit() {
     let square = project(&SINGLE);
-    let torque = row(&square, "tool-torque");
+    let torque = readout(&square, "tool-torque");
     // 9549.3 · 5.5 · 0.9 / 1500 Nm up to base speed, and 250 % of it for a moment.
-    near(torque.limit.unwrap().value(), 9549.3 * 5.5 * 0.9 / 1500.0 * 2.5, 1e-4);
+    near_share(torque.limit.unwrap().value(), 9549.3 * 5.5 * 0.9 / 1500.0 * 2.5, 1e-4);
     assert_eq!(torque.verdict, Verdict::Fail);
     // The last pass cuts nothing: its feed stays.
     let [("feed", feed)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
     let after = square.with_entries(&torque.advice[0].sets).unwrap();
-    assert_eq!(row(&after, "tool-torque").verdict, Verdict::Ok);
+    assert_eq!(readout(&after, "tool-torque").verdict, Verdict::Ok);
     let more = format!("{:.3}", feed.parse::<f64>().unwrap() + 0.001);
     let beyond = square.with_entries(&[("feed", more)]).unwrap();
-    assert_eq!(row(&beyond, "tool-torque").verdict, Verdict::Fail);
+    assert_eq!(readout(&beyond, "tool-torque").verdict, Verdict::Fail);
 }
 
 #[test]
@@ -168,46 +159,47 @@ fn strikes_heat_a_drive_more_than_their_mean() {
     ];
     let lathe = project(&entries);
     let [peak, mean, effective] =
-        ["tool-torque", "tool-torque-mean", "tool-torque-effective"].map(|id| row(&lathe, id));
-    near(effective.value, (peak.value * mean.value).sqrt(), 1e-12);
+        ["tool-torque", "tool-torque-mean", "tool-torque-effective"].map(|id| readout(&lathe, id));
+    near_share(effective.value, (peak.value * mean.value).sqrt(), 1e-12);
     let limit = effective.limit.unwrap().value();
     assert!(mean.value < 0.6 * limit && effective.value > limit, "{} {limit}", mean.value);
     assert_eq!(effective.verdict, Verdict::Warn);
     let after = lathe.with_entries(&effective.advice[0].sets).unwrap();
-    assert_eq!(row(&after, "tool-torque-effective").verdict, Verdict::Ok);
+    assert_eq!(readout(&after, "tool-torque-effective").verdict, Verdict::Ok);
 }
 
 #[test]
 fn slow_drive_lacks_power_above_its_base_speed() {
     // The cut at 400 r/min is far above a base speed of 40 r/min: torque falls with the speed, power stays.
     let weak = project(&[("tool-power", "0.05"), ("tool-base", "40"), ("drive-peak", "600")]);
-    let [mean, effective, power] = ["tool-torque-mean", "tool-torque-effective", "tool-power"].map(|id| row(&weak, id));
+    let [mean, effective, power] =
+        ["tool-torque-mean", "tool-torque-effective", "tool-power"].map(|id| readout(&weak, id));
     assert_eq!([effective.verdict, power.verdict], [Verdict::Fail, Verdict::Fail]);
-    near(effective.limit.unwrap().value(), 9549.3 * 0.05 * 0.9 / 400.0, 1e-4);
-    near(power.limit.unwrap().value(), 0.045, 1e-9);
-    near(power.value, mean.value * 400.0 / 9549.3, 1e-4);
+    near_share(effective.limit.unwrap().value(), 9549.3 * 0.05 * 0.9 / 400.0, 1e-4);
+    near_share(power.limit.unwrap().value(), 0.045, 1e-9);
+    near_share(power.value, mean.value * 400.0 / 9549.3, 1e-4);
 }
 
 #[test]
 fn run_up_takes_both_to_one_longer_ramp() {
     let lathe = project(&[]);
     // 0.2 kg·m² to 200 r/min in 0.3 s, with a position loop of 30 1/s.
-    near(result(&lathe, "work-run-up"), 0.2 * 200.0 * PI / 30.0 * (1.0 - math::exp(-9.0)) / 0.3, 1e-9);
-    near(result(&lathe, "tool-run-up"), 0.02 * 400.0 * PI / 30.0 * (1.0 - math::exp(-9.0)) / 0.3, 1e-9);
+    near_share(value(&lathe, "work-run-up"), 0.2 * 200.0 * PI / 30.0 * (1.0 - math::exp(-9.0)) / 0.3, 1e-9);
+    near_share(value(&lathe, "tool-run-up"), 0.02 * 400.0 * PI / 30.0 * (1.0 - math::exp(-9.0)) / 0.3, 1e-9);
     let heavy = project(&[("work-inertia", "8"), ("tool-time-constant", "200")]);
-    let run_up = row(&heavy, "work-run-up");
-    assert_eq!((run_up.verdict, row(&heavy, "tool-run-up").verdict), (Verdict::Fail, Verdict::Ok));
+    let run_up = readout(&heavy, "work-run-up");
+    assert_eq!((run_up.verdict, readout(&heavy, "tool-run-up").verdict), (Verdict::Fail, Verdict::Ok));
     let [("work-time-constant", work), ("tool-time-constant", tool)] = &run_up.advice[0].sets[..] else {
         panic!("{:?}", run_up.advice)
     };
     assert_eq!(work, tool);
     let after = heavy.with_entries(&run_up.advice[0].sets).unwrap();
-    assert_eq!((row(&after, "work-run-up").verdict, row(&after, "phase").verdict), (Verdict::Ok, Verdict::Ok));
+    assert_eq!((readout(&after, "work-run-up").verdict, readout(&after, "phase").verdict), (Verdict::Ok, Verdict::Ok));
     let less = format!("{:.1}", work.parse::<f64>().unwrap() - 0.1);
     let short = heavy.with_entries(&[("work-time-constant", less)]).unwrap();
-    assert_eq!(row(&short, "work-run-up").verdict, Verdict::Fail);
+    assert_eq!(readout(&short, "work-run-up").verdict, Verdict::Fail);
     // 8 · 20.94 / 78.8 s.
-    near(result(&heavy, "shortest-ramp"), 8.0 * 200.0 * PI / 30.0 / (9549.3 * 5.5 * 0.9 / 1500.0 * 2.5), 1e-4);
+    near_share(value(&heavy, "shortest-ramp"), 8.0 * 200.0 * PI / 30.0 / (9549.3 * 5.5 * 0.9 / 1500.0 * 2.5), 1e-4);
 }
 
 #[test]
@@ -216,12 +208,12 @@ fn worst_of_several_polygons_is_judged() {
     let second = [("second", "true"), ("second-shape", "hexagon"), ("second-across-flats", "12"), ("second-tool", "2")];
     let two = project(&second);
     // A deeper polygon on the way down: its far sides are nearer to the work's axis, the infeed reaches the stock.
-    assert!(result(&two, "work-torque") >= result(&one, "work-torque"));
+    assert!(value(&two, "work-torque") >= value(&one, "work-torque"));
     // Down with an insert of 3 mm by 0.1 mm: 525 N, at the tips.
     let down = project(&[("from-face", "20"), ("feed", "0.001"), ("finish-feed", "0.001")]);
-    near(result(&down, "tool-torque"), 1750.0 * 3.0 * 0.1 * 0.045, 1e-9);
+    near_share(value(&down, "tool-torque"), 1750.0 * 3.0 * 0.1 * 0.045, 1e-9);
     let advised = project(&[("from-face", "20"), ("infeed", "1"), ("insert-width", "10")]);
-    let [("infeed", _)] = &row(&advised, "tool-torque").advice[0].sets[..] else { panic!() };
+    let [("infeed", _)] = &readout(&advised, "tool-torque").advice[0].sets[..] else { panic!() };
 }
 
 #[test]

@@ -1,20 +1,12 @@
 //! The ribbon line at the edges of its operation: a motor above its rated frequency or slower than its slip, feed in step, loops nobody builds.
 
-use macroline::project::Project;
 use macroline::project::repairs::repairs;
 use macroline::text::catalog::sentence;
-use macroline::view::{Limit, Readout, Verdict};
+use macroline::view::{Limit, Verdict};
 
 use super::ribbon_controls::project;
 use super::ribbon_line::controls;
-
-fn row(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
-}
-
-fn near(value: f64, expected: f64, within: f64) {
-    assert!((value - expected).abs() <= within, "{value} is not {expected}");
-}
+use crate::asked::{near, readout};
 
 /// 100 Hz at 10 V for 2960 r/min: at most 94.6 Hz with S at most 2800.
 const FAST: [(&str, &str); 7] = [
@@ -30,17 +22,17 @@ const FAST: [(&str, &str); 7] = [
 #[test]
 fn motor_above_its_rated_frequency_has_less_torque() {
     let line = project("mitsubishi-e60", &FAST);
-    let (frequency, torque) = (100.0 * 2800.0 / 2960.0, row(&line, "unwinder-torque"));
+    let (frequency, torque) = (100.0 * 2800.0 / 2960.0, readout(&line, "unwinder-torque"));
     near(torque.limit.unwrap().value(), 5.0 * 50.0 / frequency, 1e-9);
-    near(row(&line, "unwinder-ramp-torque").limit.unwrap().value(), 7.5 * 50.0 / frequency, 1e-9);
-    let braking = row(&line, "unwinder-braking-torque").limit.unwrap().value();
+    near(readout(&line, "unwinder-ramp-torque").limit.unwrap().value(), 7.5 * 50.0 / frequency, 1e-9);
+    let braking = readout(&line, "unwinder-braking-torque").limit.unwrap().value();
     near(
         braking,
-        row(&project("mitsubishi-e60", &[]), "unwinder-braking-torque").limit.unwrap().value() * 50.0 / frequency,
+        readout(&project("mitsubishi-e60", &[]), "unwinder-braking-torque").limit.unwrap().value() * 50.0 / frequency,
         1e-9,
     );
     let heavy = project("mitsubishi-e60", &[&FAST[..], &[("reduction-ratio", "5"), ("reel-brake", "250")]].concat());
-    let torque = row(&heavy, "unwinder-torque");
+    let torque = readout(&heavy, "unwinder-torque");
     assert!(torque.value < 5.0 && torque.verdict == Verdict::Fail, "{torque:?}");
     assert!(sentence(&torque.advice[0].message).contains("94.6 Hz"), "{:?}", torque.advice);
 }
@@ -58,11 +50,11 @@ fn motor_slower_than_its_slip_stands() {
             ("dancer", "false"),
         ];
         let line = project("sinumerik-802d", &entries);
-        assert_eq!(row(&line, "speed-error-rated").verdict, verdict, "{speed} r/min");
-        assert_eq!(row(&line, "speed-error").verdict, Verdict::None, "{speed} r/min");
+        assert_eq!(readout(&line, "speed-error-rated").verdict, verdict, "{speed} r/min");
+        assert_eq!(readout(&line, "speed-error").verdict, Verdict::None, "{speed} r/min");
         let loaded = line.with_entries(&[("unwinder-load", "100".to_owned())]).unwrap();
         let at_load = if verdict == Verdict::Warn { Verdict::Fail } else { Verdict::None };
-        assert_eq!(row(&loaded, "speed-error").verdict, at_load, "{speed} r/min");
+        assert_eq!(readout(&loaded, "speed-error").verdict, at_load, "{speed} r/min");
     }
 }
 
@@ -70,7 +62,7 @@ fn motor_slower_than_its_slip_stands() {
 fn feed_in_step_with_the_unwinder_draws_no_ribbon() {
     let stiff = [("youngs-modulus", "3000"), ("dancer", "false"), ("wait", "dwell"), ("dwell", "0")];
     let in_step = [("feed-form", "per-revolution"), ("spindle-encoder", "true")];
-    let tension = |entries: &[(&str, &str)]| row(&project("sinumerik-802d", entries), "tension");
+    let tension = |entries: &[(&str, &str)]| readout(&project("sinumerik-802d", entries), "tension");
     assert!(tension(&stiff).value > 100.0);
     // What is left is that of a start, before the measured speed is there.
     let left = tension(&[&stiff[..], &in_step].concat()).value;
@@ -83,13 +75,13 @@ fn long_ramp_is_repaired_by_a_shorter_one() {
     let entries = [("inverter-ramp", "20"), ("dancer", "true"), ("unwinder-motor-braking", "150")];
     for control in controls() {
         let line = project(control.id, &entries);
-        let needed = row(&line, "loop-needed");
+        let needed = readout(&line, "loop-needed");
         assert!(needed.value > 5000.0 && needed.verdict == Verdict::Fail, "{}", control.id);
         assert!(needed.advice[0].sets.is_empty(), "{}: {:?}", control.id, needed.advice);
         let steep =
             needed.advice.iter().find(|advice| advice.sets.iter().any(|(id, _)| *id == "inverter-ramp")).unwrap();
         let after = line.with_entries(&steep.sets).unwrap();
-        assert!(row(&after, "loop-needed").verdict < Verdict::Fail, "{}", control.id);
+        assert!(readout(&after, "loop-needed").verdict < Verdict::Fail, "{}", control.id);
         // A button that changes several entries names each change.
         let said = sentence(steep.button.as_ref().unwrap());
         assert!(said.contains("Set a ramp of") && said.contains("Set a dwell of"), "{said}");
@@ -118,7 +110,7 @@ fn exact_stop_that_the_control_lacks_is_told() {
 fn knob_holds_within_its_positions() {
     for control in controls() {
         let slow = project(control.id, &[("spindle-speed", "60")]);
-        let holds = row(&slow, "knob-holds").value;
+        let holds = readout(&slow, "knob-holds").value;
         let highest = control.spindle.knob.high.min(200.0);
         assert!(holds <= highest, "{}: {holds}", control.id);
         assert!(
@@ -127,7 +119,7 @@ fn knob_holds_within_its_positions() {
             control.id
         );
     }
-    let full = row(&project("mitsubishi-e60", &[]), "override-limit");
+    let full = readout(&project("mitsubishi-e60", &[]), "override-limit");
     near(full.value, 100.0 * 1480.0 / 1200.0, 1e-9);
     assert_eq!(full.limit.map(Limit::value), None);
 }

@@ -7,6 +7,7 @@ use macroline::project::run::{self, RunOptions};
 
 use super::ribbon_controls::{begun, ended, over_time, project};
 use super::ribbon_line::controls;
+use crate::asked::value;
 
 /// An unwinder without slip, so that starts and stops alone fill and empty the loop.
 const EVEN: [(&str, &str); 2] = [("no-load-speed", "1480"), ("rated-load-speed", "1480")];
@@ -81,10 +82,6 @@ fn ribbon(planner: &Planner<Interp>, t: f64) -> (f64, f64) {
     let now = planner.timeline().at(t);
     let unwound = now.spindle.turns * PER_TURN;
     (unwound, unwound - now.axes[0].actual)
-}
-
-fn value(project: &Project, id: &str) -> f64 {
-    project.design().readouts.iter().find(|row| row.id == id).expect("a result").value
 }
 
 #[test]

@@ -3,15 +3,12 @@
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, RunEnd};
 use macroline::project::Project;
-use macroline::view::{Limit, Readout, Verdict};
+use macroline::view::{Limit, Verdict};
 use proptest::prelude::*;
 
 use super::ribbon_controls::{ended, first_cut, over_time, project};
 use super::ribbon_line::{controls, values};
-
-fn readout(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
-}
+use crate::asked::readout;
 
 fn knob(t: f64, percent: f64) -> Event {
     Event { t, action: Action::SpindleOverride(percent) }

@@ -8,6 +8,8 @@ use macroline::text::Severity;
 use macroline::text::catalog::{sentence, words};
 use macroline::view::{Limit, Readout, Verdict};
 
+use crate::asked;
+
 pub(super) fn machine() -> &'static dyn AnyMachine {
     machines::find("ribbon-line").unwrap()
 }
@@ -33,14 +35,7 @@ pub(super) fn controls() -> impl Iterator<Item = &'static Control> {
 
 /// Values that differ from the paper's example: numbers as they are, words as choices, `true` and `false` as flags.
 pub(super) fn values(changes: &[(&str, &str)]) -> Values {
-    let fields = machine().fields();
-    changes
-        .iter()
-        .map(|(id, typed)| {
-            let field = fields.iter().find(|field| field.id == *id).unwrap_or_else(|| panic!("no field {id}"));
-            ((*id).to_owned(), field.read(typed).unwrap_or_else(|problem| panic!("{id}: {problem:?}")))
-        })
-        .collect()
+    asked::values(machine(), changes)
 }
 
 fn design(changes: &[(&str, &str)]) -> Design {

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::rc::Rc;
 
 use super::ribbon_line::{at_defaults, control, controls, machine, on, values};
+use crate::asked::near;
 use expect_test::expect_file;
 use macroline::controls::Address;
 use macroline::controls::interface::SignalRole;
@@ -92,11 +93,6 @@ fn print(run: &mut Interp, percent: f64) -> Printed {
     });
     assert_eq!(end, Some(End::Program));
     printed
-}
-
-#[track_caller]
-fn near(value: f64, wanted: f64, tolerance: f64) {
-    assert!((value - wanted).abs() <= tolerance, "{value}, expected {wanted} ± {tolerance}");
 }
 
 fn variable(run: &Interp, number: u32) -> f64 {

@@ -6,11 +6,12 @@ use macroline::motion::{Action, Event, Planner, RunEnd};
 use macroline::project::Project;
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
-use macroline::view::{Limit, Readout, Verdict};
+use macroline::view::{Limit, Verdict};
 use proptest::prelude::*;
 
 use super::ribbon_controls::{begun, ended, over_time, project};
 use super::ribbon_line::{controls, values};
+use crate::asked::{readout, stop_table};
 
 /// A line without slip whose F every control takes: 167.6 mm/s, a head every 8 mm.
 const LINE: [(&str, &str); 4] =
@@ -18,10 +19,6 @@ const LINE: [(&str, &str); 4] =
 
 fn line(control: &str, more: &[(&str, &str)]) -> Project {
     project(control, &[&LINE, more].concat())
-}
-
-fn readout(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
 }
 
 fn event(t: f64, action: Action) -> Event {
@@ -395,16 +392,10 @@ fn brake_is_offered_in_sizes_that_are_sold() {
     }
 }
 
-/// Cells of the table of stops.
-fn table(project: &Project) -> Vec<Vec<String>> {
-    let sheet = project.prepared().sheets().into_iter().find(|sheet| sheet.id == "stops").expect("a table of stops");
-    sheet.rows.into_iter().map(|row| row.cells).collect()
-}
-
 #[test]
 fn table_of_stops_names_spindle_axes_web_and_next_step() {
     for control in controls() {
-        let rows = table(&line(control.id, &[]));
+        let rows = stop_table(&line(control.id, &[]));
         let names: Vec<_> = rows.iter().map(|cells| cells[0].as_str()).collect();
         let wanted = [
             "Feed hold",

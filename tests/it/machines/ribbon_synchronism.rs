@@ -5,10 +5,11 @@ use macroline::interp::Interp;
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, Planner};
 use macroline::project::Project;
-use macroline::view::{Readout, Verdict};
+use macroline::view::Verdict;
 
 use super::ribbon_controls::{over_time, project};
 use super::ribbon_line::{controls, values};
+use crate::asked::readout;
 
 /// A line without slip whose F every control takes.
 const LINE: [(&str, &str); 4] =
@@ -16,10 +17,6 @@ const LINE: [(&str, &str); 4] =
 
 fn line(control: &str, more: &[(&str, &str)]) -> Project {
     project(control, &[&LINE, more].concat())
-}
-
-fn readout(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
 }
 
 fn event(t: f64, action: Action) -> Event {

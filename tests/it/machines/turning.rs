@@ -16,6 +16,8 @@ use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::drawn::area;
+use crate::asked;
+use crate::asked::value;
 
 const PATHS: [&str; 3] = ["facing", "turning", "taper"];
 
@@ -24,9 +26,7 @@ pub(super) fn machine() -> &'static dyn AnyMachine {
 }
 
 fn values(changes: &[(&str, &str)]) -> Values {
-    let fields = machine().fields();
-    let field = |id: &str| fields.iter().find(|field| field.id == id).unwrap_or_else(|| panic!("no field {id}"));
-    changes.iter().map(|(id, typed)| ((*id).to_owned(), field(id).read(typed).unwrap())).collect()
+    asked::values(machine(), changes)
 }
 
 pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {
@@ -75,10 +75,6 @@ fn begun(project: &Project, settings: &[run::Setting]) -> Planner<Interp> {
     run::of_project(project, &project.written(), &begin)
 }
 
-pub(super) fn result(project: &Project, id: &str) -> f64 {
-    project.design().readouts.iter().find(|row| row.id == id).unwrap().value
-}
-
 /// An entry of the form.
 fn number(project: &Project, id: &str) -> f64 {
     match project.values[id] {
@@ -121,7 +117,7 @@ fn cutting_time_of_the_run_equals_closed_form() {
                     let project = ideal(control, &changes);
                     let planner = over_time(&project);
                     let took: f64 = cuts(&project, &planner).iter().map(|(from, to)| to - from).sum();
-                    let asked = result(&project, "cutting-time");
+                    let asked = value(&project, "cutting-time");
                     assert!((took / asked - 1.0).abs() < 1e-4, "{control} {changes:?}: {took} for {asked}");
                 }
             }
@@ -134,7 +130,7 @@ fn surface_speed_is_constant_where_no_limit_binds() {
     for path in PATHS {
         let project = ideal("gsk-980tdc", &[("path", path), ("depth", "7")]);
         let planner = over_time(&project);
-        let limit = result(&project, "limit-diameter");
+        let limit = value(&project, "limit-diameter");
         let x = project.control.axis(Address::X).unwrap();
         let mut seen = 0;
         for (from, to) in cuts(&project, &planner) {
@@ -512,10 +508,10 @@ fn charts_over_the_speed_have_every_gear_stage() {
             let first = torque.series[0].points.last().unwrap();
             assert_eq!(first.0, number(&project, "stage-1"));
             let cut = torque.series.iter().find(|line| line.label == "lathe.chart.cut").unwrap();
-            assert!((cut.points.last().unwrap().1 - result(&project, "torque")).abs() < 1e-9, "{control} {changes:?}");
+            assert!((cut.points.last().unwrap().1 - value(&project, "torque")).abs() < 1e-9, "{control} {changes:?}");
             // The way in from the clearance begins at Ø 84.
             let slower = if prepared.hidden().contains(&"lower-limit") { 1.0 } else { 80.0 / 84.0 };
-            let (speed, way_in) = (cut.points.last().unwrap().0, result(&project, "speed-largest"));
+            let (speed, way_in) = (cut.points.last().unwrap().0, value(&project, "speed-largest"));
             assert!((speed * slower - way_in).abs() < 1e-9, "{control} {changes:?}: {speed}, {way_in}");
         }
     }
@@ -536,7 +532,7 @@ fn charts_and_results_show_the_same_speed() {
             let surface = project.control.can(macroline::controls::Code::SurfaceSpeed);
             let line = &chart.series[usize::from(!surface)].points;
             let (small, large) = (line.first().unwrap().1, line.last().unwrap().1);
-            let wanted = ["speed-smallest", "speed-largest"].map(|id| result(&project, id));
+            let wanted = ["speed-smallest", "speed-largest"].map(|id| value(&project, id));
             assert!((small - wanted[0]).abs() < 1e-9 && (large - wanted[1]).abs() < 1e-9, "{control} {changes:?}");
             // And so does the run, where the tool cuts.
             let (from, to) = cuts(&project, &planner)[0];

@@ -9,7 +9,8 @@ use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
 use macroline::text::Severity;
 
-use super::turning::{ideal, over_time, project, result, run_set, sheet};
+use super::turning::{ideal, over_time, project, run_set, sheet};
+use crate::asked::value;
 
 /// The control with words for limits and angles, and its sister.
 const NAMED: [&str; 2] = ["sinumerik-802d", "sinumerik-808d"];
@@ -136,7 +137,7 @@ fn driven_tool_cuts_the_keyway_at_the_locked_angle() {
     let (plunge, along, out) = (at(60), at(61), at(62));
     let (cut, formula) = (out - plunge, 60.0 * (7.5 / 50.0 + 36.0 / 100.0));
     assert!((cut - formula).abs() < 0.05, "{cut} {formula}");
-    assert!((result(&project, "keyway-time") - formula).abs() < 1e-9);
+    assert!((value(&project, "keyway-time") - formula).abs() < 1e-9);
     let place = |t: f64| planner.timeline().at(t).axes.map(|axis| axis.position);
     let near = |t: f64, x: f64, z: f64| {
         let [across, z_at] = [place(t)[0], place(t)[2]];

@@ -7,7 +7,8 @@ use macroline::controls::{Address, Code, Control};
 use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};
 
-use super::turning::{cuts, ideal, machine, over_time, project, result, run_of};
+use super::turning::{cuts, ideal, machine, over_time, project, run_of};
+use crate::asked::value;
 use macroline::project::Project;
 
 /// The times of blocks are the control's and not the machine's.
@@ -144,7 +145,7 @@ const QUESTIONS: &[Question] = &[
     ("entry of 0", entry),
     ("cutting speed 95.5", |c| rounded(machine_speed(c, "95.5"))),
     ("knob at 133 %", |c| {
-        rounded(result(&ideal(c.id, &[("override", "133"), ("cutting-speed", "60")]), "speed-largest"))
+        rounded(value(&ideal(c.id, &[("override", "133"), ("cutting-speed", "60")]), "speed-largest"))
     }),
     ("rpm before cut 1", |c| speed(c, &[], 0, -1e-4)),
     ("rpm behind cut 1", |c| speed(c, &[], 0, 0.05)),
@@ -164,8 +165,8 @@ const QUESTIONS: &[Question] = &[
 /// The surface speed that is commanded where one is typed.
 fn machine_speed(control: &Control, typed: &str) -> f64 {
     let project = ideal(control.id, &[("cutting-speed", typed)]);
-    result(&project, "surface-time").recip()
-        * result(&ideal(control.id, &[("cutting-speed", "100")]), "surface-time")
+    value(&project, "surface-time").recip()
+        * value(&ideal(control.id, &[("cutting-speed", "100")]), "surface-time")
         * 100.0
 }
 

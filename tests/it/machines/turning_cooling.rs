@@ -3,11 +3,11 @@
 use macroline::drives::spindle_motor::MotorCurve;
 use macroline::machines::devices::BillItem;
 use macroline::project::Project;
-use macroline::project::size::{Sizing, SizingRuns, answers};
 use macroline::text::catalog::sentence;
 use macroline::view::{Readout, Verdict};
 
 use super::turning::project;
+use crate::asked::{near, sized_without_envelope, value};
 
 /// Ø 400, 40 m/min, 700 N in a stage of 300 r/min at 10 V: the motor turns at about a tenth of its base speed.
 const SLOW: [(&str, &str); 10] = [
@@ -31,19 +31,6 @@ fn torque(project: &Project) -> Readout {
     project.design().readouts.into_iter().find(|row| row.id == "torque").unwrap()
 }
 
-fn result(project: &Project, id: &str) -> f64 {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap().value
-}
-
-fn sized(project: &Project) -> Sizing {
-    answers(project, &SizingRuns::new(project, &project.written()))
-}
-
-#[track_caller]
-fn near(value: f64, expected: f64, within: f64) {
-    assert!((value - expected).abs() <= within, "{value} is not {expected}");
-}
-
 #[test]
 fn shaft_fan_derates_the_spindle_motor_at_low_speed() {
     for control in ["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "mitsubishi-e60"] {
@@ -51,11 +38,11 @@ fn shaft_fan_derates_the_spindle_motor_at_low_speed() {
         let row = torque(&own);
         assert_eq!(row.verdict, Verdict::Fail, "{control}");
         // 9549.3 · 7.5 · 0.8 / 300 Nm at the spindle, and the motor at n · 1500 / 300 of its base speed of 1500 r/min.
-        let share = 0.5 + 0.5 * result(&own, "speed-largest") / 300.0;
+        let share = 0.5 + 0.5 * value(&own, "speed-largest") / 300.0;
         near(row.limit.unwrap().value(), 190.986 * share, 0.01);
-        near(result(&own, "torque-available"), 190.986 * share, 0.01);
+        near(value(&own, "torque-available"), 190.986 * share, 0.01);
         let said = sentence(&row.advice[0].message);
-        let motor = 5.0 * result(&own, "speed-largest");
+        let motor = 5.0 * value(&own, "speed-largest");
         assert!((150.0..165.0).contains(&motor) && said.contains(&format!("{motor:.0} r/min")), "{control}: {said}");
         assert_eq!(row.advice[0].sets, [("motor-forced-cooling", "true".to_owned())], "{control}");
         let forced = own.with_entries(&row.advice[0].sets).unwrap();
@@ -97,7 +84,7 @@ fn shaft_fan_at_the_slow_end_of_the_knob_is_a_warning() {
 #[test]
 fn fan_of_the_spindle_motor_is_in_bill_and_terminals() {
     for (forced, count) in [("true", 1), ("false", 0)] {
-        let sizing = sized(&project("gsk-980tdc", &[("motor-forced-cooling", forced)]));
+        let sizing = sized_without_envelope(&project("gsk-980tdc", &[("motor-forced-cooling", forced)]));
         assert_eq!(sizing.bill.iter().filter(|row| row.item == BillItem::Fan).count(), count);
         let wires = sizing.terminals.iter().filter(|row| row.to.item == BillItem::Fan).count();
         assert_eq!(wires, 2 * count);
@@ -107,7 +94,8 @@ fn fan_of_the_spindle_motor_is_in_bill_and_terminals() {
 #[test]
 fn list_derates_spindle_motors_with_a_shaft_fan() {
     let passing = |forced| {
-        let sizing = sized(&slow("gsk-980tdc", &[("motor-forced-cooling", forced), ("cutting-force", "300")]));
+        let sizing =
+            sized_without_envelope(&slow("gsk-980tdc", &[("motor-forced-cooling", forced), ("cutting-force", "300")]));
         let axis = sizing.axes.iter().find(|axis| axis.id == "spindle").unwrap();
         let passing = axis.candidates.iter().filter(|motor| motor.refusal.is_none());
         passing.map(|motor| motor.part.model.clone()).collect::<Vec<_>>()

@@ -8,21 +8,13 @@ use macroline::motion::Mover;
 use macroline::project::Project;
 use macroline::project::size::{OperatingEvent, size};
 use macroline::text::catalog::sentence;
-use macroline::view::{Readout, Verdict};
+use macroline::view::Verdict;
 
-use super::turning::{over_time, project, result};
+use super::turning::{over_time, project};
+use crate::asked::{near, readout, value};
 
 /// Radians per second of one turn per minute.
 const RPM: f64 = std::f64::consts::TAU / 60.0;
-
-fn row(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
-}
-
-#[track_caller]
-fn near(value: f64, expected: f64, within: f64) {
-    assert!((value - expected).abs() <= within, "{value} is not {expected}");
-}
 
 /// A face of C45 from Ø 160 to Ø 30 at 250 m/min, 3 mm by 0.3 mm/rev, κ 95°: 1760.9 N. A motor of 15 kW at 1500 r/min turns twice as fast as
 /// the spindle, 0.5 kg m² without the work.
@@ -71,14 +63,14 @@ fn friction_counts_in_torque_and_power() {
     let sine = math::sin(95_f64.to_radians());
     let force = 1500.0 / sine * math::pow(0.2 * sine, 0.78);
     near(force, 427.8, 0.1);
-    let torque = row(&lathe, "torque");
+    let torque = readout(&lathe, "torque");
     near(torque.value, force * 80.0 / 2000.0 + 12.0, 1e-6);
     near(torque.value, 29.11, 0.005);
     near(torque.limit.unwrap().value(), 19.1, 0.01);
     assert_eq!(torque.verdict, Verdict::Fail);
     // Most power at the highest speed of the constant surface speed: 1800 r/min at Ø 31.83.
     let power = force * 180.0 / 60_000.0 + 12.0 * 1800.0 / 9_549.297;
-    near(row(&lathe, "power").value, power, 1e-6);
+    near(readout(&lathe, "power").value, power, 1e-6);
     // The list of motors asks (17.11 + 12) · 2 / 0.8 = 72.8 Nm of each: one of 48.4 Nm is refused.
     let sizing = size(&lathe, &lathe.written());
     let spindle = sizing.axes.iter().find(|axis| axis.id == "spindle").unwrap();
@@ -98,18 +90,18 @@ fn acceleration_of_a_face_adds_to_its_cut() {
     let diameter = 250e3 / (std::f64::consts::PI * 2000.0);
     let acceleration = 2000.0 * 2000.0 * 0.3 * 2.0 / (60.0 * diameter);
     near(acceleration, 1005.3, 0.05);
-    near(result(&lathe, "inertia"), INERTIA, 1e-5);
-    let demand = row(&lathe, "peak-torque");
+    near(value(&lathe, "inertia"), INERTIA, 1e-5);
+    let demand = readout(&lathe, "peak-torque");
     near(demand.value, FORCE * diameter / 2000.0 + 2.0 + INERTIA * acceleration * RPM, 0.01);
     near(demand.limit.unwrap().value(), 1.5 * 9_549.297 * 12.0 / 2000.0, 0.01);
     assert_eq!(demand.verdict, Verdict::Fail);
     // Each of the rules that judge one of them alone holds.
     for id in ["acceleration-needed", "torque", "power", "shortest-ramp"] {
-        assert_eq!(row(&lathe, id).verdict, Verdict::Ok, "{id}");
+        assert_eq!(readout(&lathe, id).verdict, Verdict::Ok, "{id}");
     }
     let [advice] = &demand.advice[..] else { panic!("{:?}", demand.advice) };
     let slower = lathe.with_entries(&advice.sets).unwrap();
-    assert_eq!(row(&slower, "peak-torque").verdict, Verdict::Ok, "{:?}", advice.sets);
+    assert_eq!(readout(&slower, "peak-torque").verdict, Verdict::Ok, "{:?}", advice.sets);
 }
 
 #[test]
@@ -211,7 +203,7 @@ fn new_project_has_a_cut_and_a_motor_that_carries_it() {
             let lathe = Project::named("turning-spindle", Some(control), example).unwrap();
             let red: Vec<_> = lathe.design().readouts.into_iter().filter(|row| row.verdict == Verdict::Fail).collect();
             assert!(red.is_empty(), "{control} {example:?}: {:?}", red.iter().map(|row| row.id).collect::<Vec<_>>());
-            assert!(result(&lathe, "force") > 400.0);
+            assert!(value(&lathe, "force") > 400.0);
         }
         let lathe = Project::named("turning-spindle", Some(control), None).unwrap();
         let sizing = size(&lathe, &lathe.written());

@@ -3,17 +3,14 @@
 use macroline::drives::spindle_motor::MotorCurve;
 use macroline::motion::{Action, Event, Planner};
 use macroline::project::Project;
-use macroline::view::{Limit, Readout, Verdict};
+use macroline::view::{Limit, Verdict};
 
 use super::ribbon_controls::over_time;
-use super::turning::{machine, project, result, run_of};
+use super::turning::{machine, project, run_of};
+use crate::asked::{readout, value};
 
 /// Radians per second of one turn per minute.
 const RPM: f64 = std::f64::consts::TAU / 60.0;
-
-fn row(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
-}
 
 #[track_caller]
 fn same(value: f64, expected: f64) {
@@ -50,7 +47,7 @@ fn each_control() -> impl Iterator<Item = &'static str> {
 #[test]
 fn work_is_a_solid_cylinder_as_long_as_its_cut() {
     // Steel, Ø 80 by 200 mm: 0.006313 kg m² (operation facts F).
-    let inertia = |changes: &[(&str, &str)]| result(&shaft("gsk-980tdc", changes), "work-inertia");
+    let inertia = |changes: &[(&str, &str)]| value(&shaft("gsk-980tdc", changes), "work-inertia");
     assert!((inertia(&[]) - 0.006_313).abs() < 5e-7, "{}", inertia(&[]));
     same(inertia(&[("work-density", "2700")]), inertia(&[]) * 2700.0 / 7850.0);
     same(inertia(&[("stock-diameter", "160"), ("cutting-speed", "500")]), inertia(&[]) * 16.0);
@@ -63,7 +60,7 @@ fn work_is_a_solid_cylinder_as_long_as_its_cut() {
 fn rotor_counts_by_the_square_of_its_speed() {
     for (stage, squared) in [("1500", 4.0), ("300", 100.0), ("6000", 0.25)] {
         let lathe = shaft("gsk-980tdc", &[("stage-1", stage), ("chuck-limit", "6000")]);
-        let inertia = result(&lathe, "inertia");
+        let inertia = value(&lathe, "inertia");
         assert!((inertia - (0.206_313 + 0.03 * squared)).abs() < 1e-6, "{stage}: {inertia}");
     }
 }
@@ -72,59 +69,59 @@ fn rotor_counts_by_the_square_of_its_speed() {
 fn run_up_asks_inertia_over_ramp_and_friction() {
     // From rest to 1500 r/min in 4 s against 2 Nm.
     let lathe = shaft("gsk-980tdc", &[("spindle-ramp", "4")]);
-    assert!((result(&lathe, "run-up-torque") - (INERTIA * 1500.0 * RPM / 4.0 + 2.0)).abs() < 1e-6);
+    assert!((value(&lathe, "run-up-torque") - (INERTIA * 1500.0 * RPM / 4.0 + 2.0)).abs() < 1e-6);
     // A stop from 1193 r/min over 4 · 1193 / 1500 s gives back its energy less the work of the friction.
-    let (n, turning) = (result(&lathe, "speed-largest"), result(&lathe, "inertia"));
+    let (n, turning) = (value(&lathe, "speed-largest"), value(&lathe, "inertia"));
     let seconds = 4.0 * n / 1500.0;
     let friction = 2.0 * 0.5 * n * RPM * seconds;
-    same(result(&lathe, "stop-energy"), 0.5 * turning * n * n * RPM * RPM - friction);
+    same(value(&lathe, "stop-energy"), 0.5 * turning * n * n * RPM * RPM - friction);
 }
 
 #[test]
 fn ramp_fails_just_below_the_shortest_one() {
     for control in each_control() {
         let plain = shaft(control, &[]);
-        let shortest = result(&plain, "shortest-ramp");
+        let shortest = value(&plain, "shortest-ramp");
         // 150 % of the motor's torque at the highest speed, by its power above base speed.
-        let torque = 1.5 * 9_549.296_585_513_72 * 6.0 / result(&plain, "speed-largest");
-        same(shortest, result(&plain, "inertia") * 1500.0 * RPM / (torque - 2.0));
+        let torque = 1.5 * 9_549.296_585_513_72 * 6.0 / value(&plain, "speed-largest");
+        same(shortest, value(&plain, "inertia") * 1500.0 * RPM / (torque - 2.0));
         let hundredths = (shortest * 100.0).ceil();
         // A greater speed at the highest position of the knob asks more, and is a warning.
         for (entry, verdict) in [(hundredths - 1.0, Verdict::Fail), (hundredths, Verdict::Warn)] {
             let entry = format!("{:.2}", entry / 100.0);
-            let judged = row(&shaft(control, &[("spindle-ramp", &entry)]), "shortest-ramp");
+            let judged = readout(&shaft(control, &[("spindle-ramp", &entry)]), "shortest-ramp");
             let limit = Limit::AtMost(entry.parse().unwrap());
             assert_eq!((judged.verdict, judged.limit), (verdict, Some(limit)), "{control}: {entry}");
         }
         // The advice is the least entry that holds.
         let short = shaft(control, &[("spindle-ramp", "0.1")]);
-        let sets = row(&short, "shortest-ramp").advice[0].sets.clone();
+        let sets = readout(&short, "shortest-ramp").advice[0].sets.clone();
         let [("spindle-ramp", typed)] = &sets[..] else { panic!("{control}: {sets:?}") };
         assert_eq!(typed.parse::<f64>().unwrap(), hundredths / 100.0, "{control}");
         let at_form = short.with_entries(&sets).unwrap();
-        let at_knob = at_form.with_entries(&row(&at_form, "shortest-ramp").advice[0].sets).unwrap();
-        assert_eq!(row(&at_knob, "shortest-ramp").verdict, Verdict::Ok, "{control}");
+        let at_knob = at_form.with_entries(&readout(&at_form, "shortest-ramp").advice[0].sets).unwrap();
+        assert_eq!(readout(&at_knob, "shortest-ramp").verdict, Verdict::Ok, "{control}");
     }
 }
 
 #[test]
 fn inverter_without_brake_resistor_asks_a_longer_ramp() {
     let lathe = shaft("gsk-980tdc", &[("motor-braking", "20")]);
-    let torque = 0.2 * 9_549.296_585_513_72 * 6.0 / result(&lathe, "speed-largest");
-    same(result(&lathe, "shortest-ramp"), result(&lathe, "inertia") * 1500.0 * RPM / (torque + 2.0));
-    assert!(result(&lathe, "braking-time") > result(&lathe, "run-up-time"));
-    assert_eq!(row(&lathe, "shortest-ramp").verdict, Verdict::Fail);
+    let torque = 0.2 * 9_549.296_585_513_72 * 6.0 / value(&lathe, "speed-largest");
+    same(value(&lathe, "shortest-ramp"), value(&lathe, "inertia") * 1500.0 * RPM / (torque + 2.0));
+    assert!(value(&lathe, "braking-time") > value(&lathe, "run-up-time"));
+    assert_eq!(readout(&lathe, "shortest-ramp").verdict, Verdict::Fail);
 }
 
 #[test]
 fn friction_above_the_torque_of_the_motor_has_no_ramp() {
     let lathe = shaft("gsk-980tdc", &[("spindle-friction", "100")]);
-    let judged = row(&lathe, "shortest-ramp");
+    let judged = readout(&lathe, "shortest-ramp");
     assert_eq!((judged.value, judged.verdict), (f64::INFINITY, Verdict::Fail));
     assert!(judged.advice.iter().all(|advice| advice.sets.is_empty()));
-    assert_eq!(result(&lathe, "run-up-time"), f64::INFINITY);
+    assert_eq!(value(&lathe, "run-up-time"), f64::INFINITY);
     // Braking is all the sooner.
-    assert!(result(&lathe, "braking-time") < result(&shaft("gsk-980tdc", &[]), "braking-time"));
+    assert!(value(&lathe, "braking-time") < value(&shaft("gsk-980tdc", &[]), "braking-time"));
 }
 
 /// Seconds to a speed by small steps of speed, each with the torque at its middle.
@@ -155,17 +152,17 @@ fn fastest_run_up_is_the_integral_over_the_curve() {
 #[test]
 fn fastest_times_of_the_form_are_those_of_the_curve() {
     let lathe = shaft("gsk-980tdc", &[("motor-peak", "200"), ("motor-braking", "120")]);
-    let (n, inertia) = (result(&lathe, "speed-largest"), result(&lathe, "inertia"));
+    let (n, inertia) = (value(&lathe, "speed-largest"), value(&lathe, "inertia"));
     let motor = MotorCurve { power: 6.0, base: 750.0, has_shaft_fan: false };
     assert!(n > 750.0, "{n}");
-    same(result(&lathe, "run-up-time"), motor.share(2.0).seconds_to(n, inertia, 2.0));
-    same(result(&lathe, "braking-time"), motor.share(1.2).seconds_to(n, inertia, -2.0));
+    same(value(&lathe, "run-up-time"), motor.share(2.0).seconds_to(n, inertia, 2.0));
+    same(value(&lathe, "braking-time"), motor.share(1.2).seconds_to(n, inertia, -2.0));
 }
 
 /// The run, and a moment in its cut at which the spindle has its speed.
 fn in_the_cut(project: &Project) -> (f64, f64) {
     let whole = over_time(project, vec![]);
-    let n = result(project, "speed-largest");
+    let n = value(project, "speed-largest");
     let end = whole.timeline().end();
     let cuts = |t: &f64| {
         let now = whole.timeline().at(*t);
@@ -197,7 +194,7 @@ fn spindle_without_current_coasts_by_its_friction() {
     for control in each_control() {
         let lathe = shaft(control, &[]);
         let (at, n) = in_the_cut(&lathe);
-        same(result(&lathe, "coasting-time"), result(&lathe, "inertia") * result(&lathe, "speed-largest") * RPM / 2.0);
+        same(value(&lathe, "coasting-time"), value(&lathe, "inertia") * value(&lathe, "speed-largest") * RPM / 2.0);
         let fault = over_time(&lathe, vec![Event { t: at, action: Action::InverterFault(true) }]);
         coasts(&format!("{control}, fault"), &fault, (at, n), INERTIA);
         let mut dark = run_of(&lathe, None);
@@ -225,7 +222,7 @@ fn table_of_stops_tells_how_long_the_spindle_coasts() {
         let export = lathe.export();
         let report = &export.files.iter().find(|file| file.name == "report.md").expect("a report").text;
         let fault = report.lines().find(|line| line.starts_with("| Inverter fault | ")).expect("a row");
-        let told = format!("coasts to rest beside the tool, {:.1} s", result(&lathe, "coasting-time"));
+        let told = format!("coasts to rest beside the tool, {:.1} s", value(&lathe, "coasting-time"));
         assert!(fault.contains(&told) && !fault.contains("open"), "{control}: {fault}");
     }
 }

@@ -1,18 +1,10 @@
 //! Torque of the turning spindle: the motor's curve in its gear stages, and the force of the cut by material.
 
 use macroline::project::Project;
-use macroline::view::{Readout, Verdict};
+use macroline::view::Verdict;
 
-use super::turning::{machine, project, result};
-
-fn row(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
-}
-
-#[track_caller]
-fn near(value: f64, expected: f64, within: f64) {
-    assert!((value - expected).abs() <= within, "{value} is not {expected}");
-}
+use super::turning::{machine, project};
+use crate::asked::{near, readout, value};
 
 /// Ø 300, 45 m/min, 1500 N in a stage of 3000 r/min: little power, and far too much torque.
 const STALLS: [(&str, &str); 10] = [
@@ -32,13 +24,13 @@ const STALLS: [(&str, &str); 10] = [
 fn torque_beyond_the_motor_fails_though_power_suffices() {
     for control in ["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "mitsubishi-e60"] {
         let stalls = project(control, &STALLS);
-        let (power, torque) = (row(&stalls, "power"), row(&stalls, "torque"));
+        let (power, torque) = (readout(&stalls, "power"), readout(&stalls, "torque"));
         assert_eq!(power.verdict, Verdict::Ok, "{control}");
         assert!((1.0..1.2).contains(&power.value), "{control}: {}", power.value);
         assert_eq!(torque.verdict, Verdict::Fail, "{control}");
         // 1500 N at Ø 298, the middle of the edge in the first pass, and 2 Nm of friction; 9549.3 · 7.5 · 0.8 / 3000.
         near(torque.value, 225.5, 1e-6);
-        near(result(&stalls, "torque-available"), 19.1, 0.01);
+        near(value(&stalls, "torque-available"), 19.1, 0.01);
         near(torque.limit.unwrap().value(), 19.1, 0.01);
     }
 }
@@ -49,18 +41,18 @@ fn torque_beyond_the_motor_fails_though_power_suffices() {
 fn motor_below_its_base_speed_has_its_torque_alone() {
     let stage = [("motor-top", "1000"), ("stage-1", "800"), ("stage-2", "0"), ("motor-forced-cooling", "true")];
     let lathe = project("gsk-980tdc", &[&stage[..], &[("motor-base", "2000")]].concat());
-    near(result(&lathe, "torque-available"), 9_549.297 * 7.5 * 0.8 / 2000.0 * 1000.0 / 800.0, 0.01);
+    near(value(&lathe, "torque-available"), 9_549.297 * 7.5 * 0.8 / 2000.0 * 1000.0 / 800.0, 0.01);
 }
 
 #[test]
 fn lower_stage_with_enough_torque_is_offered() {
     let stages = [("stage-1", "200"), ("stage-2", "3000"), ("gear", "2")];
     let stalls = project("gsk-980tdc", &[&STALLS[..], &stages].concat());
-    let torque = row(&stalls, "torque");
+    let torque = readout(&stalls, "torque");
     assert_eq!(torque.verdict, Verdict::Fail);
     assert_eq!(torque.advice[0].sets, [("gear", "1".to_owned())]);
     let after = stalls.with_entries(&torque.advice[0].sets).unwrap();
-    assert_eq!(row(&after, "torque").verdict, Verdict::Ok);
+    assert_eq!(readout(&after, "torque").verdict, Verdict::Ok);
 }
 
 /// 66 to 60 mm, 200 m/min, 3 mm by 0.3 mm, κ 95°: 1760.9 N, at Ø 63 6.163 kW, 55.47 Nm (turning spindle facts 4), beside 2 Nm of friction at
@@ -79,20 +71,20 @@ fn kienzle_force_is_that_of_the_fact_sheet() {
         ("motor-power", "11"),
     ];
     let lathe = project("gsk-980tdc", &cut);
-    near(result(&lathe, "force"), 1760.9, 0.05);
-    near(result(&lathe, "torque"), 55.47 + 2.0, 0.005);
-    near(result(&lathe, "power"), 6.163 + 2.0 * 1061.03 / 9_549.297, 0.001);
+    near(value(&lathe, "force"), 1760.9, 0.05);
+    near(value(&lathe, "torque"), 55.47 + 2.0, 0.005);
+    near(value(&lathe, "power"), 6.163 + 2.0 * 1061.03 / 9_549.297, 0.001);
     // The power of the removed metal: the ring of a turn times its length, times the specific force.
     let removed = std::f64::consts::PI / 4.0 * (66.0 * 66.0 - 60.0 * 60.0) * 0.3 * 1061.03 / 60.0;
-    near(6.163, removed * result(&lathe, "force") / (3.0 * 0.3) / 1e6, 0.001);
-    assert_eq!(row(&lathe, "torque").verdict, Verdict::Ok);
+    near(6.163, removed * value(&lathe, "force") / (3.0 * 0.3) / 1e6, 0.001);
+    assert_eq!(readout(&lathe, "torque").verdict, Verdict::Ok);
 }
 
 #[test]
 fn worn_edge_cuts_with_more_force() {
     let force = |wear: &'static str| {
         let lathe = project("gsk-980tdc", &[("path", "turning"), ("material", "c45"), ("edge-wear", wear)]);
-        (result(&lathe, "force"), result(&lathe, "torque") - 2.0)
+        (value(&lathe, "force"), value(&lathe, "torque") - 2.0)
     };
     let (sharp, worn) = (force("1"), force("1.5"));
     near(worn.0, 1.5 * sharp.0, 1e-9);
@@ -110,7 +102,7 @@ fn deep_cut_has_its_torque_at_the_middle_of_the_edge() {
         ("material", "none"),
         ("cutting-force", "4696"),
     ];
-    near(result(&project("gsk-980tdc", &cut), "torque"), 4696.0 * 16.0 / 1000.0 + 2.0, 1e-6);
+    near(value(&project("gsk-980tdc", &cut), "torque"), 4696.0 * 16.0 / 1000.0 + 2.0, 1e-6);
 }
 
 /// A taper that leaves the stock, and a facing cut that begins beside it: nothing is cut there.
@@ -128,7 +120,7 @@ fn air_beside_the_stock_asks_no_torque() {
     ];
     let facing = [("stock-diameter", "20"), ("finished-diameter", "4"), ("clearance", "20")];
     let torque =
-        |cut: &[(&'static str, &'static str)]| result(&project("gsk-980tdc", &[cut, &force].concat()), "torque");
+        |cut: &[(&'static str, &'static str)]| value(&project("gsk-980tdc", &[cut, &force].concat()), "torque");
     near(torque(&taper), 1000.0 * 98.0 / 2000.0 + 2.0, 1e-6);
     near(torque(&facing), 1000.0 * 20.0 / 2000.0 + 2.0, 1e-6);
 }
@@ -150,8 +142,8 @@ fn knob_leaves_the_best_stage_engaged() {
         ("start-x", "400"),
     ];
     let [best, second] = ["best", "2"].map(|gear| project("gsk-980tdc", &[&cut[..], &[("gear", gear)]].concat()));
-    assert_eq!(result(&best, "stage"), 2.0);
-    let judged = |project: &Project| (row(project, "torque").verdict, row(project, "torque").advice);
+    assert_eq!(value(&best, "stage"), 2.0);
+    let judged = |project: &Project| (readout(project, "torque").verdict, readout(project, "torque").advice);
     assert_eq!(judged(&best), judged(&second));
 }
 
@@ -159,11 +151,11 @@ fn knob_leaves_the_best_stage_engaged() {
 fn less_depth_is_offered_where_the_force_follows_from_it() {
     let cut = [&STALLS[..], &[("material", "c45"), ("depth", "5")]].concat();
     let stalls = project("gsk-980tdc", &cut);
-    let torque = row(&stalls, "torque");
+    let torque = readout(&stalls, "torque");
     let [("depth", depth)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
     assert!(depth.parse::<f64>().unwrap() < 5.0);
     let after = stalls.with_entries(&torque.advice[0].sets).unwrap();
-    assert!(row(&after, "torque").verdict < Verdict::Fail);
+    assert!(readout(&after, "torque").verdict < Verdict::Fail);
 }
 
 #[test]
@@ -173,12 +165,12 @@ fn overload_is_a_warning_within_its_share() {
         let short = [("motor-base", "300"), ("length", "10"), ("feed", "0.5")];
         project("gsk-980tdc", &[&STALLS[..], &short, &entries].concat())
     };
-    assert_eq!(row(&cut([("motor-overload", "250"), ("feed", "0.5")]), "torque").verdict, Verdict::Warn);
-    assert_eq!(row(&cut([("motor-overload", "200"), ("feed", "0.5")]), "torque").verdict, Verdict::Fail);
+    assert_eq!(readout(&cut([("motor-overload", "250"), ("feed", "0.5")]), "torque").verdict, Verdict::Warn);
+    assert_eq!(readout(&cut([("motor-overload", "200"), ("feed", "0.5")]), "torque").verdict, Verdict::Fail);
     // 4 minutes at most: a slow feed takes longer.
     let long = cut([("motor-overload", "250"), ("feed", "0.01")]);
-    assert!(result(&long, "cutting-time") > 240.0);
-    assert_eq!(row(&long, "torque").verdict, Verdict::Fail);
+    assert!(value(&long, "cutting-time") > 240.0);
+    assert_eq!(readout(&long, "torque").verdict, Verdict::Fail);
 }
 
 #[test]
@@ -193,7 +185,7 @@ fn cut_is_judged_with_the_knob_at_its_highest_position_too() {
         ];
         let entries = entries.map(|(id, text)| (id, text.to_owned()));
         let lathe = Project::named("turning-spindle", Some("gsk-980tdc"), None).unwrap();
-        row(&lathe.with_entries(&entries).unwrap(), "power")
+        readout(&lathe.with_entries(&entries).unwrap(), "power")
     };
     let [present, highest] = ["100", "120"].map(cut);
     assert_eq!([present.verdict, highest.verdict], [Verdict::Warn, Verdict::Fail]);
@@ -209,13 +201,13 @@ fn positioning_asks_no_more_than_the_motor_gives() {
         project.with_entries(&entries).unwrap()
     };
     let hard = keyway("6000");
-    let torque = row(&hard, "positioning-torque");
+    let torque = readout(&hard, "positioning-torque");
     assert_eq!(torque.verdict, Verdict::Fail);
-    let inertia = result(&hard, "inertia");
+    let inertia = value(&hard, "inertia");
     near(torque.value, inertia * 6000.0 * std::f64::consts::PI / 30.0 + 2.0, 1e-6 * torque.value);
     let softer = hard.with_entries(&torque.advice[0].sets).unwrap();
-    assert_eq!(row(&softer, "positioning-torque").verdict, Verdict::Ok);
-    assert_eq!(row(&keyway("500"), "positioning-torque").verdict, Verdict::Ok);
+    assert_eq!(readout(&softer, "positioning-torque").verdict, Verdict::Ok);
+    assert_eq!(readout(&keyway("500"), "positioning-torque").verdict, Verdict::Ok);
 }
 
 #[test]
@@ -232,7 +224,7 @@ fn examples_pass_with_each_material_at_light_cuts() {
 fn no_speed_is_offered_where_none_is_slow_enough() {
     // 300 kW asked of 8 W: at 1 m/min it is still 1.7 kW. Without a material no smaller depth can be advised.
     let cut = [("cutting-force", "100000"), ("motor-power", "0.01")];
-    let power = row(&project("gsk-980tdc", &cut), "power");
+    let power = readout(&project("gsk-980tdc", &cut), "power");
     assert_eq!(power.verdict, Verdict::Fail);
     let [advice] = &power.advice[..] else { panic!("{:?}", power.advice) };
     assert_eq!((advice.message.id, advice.sets.len()), ("turning.far-too-little-power", 0));

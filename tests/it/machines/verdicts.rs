@@ -12,6 +12,7 @@ use macroline::text::{MessageValue, Severity};
 use macroline::view::{Advice, Limit, Readout, Verdict};
 
 use super::sweep::{changes, forms};
+use crate::asked::readout;
 
 /// Results that a clamp holds at their limit, or that have to stay below it: they fail at the limit itself.
 const HELD: &[&str] = &["speed-smallest", "relief"];
@@ -369,10 +370,6 @@ fn project(machine: &str, control: &str, entries: &[(&'static str, &str)]) -> Pr
     let plain = Project::of_form(machine, control);
     let sets = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
     taken(&plain, &Advice { sets, button: None, message: macroline::msg!("polygon.no-b") })
-}
-
-fn readout(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
 }
 
 /// Words of the buttons of a result, with their entries.

@@ -9,6 +9,7 @@ use macroline::drives::polygon::{Curve, CutterSetup, Ratio, Section, ellipse};
 use macroline::math::{self, PI};
 
 use super::close;
+use crate::asked::near;
 
 fn ratio(tool: i32, work: i32) -> Ratio {
     Ratio::new(tool, work).unwrap()
@@ -41,11 +42,6 @@ fn edge_in_stock(apothem: f64, radius: f64, stock: f64) -> f64 {
 /// How far the edges lie below the ideal side where it ends in stock of a radius: `δ = d - R cos φ`.
 fn sag_in_stock(apothem: f64, radius: f64, stock: f64) -> f64 {
     apothem - stock * math::cos(edge_in_stock(apothem, radius, stock))
-}
-
-#[track_caller]
-fn near(found: f64, wanted: f64, within: f64) {
-    assert!((found - wanted).abs() <= within, "found {found}, wanted {wanted}, off {:e}", found - wanted);
 }
 
 /// Pseudo-random numbers, the same in every run.

@@ -7,6 +7,7 @@ use macroline::interp::{Interp, StartProgram};
 use macroline::nc::{Files, parse, parse_with};
 
 use super::*;
+use crate::asked::first_at;
 
 /// The ribbon line's loop on the sheet (ribbon-line.md section 6), recomputed only when the override has changed.
 const RIBBON: &str = "%
@@ -70,18 +71,10 @@ fn ribbon_line_runs_at_the_fact_sheet_speed() {
     let (from, to) = (planner.variable_at(120, 5.0).unwrap(), planner.variable_at(120, 9.0).unwrap());
     close(4.0 / (to - from), 0.031_831, 0.01);
     // The knob acts after the blocks read ahead: five to six blocks, less the macro blocks between #1033 and the end of the G01 before.
-    let change = first_of(&planner, 10.0, |now| now.axes[0].acceleration < -1.0);
+    let change = first_at(&planner, 10.0, |now| now.axes[0].acceleration < -1.0);
     assert!((10.0 + 5.0 * 0.0318 - 0.0191..10.0 + 6.0 * 0.0319).contains(&change), "{change}");
     assert_eq!(planner.variable_at(115, 9.0).map(f64::round), Some(119_391.0));
     assert_eq!(planner.variable_at(115, 12.0).map(f64::round), Some(59_696.0));
-}
-
-fn first_of(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Snapshot) -> bool) -> f64 {
-    while !holds(&planner.timeline().at(t)) {
-        t += 1e-4;
-        assert!(t < planner.timeline().end(), "never holds");
-    }
-    t
 }
 
 #[test]
@@ -163,7 +156,7 @@ fn manual_sample_runs_at_its_printed_speeds() {
     // At N10 the tool is at the centre: the gear limits. After N50 the rapid back has the speed of X100 again.
     assert_eq!(speeds, [3000.0, 955.0, 1910.0, 1910.0, 1910.0, 955.0, 955.0]);
     // N50 has reached X80 except for the end of its deceleration when the rapid begins.
-    let rapid = first_of(&planner, begins_at(&planner, 5) - 1e-3, |now| now.spindle.command < 1000.0);
+    let rapid = first_at(&planner, begins_at(&planner, 5) - 1e-3, |now| now.spindle.command < 1000.0);
     close(planner.timeline().at(rapid - 2e-4).spindle.command, 1194.0, 2e-3);
     // The voltage stays after the program's end.
     close(planner.timeline().at(t).spindle.volts_command, 10.0 * 954.9297 / 3000.0, 1e-6);
@@ -179,7 +172,7 @@ fn g50_s_sets_the_work_zero_by_its_switch() {
         let end = planner.timeline().end();
         assert_eq!(planner.timeline().words_at(end)[0], x, "{setting}");
         let expected = |diameter: f64| (300e3 / (math::PI * diameter)).min(800.0);
-        let begin = first_of(&planner, 0.0, |now| now.spindle.command > 101.0);
+        let begin = first_at(&planner, 0.0, |now| now.spindle.command > 101.0);
         close(planner.timeline().at(begin).spindle.command, expected(at_begin), 1e-9);
         close(planner.timeline().at(end).spindle.volts_command, 10.0 * expected(at_end) / 3000.0, 1e-12);
     }

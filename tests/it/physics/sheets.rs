@@ -9,6 +9,7 @@ use macroline::nc::{Files, parse_with};
 use macroline::text::Severity;
 
 use super::*;
+use crate::asked::first_at;
 
 /// A program on a control: switches, hand, plant (changed from a lathe without inertia) and the builder's PLC.
 struct Lathe {
@@ -191,14 +192,6 @@ fn worked_802d_program_faces_and_stops_at_keyways() {
         assert!(end.held && (end.angle - 180.0).abs() < 1e-9, "{end:?}");
         assert_eq!(said(&planner), [""; 0]);
     }
-}
-
-fn first_at(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Snapshot) -> bool) -> f64 {
-    while !holds(&planner.timeline().at(t)) {
-        t += 1e-4;
-        assert!(t < planner.timeline().end(), "never holds");
-    }
-    t
 }
 
 #[test]

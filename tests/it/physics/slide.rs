@@ -6,6 +6,8 @@ use macroline::drives::slide::Slide;
 use macroline::math::{self, RPM};
 use proptest::prelude::*;
 
+use crate::asked::near_share;
+
 /// Standard acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.80665;
 
@@ -22,26 +24,22 @@ fn slide() -> Slide {
     }
 }
 
-fn near(value: f64, want: f64, relative: f64) {
-    assert!((value - want).abs() <= relative * want.abs(), "{value} instead of {want}");
-}
-
 #[test]
 fn slide_has_the_figures_of_the_worked_example() {
     let (slide, rotor) = (slide(), 11.6 * CM2);
     let load = slide.load();
-    near(load.inertia / CM2, 21.312, 1e-4);
-    near(load.torque, 0.221_05, 1e-4);
-    near(slide.motor_speed(10.0), 2000.0, 1e-12);
-    near(load.accelerating(rotor, 2000.0 * RPM, 0.1), 7.389, 1e-4);
+    near_share(load.inertia / CM2, 21.312, 1e-4);
+    near_share(load.torque, 0.221_05, 1e-4);
+    near_share(slide.motor_speed(10.0), 2000.0, 1e-12);
+    near_share(load.accelerating(rotor, 2000.0 * RPM, 0.1), 7.389, 1e-4);
 }
 
 #[test]
 fn belt_reduces_inertia_by_its_square_and_torque_by_its_ratio() {
     let (direct, belt) = (slide(), Slide { gear: 2.0, ..slide() });
-    near(belt.load().inertia, direct.load().inertia / 4.0, 1e-12);
-    near(belt.load().torque, direct.load().torque / 2.0, 1e-12);
-    near(belt.motor_speed(10.0), 4000.0, 1e-12);
+    near_share(belt.load().inertia, direct.load().inertia / 4.0, 1e-12);
+    near_share(belt.load().torque, direct.load().torque / 2.0, 1e-12);
+    near_share(belt.motor_speed(10.0), 4000.0, 1e-12);
 }
 
 /// Up and down again over the same turns, with a rest between.
@@ -79,11 +77,11 @@ fn screw_with_losses_takes_more_up_and_gives_less_down() {
     let slide = Slide { rise: std::f64::consts::FRAC_PI_4, friction: 0.0, ..slide() };
     let motion = Motion::new([], slide.load(), 0.0).with_weight(slide.weight());
     let steady = |speed: f64| motion.torque(&Turn { t: 0.0, seconds: 1.0, from: speed, to: speed }, 0.0);
-    near(
+    near_share(
         slide.weight(),
         250.0 * GRAVITY * std::f64::consts::FRAC_1_SQRT_2 * 0.005 / (2.0 * std::f64::consts::PI),
         1e-12,
     );
-    near(steady(100.0), slide.weight() / 0.9, 1e-12);
-    near(steady(-100.0), slide.weight() * 0.9, 1e-12);
+    near_share(steady(100.0), slide.weight() / 0.9, 1e-12);
+    near_share(steady(-100.0), slide.weight() * 0.9, 1e-12);
 }

@@ -6,19 +6,15 @@ use macroline::machines::ALL;
 use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::machines::ladder::Bit;
-use macroline::project::size::{BillRow, Candidate, Sizing, size};
+use macroline::project::size::{BillRow, Candidate, Sizing};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::{sentence, words};
 use macroline::view::Verdict;
 
-fn sized(project: &Project) -> Sizing {
-    size(project, &project.written())
-}
+use crate::asked::sized;
 
 fn line() -> Project {
-    let mut project = Project::named("ribbon-line", None, None).unwrap();
-    project.values.insert("pitch-count".to_owned(), Value::Number(100.0));
-    project
+    super::line(&[("pitch-count", 100.0)])
 }
 
 fn candidates<'a>(sizing: &'a Sizing, axis: &str) -> &'a [Candidate] {

@@ -7,23 +7,21 @@ use macroline::machines::form::Value;
 use macroline::project::size::{BillRow, Candidate, SizedAxis, SizingRuns, answers, size};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;
-use macroline::view::{Limit, Readout, Verdict};
+use macroline::view::{Limit, Verdict};
 use proptest::prelude::*;
+
+use super::line;
+use crate::asked::{near, readout};
 
 fn share(height: f64, temperature: f64) -> f64 {
     Site { height, temperature }.share()
-}
-
-#[track_caller]
-fn near(own: f64, wanted: f64) {
-    assert!((own - wanted).abs() < 1e-12, "{own}, wanted {wanted}");
 }
 
 #[test]
 fn data_sheet_holds_to_1000_m_and_40_degrees() {
     for (height, temperature) in [(0.0, 40.0), (500.0, 40.0), (1000.0, 40.0), (1000.0, 30.0), (0.0, 0.0), (0.0, -40.0)]
     {
-        near(share(height, temperature), 1.0);
+        near(share(height, temperature), 1.0, 1e-12);
     }
     assert!(share(1001.0, 40.0) < 1.0 && share(1000.0, 40.1) < 1.0);
 }
@@ -46,7 +44,7 @@ fn entries_of_the_table_are_met_and_joined_by_lines() {
         // Beyond the table the values of its ends apply.
         (9000.0, 90.0, 0.55),
     ] {
-        near(share(height, temperature), wanted);
+        near(share(height, temperature), wanted, 1e-12);
     }
 }
 
@@ -72,26 +70,13 @@ fn site_derates_continuous_torque_not_the_peak() {
     assert_eq!(motor.continuous_at(1.0, 1000.0), motor.continuous(1000.0));
 }
 
-fn line(entries: &[(&str, f64)]) -> Project {
-    let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
-    for (id, number) in entries {
-        assert!(project.machine.fields().iter().any(|field| field.id == *id), "{id}");
-        project.values.insert((*id).to_owned(), Value::Number(*number));
-    }
-    project
-}
-
-fn result(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
-}
-
 #[test]
 fn derated_limit_of_the_effective_torque_is_exact() {
     // The clamp is where the knob ends: the limit is not scaled.
     let fixed = [("spindle-speed", 1000.0), ("speed-clamp", 1000.0)];
     let with = |stall: f64, height: f64| {
         let entries = [("motor-stall-x", stall), ("site-height", height)];
-        result(&line(&[fixed.as_slice(), &entries].concat()), "x-effective-torque")
+        readout(&line(&[fixed.as_slice(), &entries].concat()), "x-effective-torque")
     };
     let asked = with(1.3, 500.0).value;
     // 3000 m leave 86 %. Entries have three decimals: the last that fails, and the first that holds.
@@ -102,18 +87,18 @@ fn derated_limit_of_the_effective_torque_is_exact() {
     }
     let small = with(0.01, 2000.0);
     let Some(Limit::AtMost(limit)) = small.limit else { panic!("{small:?}") };
-    near(limit, 0.93 * 0.8 * 0.01);
+    near(limit, 0.93 * 0.8 * 0.01, 1e-12);
     let text = sentence(&small.advice[0].message);
     assert!(text.contains("74.4 % of the stall torque"), "{text}");
     // The peak torque is not derated.
-    let peak = |height: f64| result(&line(&[("site-height", height)]), "y-peak-torque").limit;
+    let peak = |height: f64| readout(&line(&[("site-height", height)]), "y-peak-torque").limit;
     assert_eq!(peak(500.0), peak(5000.0));
 }
 
 #[test]
 fn share_left_by_the_site_is_a_result() {
-    assert_eq!(result(&line(&[]), "site-share").value, 100.0);
-    let high = result(&line(&[("site-height", 3000.0), ("site-temperature", 50.0)]), "site-share");
+    assert_eq!(readout(&line(&[]), "site-share").value, 100.0);
+    let high = readout(&line(&[("site-height", 3000.0), ("site-temperature", 50.0)]), "site-share");
     assert_eq!((high.value, high.unit, high.verdict), (75.0, "%", Verdict::None));
 }
 
@@ -142,8 +127,8 @@ fn choice_of_motors_counts_with_the_site() {
     assert!(text.starts_with("Too hot") && text.contains("54.4 %"), "{text}");
     // The chart has the derated torque.
     let continuous = |axis: SizedAxis| axis.chart.unwrap().continuous[0].1;
-    near(continuous(low), 0.77 * 1.3);
-    near(continuous(high), 0.68 * 1.3);
+    near(continuous(low), 0.77 * 1.3, 1e-12);
+    near(continuous(high), 0.68 * 1.3, 1e-12);
 }
 
 /// A machine under load, whose motors keep a share (%) of their ratings at the site.
@@ -171,16 +156,16 @@ fn site_share_lowers_limits_in_the_long_run_alone() {
     ];
     // The rating of a motor is the value of one result, and the limit of the others.
     let gives = |project: &Project, id: &str| {
-        let row = result(project, id);
+        let row = readout(project, id);
         row.limit.map_or(row.value, |limit| limit.value())
     };
     for (machine, field, derated, kept) in long {
         let [whole, part] = [100.0, 70.0].map(|percent| at_site(machine, field, percent));
         for id in derated {
-            near(gives(&part, id) / gives(&whole, id), 0.7);
+            near(gives(&part, id) / gives(&whole, id), 0.7, 1e-12);
         }
         for id in kept {
-            let [kept, before] = [&part, &whole].map(|project| result(project, id));
+            let [kept, before] = [&part, &whole].map(|project| readout(project, id));
             assert_eq!((kept.value, kept.limit), (before.value, before.limit), "{id}");
         }
     }

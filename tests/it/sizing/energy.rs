@@ -4,8 +4,10 @@ use macroline::drives::duty::{DutyType, Motion, Turn, duty_type, on_one_bus};
 use macroline::drives::load::Load;
 use macroline::machines::form::Value;
 use macroline::project::Project;
-use macroline::project::size::{OperatingEvent, Sizing, size};
+use macroline::project::size::OperatingEvent;
 use proptest::prelude::*;
+
+use crate::asked::sized;
 
 fn motion(turns: &[(f64, f64, f64)], torque: f64) -> Motion {
     let mut t = 0.0;
@@ -15,10 +17,6 @@ fn motion(turns: &[(f64, f64, f64)], torque: f64) -> Motion {
         turn
     });
     Motion::new(turns.collect::<Vec<_>>(), Load { inertia: 1e-3, torque, efficiency: 0.9 }, 0.0)
-}
-
-fn sized(project: &Project) -> Sizing {
-    size(project, &project.written())
 }
 
 #[test]

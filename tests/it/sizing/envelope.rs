@@ -5,20 +5,14 @@ use macroline::math;
 use macroline::motion::{Budget, Retention};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
-use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, size};
+use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing};
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
+use crate::asked::{sized, value};
+
 /// Highest position of the knob of the line's control, %: the speed clamp of the form comes first.
 const KNOB: f64 = 200.0;
-
-fn sized(project: &Project) -> Sizing {
-    size(project, &project.written())
-}
-
-fn result(project: &Project, id: &str) -> f64 {
-    project.design().readouts.iter().find(|row| row.id == id).unwrap().value
-}
 
 fn row<'a>(sizing: &'a Sizing, event: OperatingEvent, id: &str) -> &'a EnvelopeRow {
     sizing
@@ -84,12 +78,12 @@ fn loop_at_every_stop_is_that_of_the_formulas() {
     ] {
         let worst = row(&sizing, event, "loop");
         let there = at_knob(&project, worst);
-        super::same(event.id(), worst.value - loop_in_the_run(&there), result(&there, id), 0.02);
+        super::same(event.id(), worst.value - loop_in_the_run(&there), value(&there, id), 0.02);
     }
     // The restart after standstill adds the ribbon of a start until X has caught up.
     let worst = row(&sizing, OperatingEvent::Hold, "loop");
     let there = at_knob(&project, worst);
-    let both = result(&there, "slack-hold") + loop_at_start(&there);
+    let both = value(&there, "slack-hold") + loop_at_start(&there);
     super::same("hold", worst.value - loop_in_the_run(&there), both, 0.02);
 }
 
@@ -108,13 +102,13 @@ fn lathe_is_stopped_from_its_highest_speed() {
     let end = run.timeline().end();
     let highest =
         (0..4000).map(|at| run.timeline().at(end * f64::from(at) / 4000.0).spindle.actual).fold(0.0, f64::max);
-    let (middle, stage) = (run.timeline().at(0.5 * end).spindle.actual, result(&project, "stage-speed"));
+    let (middle, stage) = (run.timeline().at(0.5 * end).spindle.actual, value(&project, "stage-speed"));
     assert!(highest > 1.5 * middle, "{highest} of {middle}");
     // By the ramp of 6 s from standstill to the speed at 10 V.
     let stop = row(&sizing, OperatingEvent::EmergencyStop, "time");
     super::same("stop", stop.value, 6.0 * highest / stage, 0.02);
     let coasts = row(&sizing, OperatingEvent::PowerFailure, "time");
-    super::same("coasting", coasts.value, result(&project, "coasting-time"), 0.01);
+    super::same("coasting", coasts.value, value(&project, "coasting-time"), 0.01);
 }
 
 #[test]
@@ -189,7 +183,7 @@ fn loop_behind_the_end_of_the_program_belongs_to_the_run() {
     let worst = row(&sizing, OperatingEvent::Run, "loop");
     let there = at_knob(&project, worst);
     let laid = worst.value - loop_in_the_run(&there);
-    super::same("laid behind the program", laid, result(&there, "slack-stop"), 0.02);
+    super::same("laid behind the program", laid, value(&there, "slack-stop"), 0.02);
 }
 
 #[test]
@@ -265,7 +259,7 @@ fn torque_at_start_is_the_peak_torque_of_the_results() {
     for axis in ["x", "y"] {
         let asked = row(&sizing, OperatingEvent::Start, &format!("{axis}-torque"));
         let there = at_knob(&project, asked);
-        super::same(axis, asked.value, result(&there, &format!("{axis}-peak-torque")), 1e-3);
+        super::same(axis, asked.value, value(&there, &format!("{axis}-peak-torque")), 1e-3);
     }
 }
 
@@ -289,7 +283,7 @@ fn pitch_that_the_program_refuses_is_an_alarm_of_the_event() {
     let mut project = line();
     assert!(sized(&project).envelope.iter().all(|row| row.id != "alarm"));
     // A tenth less pitch at the same speed asks for more than this F.
-    let limit = (1.03 * result(&project, "vector-feed")).round();
+    let limit = (1.03 * value(&project, "vector-feed")).round();
     project.values.insert("feed-limit".to_owned(), Value::Number(limit));
     let sizing = sized(&project);
     assert_eq!(row(&sizing, OperatingEvent::ProductChange, "alarm").verdict, Verdict::Fail);
@@ -335,7 +329,7 @@ fn lathe_coasts_at_fault_and_power_failure_as_long_as_it_says() {
     let sizing = sized(&project);
     for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
         let time = row(&sizing, event, "time");
-        super::same(event.id(), time.value, result(&project, "coasting-time"), 0.01);
+        super::same(event.id(), time.value, value(&project, "coasting-time"), 0.01);
     }
 }
 
@@ -389,7 +383,7 @@ fn power_failure_at_the_polygon_lathe_has_the_whole_lost_phase() {
     let row = |id: &str| row(&sizing, OperatingEvent::PowerFailure, id);
     assert!((row("phase").value - 480.0).abs() < 1e-9 && row("phase").is_worst, "{:?}", row("phase"));
     assert!((row("time").value - 0.8).abs() < 1e-9, "{:?}", row("time"));
-    assert_eq!(row("phase").value, result(&project, "coast-phase").abs());
+    assert_eq!(row("phase").value, value(&project, "coast-phase").abs());
     // A machine that keeps its drives on at an emergency stop has none of it there.
     let stop = sizing.envelope.iter().find(|row| row.event == OperatingEvent::EmergencyStop && row.id == "phase");
     assert!(stop.is_some_and(|row| row.value < 1.0), "{stop:?}");
@@ -403,7 +397,7 @@ fn long_coasting_runs_to_its_end() {
     for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
         let time = row(&sizing, event, "time");
         assert!(!time.is_cut && time.value > 300.0, "{time:?}");
-        super::same(event.id(), time.value, result(&project, "coasting-time"), 0.01);
+        super::same(event.id(), time.value, value(&project, "coasting-time"), 0.01);
     }
 }
 
@@ -413,7 +407,7 @@ fn unwinder_that_nothing_slows_coasts_beyond_the_run() {
     for field in ["unwinder-friction", "reel-brake", "unwinder-motor-brake"] {
         assert!(project.values.insert(field.to_owned(), Value::Number(0.0)).is_some(), "{field}");
     }
-    assert!(result(&project, "loop-coasting").is_infinite());
+    assert!(value(&project, "loop-coasting").is_infinite());
     let sizing = sized(&project);
     for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
         let (time, slack) = (row(&sizing, event, "time"), row(&sizing, event, "loop"));
@@ -433,7 +427,7 @@ fn long_product_is_sized_whole_and_a_cut_run_says_so() {
     project.values.insert("pitch-count".to_owned(), Value::Number(7000.0));
     let sizing = sized(&project);
     assert_eq!(sizing.cut, None);
-    super::same("cycle", sizing.cycle.unwrap().seconds, result(&project, "product-time"), 0.02);
+    super::same("cycle", sizing.cycle.unwrap().seconds, value(&project, "product-time"), 0.02);
 
     let endless = "%\nO1\nG91\n#1=0\nWHILE[#1LT100000]DO1\nG01 X0.1 F1000.\nX-0.1\n#1=#1+1\nEND1\nM30\n%\n";
     project.edited = Some(macroline::nc::Files::one("O1.NC", endless));
@@ -461,7 +455,7 @@ fn lines_of_the_run_with_the_knob_at_its_end_are_told_apart() {
         let speed = of_run().map(|line| line.speeds.1).fold(0.0, f64::max);
         let mut there = project.clone();
         there.values.insert("override".to_owned(), Value::Number(if at_highest_knob { KNOB } else { 100.0 }));
-        super::same("speed", speed, result(&there, "x-motor-speed"), 1e-3);
+        super::same("speed", speed, value(&there, "x-motor-speed"), 1e-3);
         assert_eq!(most < x.work.unwrap().peak.0, !at_highest_knob);
     }
     let asked = sizing.sheets().into_iter().find(|sheet| sheet.id == "asked").unwrap();

@@ -7,23 +7,16 @@ use macroline::drives::parts::GearRatings;
 use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::math::{self, PI, RPM};
-use macroline::project::size::{BillRow, GearCandidate, SizedGear, Sizing, size};
+use macroline::project::size::{BillRow, GearCandidate, SizedGear, Sizing};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;
 use proptest::prelude::*;
 
 use super::{SAME, same};
-
-fn sized(project: &Project) -> Sizing {
-    size(project, &project.written())
-}
+use crate::asked::sized;
 
 fn line(ratio: f64) -> Project {
-    let mut project = Project::named("ribbon-line", None, None).unwrap();
-    project.values.insert("pitch-count".to_owned(), Value::Number(100.0));
-    project.values.insert("gear-x".to_owned(), Value::Number(ratio));
-    project.values.insert("gear-y".to_owned(), Value::Number(5.0));
-    project
+    super::line(&[("pitch-count", 100.0), ("gear-x", ratio), ("gear-y", 5.0)])
 }
 
 fn gear<'a>(sizing: &'a Sizing, axis: &str) -> Option<&'a SizedGear> {

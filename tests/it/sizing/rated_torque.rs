@@ -4,12 +4,13 @@ use macroline::project::size::{SizingRuns, answers};
 use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Verdict};
 
-use super::{line, result, same};
+use super::{line, same};
+use crate::asked::readout;
 
 #[test]
 fn effective_torque_is_limited_by_the_curve_at_speed() {
     let warm = line(&[("gear-y", 100.0), ("friction-y", 209.0)]);
-    let effective = result(&warm, "y-effective-torque");
+    let effective = readout(&warm, "y-effective-torque");
     let Some(Limit::AtMost(limit)) = effective.limit else { panic!("{effective:?}") };
     assert!((effective.value - 2.185).abs() < 0.001 && effective.verdict == Verdict::Fail, "{effective:?}");
     // HC53: 2.94 Nm at rest, 1.59 at 3000 r/min. With the knob at its highest position it turns at 2596 r/min, a little less in the mean.
@@ -18,7 +19,7 @@ fn effective_torque_is_limited_by_the_curve_at_speed() {
     assert!(sentence(&effective.advice[0].message).contains("at a mean speed of"));
     // The same figures without a fall of the curve pass, as they did.
     let flat = line(&[("gear-y", 100.0), ("friction-y", 209.0), ("motor-rated-torque-y", 2.94)]);
-    assert_eq!(result(&flat, "y-effective-torque").verdict, Verdict::Ok);
+    assert_eq!(readout(&flat, "y-effective-torque").verdict, Verdict::Ok);
     // The list refuses the motor with these figures for the same reason.
     let sizing = answers(&warm, &SizingRuns::new(&warm, &warm.written()));
     let print = sizing.axes.iter().find(|axis| axis.id == "y").unwrap();
@@ -38,8 +39,8 @@ fn cam_is_limited_by_the_power_above_rated_speed() {
         ("speed-clamp", 1200.0),
     ]);
     fast.values.insert("cam-law".to_owned(), macroline::machines::form::Value::Text("modified-sine".to_owned()));
-    let value = |id: &str| result(&fast, id).value;
-    let peak = result(&fast, "cam-peak-torque");
+    let value = |id: &str| readout(&fast, id).value;
+    let peak = readout(&fast, "cam-peak-torque");
     let Some(Limit::AtMost(limit)) = peak.limit else { panic!("{peak:?}") };
     // 0.8 of 8.82 Nm up to 1000 r/min, the same power above.
     same("limit", limit, 0.8 * 8.82 * 1000.0 / value("cam-motor-speed"), 1e-9);
@@ -62,6 +63,6 @@ fn each_axis_has_the_encoder_of_its_motor() {
     assert!(motor.entries.contains(&("encoder-resolution-x", "131072".to_owned())), "{:?}", motor.entries);
     let taken = project.with_entries(&motor.entries).unwrap();
     // 131 072 counts per turn of X, 100 000 of the print roller.
-    same("X", result(&taken, "x-resolution").value * 131_072.0, result(&project, "x-resolution").value * 1e5, 1e-9);
-    same("Y", result(&taken, "y-resolution").value, result(&project, "y-resolution").value, 1e-12);
+    same("X", readout(&taken, "x-resolution").value * 131_072.0, readout(&project, "x-resolution").value * 1e5, 1e-9);
+    same("Y", readout(&taken, "y-resolution").value, readout(&project, "y-resolution").value, 1e-12);
 }

@@ -8,7 +8,8 @@ use macroline::project::Project;
 use macroline::view::Verdict;
 use proptest::prelude::*;
 
-use super::{line, result, same};
+use super::{line, same};
+use crate::asked::readout;
 
 fn reels() -> impl Strategy<Value = Reel> {
     let sizes = (0.02..2.0_f64, 0.01..0.99_f64, 0.005..1.0_f64, 1e-5..2e-3_f64);
@@ -98,7 +99,7 @@ const LARGE: [(&str, f64); 6] = [
 #[test]
 fn results_of_the_reel_follow_the_formulas() {
     let project = line(&LARGE);
-    let value = |id: &str| result(&project, id).value;
+    let value = |id: &str| readout(&project, id).value;
     // π (0.36 - 0.01) / (4 · 0.0002)
     let length = PI * 0.35 / 0.0008;
     same("length", value("reel-length"), length, 1e-12);
@@ -124,8 +125,8 @@ fn results_of_the_reel_follow_the_formulas() {
 
 /// The verdict of a result, and of the same after each of its repairs.
 fn mended(project: &Project, id: &str) -> (Verdict, Vec<(&'static str, Verdict)>) {
-    let row = result(project, id);
-    let after = |sets: &[(&'static str, String)]| result(&project.with_entries(sets).unwrap(), id).verdict;
+    let row = readout(project, id);
+    let after = |sets: &[(&'static str, String)]| readout(&project.with_entries(sets).unwrap(), id).verdict;
     let repairs = row.advice.iter().filter(|advice| !advice.sets.is_empty());
     (row.verdict, repairs.map(|advice| (advice.sets[0].0, after(&advice.sets))).collect())
 }
@@ -133,7 +134,7 @@ fn mended(project: &Project, id: &str) -> (Verdict, Vec<(&'static str, Verdict)>
 #[test]
 fn a_reel_of_the_line_passes() {
     for id in ["reel-products", "reel-pull", "reel-brake-needed"] {
-        assert_eq!(result(&line(&[]), id).verdict, Verdict::Ok, "{id}");
+        assert_eq!(readout(&line(&[]), id).verdict, Verdict::Ok, "{id}");
     }
 }
 
@@ -143,7 +144,7 @@ fn start_without_a_ramp_is_no_gentle_start() {
     assert!(line(&[]).with_entries(&[("inverter-ramp", "0".to_owned())]).is_none());
     let hardest = line(&[("inverter-ramp", 0.01)]);
     for id in ["unwinder-ramp-torque", "unwinder-braking-torque"] {
-        assert_eq!(result(&hardest, id).verdict, Verdict::Fail, "{id}");
+        assert_eq!(readout(&hardest, id).verdict, Verdict::Fail, "{id}");
     }
 }
 
@@ -173,7 +174,7 @@ fn brake_of_constant_torque_is_judged_at_the_core() {
     let brake = |force: f64| {
         let mut project = line(&LARGE);
         project.values.insert("reel-brake".to_owned(), Value::Number(force));
-        result(&project, "reel-brake-torque-full")
+        readout(&project, "reel-brake-torque-full")
     };
     // The ribbon bears it up to the tension limit on a radius of 50 mm; the full reel has 300 mm.
     let most = brake(1.0).limit.unwrap().value();

@@ -5,13 +5,11 @@ use macroline::drives::load::{Load, Regeneration};
 use macroline::drives::parts::{PartGrade, ResistorRatings};
 use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
-use macroline::project::size::{Candidate, Sizing, size};
+use macroline::project::size::{Candidate, Sizing};
 use macroline::project::{Project, parts};
 use proptest::prelude::*;
 
-fn sized(project: &Project) -> Sizing {
-    size(project, &project.written())
-}
+use crate::asked::sized;
 
 /// Starts, runs for a second and stops within 0.2 s, `times` times.
 fn starts(times: u32, speed: f64) -> Vec<Turn> {

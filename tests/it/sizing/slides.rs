@@ -4,8 +4,10 @@ use macroline::machines;
 use macroline::machines::devices::BillItem;
 use macroline::math;
 use macroline::project::Project;
-use macroline::project::size::{SizedAxis, Sizing, TerminalRow, size};
-use macroline::view::{Readout, Verdict};
+use macroline::project::size::{SizedAxis, Sizing, TerminalRow};
+use macroline::view::Verdict;
+
+use crate::asked::{readout, sized};
 
 /// Machines with slides.
 const LATHES: [&str; 2] = ["turning-spindle", "polygon-lathe"];
@@ -19,16 +21,8 @@ fn first_control(machine: &str) -> &'static str {
     machines::find(machine).unwrap().controls()[0]
 }
 
-fn sized(project: &Project) -> Sizing {
-    size(project, &project.written())
-}
-
 fn axis<'s>(sizing: &'s Sizing, id: &str) -> &'s SizedAxis {
     sizing.axes.iter().find(|axis| axis.id == id).unwrap()
-}
-
-fn result(project: &Project, id: &str) -> Readout {
-    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
 }
 
 #[test]
@@ -40,13 +34,13 @@ fn run_asks_of_a_slide_what_the_formulas_say() {
                 let sizing = sized(&project);
                 for id in ["x", "z"] {
                     let (work, formula) =
-                        (axis(&sizing, id).work.unwrap(), result(&project, &format!("{id}-peak-torque")));
+                        (axis(&sizing, id).work.unwrap(), readout(&project, &format!("{id}-peak-torque")));
                     let about = format!("{name} on {control}, {angle}°, {id}: {work:?}, {}", formula.value);
                     // A short way ends before the rapid is reached.
                     assert!(work.peak.0 <= 1.001 * formula.value && work.peak.0 > 0.25 * formula.value, "{about}");
                 }
-                let (z, formula) = (axis(&sizing, "z").work.unwrap(), result(&project, "z-peak-torque"));
-                let reaches = z.speed / math::RPM > 0.999 * result(&project, "z-motor-speed").value;
+                let (z, formula) = (axis(&sizing, "z").work.unwrap(), readout(&project, "z-peak-torque"));
+                let reaches = z.speed / math::RPM > 0.999 * readout(&project, "z-motor-speed").value;
                 assert!(!reaches || (z.peak.0 / formula.value - 1.0).abs() < 1e-3, "{name} on {control}: {z:?}");
             }
         }
@@ -67,7 +61,7 @@ fn cut_loads_the_slide_that_feeds() {
 fn slant_bed_is_held_at_rest_and_lifted() {
     let [flat, slant] = ["0", "60"].map(|angle| lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", angle)]));
     let weight = 100.0 * 9.806_65 * math::sin(60_f64.to_radians()) * 0.005 / (2.0 * std::f64::consts::PI);
-    let more = result(&slant, "x-peak-torque").value - result(&flat, "x-peak-torque").value;
+    let more = readout(&slant, "x-peak-torque").value - readout(&flat, "x-peak-torque").value;
     assert!((more - weight / 0.9).abs() < 1e-9, "{more}");
     let [held, free] = [&slant, &flat].map(|project| axis(&sized(project), "x").work.unwrap().effective);
     assert!(held > free, "{held} {free}");
@@ -161,7 +155,7 @@ fn motor_of_the_list_is_taken_into_the_form() {
     let motor = bill.iter().find(|row| row.axis == Some("slides.drive.z")).unwrap();
     assert_eq!((motor.model.as_str(), motor.proposed), (chosen.part.model.as_str(), false));
     for id in ["z-motor-speed", "z-peak-torque", "z-inertia-ratio"] {
-        assert_eq!(result(&taken, id).verdict, Verdict::Ok, "{id}");
+        assert_eq!(readout(&taken, id).verdict, Verdict::Ok, "{id}");
     }
 }
 
@@ -175,7 +169,7 @@ fn weak_motors_fail_with_a_remedy() {
     for (id, field) in
         [("z-motor-speed", Some("rapid-z")), ("z-peak-torque", Some("time-constant")), ("x-cut-torque", None)]
     {
-        let found = result(&project, id);
+        let found = readout(&project, id);
         assert_eq!(found.verdict, Verdict::Fail, "{id}");
         assert_eq!(found.advice[0].sets.first().map(|set| set.0), field, "{id}");
     }
@@ -186,13 +180,13 @@ fn weight_helps_a_cut_downhill() {
     // More force than weight.
     let entries = |angle| [("bed-angle", angle), ("path", "facing"), ("feed-force", "200")];
     let bed = |angle| lathe("turning-spindle", "gsk-980tdc", &entries(angle));
-    let [flat, slant] = ["0", "45"].map(|angle| result(&bed(angle), "x-cut-torque").value);
+    let [flat, slant] = ["0", "45"].map(|angle| readout(&bed(angle), "x-cut-torque").value);
     let weight = 100.0 * 9.806_65 * math::sin(45_f64.to_radians()) * 0.005 / (2.0 * std::f64::consts::PI);
     assert!((flat - slant - weight / 0.9).abs() < 1e-9, "{flat} {slant}");
     // Along the work X stands: its motor holds the weight against the cut.
     let along =
         lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", "45"), ("path", "turning"), ("feed-force", "200")]);
-    assert!(result(&along, "x-cut-torque").value > flat);
+    assert!(readout(&along, "x-cut-torque").value > flat);
 }
 
 #[test]
@@ -200,7 +194,7 @@ fn motor_holds_a_weight_with_a_reserve() {
     let bed = |mass: &str| {
         lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", "90"), ("slide-mass-x", mass), ("lead-x", "10")])
     };
-    let held = |mass: &str| result(&bed(mass), "x-hold-torque");
+    let held = |mass: &str| readout(&bed(mass), "x-hold-torque");
     // 190 kg · g · 10 mm / 2π = 2.965 Nm of 0.6 · 4.8 Nm.
     assert!((held("190").value - 2.965).abs() < 1e-3);
     assert!((held("190").limit.unwrap().value() - 2.88).abs() < 1e-12);
@@ -222,7 +216,7 @@ fn motor_that_the_list_passes_passes_in_the_form() {
                     for motor in passing.filter(|of| !of.entries.is_empty()).take(4) {
                         let fitted = project.with_entries(&motor.entries).unwrap();
                         for row in ["motor-speed", "cut-torque", "peak-torque"] {
-                            let row = result(&fitted, &format!("{id}-{row}"));
+                            let row = readout(&fitted, &format!("{id}-{row}"));
                             let about =
                                 format!("{name} on {control}: {}, {} of {:?}", motor.part.model, row.value, row.limit);
                             assert_ne!(row.verdict, Verdict::Fail, "{} {about}", row.id);
@@ -259,7 +253,7 @@ fn motor_of_a_slide_is_judged_by_its_heat_in_the_run() {
         ("motor-power", "22"),
     ];
     let heavy = lathe("turning-spindle", "gsk-980tdc", &entries);
-    assert_eq!(result(&heavy, "z-peak-torque").verdict, Verdict::Ok);
+    assert_eq!(readout(&heavy, "z-peak-torque").verdict, Verdict::Ok);
     let sizing = sized(&heavy);
     let heat = sizing.envelope.iter().find(|row| row.id == "z-effective-torque").unwrap();
     assert_eq!(heat.verdict, Verdict::Fail, "{} {:?}", heat.value, heat.limit);
@@ -283,7 +277,7 @@ fn slot_turned_before_the_polygon_loads_the_slides() {
     // 1750 N/mm² · 6 mm · 0.6 mm = 6300 N, half of it against the feed, beside 250 N of friction, on a screw of 5 mm.
     let expected = (3150.0 + 250.0) * 0.005 / (2.0 * std::f64::consts::PI * 0.9);
     let deep = cut("6");
-    assert!((result(&deep, "z-cut-torque").value - expected).abs() < 1e-9);
+    assert!((readout(&deep, "z-cut-torque").value - expected).abs() < 1e-9);
 }
 
 /// A cylinder with short, quick passes, and a light rotor at the screw of Z: about 200 starts per minute.
@@ -301,18 +295,18 @@ const QUICK: [(&str, &str); 8] = [
 #[test]
 fn many_starts_limit_the_inertia_in_form_and_list_alike() {
     let quick = lathe("turning-spindle", "gsk-980tdc", &QUICK);
-    let ratio = result(&quick, "z-inertia-ratio");
+    let ratio = readout(&quick, "z-inertia-ratio");
     assert!((4.0..5.0).contains(&ratio.value), "{}", ratio.value);
     assert_eq!((ratio.verdict, ratio.limit.unwrap().value()), (Verdict::Warn, 3.0));
     assert_eq!(ratio.advice[0].message.id, "slides.inertia-at-starts");
     // No motor of the list has more than that: those that do are refused for it.
-    let load = result(&quick, "z-load-inertia").value;
+    let load = readout(&quick, "z-load-inertia").value;
     let sizing = sized(&quick);
     let ratios = axis(&sizing, "z").candidates.iter().filter(|motor| motor.refusal.is_none());
     let ratios: Vec<f64> = ratios.filter_map(|motor| Some(load * 1e-4 / motor.part.servo()?.rotor)).collect();
     assert!(!ratios.is_empty() && ratios.iter().all(|ratio| *ratio <= 3.0), "{ratios:?}");
     // A slow feed makes the passes long.
     let slow = lathe("turning-spindle", "gsk-980tdc", &[&QUICK[..], &[("feed", "0.05")]].concat());
-    let ratio = result(&slow, "z-inertia-ratio");
+    let ratio = readout(&slow, "z-inertia-ratio");
     assert_eq!((ratio.verdict, ratio.limit.unwrap().value()), (Verdict::Ok, 5.0));
 }

@@ -7,7 +7,8 @@ use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, SizingRuns, 
 use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Verdict};
 
-use super::{line, result, same};
+use super::{line, same};
+use crate::asked::readout;
 
 /// A dwell too short for the unwinder's ramp: with the knob at its highest position X is 119.9 mm ahead.
 const SHORT_DWELL: (&str, f64) = ("dwell", 0.1);
@@ -24,7 +25,7 @@ fn tautest(modulus: f64) -> f64 {
 #[test]
 fn taut_ribbon_beyond_the_grip_fails_the_nip() {
     let project = line(&[SHORT_DWELL, ("youngs-modulus", 80.0), ("loop-capacity", 600.0)]);
-    let (tension, nip) = (result(&project, "tension"), result(&project, "nip-use"));
+    let (tension, nip) = (readout(&project, "tension"), readout(&project, "nip-use"));
     same("tension", tension.value, tautest(80.0), 1e-9);
     assert!((tension.value - 62.96).abs() < 0.01 && tension.verdict == Verdict::Ok, "{tension:?}");
     // 63 N at a nip that holds 0.4 · 100 N.
@@ -36,7 +37,7 @@ fn taut_ribbon_beyond_the_grip_fails_the_nip() {
     // 0.87 s of dwell miss no ribbon.
     assert_eq!(sets[1], [("dwell", "0.87".to_owned())]);
     for set in sets {
-        assert_eq!(result(&project.with_entries(&set).unwrap(), "nip-use").verdict, Verdict::Ok, "{set:?}");
+        assert_eq!(readout(&project.with_entries(&set).unwrap(), "nip-use").verdict, Verdict::Ok, "{set:?}");
     }
 }
 
@@ -60,11 +61,11 @@ fn nip_holds_the_draw_of_the_unwinder_too() {
     let draws = [("speed-at-10v", 1500.0), ("speed-clamp", 1500.0), ("rated-load-speed", 1488.0)];
     let mut project =
         line(&[&draws[..], &[("dwell", 1.0), ("youngs-modulus", 200.0), ("loop-capacity", 800.0)]].concat());
-    let without = result(&project, "nip-use").value;
+    let without = readout(&project, "nip-use").value;
     assert!((without - 100.0 * 15.0 / 40.0).abs() < 0.5, "a dancer leaves 15 N: {without}");
     project.values.insert("dancer".to_owned(), macroline::machines::form::Value::Flag(false));
     let tension = 15.0 + 200.0 * 10.0 * 0.01;
-    same("nip", result(&project, "nip-use").value, 100.0 * tension / 40.0, 1e-9);
+    same("nip", readout(&project, "nip-use").value, 100.0 * tension / 40.0, 1e-9);
 }
 
 #[test]
@@ -72,7 +73,7 @@ fn stop_asks_more_of_the_nip_where_the_ribbon_drives() {
     let wide = [("ribbon-width", 300.0), ("ribbon-thickness", 1.0), ("web-span", 40_000.0), ("youngs-modulus", 60.0)];
     let nip = |before: f64, behind: f64| {
         let tensions = [("tension-before", before), ("tension-behind", behind)];
-        result(&line(&[&wide[..], &tensions].concat()), "nip-use")
+        readout(&line(&[&wide[..], &tensions].concat()), "nip-use")
     };
     // 0.3 · 0.001 · 40 · 1300 kg to 126.3 mm/s in 0.1 s.
     let mass = 0.3 * 0.001 * 40.0 * 1300.0;
@@ -93,12 +94,12 @@ fn taut_ribbon_counts_in_the_torque_of_x_in_form_and_list() {
     let project = line(&[&stiff[..], &[("pitch-count", 20.0), ("loop-capacity", 600.0)]].concat());
     // 1214 N at a roller of 100 mm with 0.3 Nm of friction, through a gear of 50 : 1 with 95 %.
     let torque = (tautest(2000.0) * 0.05 + 0.3) / (50.0 * 0.95);
-    let peak = result(&project, "x-peak-torque");
+    let peak = readout(&project, "x-peak-torque");
     same("torque", peak.value, torque, 1e-9);
     assert!((peak.value - 1.284).abs() < 0.001 && peak.verdict == Verdict::Ok, "{peak:?}");
     // 0.8 of 1.6 Nm are too little, and no ramp is a remedy.
     let weak = project.with_entries(&[("motor-peak-x", "1.6".to_owned())]).unwrap();
-    let peak = result(&weak, "x-peak-torque");
+    let peak = readout(&weak, "x-peak-torque");
     assert_eq!(peak.verdict, Verdict::Fail);
     assert_eq!(peak.advice[0].sets, [("dwell", "0.87".to_owned())]);
     let mut listed = project.clone();

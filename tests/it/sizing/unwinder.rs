@@ -9,7 +9,8 @@ use macroline::project::size::{Candidate, Sizing, SizingRuns, answers};
 use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Verdict};
 
-use super::{line, result, same};
+use super::{line, same};
+use crate::asked::readout;
 
 /// The sizing without the envelope, of a short product.
 fn sized(project: &Project) -> Sizing {
@@ -33,7 +34,7 @@ const STEADY: f64 = (20.0 * 0.1005 / 2.0 + 1.0) / (50.0 * 0.7);
 #[test]
 fn stop_beyond_what_the_inverter_takes_back_fails() {
     let heavy = line(&[("unwinder-inertia", 400.0), ("unwinder-motor-brake", 5.0), ("unwinder-load", 1.146)]);
-    let braking = result(&heavy, "unwinder-braking-torque");
+    let braking = readout(&heavy, "unwinder-braking-torque");
     // 0.04 kg m² from 1480 r/min in 2 s: 3.10 Nm, less 0.06 of web and friction; the reel adds a little.
     let own = 0.04 * 1480.0 * 2.0 * PI / 60.0 / 2.0 - STEADY;
     assert!((own - 3.042).abs() < 0.001 && (own..own + 0.02).contains(&braking.value), "{} {own}", braking.value);
@@ -43,7 +44,7 @@ fn stop_beyond_what_the_inverter_takes_back_fails() {
     let sets: Vec<_> = braking.advice.iter().map(|advice| &advice.sets).filter(|sets| !sets.is_empty()).collect();
     for set in &sets {
         let after = heavy.with_entries(set).unwrap();
-        assert_eq!(result(&after, "unwinder-braking-torque").verdict, Verdict::Ok, "{set:?}");
+        assert_eq!(readout(&after, "unwinder-braking-torque").verdict, Verdict::Ok, "{set:?}");
     }
     let ramp: f64 = sets[0][0].1.parse().unwrap();
     same("ramp", ramp, 2.0 * (braking.value + STEADY) / (1.0 + STEADY), 1e-3);
@@ -53,7 +54,7 @@ fn stop_beyond_what_the_inverter_takes_back_fails() {
     let told = resistor(&heavy).unwrap();
     assert!((joules - 472.0).abs() < 2.0 && told.contains(&format!("{joules:.0} J")), "{joules}: {told}");
     let light = line(&[]);
-    assert_eq!(result(&light, "unwinder-braking-torque").verdict, Verdict::Ok);
+    assert_eq!(readout(&light, "unwinder-braking-torque").verdict, Verdict::Ok);
     assert_eq!(resistor(&light), None);
 }
 
@@ -69,7 +70,7 @@ fn motor_with_a_shaft_fan_is_derated_at_low_frequency() {
         ("dwell", 0.2),
         ("override", 100.0),
     ]);
-    let torque = result(&slow, "unwinder-torque");
+    let torque = readout(&slow, "unwinder-torque");
     same("torque", torque.value, (460.0 * 0.1005 / 2.0 + 1.0) / (7.0 * 0.7), 1e-9);
     let Some(Limit::AtMost(limit)) = torque.limit else { panic!("{torque:?}") };
     // At 5.4 Hz and below a fan on the shaft leaves about 55 % of 5 Nm.
@@ -77,7 +78,7 @@ fn motor_with_a_shaft_fan_is_derated_at_low_frequency() {
     assert!((now - 2.77).abs() < 0.01 && limit >= 2.5 && limit <= now + 1e-9, "{limit}");
     assert_eq!(torque.verdict, Verdict::Fail);
     let cooled = slow.with_entries(&torque.advice[0].sets).unwrap();
-    let cooled = result(&cooled, "unwinder-torque");
+    let cooled = readout(&cooled, "unwinder-torque");
     assert_eq!((cooled.verdict, cooled.limit), (Verdict::Ok, Some(Limit::AtMost(5.0))));
 }
 
@@ -123,8 +124,8 @@ fn motor_with_other_poles_takes_its_frequency_into_the_form() {
     assert_eq!(entry("frequency-at-10v"), 25.0);
     same("rated", entry("rated-load-speed"), 1500.0 - (3000.0 - of.rated_speed.unwrap()), 1e-9);
     let taken = heavy.with_entries(&motor.entries).unwrap();
-    assert_eq!(result(&taken, "frequency").value, 25.0 * 1200.0 / 1480.0);
-    assert_eq!(result(&taken, "unwinder-torque").verdict, Verdict::Ok);
+    assert_eq!(readout(&taken, "frequency").value, 25.0 * 1200.0 / 1480.0);
+    assert_eq!(readout(&taken, "unwinder-torque").verdict, Verdict::Ok);
     let again = |project: &Project| {
         let sizing = sized(project);
         let same = unwinder(&sizing).iter().find(|other| other.part == motor.part).unwrap().clone();
