@@ -121,7 +121,8 @@ impl<'f> Renderer<'f> {
             fix.edits.iter().map(|(place, new)| (Place { span: shifted(place.span), ..Place::default() }, new.clone()));
         let part = Fix { title: fix.title.clone(), edits: edits.collect() };
         let fixed = nc::fix(&Files::one("", text.get(from..to)?), &part);
-        let lines: Vec<String> = fixed.0.first()?.text.lines().map(str::to_owned).collect();
+        let lines: Vec<String> =
+            fixed.0.first()?.text.lines().map(|line| line.trim_end_matches('\r').to_owned()).collect();
         let first = self.indices.get(place.file.0 as usize)?.line_of(from as u32);
         let short = lines.iter().all(|line| line.len() <= SHOWN);
         (!lines.is_empty() && lines.len() <= LINES && short).then_some((first, lines))

@@ -184,8 +184,10 @@ impl Reader<'_> {
         let exponent = self.factor()?;
         let finding = self.finding(Alarm::Format, end, self.cursor.at, msg!("nc.no-power")).hint(msg!("nc.hint.power"));
         let text = String::from_utf8_lossy(self.cursor.line.get(start..end).unwrap_or_default()).trim().to_owned();
+        // A power binds more strongly than the sign in front of its base.
+        let sign = text.starts_with(['-', '+']);
         match (self.deck.expr(base), self.deck.expr(exponent)) {
-            (Expr::Var(_) | Expr::Number(_), Expr::Number(Dec { mantissa: times @ 2..=4, scale: 0, .. })) => {
+            (Expr::Var(_) | Expr::Number(_), Expr::Number(Dec { mantissa: times @ 2..=4, scale: 0, .. })) if !sign => {
                 let product = format!("*{text}").repeat(times as usize - 1);
                 self.report_replacing(Alarm::Format, finding, end, self.cursor.at, &product);
             }
