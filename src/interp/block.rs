@@ -35,7 +35,10 @@ impl RunState {
         let commands = !self.queue.is_empty();
         self.stops(&codes);
         if codes.contour {
-            self.pass_contour(cx, at, block, words, &values);
+            self.pass_contour(cx, at, block, words, &values)?;
+        }
+        if !moved && values.radius.is_some() {
+            self.remark_point_arc(cx, block, words, &codes);
         }
         self.flow(cx, at, &codes, &values, moved)?;
         // A block with only a call or return ends when it is read.
@@ -229,19 +232,50 @@ impl RunState {
         self.macro_words(cx, block, words, caller, kind)
     }
 
-    /// Jumps past the contour of a cycle that is not simulated, if the contour lies ahead.
+    /// Jumps past the contour of a cycle that is not simulated, if the contour lies ahead. The alarm if its first block is not in the
+    /// program, or its last one does not follow.
     #[cold]
-    fn pass_contour(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word], values: &BlockWords) {
+    fn pass_contour(
+        &mut self,
+        cx: &mut BlockContext,
+        at: u32,
+        block: &Block,
+        words: &[Word],
+        values: &BlockWords,
+    ) -> BlockResult<()> {
         let number = |value: Option<f64>| value.filter(|value| (1.0..1e9).contains(value)).map(|value| value as u32);
-        let (Some(first), Some(last)) = (number(values.call.p), number(values.call.q)) else { return };
+        let (Some(first), Some(last)) = (number(values.call.p), number(values.call.q)) else { return Ok(()) };
         let index = &cx.shared.index;
-        let start = index.sequence(self.program, first, at.saturating_add(1)).filter(|&start| start > at);
-        let end = start.and_then(|start| Some((start, index.sequence(self.program, last, start)?)));
-        let Some((_, end)) = end.filter(|(start, end)| end >= start) else { return };
+        let missing = |number: u32, letter: &'static [Address]| {
+            Trap::alarm(Alarm::NoContour, msg!("interp.no-contour", number, first, last)).at_word(letter)
+        };
+        let next = at.saturating_add(1);
+        let Some(start) = index.sequence(self.program, first, next) else {
+            return Err(missing(first, &[Address::P]));
+        };
+        let Some(end) = index.sequence(self.program, last, start).filter(|&end| end >= start) else {
+            return Err(missing(last, &[Address::Q]));
+        };
+        if start < at {
+            return Ok(());
+        }
         self.at = end.saturating_add(1);
         let word = words.iter().find(|word| word.letter == Address::G);
         let span = word.map_or(block.span, |word| word.span(block));
         let remark = Diagnostic::warning(msg!("interp.contour", first, last)).kind(DiagnosticKind::Contour);
         cx.world.remark(remark.at(Place { file: self.file, span }));
+        Ok(())
+    }
+
+    /// Warns about an arc by its radius that ends where it starts, on a control where it moves nothing.
+    #[cold]
+    fn remark_point_arc(&self, cx: &mut BlockContext, block: &Block, words: &[Word], codes: &BlockCodes) {
+        let idle = codes.special.is_some() || codes.unmoved || self.modal.unmoved.any();
+        let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw) && !idle;
+        if arc && cx.control.limits.point_arc_rests {
+            let word = words.iter().find(|word| word.letter == Address::R);
+            let span = word.map_or(block.span, |word| word.span(block));
+            self.remark(cx, span, msg!("interp.point-arc"));
+        }
     }
 }

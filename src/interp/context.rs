@@ -18,6 +18,8 @@ pub(super) struct Shared {
     pub(super) units: Units,
     /// Index of the start program; `Err` holds a program number that does not exist.
     pub(super) start: Result<u32, u32>,
+    /// The reader has reported blocks that the control refuses although each alone is right.
+    pub(super) refuses: bool,
     /// The program reads modal data of the executing block.
     pub(super) executing: bool,
 }

@@ -253,6 +253,8 @@ fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps 
             Stmt::While { label, .. } => {
                 if open.len() >= control.syntax.do_depth as usize {
                     jumps.pairs.push((at, Partner::Fault(Alarm::DoNesting)));
+                } else if open.iter().any(|&(outer, _)| outer == label) {
+                    jumps.pairs.push((at, Partner::Fault(Alarm::DoPair)));
                 } else {
                     open.push((label, at));
                 }

@@ -12,6 +12,7 @@ use super::world::World;
 use super::{modal_history, vars};
 use crate::controls::{Control, VarKind};
 use crate::nc::Parsed;
+use crate::text::DiagnosticKind;
 use crate::text::Place;
 
 /// A run of a program. A clone is a checkpoint and shares unchanged data with the original.
@@ -34,7 +35,9 @@ impl Interp {
         };
         let rules = Rules::new(control, parsed.dialect());
         let executing = modal_history::is_asked(parsed.deck(), control);
-        let shared = Rc::new(Shared { parsed, control, index, rules, units: Units::new(control), start, executing });
+        let refuses = parsed.diagnostics().iter().any(|finding| finding.kind == DiagnosticKind::RefusedBlock);
+        let units = Units::new(control);
+        let shared = Rc::new(Shared { parsed, control, index, rules, units, start, refuses, executing });
         Interp { state: RunState::new(&shared), shared }
     }
 

@@ -14,6 +14,9 @@ use crate::drives::orient::turn;
 use crate::drives::speed::SpeedLimit;
 use crate::msg;
 
+/// Metres per foot.
+const FOOT: f64 = 0.3048;
+
 impl RunState {
     /// S, and constant surface speed on and off. `surface` is its work zero before the block; `None` if it was off.
     #[inline]
@@ -65,7 +68,8 @@ impl RunState {
         }
         if let Some(speed) = speed {
             self.modal.word(Address::S, speed);
-            self.modal.spindle.surface_speed = Some(speed);
+            let feet = self.modal.inch && cx.shared.rules.numbers.surface_feet;
+            self.modal.spindle.surface_speed = Some(if feet { speed * FOOT } else { speed });
         } else if self.modal.spindle.surface_speed.is_none() && cx.control.raises(Alarm::NoSurfaceSpeed) {
             return Err(Trap::alarm(Alarm::NoSurfaceSpeed, msg!("interp.no-surface-speed")).at_word(&[Address::G]));
         }

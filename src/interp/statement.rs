@@ -4,10 +4,10 @@ use super::canon::Canon;
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
 use super::state::RunState;
-use crate::controls::Address;
+use crate::controls::{Address, Alarm};
 use crate::msg;
 use crate::nc::{BadBlock, Block, Stmt};
-use crate::text::{Diagnostic, Place, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
 
 impl RunState {
     pub(super) fn block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> BlockResult<()> {
@@ -15,6 +15,9 @@ impl RunState {
             self.counts.macros += 1;
             self.counts.empty += 1;
             return Ok(());
+        }
+        if cx.shared.refuses {
+            self.refused(cx, block)?;
         }
         if let Some(number) = block.number {
             self.modal.word(Address::N, f64::from(number));
@@ -67,6 +70,19 @@ impl RunState {
         }
         self.counts.macros += 1;
         Ok(())
+    }
+
+    /// The alarm of a block that the control refuses, as reported by the reader.
+    #[cold]
+    fn refused(&self, cx: &BlockContext, block: &Block) -> BlockResult<()> {
+        let here = Place { file: self.file, span: block.span };
+        let is_it = |finding: &&Diagnostic| {
+            finding.kind == DiagnosticKind::RefusedBlock && finding.place.is_some_and(|at| here.covers(at))
+        };
+        match cx.shared.parsed.diagnostics().iter().find(is_it) {
+            Some(finding) => Err(Trap::alarm(Alarm::Format, msg!("interp.bad-block")).reported_as(Some(finding))),
+            None => Ok(()),
+        }
     }
 
     /// The alarm of a block that does not parse, as reported by the reader.

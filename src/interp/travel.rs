@@ -95,8 +95,9 @@ impl RunState {
     /// End point of the axis words: absolute, incremental or in the machine frame.
     #[inline]
     fn end_point(&self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> BlockResult<Target> {
-        let machine = matches!(codes.special, Some(Code::MachineCoordinates | Code::MachineRapid));
-        let incremental = if self.modal.absolute || machine { values.incremental } else { u8::MAX } & !values.absolute;
+        let rapid = codes.special == Some(Code::MachineRapid);
+        let machine = rapid || codes.special == Some(Code::MachineCoordinates);
+        let incremental = if self.modal.absolute || rapid { values.incremental } else { u8::MAX } & !values.absolute;
         let mut to = Target { position: self.position, mask: values.mask };
         for k in 0..AXES {
             if values.mask & 1 << k != 0 {
@@ -135,6 +136,7 @@ impl RunState {
                 match self.feed_in_force(cx)? {
                     None => Canon::Rapid { to },
                     Some(feed) if code == Code::Linear => Canon::Linear { to, feed, exact },
+                    Some(_) if self.rests(cx, values, to) => return Ok(None),
                     Some(feed) => self
                         .arc(cx, values, to, feed, exact)
                         .map_err(|trap| trap.at_word(&[Address::I, Address::J, Address::K, Address::R, Address::Cr]))?,
@@ -145,6 +147,12 @@ impl RunState {
             Code::Tapping => self.tapping(cx, values, to)?,
             _ => return Ok(None),
         }))
+    }
+
+    /// Whether an arc by its radius moves nothing because it ends where it starts, on a control without an alarm for it.
+    fn rests(&self, cx: &BlockContext, values: &BlockWords, to: Target) -> bool {
+        let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
+        arc && cx.control.limits.point_arc_rests && values.radius.unwrap_or(0) != 0 && to.position == self.position
     }
 
     /// Tapping: a feed of lead times spindle speed.

@@ -82,7 +82,7 @@ pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diag
 /// Choice of fixes that are applied together. A fix of a warning changes the effect of a program, so each has to be decided separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FixChoice {
-    /// Fixes of errors that have one fix, so that there is no choice.
+    /// Fixes of errors that have one fix, which is no guess, so that there is no choice.
     Certain,
     /// The first fix of each error: the most likely one.
     First,
@@ -91,10 +91,9 @@ pub enum FixChoice {
 /// The fixes of a choice, one per error.
 pub fn fixes(found: &[Diagnostic], choice: FixChoice) -> impl Iterator<Item = &Fix> {
     let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
-    errors.filter_map(move |finding| match &finding.fixes[..] {
-        [fix] => Some(fix),
-        [fix, ..] if choice == FixChoice::First => Some(fix),
-        _ => None,
+    errors.filter_map(move |finding| match choice {
+        FixChoice::Certain => finding.certain_fix(),
+        FixChoice::First => finding.fixes.first(),
     })
 }
 

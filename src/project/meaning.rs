@@ -130,7 +130,11 @@ impl<'a> Words<'a> {
     /// The word at a byte of a line of a program, and its meaning.
     pub fn at(&self, line: &str, byte: u32) -> Option<(Span, Meaning)> {
         let span = words(line, self.control()).into_iter().find(|span| (span.start..span.end).contains(&byte))?;
-        Some((span, self.meaning(span.of(line), Table::Program)?))
+        let mut meaning = self.meaning(span.of(line), Table::Program)?;
+        if let Some(says) = beside_code(self.control(), line, &meaning) {
+            (meaning.says, meaning.unit) = (vec![says], "");
+        }
+        Some((span, meaning))
     }
 
     /// Text beside an item of an outline: the meaning of a variable, the title of a program or the text of a block.
@@ -160,6 +164,28 @@ impl<'a> Words<'a> {
             }
         }
     }
+}
+
+/// Meaning of an address that another code of its block changes: the time of a dwell, the lead of a thread.
+fn beside_code(control: &Control, line: &str, meaning: &Meaning) -> Option<Message> {
+    let address = match meaning.subject {
+        Subject::Address(address) => address,
+        Subject::Axis(_) => Address::of(*meaning.word.as_bytes().first()?)?,
+        _ => return None,
+    };
+    let code = |(span, kind): (Span, TokenKind)| {
+        let id = control.code_written(span.of(line)).filter(|_| kind == TokenKind::Code)?;
+        control.code(id).map(|row| row.code)
+    };
+    let codes: Vec<Code> = tokens(line, control).into_iter().filter_map(code).collect();
+    let lead = match control.syntax.lead_by_axis {
+        true => matches!(address, Address::I | Address::J | Address::K),
+        false => address == Address::F,
+    };
+    if codes.contains(&Code::Dwell) && control.syntax.dwell_addresses.contains(address) && address != Address::S {
+        return Some(msg!("meaning.dwell-time"));
+    }
+    (codes.contains(&Code::Thread) && lead).then(|| msg!("meaning.thread-lead"))
 }
 
 /// The text of a row as a sentence.
@@ -262,7 +288,12 @@ fn of_address(control: &Control, text: &str) -> Option<Meaning> {
         }
         return Some(meaning(capital, Subject::Axis(at), says, unit, row.cite));
     }
-    let says = address_words(address)?;
+    let says = match address {
+        // In a language with names L is part of a program's name.
+        Address::L if control.syntax.names().is_some() => msg!("meaning.called-program"),
+        Address::P if control.syntax.names().is_some() => msg!("meaning.repeats"),
+        _ => address_words(address)?,
+    };
     let cite = if address == Address::S { control.spindle.cite } else { control.syntax.cite };
     Some(meaning(capital, Subject::Address(address), vec![says], "", cite))
 }

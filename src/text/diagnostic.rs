@@ -52,8 +52,12 @@ pub enum DiagnosticKind {
     Contour,
     /// A DO or END without its partner, or too deep.
     UnpairedLoop,
+    /// The control refuses a block when it comes to it, although the block alone is right.
+    RefusedBlock,
     /// A WHILE without its DO, which belongs at the end of its place.
     WhileWithoutDo,
+    /// Its fix is a guess, which is only made on request.
+    GuessedFix,
     /// An auxiliary function is put out in each pass of a loop.
     AuxiliaryInLoop,
     /// A spindle code is put out in each pass of a loop.
@@ -182,6 +186,14 @@ impl Diagnostic {
     pub fn hint(mut self, hint: Message) -> Diagnostic {
         self.hints.push(hint);
         self
+    }
+
+    /// The fix of an error that is certain to be the intention: the only one, and no guess.
+    pub fn certain_fix(&self) -> Option<&Fix> {
+        match &self.fixes[..] {
+            [fix] if self.severity == Severity::Error && self.kind != DiagnosticKind::GuessedFix => Some(fix),
+            _ => None,
+        }
     }
 
     /// Adds a fix.

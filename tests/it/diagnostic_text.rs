@@ -245,3 +245,24 @@ fn text_outside_the_record_is_one_finding() {
     "#]],
     );
 }
+
+#[test]
+fn fix_in_a_file_of_windows_shows_no_line_end() {
+    check(
+        "mitsubishi-e60",
+        "%\r\nO1\r\nG00 X1..\r\nM30\r\n%\r\n",
+        expect![[r#"
+        error[P33]: “.” belongs to no number: a number has one point, variables and sequence numbers have none.
+         --> O1.nc:3:8
+          |
+        3 | G00 X1..
+          |        ^
+          = the control shows: P33 Format error
+        help: Drop “.”
+          |
+        3 + G00 X1.
+
+        1 error
+    "#]],
+    );
+}

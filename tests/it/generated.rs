@@ -23,8 +23,10 @@ use proptest::prelude::*;
 
 use flat::Recorder;
 
+/// Surface speeds count m/min in inches too: as ft/min the plain block would need decimals, which S does not take.
 fn interp(control: &'static Control, text: &str) -> Interp {
-    Interp::new(Rc::new(nc::parse(&Files::one("O1.nc", text), control)), StartProgram::First)
+    let switches = Switches([("surface-speed-in-inch".to_owned(), "metres-per-minute".to_owned())].into());
+    Interp::new(Rc::new(nc::parse_with(&Files::one("O1.nc", text), control, &switches)), StartProgram::First)
 }
 
 /// The bench of the control.

@@ -1,6 +1,7 @@
 //! Reading programs: findings of a text with their places and fixes.
 
 mod beside_comments;
+mod certain_fixes;
 mod dialects;
 mod dialects_calls;
 mod loops;

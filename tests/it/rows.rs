@@ -49,6 +49,11 @@ const OWN_CODES: &[(&str, &str, &[&str])] = &[
     ),
     ("mitsubishi-e60", "M700V/M70V programming manual, machining center", &["NotSimulated Other: M96 M97"]),
     (
+        "mitsubishi-e60",
+        "M700V/M70V programming manual, p.508: G53 under G91 is incremental",
+        &["MachineCoordinates OneShot: G53"],
+    ),
+    (
         "gsk-980tdc",
         "GSK980TDi manual, chapter 3",
         &[

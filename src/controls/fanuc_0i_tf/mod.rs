@@ -26,7 +26,7 @@ pub static CONTROL: Control = Control {
     codes: fanuc::LATHE_CODES,
     vars: fanuc::LATHE_VARS,
     params: fanuc::LATHE_PARAMS,
-    alarms: fanuc::ALARMS,
+    alarms: fanuc::LATHE_ALARMS,
     interface: fanuc::SIGNALS,
     plc: PlcLanguage::Pmc,
     switches: series_0i_f::LATHE_SWITCHES,

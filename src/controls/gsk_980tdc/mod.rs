@@ -81,6 +81,7 @@ pub static CONTROL: Control = Control {
     limits: Limits {
         feed_max: 15_000.0,
         arc_centre_moves: true,
+        point_arc_rests: false,
         feed_kept: true,
         speed_max: 9999.0,
         cite: Citation::new("GSK980TDi manual, 3.28; S 2.2.3 of the 980TDc; feed and arcs from memory", Grade::Open),

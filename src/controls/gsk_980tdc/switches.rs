@@ -63,6 +63,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch(SpeedInRapid::of(&[SpeedInRapid::Kept, SpeedInRapid::OfEnd]), RAPID),
     switch(OffsetAtRest::of(&[OffsetAtRest::Off, OffsetAtRest::PutOut]), REST),
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), PARAMETERS).parameter("No.175#6"),
+    switch(SurfaceSpeedInInch::of(&[SurfaceSpeedInInch::FeetPerMinute, SurfaceSpeedInInch::MetresPerMinute]), MEMORY),
     switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::AfterLimits]), MEMORY),
     switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::End, M5Timing::Before]), PLC_DATA).parameter("PLC K16.5"),

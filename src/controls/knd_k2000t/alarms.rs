@@ -23,6 +23,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(NoFeed, "011", "No feedrate commanded", MEMORY),
     alarm(Arc, "020", "Over tolerance of radius", MEMORY),
     alarm(ArcRadius, "023", "Illegal radius command", MEMORY),
+    alarm(NoContour, "063", "Sequence number is not found", MEMORY),
     alarm(NoCallProgram, "076", "Address P not defined", MEMORY),
     alarm(SubNesting, "077", "Subprogram nesting error", MEMORY),
     alarm(MacroNesting, "077", "Subprogram nesting error", MEMORY),

@@ -11,6 +11,8 @@ use crate::text::{Citation, Grade};
 const P23: Citation = Citation::new("M700V/M70V programming manual, machining center", Grade::Sister);
 const FEED: Citation = Citation::new("M700V/M70V programming manual, p.128", Grade::Sister);
 const EXACT: Citation = Citation::new("M700V/M70V programming manual, p.143", Grade::Sister);
+const MACHINE: Citation =
+    Citation::new("M700V/M70V programming manual, p.508: G53 under G91 is incremental", Grade::Sister);
 const STOPS: Citation = Citation::new("M700V/M70V programming manual, p.158", Grade::Sister);
 const MACRO: Citation = Citation::new("M700V/M70V programming manual, p.326", Grade::Sister);
 const HEADER: Citation = Citation::new("Mitsubishi Custom-API header, call types", Grade::Sister);
@@ -21,7 +23,7 @@ pub(super) const CODES: &[CodeDef] = extended![
         CodeDef: fanuc::MILL_CODES,
         P23 => "G0 G2-G4 G17-G19",
         FEED => "G1 G94 G95",
-        MEMORY => "G37 G50 G51 G52-G54 G55-G59 G62-G64 G68 G69 G92.1 M5 M19 M99",
+        MEMORY => "G37 G50 G51 G52 G54 G55-G59 G62-G64 G68 G69 G92.1 M5 M19 M99",
         MACRO => "G65 G66.1",
         HEADER => "G67 M98",
         STOPS => "M0-M2 M30",
@@ -76,6 +78,7 @@ pub(super) const CODES: &[CodeDef] = extended![
         g(49, Cancel, Group::Other, "tool length offset cancel", MEMORY),
         g_dot(50, 1, CancelForAxes, Group::Other, "mirror image cancel", MEMORY),
         g_dot(51, 1, TakesAxisWords, Group::Other, "mirror image", MEMORY),
+        g(53, MachineCoordinates, Group::OneShot, "machine coordinate system", MACHINE),
         g_dot(54, 1, NotSimulated, Group::Coordinates, "extended work coordinate system", MEMORY),
         g(60, NotSimulated, Group::OneShot, "unidirectional positioning", MEMORY),
         g(61, ExactStop, Group::PathMode, "exact stop check mode", EXACT),

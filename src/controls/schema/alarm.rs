@@ -39,6 +39,8 @@ pub enum Alarm {
     GotoTarget,
     /// A jump to a number outside the range of sequence numbers.
     JumpNumber,
+    /// A contour of a cycle that is not in the program, or whose last block is ahead of its first.
+    NoContour,
     /// A missing program.
     NoProgram,
     /// A variable number that the control does not have.
@@ -241,7 +243,7 @@ impl Alarm {
             NoPositioning => UnknownCode,
             SpindleReversal | GearTimeout => EmergencyStop,
             BlockWords => BlockTooLong,
-            JumpNumber | GotoTarget => NoSequence,
+            JumpNumber | GotoTarget | NoContour => NoSequence,
             ReadOnly => VariableSide,
             VacantWritten | VacantValue => ReadOnly,
             OwnCall => SubNesting,

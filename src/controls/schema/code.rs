@@ -47,9 +47,9 @@ pub enum Code {
     Metric,
     /// Return to the reference point.
     ReferenceReturn,
-    /// Machine coordinate system in this block.
+    /// Machine coordinate system in this block: absolute words count from machine zero, incremental ones from the present position.
     MachineCoordinates,
-    /// Machine coordinate system in this block, always at rapid traverse.
+    /// Machine coordinate system in this block, always absolute and at rapid traverse.
     MachineRapid,
     /// Work coordinate system 1 to 6.
     WorkCoordinates(u8),

@@ -85,6 +85,8 @@ pub(crate) struct NumberRules {
     pub(crate) round_to_step: bool,
     /// S is rounded, not truncated.
     pub(crate) round_speed: bool,
+    /// S under constant surface speed is in ft/min in inch input, not in m/min.
+    pub(crate) surface_feet: bool,
     /// `E` of a thread is a lead, not threads per inch.
     pub(crate) fine_lead: bool,
     /// `ATAN[y]/[x]` is within 0 to 360, not -180 to 180.
@@ -312,6 +314,10 @@ impl NumberRules {
                 Some(SpindleWord::Round) => true,
                 Some(SpindleWord::Truncate) => false,
                 None => control.macros.round_words,
+            },
+            surface_feet: match set.surface_speed_in_inch {
+                Some(SurfaceSpeedInInch::FeetPerMinute) => true,
+                Some(SurfaceSpeedInInch::MetresPerMinute) | None => false,
             },
             fine_lead: match set.thread_e {
                 Some(ThreadE::Lead) => true,

@@ -25,6 +25,8 @@ pub struct Limits {
     /// The control moves an arc's centre given by I, J, K to fit the programmed end point, at any distance; otherwise `arc_tolerance`
     /// applies.
     pub arc_centre_moves: bool,
+    /// An arc by its radius whose end is its start moves nothing; otherwise it is an alarm.
+    pub point_arc_rests: bool,
     /// The number of F stays in force when its unit changes; otherwise F has to be programmed again.
     pub feed_kept: bool,
     /// Largest S word in r/min.

@@ -241,6 +241,10 @@ switches! {
         limit_in_g97: LimitInG97 = "lims-in-g97" { No = "no", Yes = "yes" }
         /// Limit that wins when G25 is above G26.
         crossed_limits: CrossedLimits = "crossed-limits" { UpperHolds = "upper-holds", LowerHolds = "lower-holds" }
+        /// Unit of S under constant surface speed in inch input.
+        surface_speed_in_inch: SurfaceSpeedInInch = "surface-speed-in-inch" {
+            MetresPerMinute = "metres-per-minute", FeetPerMinute = "feet-per-minute",
+        }
         /// G96 sets the speed at once.
         g96_at_once: G96AtOnce = "g96-apply-at-activation" { Yes = "yes", No = "no" }
         /// Rapids under G96 that already set the speed of the following cut: the rapid directly before a cutting block, or before the next

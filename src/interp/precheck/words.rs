@@ -94,7 +94,7 @@ impl Precheck<'_> {
     /// Alarms of words that cannot be read: of all words together, and of each word with the codes of the block.
     fn faulty_words(&mut self, block: &Block, known: &[Word]) {
         let mut together = |state: &mut RunState, cx: &mut BlockContext| state.read_words(cx, block, known).map(|_| ());
-        let finding = self.always(block, &[Alarm::ArgumentSets], &mut together);
+        let finding = self.always(block, &[Alarm::ArgumentSets, Alarm::Auxiliaries], &mut together);
         self.note(finding);
         for (at, word) in known.iter().enumerate() {
             let alone = known.iter().enumerate().filter(|row| row.0 == at || is_code(row.1));
@@ -128,7 +128,8 @@ impl Precheck<'_> {
     /// Warns about the contour skipped by a cycle that is not simulated.
     fn contour(&mut self, at: u32, block: &Block, words: &[Word]) {
         // Other outcomes depend on the state.
-        let _ = self.state.clone().words(&mut self.cx, at, block, words);
+        let outcome = self.state.clone().words(&mut self.cx, at, block, words);
+        self.report(block, outcome, &[Alarm::NoContour]);
         self.found.extend(self.heard.take().into_iter().filter(|remark| remark.kind == DiagnosticKind::Contour));
     }
 

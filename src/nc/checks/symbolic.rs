@@ -1,12 +1,12 @@
 //! Checks of whole programs in a language with names: labels, jumps to them, messages.
 
 use super::context::Check;
-use crate::controls::Alarm;
+use crate::controls::{Address, Alarm};
 use crate::msg;
 use crate::nc::ast::{Block, Expr, Jump, JumpDirection, Stmt, TextId};
-use crate::nc::lex::spelling::meant;
+use crate::nc::lex::spelling::{meant, zero_as_letter};
 use crate::nc::parsed::FINDINGS;
-use crate::text::{Diagnostic, Place, Span};
+use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
 
 impl Check<'_> {
     /// Checks labels, jumps to labels, calls and messages.
@@ -32,6 +32,14 @@ impl Check<'_> {
         }
     }
 
+    /// Reports an alarm that a run raises too, at the block.
+    fn refuse(&mut self, alarm: Alarm, span: Span, message: Message) {
+        self.report(alarm, span, message);
+        if let Some(finding) = self.found.last_mut() {
+            finding.kind = DiagnosticKind::RefusedBlock;
+        }
+    }
+
     /// Reports labels in front of several blocks.
     fn labels_twice(&mut self) {
         let labels = self.targets.labels().iter();
@@ -39,7 +47,7 @@ impl Check<'_> {
             labels.flat_map(|(name, at)| at.iter().skip(1).map(|at| (*name, *at))).collect();
         for (name, at) in again {
             let span = self.blocks[at].label.map_or(self.blocks[at].span, |label| self.places.text(label));
-            self.report(Alarm::LabelTwice, span, msg!("nc.label-twice", label = name));
+            self.refuse(Alarm::LabelTwice, span, msg!("nc.label-twice", label = name));
         }
     }
 
@@ -70,7 +78,19 @@ impl Check<'_> {
             let Stmt::Call { name: id, .. } = block.stmt else { continue };
             let name = self.deck.text(Some(id));
             let codes = self.control.syntax.names().map_or(&[][..], |names| names.codes);
-            if name.len() < 3 || self.known.name(name).is_some() || self.found.len() > FINDINGS {
+            if self.known.name(name).is_some() || self.found.len() > FINDINGS {
+                continue;
+            }
+            let axis = name.bytes().next().and_then(Address::of).is_some_and(|it| self.control.axis(it).is_some());
+            if axis && zero_as_letter(name) {
+                let Span { start, end } = self.places.text(id);
+                let place = Place { file: self.program.file, span: Span::new(start + 1, end) };
+                let digits = name.get(1..).unwrap_or("").replace('O', "0");
+                let finding = Diagnostic::warning(msg!("nc.letter-o")).at(place);
+                self.found.push(finding.fix(msg!("nc.fix.write", text = digits.as_str()), vec![(place, digits)]));
+                continue;
+            }
+            if name.len() < 3 {
                 continue;
             }
             if let Some(code) = meant(name, codes.iter().copied()).and_then(|at| codes.get(at)) {
@@ -95,7 +115,7 @@ impl Check<'_> {
             match block.stmt {
                 Stmt::Empty => {}
                 Stmt::Message(_) if message && block.label.is_none() => {
-                    self.report(Alarm::MessageBlocks, block.span, msg!("nc.message-blocks"));
+                    self.refuse(Alarm::MessageBlocks, block.span, msg!("nc.message-blocks"));
                 }
                 stmt => message = matches!(stmt, Stmt::Message(_)),
             }

@@ -10,6 +10,12 @@ pub(in crate::nc) fn meant<'n>(name: &str, names: impl Iterator<Item = &'n str>)
     near.filter(|&(distance, _)| distance <= most).min().map(|(_, at)| at)
 }
 
+/// Whether several names are as close to a misspelt one as [`meant`] is.
+pub(in crate::nc) fn several_meant<'n>(name: &str, names: impl Iterator<Item = &'n str> + Clone) -> bool {
+    let near = || names.clone().map(|known| distance(name.as_bytes(), known.as_bytes()));
+    near().min().is_some_and(|least| near().filter(|distance| *distance == least).count() > 1)
+}
+
 /// Edit distance between two names: letters to insert, delete, change, or exchange with the next.
 fn distance(a: &[u8], b: &[u8]) -> usize {
     let mut before: Vec<usize> = Vec::new();
@@ -35,6 +41,24 @@ pub(in crate::nc) fn prose(rest: &[u8]) -> bool {
     let (count, longest) = runs.fold((0, 0), |(count, longest), run| (count + 1, longest.max(run.len())));
     let start = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
     start >= 2 && longest >= 3 && (count >= 2 || start == rest.len())
+}
+
+/// Whether a text that looks like prose holds a keyword, an assignment, a comparison or a quotation, so that it may be a statement.
+pub(in crate::nc) fn states(rest: &[u8], keywords: &[&str]) -> bool {
+    let is = |run: &[u8]| keywords.iter().any(|word| word.as_bytes().eq_ignore_ascii_case(run));
+    let mut runs = rest.split(|b| !b.is_ascii_alphabetic()).filter(|run| !run.is_empty());
+    // `ENDX` is a misspelt END.
+    let first = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    let misspelt = rest.get(..first).and_then(<[u8]>::split_last).is_some_and(|(_, head)| is(head));
+    misspelt || rest.iter().any(|b| matches!(b, b'=' | b'<' | b'>' | b'"')) || runs.any(is)
+}
+
+/// Whether a name is a letter followed by the letter O in place of the digit 0: `XO`, `RO5`.
+pub(in crate::nc) fn zero_as_letter(name: &str) -> bool {
+    let mut bytes = name.bytes().map(|b| b.to_ascii_uppercase());
+    bytes.next().is_some_and(|b| b.is_ascii_alphabetic())
+        && bytes.next() == Some(b'O')
+        && bytes.all(|b| b == b'O' || b.is_ascii_digit())
 }
 
 /// Whether the text in a bracket is arithmetic and no comment: it has a digit, and all its words are operators or `functions`.

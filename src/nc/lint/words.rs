@@ -6,10 +6,12 @@ use super::facts::{Call, Facts, ProgramFacts};
 use super::feeds::Feeds;
 use super::messages;
 use super::points::Points;
-use super::roles::{CALL, END, RETURN, Roles, SUB, SURFACE};
+use super::roles::{CALL, DWELL, END, RETURN, Roles, SUB, SURFACE};
 use super::short::Short;
+use crate::controls::address::LETTERS;
 use crate::controls::{Address, AddressSet, Alarm};
 use crate::msg;
+use crate::text::either;
 
 /// Maximum words reported for overwriting others.
 const AGAIN: usize = 20;
@@ -81,7 +83,12 @@ impl Survey<'_> {
         messages::length(lint, at, block);
         if let Stmt::Call { name, .. } = block.stmt {
             match lint.programs.name(lint.deck.text(Some(name))) {
-                Some(to) => self.facts.call(Call { block: at, from: here.index, to, with_locals: false }),
+                Some(to) => {
+                    if to == here.index {
+                        lint.own_call(lint.place(at, lint.parsed.text_span(name)));
+                    }
+                    self.facts.call(Call { block: at, from: here.index, to, with_locals: false });
+                }
                 None => lint.missing_name(at, block, name),
             }
         }
@@ -105,6 +112,9 @@ impl Survey<'_> {
             }
         }
         self.facts.surface |= bits & SURFACE != 0;
+        if bits & (DWELL | CALL) == DWELL && letters.and(lint.control.syntax.dwell_addresses).is_empty() {
+            lint.dwell_without_time(self.roles, (at, block), words);
+        }
         if again && bits & CALL == 0 {
             lint.word_again(at, block, words, self.overwritten);
         }
@@ -126,6 +136,21 @@ impl Lint<'_> {
             return AddressSet::EMPTY;
         }
         self.control.axis_letters().chain([Address::F, Address::S, Address::T]).collect()
+    }
+
+    /// Reports a dwell without its time. The reader reports it in a language with names.
+    #[cold]
+    fn dwell_without_time(&mut self, roles: &Roles, (at, block): (u32, &Block), words: &[Word]) {
+        let syntax = &self.control.syntax;
+        let Some(word) = words.iter().find(|word| word.letter == Address::G && roles.word(word) & DWELL != 0) else {
+            return;
+        };
+        if syntax.names().is_none() {
+            let letters = LETTERS.into_iter().filter(|letter| syntax.dwell_addresses.contains(*letter));
+            let letters: Vec<String> = letters.map(|letter| letter.to_string()).collect();
+            let (place, code) = self.written(at, word.span(block));
+            self.warn(place, msg!("lint.dwell-without-time", code, addresses = either(&letters)));
+        }
     }
 
     /// Reports the second word of an address in a block.

@@ -7,7 +7,7 @@ use crate::msg;
 use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::OPERATORS;
-use crate::nc::lex::spelling::meant;
+use crate::nc::lex::spelling::{meant, several_meant, zero_as_letter};
 use crate::nc::parse::failure::{IgnoredFeature, LineFix, Misused, ParseFailure, Read};
 use crate::nc::parse::reader::{Reader, starts_value};
 use crate::nc::parsed::ExprSpan;
@@ -25,18 +25,21 @@ pub(super) struct OpenBracket {
     close: u8,
 }
 
-/// Function names of other languages, and the control's names.
-const OTHER_NAMES: [(&str, &str); 10] = [
-    ("ATN", "ATAN"),
-    ("ATAN", "ATAN2"),
-    ("SQR", "SQRT"),
-    ("INT", "FIX"),
-    ("TRUNC", "FIX"),
-    ("CEIL", "FUP"),
-    ("TG", "TAN"),
-    ("ARCSIN", "ASIN"),
-    ("ARCCOS", "ACOS"),
-    ("ARCTAN", "ATAN"),
+/// Function names of other languages.
+const OTHER_NAMES: [(&str, Function); 13] = [
+    ("INT", Function::Fix),
+    ("TRUNC", Function::Fix),
+    ("CEIL", Function::Fup),
+    ("TG", Function::Tan),
+    ("ARCSIN", Function::Asin),
+    ("ARCCOS", Function::Acos),
+    ("ARCTAN", Function::Atan),
+    ("ATN", Function::Atan),
+    ("ATAN", Function::Atan),
+    ("ATAN2", Function::Atan),
+    ("SQR", Function::Sqrt),
+    ("POT", Function::Square),
+    ("POW", Function::Power),
 ];
 
 impl Reader<'_> {
@@ -342,7 +345,14 @@ impl Reader<'_> {
     fn misspelt_function(&mut self) -> Read<(&'static str, Function)> {
         let start = self.cursor.at;
         let rest = self.cursor.line.get(start..).unwrap_or_default();
-        let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        let written = self.cursor.name();
+        if self.names().is_some() && written.starts_with(['R', 'r']) && zero_as_letter(written) {
+            return Err(self.letter_for_zero(start, written));
+        }
+        let mut letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        if OTHER_NAMES.iter().any(|row| row.0.eq_ignore_ascii_case(written)) {
+            letters = written.len();
+        }
         let name = String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase();
         let bracket = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
         if !matches!(bracket, Some(b'[' | b'(')) {
@@ -354,13 +364,28 @@ impl Reader<'_> {
         }
         let message = msg!("nc.unknown-function", function = name.as_str(), control = self.control.name);
         let functions = self.control.syntax.functions;
-        let alike = OTHER_NAMES.iter().find(|row| row.0 == name).map_or(name.as_str(), |row| row.1);
-        match meant(alike, functions.iter().map(|(name, _)| *name)) {
+        let names = functions.iter().map(|(name, _)| *name);
+        let other = OTHER_NAMES.iter().find(|row| row.0 == name).map(|row| row.1);
+        let place = match other {
+            Some(function) => functions.iter().position(|row| row.1 == function),
+            None => meant(&name, names.clone()),
+        };
+        match place {
             Some(at) => {
                 let (known, function) = functions[at];
                 self.cursor.at += letters;
-                self.report_replaced(Alarm::Format, start, self.cursor.at, message, known);
+                let mut finding = self.finding(Alarm::Format, start, self.cursor.at, message);
+                // One letter of three may be any letter.
+                if other.is_none() && (letters <= 3 || several_meant(&name, names)) {
+                    finding.kind = DiagnosticKind::GuessedFix;
+                }
+                self.report_replacing(Alarm::Format, finding, start, self.cursor.at, known);
                 Ok((known, function))
+            }
+            None if matches!(other, Some(Function::Square | Function::Power)) => {
+                let mut failure = self.failure(Alarm::Format, start, start + letters, message);
+                failure.finding = failure.finding.hint(msg!("nc.hint.power"));
+                Err(failure)
             }
             None if self.control.syntax.random.contains(&name.as_str()) => {
                 let message = msg!("nc.random", function = name.as_str());

@@ -18,6 +18,11 @@ impl Reader<'_> {
         if self.take("GOTO") {
             return true;
         }
+        let value = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'#' | b'[');
+        if self.cursor.ahead("GOT0") && value(self.cursor.byte(4)) {
+            self.o_for_zero(start + 3);
+            return true;
+        }
         let split = self.take("GO") && {
             self.cursor.blank();
             self.take("TO")
@@ -26,6 +31,13 @@ impl Reader<'_> {
             self.cursor.at = start;
         }
         split
+    }
+
+    /// Reports the digit 0 in place of the letter O in a keyword, with its fix, and reads on after it.
+    #[cold]
+    fn o_for_zero(&mut self, at: usize) {
+        self.report_replaced(Alarm::Format, at, at + 1, msg!("nc.digit-zero"), "O");
+        self.cursor.at = at + 1;
     }
 
     /// Whether a macro statement starts here.
@@ -55,7 +67,9 @@ impl Reader<'_> {
                 let cond = self.condition(Alarm::WhileSentence, "WHILE")?;
                 self.no_other_condition(Alarm::WhileSentence)?;
                 let head = self.cursor.at;
-                if !self.take("DO") && !self.do_with_zero() {
+                if self.cursor.ahead("D0") && self.cursor.byte(2).is_ascii_digit() {
+                    self.o_for_zero(head + 1);
+                } else if !self.take("DO") {
                     return Err(self.while_without_do(start));
                 }
                 let (label, keyword) = self.loop_number("DO", head)?;
@@ -116,6 +130,16 @@ impl Reader<'_> {
         }
         let stmt = if self.cursor.peek() == b'#' {
             let (to, value) = self.assigned()?;
+            if self.next_byte() == b'#' && self.assigns_ahead() {
+                // In a block of its own it would no longer depend on the condition.
+                let end = self.cursor.line.len();
+                let mut finding = self.finding(Alarm::Format, self.cursor.at, end, msg!("nc.second-assignment"));
+                if self.tables.rules.if_then {
+                    finding = self.jump_instead(finding, then, after);
+                }
+                self.cursor.at = end;
+                self.report_as(Alarm::Format, finding);
+            }
             self.end_of_macro()?;
             if self.tables.rules.if_then {
                 if !named {
@@ -288,7 +312,14 @@ impl Reader<'_> {
             self.cursor.at += 1;
         }
         let most = self.control.syntax.do_max;
-        let number = core::str::from_utf8(self.cursor.line.get(from..self.cursor.at).unwrap_or_default()).unwrap_or("");
+        let mut number =
+            core::str::from_utf8(self.cursor.line.get(from..self.cursor.at).unwrap_or_default()).unwrap_or("");
+        if number.is_empty() && matches!(self.cursor.name(), "l" | "L" | "I") {
+            let letter = self.cursor.name();
+            self.cursor.at += 1;
+            self.report_replaced(Alarm::DoNumber, from, self.cursor.at, msg!("nc.letter-for-one", letter), "1");
+            number = "1";
+        }
         let label = match number.parse::<u16>() {
             Ok(label) if label > 0 && u32::from(label) <= most => label,
             _ => {

@@ -40,7 +40,10 @@ impl<'a> Reader<'a> {
         let open = self.cursor.at;
         let (length, closed) = self.cursor.enclosed(b')');
         let end = open + length - usize::from(closed);
-        if !closed {
+        // The same comment is passed again where a word is read again.
+        let last = self.findings.list.last().filter(|last| last.kind == DiagnosticKind::OpenComment);
+        let reported = last.and_then(|last| last.place).is_some_and(|at| at == self.place(self.span(open, end)));
+        if !closed && !reported {
             let finding = self
                 .finding(Alarm::CommentBracket, open, end, msg!("nc.open-comment"))
                 .kind(DiagnosticKind::OpenComment);

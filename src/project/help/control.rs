@@ -3,7 +3,7 @@
 use super::content::{HelpEntry, HelpKind, HelpPage, HelpSection};
 use super::texts::{Texts, id_of, plain};
 use crate::controls::syntax::Percent;
-use crate::controls::{Alarm, AlarmDef, Control};
+use crate::controls::{Alarm, AlarmDef, Code, Control};
 use crate::project::meaning::{code_says, signal_says, variable_says};
 use crate::text::catalog::{sentence, words};
 use crate::text::{Grade, Message, clauses, sentences};
@@ -67,6 +67,7 @@ fn stops(control: &Control, kind: Alarm) -> bool {
     let named = control.syntax.names().is_some();
     control.raises(kind)
         || match kind {
+            Alarm::NoContour => control.codes.iter().any(|row| row.code == Code::Roughing),
             Alarm::CallFunction | Alarm::CallOperands => !control.macros.functions.is_empty(),
             Alarm::UnknownName | Alarm::SyntaxTwice | Alarm::Auxiliaries | Alarm::NotAlone => named,
             kind => !ONLY_BY_ROW.contains(&kind),

@@ -317,8 +317,8 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "A1: R1=1",
         expect![[r#"
-        1:3 error 12080 “:” is not allowed here.
-    "#]],
+            1:1 error 12080 A1 is no label: it has 2 to 8 letters, digits or _, the first two of them letters or _.
+        "#]],
     );
     check(
         "DIAMOM",

@@ -29,16 +29,6 @@ fn letter_o_in_a_block_number_is_named() {
 }
 
 #[test]
-fn digit_0_in_do_is_named() {
-    let text = "O1\n#1=1\nWHILE[#1 LT 10]D01\n#1=#1+1\nEND1\nM30\n";
-    expect![[r#"
-        3:16 error PS1138 The word is DO with the letter O, not with the digit 0.
-            Write “DO”: 3:16 "D0"→"DO"
-    "#]]
-    .assert_eq(&findings(&read_on(find("fanuc-0i-tf").unwrap(), text)));
-}
-
-#[test]
 fn arc_tangent_is_not_taken_for_a_tangent() {
     expect![[r#"
         2:4 error PS0004 ATN is no function of the FANUC 0i-TF.

@@ -52,7 +52,7 @@ fn skipped_cycle_contour_is_found_by_the_precheck() {
     };
     assert_eq!(ids("P10"), ["interp.contour"]);
     // The start of the contour is unknown, or missing.
-    assert_eq!((ids("P#1"), ids("P30")), (vec![], vec![]));
+    assert_eq!((ids("P#1"), ids("P30")), (vec![], vec!["interp.no-contour"]));
 }
 
 #[test]
@@ -105,7 +105,6 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         gsk-980tdc coordinate-range
         gsk-980tdc division
         gsk-980tdc function-alarm
-        gsk-980tdc m-codes
         gsk-980tdc macro-program
         gsk-980tdc nine-variable
         gsk-980tdc no-feed
@@ -123,7 +122,6 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         knd-k2000t division
         knd-k2000t feed-zero
         knd-k2000t jump-number
-        knd-k2000t m-codes
         knd-k2000t macro-program
         knd-k2000t no-feed
         knd-k2000t overflow
@@ -137,7 +135,6 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         fanuc-0i-tf division
         fanuc-0i-tf feed-zero
         fanuc-0i-tf jump-number
-        fanuc-0i-tf m-codes
         fanuc-0i-tf macro-nesting
         fanuc-0i-tf macro-program
         fanuc-0i-tf modal-call-end
@@ -154,7 +151,6 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         fanuc-0i-mf division
         fanuc-0i-mf feed-zero
         fanuc-0i-mf jump-number
-        fanuc-0i-mf m-codes
         fanuc-0i-mf macro-nesting
         fanuc-0i-mf macro-program
         fanuc-0i-mf modal-call-end
@@ -386,6 +382,8 @@ fn precheck_finds_impossible_calls_and_jumps() {
             "G65",
             "G65 P1 L10000",
             "M99 P0",
+            "M3 M8",
+            "G71 P10 Q20",
             "GOTO0",
             "GOTO100000",
             "GOTO-5",
@@ -400,6 +398,8 @@ fn precheck_finds_impossible_calls_and_jumps() {
             G65: P232 2:1 | 0122 2:1 | 076 2:1 | PS0076 2:1 | PS0076 2:1 | 12470 2:1 | 12470 2:1
             G65 P1 L10000: P35 2:8 | 0092 2:8 | 110 2:8 | PS0003 2:8 | PS0003 2:8 | 12470 2:1, 12080 2:8 | 12470 2:1, 12080 2:8
             M99 P0: P231 2:5 | 0112 2:5 | 128 2:5 | PS1128 2:5 | PS1128 2:5 | 12080 2:5 | 12080 2:5
+            M3 M8: - | 0010 2:4 | - | - | - | - | -
+            G71 P10 Q20: P34 2:1 | 0112 2:5 | 063 2:5 | PS0063 2:5 | PS0010 2:1 | 12080 2:5, 12550 2:9 | 12080 2:5, 12550 2:9
             GOTO0: P231 2:5 | 0112 2:5 | 128 2:5 | PS1128 2:5 | PS1128 2:5 | 12080 2:1 | 12080 2:1
             GOTO100000: P231 2:5 | 0112 2:5 | 128 2:5 | PS0128 2:5 | PS0128 2:5 | 12080 2:1 | 12080 2:1
             GOTO-5: P231 2:5 | 0112 2:5 | 128 2:5 | PS1128 2:5 | PS1128 2:5 | 12080 2:1 | 12080 2:1

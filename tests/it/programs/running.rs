@@ -361,3 +361,42 @@ fn operator_sets_variables_within_screen_rules() {
     assert!(interp.set_variable(100, None));
     assert_eq!(interp.variable(100), None);
 }
+
+#[test]
+fn run_raises_what_the_reader_says_of_blocks_it_comes_to() {
+    check(
+        "O1\n#1=0\nWHILE[#1 LT 2]DO1\nWHILE[#1 LT 1]DO1\n#1=#1+1\nEND1\nEND1\nM30",
+        expect![[r#"
+        (P294 4:15 DO1 is inside a loop of the same number.)
+        = P294 4:15 DO1 is inside a loop of the same number.
+    "#]],
+    );
+    let named = |text: &str, expected: expect_test::Expect| {
+        expected.assert_eq(&log_of(text, &mut start_on(find("sinumerik-802d").unwrap(), text, &[])));
+    };
+    named(
+        "G0 X1\nMSG(\"ONE\")\nMSG(\"TWO\")\nG0 X2\nM2\n",
+        expect![[r#"
+        (16930 3:1 Between two messages there must be a block that does something.)
+        rapid X1
+        show ONE
+        = 16930 3:1 Between two messages there must be a block that does something.
+    "#]],
+    );
+    named(
+        "GOTOF CD\nMSG(\"ONE\")\nMSG(\"TWO\")\nCD: G0 X2\nM2\n",
+        expect![[r#"
+        (16930 3:1 Between two messages there must be a block that does something.)
+        rapid X2
+        end
+    "#]],
+    );
+    named(
+        "AB: G0 X1\nAB: G0 X2\nM2\n",
+        expect![[r#"
+        (12450 2:1 The label AB is defined twice in this program.)
+        rapid X1
+        = 12450 2:1 The label AB is defined twice in this program.
+    "#]],
+    );
+}

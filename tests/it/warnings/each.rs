@@ -35,7 +35,9 @@ const ROWS: &[Row] = &[
         switches: &[("call-parameters", "#9999=200")],
     },
     row("lint.calls-itself", "M98", ""),
+    row("lint.calls-own-program", "M98 P1", ""),
     row("lint.cut-decimal", "#1=FIX[0.29*100]", "R1=TRUNC(0.29*100)"),
+    row("lint.dwell-without-time", "G04 F2.", ""),
     row("lint.endless-loop", "#1=1\nWHILE[#1EQ1]DO1\nG00 X1.\nEND1", "R1=1\nAB: G0 X1\nIF R1==1 GOTOB AB"),
     row(
         "lint.equal-decimals",
@@ -104,6 +106,7 @@ fn every_warning_appears_on_every_control() {
             // Programs for these warnings have another end, or are long.
             let text = match row.id {
                 "lint.main-returns" => "O1\nG00 X1.\nM99".to_owned(),
+                "lint.calls-own-program" if named => "%_N_SELF_MPF\nG0 X1\nSELF\nM30".to_owned(),
                 "lint.suppression-stays" => "O9001\n#3003=1\nM99".to_owned(),
                 "lint.short-blocks" if named => format!("G64 G94 G1 X10 F3000\n{}M30", "G91 X.05\n".repeat(8)),
                 "lint.short-blocks" if control.code(CodeId::g(91)).is_some() => {
@@ -138,6 +141,7 @@ fn every_warning_appears_on_every_control() {
         mitsubishi-e60 lint.slow-retract
         mitsubishi-e60 lint.small-offset
         gsk-980tdc lint.calls-itself
+        gsk-980tdc lint.calls-own-program
         gsk-980tdc lint.feed-zero-digit
         gsk-980tdc lint.feed-zero-rapid
         gsk-980tdc lint.loose-comparison
@@ -169,6 +173,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-mf lint.small-offset
         sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
+        sinumerik-802d lint.dwell-without-time
         sinumerik-802d lint.equal-decimals
         sinumerik-802d lint.feed-per-minute
         sinumerik-802d lint.feed-zero-digit
@@ -185,6 +190,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.word-again
         sinumerik-808d lint.call-parameter
         sinumerik-808d lint.calls-itself
+        sinumerik-808d lint.dwell-without-time
         sinumerik-808d lint.equal-decimals
         sinumerik-808d lint.feed-per-minute
         sinumerik-808d lint.feed-zero-digit

@@ -57,7 +57,7 @@ impl Programs {
         let meets = |span: Span| span.start <= asked.end && asked.start <= span.end;
         let mut all = Vec::new();
         for (place, finding) in self.of_file(file).filter(|row| meets(row.0.span)) {
-            let only = finding.severity == Severity::Error && finding.fixes.len() == 1;
+            let only = finding.certain_fix().is_some();
             for fix in finding.fixes.iter().filter(|fix| can_be_made(fix)) {
                 all.push(CodeActionOrCommand::CodeAction(CodeAction {
                     title: sentence(&fix.title),

@@ -4,6 +4,7 @@ use super::sources::{ALARM_LIST, MEMORY};
 use crate::controls::Alarm::*;
 use crate::controls::AlarmDef;
 use crate::controls::alarm::alarm;
+use crate::controls::schema::table::extended;
 use crate::text::{Citation, Grade};
 
 /// One row per kind. The grade is open where the list leaves the choice between two numbers.
@@ -55,4 +56,10 @@ pub const ALARMS: &[AlarmDef] = &[
     alarm(EmergencyStop, "EMG", "Emergency stop", MEMORY).in_our_words(),
     alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
         .in_our_words(),
+];
+
+/// Alarms of a lathe: its cycles name their contour.
+pub const LATHE: &[AlarmDef] = extended![
+    AlarmDef: ALARMS,
+    &[alarm(NoContour, "PS0063", "The block of a specified sequence number is not found", MEMORY)],
 ];

@@ -9,7 +9,7 @@ mod sources;
 mod switches;
 mod vars;
 
-pub use alarms::ALARMS;
+pub use alarms::{ALARMS, LATHE as LATHE_ALARMS};
 pub use codes::{LATHE as LATHE_CODES, MILL as MILL_CODES};
 pub use interface::{BITS, SIGNALS};
 pub use params::{LATHE as LATHE_PARAMS, MILL as MILL_PARAMS};
@@ -132,6 +132,7 @@ pub const LIMITS: Limits = Limits {
     feed_increment: 0.001,
     arc_tolerance: 0.1,
     arc_centre_moves: false,
+    point_arc_rests: true,
     feed_kept: false,
     speed_max: 99_999.0,
     speed_limit: None,

@@ -43,6 +43,7 @@ const RUNNING: &[Switch] = &[
     switch(AngleRange::of(&[AngleRange::AtanTurnAsinWithinTurn, AngleRange::AtanHalfTurnAsinAroundZero]), MEMORY)
         .parameter("6004#0"),
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), MEMORY).parameter("3708#0"),
+    switch(SurfaceSpeedInInch::of(&[SurfaceSpeedInInch::FeetPerMinute, SurfaceSpeedInInch::MetresPerMinute]), MEMORY),
     switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::AfterLimits]), MEMORY),
     switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::Before, M5Timing::End]), MEMORY),

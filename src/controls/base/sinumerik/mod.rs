@@ -176,6 +176,7 @@ pub const LIMITS: Limits = Limits {
     feed_increment: 0.001,
     arc_tolerance: 0.01,
     arc_centre_moves: false,
+    point_arc_rests: false,
     feed_kept: false,
     speed_max: 99_999.999,
     speed_limit: Some((0.1, 999_999.9)),

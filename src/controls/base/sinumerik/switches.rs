@@ -36,6 +36,7 @@ pub const SWITCHES: &[Switch] = &[
     switch(CrossedLimits::of(&[CrossedLimits::UpperHolds, CrossedLimits::LowerHolds]), ACTIVATION),
     switch(G96AtOnce::of(&[G96AtOnce::Yes, G96AtOnce::No]), ACTIVATION),
     switch(RapidLookAhead::of(&[RapidLookAhead::NextBlock, RapidLookAhead::NextMotion]), LOOK_AHEAD),
+    switch(SurfaceSpeedInInch::of(&[SurfaceSpeedInInch::MetresPerMinute, SurfaceSpeedInInch::FeetPerMinute]), MEMORY),
     switch(SmallOffset::of(&[SmallOffset::Tenth, SmallOffset::Half, SmallOffset::Nothing]), SMALL),
     switch(FeedCodeWithoutS::of(&[FeedCodeWithoutS::LastProgrammed, FeedCodeWithoutS::Hold]), MEMORY),
     switch(SpindleKnob::of(&[SpindleKnob::From0To200, SpindleKnob::From50To120]), KNOB),

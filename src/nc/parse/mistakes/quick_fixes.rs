@@ -126,19 +126,6 @@ impl Reader<'_> {
         failure
     }
 
-    /// Whether the cursor is at a `DO` that is written with the digit 0, which is reported and passed.
-    pub(in crate::nc::parse) fn do_with_zero(&mut self) -> bool {
-        self.pass_blanks();
-        let at = self.cursor.at;
-        let is_number = self.cursor.line.get(at + 2).is_some_and(u8::is_ascii_digit);
-        if !self.cursor.ahead("D0") || !is_number {
-            return false;
-        }
-        self.report_replaced(Alarm::WhileSentence, at, at + 2, msg!("nc.zero-in-do"), "DO");
-        self.cursor.at = at + 2;
-        true
-    }
-
     /// Reports `=` after an address, which these controls do not have, and reads on after it.
     pub(in crate::nc::parse) fn equals_in_word(&mut self) {
         let at = self.cursor.at;
@@ -197,8 +184,10 @@ impl Reader<'_> {
         let exponent = self.factor()?;
         let finding = self.finding(Alarm::Format, end, self.cursor.at, msg!("nc.no-power")).hint(msg!("nc.hint.power"));
         let text = String::from_utf8_lossy(self.cursor.line.get(start..end).unwrap_or_default()).trim().to_owned();
+        // A power binds more strongly than the sign in front of its base.
+        let sign = text.starts_with(['-', '+']);
         match (self.deck.expr(base), self.deck.expr(exponent)) {
-            (Expr::Var(_) | Expr::Number(_), Expr::Number(Dec { mantissa: times @ 2..=4, scale: 0, .. })) => {
+            (Expr::Var(_) | Expr::Number(_), Expr::Number(Dec { mantissa: times @ 2..=4, scale: 0, .. })) if !sign => {
                 let product = format!("*{text}").repeat(times as usize - 1);
                 self.report_replacing(Alarm::Format, finding, end, self.cursor.at, &product);
             }

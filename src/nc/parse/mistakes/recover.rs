@@ -5,7 +5,8 @@
 
 use crate::controls::Alarm;
 use crate::msg;
-use crate::nc::lex::spelling::{arithmetic, prose};
+use crate::nc::lex::keywords::KEYWORDS;
+use crate::nc::lex::spelling::{arithmetic, prose, states};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::{Mark, Reader};
 use crate::text::escape::shortened;
@@ -113,6 +114,10 @@ impl Reader<'_> {
         let text = self.file.text.get(start + from..start + end).unwrap_or("");
         let bare = text.trim_start_matches(|c: char| c.is_whitespace() || c == '/' || is_dash(c));
         let mut finding = self.finding(alarm, from, end, msg!("nc.bare-comment", text = shortened(bare.trim())));
+        let marked = text.len() > bare.len() && !text.starts_with(char::is_whitespace);
+        if !marked && states(bare.as_bytes(), &KEYWORDS) {
+            finding.kind = DiagnosticKind::GuessedFix;
+        }
         if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {
             let letter = self.program_letter();
             let edit = format!("{letter}{number}{}", comment(title).unwrap_or_default());

@@ -17,12 +17,12 @@ use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Pair, Stmt};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, SYMBOLIC_STATEMENTS};
 use crate::nc::lex::names::begins_as_name;
-use crate::nc::lex::spelling::{meant, prose};
+use crate::nc::lex::spelling::{meant, prose, states, zero_as_letter};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::file::begins_character;
 use crate::nc::parse::reader::{BLOCK_BYTES, Reader};
 use crate::nc::parsed::FINDINGS;
-use crate::text::{Place, Span};
+use crate::text::{Diagnostic, Place, Span};
 
 impl<'a> Reader<'a> {
     /// Reads a line of a file: one block, `from < to`, without white space around it.
@@ -81,13 +81,38 @@ impl<'a> Reader<'a> {
     #[cold]
     fn symbolic_failure(&mut self, failure: ParseFailure) {
         let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
-        let comment = failure.at_word && prose(rest) && self.block.comment.is_none();
+        let comment =
+            failure.at_word && self.block.comment.is_none() && prose(rest) && !states(rest, &SYMBOLIC_STATEMENTS);
+        let label = self.no_label(failure.from);
         let ParseFailure { alarm, mut finding, from, .. } = failure;
+        if let Some(label) = label {
+            return self.report_as(Alarm::Format, label);
+        }
         if comment && finding.fixes.is_empty() {
             let place = self.place(self.span(from, from));
             finding = finding.fix(msg!("nc.fix.comment"), vec![(place, ";".to_owned())]);
         }
         self.report_as(alarm, finding);
+    }
+
+    /// The finding of a name before `:` that no label can have, such as `A1:`, where the block fails at `from` or later.
+    fn no_label(&self, from: usize) -> Option<Diagnostic> {
+        let colon = self.cursor.line.iter().position(|&b| b == b':').filter(|&at| at > 0 && from <= at)?;
+        let head = self.cursor.line.get(..colon)?.trim_ascii_end();
+        let start = head.iter().rposition(|&b| !(b.is_ascii_alphanumeric() || b == b'_')).map_or(0, |at| at + 1);
+        let name = core::str::from_utf8(head.get(start..)?).ok()?.to_ascii_uppercase();
+        let before = head.get(..start)?.trim_ascii();
+        let number = before.iter().all(|&b| b.is_ascii_digit() || matches!(b, b'N' | b'n' | b'/'));
+        let (least, most) = self.label_length();
+        let label = begins_as_name(&name) && (least..=most).contains(&name.len());
+        let message = msg!("nc.label-name", label = name.as_str(), least = least as u32, most = most as u32);
+        let letter = name.bytes().next().is_some_and(|b| b.is_ascii_alphabetic());
+        (letter && number && !label).then(|| self.finding(Alarm::Format, start, head.len(), message))
+    }
+
+    /// Least and most characters of a label.
+    fn label_length(&self) -> (usize, usize) {
+        (self.names().map_or(2, |names| names.label_least), self.tables.rules.label_chars)
     }
 
     /// Reads block skip, block number and label, then the statement.
@@ -143,7 +168,7 @@ impl<'a> Reader<'a> {
         let end = self.cursor.at;
         self.pass_blanks();
         self.cursor.at += 1;
-        let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.rules.label_chars);
+        let (least, most) = self.label_length();
         let message = msg!("nc.label-is-call", label = name.as_str(), least = least as u32, most = most as u32);
         let finding = self.finding(Alarm::Format, start, end, message);
         self.report_as(Alarm::Format, finding);
@@ -173,6 +198,9 @@ impl<'a> Reader<'a> {
         }
         if self.cursor.at == from {
             return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number")).at_word());
+        }
+        if self.zero_for_o() {
+            return Ok(());
         }
         let most = self.control.syntax.sequence_digits;
         if self.cursor.at - from > usize::from(most) {
@@ -211,6 +239,14 @@ impl<'a> Reader<'a> {
             _ => {}
         }
         let Some(names) = self.names() else { return Ok(None) };
+        let variable = name.strip_prefix("IF").is_some_and(|rest| self.missing_equals(&format!("X{rest}")));
+        if variable && matches!(after.first(), Some(b'=' | b'<' | b'>' | b'+' | b'-' | b'*' | b'/')) {
+            let end = start + 2;
+            let mut failure = self.failure(Alarm::UnknownName, start, end, msg!("nc.blank-after", keyword = "IF"));
+            let place = self.place(self.span(end, end));
+            failure.finding = failure.finding.fix(msg!("nc.fix.blank"), vec![(place, " ".to_owned())]);
+            return Err(failure);
+        }
         let known = names.code(&name).is_some() || names.addresses.iter().any(|row| name.starts_with(row.0));
         if known || after.first() == Some(&b'=') || self.missing_equals(written) {
             return Ok(None);
@@ -237,7 +273,7 @@ impl<'a> Reader<'a> {
     }
 
     fn check_label(&mut self, name: &str, start: usize) {
-        let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.rules.label_chars);
+        let (least, most) = self.label_length();
         if !begins_as_name(name) || !(least..=most).contains(&name.len()) {
             let message = msg!("nc.label-name", label = name, least = least as u32, most = most as u32);
             self.report(Alarm::Format, start, start + name.len(), message);
@@ -303,6 +339,9 @@ impl<'a> Reader<'a> {
         let message = msg!("nc.unknown-name", name, control = self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message).at_word();
         let Some(names) = self.names() else { return failure };
+        if zero_as_letter(name) {
+            return self.letter_for_zero(start, name);
+        }
         let after = self.cursor.line.get(end..).unwrap_or_default().trim_ascii_start();
         if name == "LF" && matches!(after.first(), None | Some(b';')) {
             let place = self.place(self.span(start, end));
@@ -318,6 +357,17 @@ impl<'a> Reader<'a> {
             let place = self.place(self.span(start, end));
             failure.finding = failure.finding.fix(msg!("nc.fix.write", text = known), vec![(place, known.to_owned())]);
         }
+        failure
+    }
+
+    /// The failure of a name that is a letter with the letter O in place of the digit 0, with its fix.
+    #[cold]
+    pub(in crate::nc::parse) fn letter_for_zero(&self, start: usize, name: &str) -> Box<ParseFailure> {
+        let (from, end) = (start + 1, start + name.len());
+        let mut failure = self.failure(Alarm::UnknownName, from, end, msg!("nc.letter-o"));
+        let digits = name.get(1..).unwrap_or("").replace(['O', 'o'], "0");
+        let place = self.place(self.span(from, end));
+        failure.finding = failure.finding.fix(msg!("nc.fix.write", text = digits.as_str()), vec![(place, digits)]);
         failure
     }
 
@@ -505,6 +555,9 @@ impl<'a> Reader<'a> {
             }
         }
         let letter = self.cursor.peek().is_ascii_alphabetic();
+        if letter && self.unknown_ahead() {
+            return Err(self.unknown_name(self.cursor.at, self.cursor.name()));
+        }
         if letter {
             let (start, end) = (self.cursor.at, self.cursor.line.len());
             let finding = self.finding(Alarm::Mixed, start, end, msg!("nc.assignments-alone"));
@@ -524,11 +577,37 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// The failure of a jump behind a complete statement: in a block of its own it means the same.
+    #[cold]
+    fn second_statement(&self) -> Box<ParseFailure> {
+        let (start, end) = (self.cursor.at, self.cursor.line.len());
+        let keyword = self.cursor.name().to_ascii_uppercase();
+        let mut failure = self.failure(Alarm::Mixed, start, end, msg!("nc.statement-alone", keyword));
+        let place = self.place(self.span(start, start));
+        let edit = format!("{}{}", self.newline(), self.skip_mark());
+        failure.finding = failure.finding.fix(msg!("nc.fix.own-block"), vec![(place, edit)]);
+        failure
+    }
+
+    /// Whether a name of several letters follows that is no statement, code or address: an operator or a comment.
+    fn unknown_ahead(&self) -> bool {
+        let name = self.cursor.name().to_ascii_uppercase();
+        let Some(names) = self.names().filter(|_| !self.cursor.byte(1).is_ascii_digit() && name.len() > 1) else {
+            return false;
+        };
+        let address = names.addresses.iter().any(|row| name.starts_with(row.0));
+        let statement = SYMBOLIC_STATEMENTS.contains(&name.as_str()) || names.foreign.contains(&name.as_str());
+        !(statement || address || names.code(&name).is_some() || self.missing_equals(&name))
+    }
+
     /// Reports text after the statement.
     fn end_of_symbolic_statement(&mut self) -> Read<()> {
         match self.next_byte() {
             _ if self.cursor.ended() => Ok(()),
             b'(' if self.foreign_comment() => Ok(()),
+            b'I' | b'i' | b'G' | b'g' if self.cursor.is_name("IF") || self.symbolic_jump_ahead() => {
+                Err(self.second_statement())
+            }
             byte if byte.is_ascii_alphabetic() => {
                 Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed")).at_word())
             }

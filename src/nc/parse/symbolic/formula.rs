@@ -76,10 +76,15 @@ impl Reader<'_> {
     /// Reads an exponent `EX-3` after a number that starts at `start`, if present; the result has at most 18 digits.
     #[cold]
     pub(in crate::nc::parse) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
-        if !self.cursor.ahead("EX") {
+        if self.cursor.ahead("EX") {
+            self.cursor.at += 2;
+        } else if self.foreign_exponent() {
+            let at = self.cursor.at + 1;
+            self.report_replaced(Alarm::Format, at - 1, at, msg!("nc.exponent", control = self.control.name), "EX");
+            self.cursor.at = at;
+        } else {
             return number;
         }
-        self.cursor.at += 2;
         let negative = self.cursor.peek() == b'-';
         self.cursor.at += usize::from(matches!(self.cursor.peek(), b'-' | b'+'));
         let mut exponent = 0_i32;
@@ -99,6 +104,12 @@ impl Reader<'_> {
             self.report(Alarm::Digits, start, self.cursor.at, msg!("nc.too-many-digits", most = 18));
         }
         Dec { point: true, ..raised.unwrap_or_default() }
+    }
+
+    /// Whether the E at the cursor starts an exponent of other languages: `E2`, `E-3`.
+    fn foreign_exponent(&self) -> bool {
+        let sign = usize::from(matches!(self.cursor.byte(1), b'-' | b'+'));
+        self.cursor.byte(1 + sign).is_ascii_digit()
     }
 
     /// Reads `DIV`, the integer division.

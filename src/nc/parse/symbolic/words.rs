@@ -108,6 +108,7 @@ impl Reader<'_> {
                 }
                 _ => seen.odd |= seen.letters.contains(letter),
             }
+            seen.odd |= index.is_some();
             seen.letters = seen.letters.with(letter);
             let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
             self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
@@ -529,6 +530,7 @@ impl Reader<'_> {
             return;
         }
         let rows: Vec<Option<&CodeDef>> = words.iter().map(|word| self.row_of(word)).collect();
+        self.check_numbered_axes(&words, &rows);
         let end = |word: &Word| word.offset as usize + word.len as usize;
         let mut counts = [0_u8; 4];
         for (at, word) in words.iter().enumerate() {
@@ -585,6 +587,29 @@ impl Reader<'_> {
         }
     }
 
+    /// Warns of the first axis or centre with a number, such as `X1=10`, that no code of the block takes: points take axes, an arc through a
+    /// point takes centres, which may be modal.
+    fn check_numbered_axes(&mut self, words: &[Word], rows: &[Option<&CodeDef>]) {
+        let codes = || rows.iter().flatten();
+        let points = codes().any(|row| matches!(row.code, Code::GoTo(_)));
+        let through = codes().any(|row| row.code == Code::ArcThrough);
+        let other = codes().any(|row| row.group == Group::Motion && row.code != Code::ArcThrough);
+        let idle = |word: &&Word| match word.letter {
+            Address::I | Address::J | Address::K => !through && (other || points),
+            letter => self.control.axis(letter).is_some() && !points,
+        };
+        let Some(word) = words.iter().filter(|word| word.index.is_some()).find(idle) else { return };
+        let (start, end) = (word.offset as usize, word.offset as usize + word.len as usize);
+        let written = self.cursor.line.get(start..end).unwrap_or_default();
+        let number = written.iter().position(|&b| b == b'=').unwrap_or(1);
+        let name = String::from_utf8_lossy(written.get(..number).unwrap_or_default()).trim_ascii().to_ascii_uppercase();
+        let letter = word.letter.to_string();
+        let place = self.place(self.span(start, start + number));
+        let finding = Diagnostic::warning(msg!("nc.numbered-axis", word = name, axis = letter.as_str()));
+        let finding = finding.at(self.place(self.span(start, end)));
+        self.add_finding(finding.fix(msg!("nc.fix.write", text = format!("{letter}=")), vec![(place, letter)]));
+    }
+
     /// Reports `M98 P9100 L2`, the program call of other controls; returns whether the block is one.
     fn foreign_call(&mut self, words: &[Word]) -> bool {
         let value = |letter: Address| {
@@ -596,8 +621,15 @@ impl Reader<'_> {
             return false;
         }
         let (start, end) = (call.offset as usize, self.cursor.line.len());
-        let repeats = value(Address::L).map_or(String::new(), |(_, number)| format!(" P{number}"));
-        self.report_replaced(Alarm::Format, start, end, msg!("nc.foreign-call"), &format!("L{program}{repeats}"));
+        // Without L, digits in front of the four of the program count the runs.
+        let called = match (value(Address::L), program) {
+            (Some((_, repeats)), _) => format!("L{program} P{repeats}"),
+            (None, Dec { mantissa: 10_000.., scale: 0, .. }) => {
+                format!("L{} P{}", program.mantissa % 10_000, program.mantissa / 10_000)
+            }
+            _ => format!("L{program}"),
+        };
+        self.report_replaced(Alarm::Format, start, end, msg!("nc.foreign-call"), &called);
         true
     }
 
