@@ -74,6 +74,23 @@ pub(super) fn by_radius(chord: Chord, radius: f64, tolerance: f64) -> Result<(f6
     Ok((x / 2.0 - y / length * side, y / 2.0 + x / length * side))
 }
 
+/// Swept angle of an arc in radians, counter-clockwise positive. Start and end are relative to the centre; `closed`: they are one point, so
+/// that the arc is a full circle.
+pub(crate) fn sweep((from, to): ((f64, f64), (f64, f64)), closed: bool, clockwise: bool) -> f64 {
+    let turn = 2.0 * math::PI;
+    let mut sweep = if closed { 0.0 } else { math::atan2(to.1, to.0) - math::atan2(from.1, from.0) };
+    if clockwise {
+        while sweep >= 0.0 {
+            sweep -= turn;
+        }
+    } else {
+        while sweep <= 0.0 {
+            sweep += turn;
+        }
+    }
+    sweep
+}
+
 /// A centre relative to the start, and whether the arc is clockwise; `None` for a straight line.
 type Placed = Result<Option<((f64, f64), bool)>, Impossible>;
 

@@ -1,6 +1,6 @@
 //! The command for an arc: its centre by I J K, by its radius, by an intermediate point or by the tangent of the last motion.
 
-use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent};
+use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent, sweep};
 use super::canon::{AXES, Canon, Feed, Target};
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
@@ -64,10 +64,37 @@ impl RunState {
             }
         })?;
         let Some(((x, y), clockwise)) = placed else { return Ok(Canon::Linear { to, feed, exact }) };
+        let feed = if cx.shared.rules.running.helix_by_arc {
+            self.helix_feed(
+                cx,
+                feed,
+                &to,
+                (first, second),
+                sweep(((-x, -y), (chord.end.0 - x, chord.end.1 - y)), chord.end == (0.0, 0.0), clockwise)
+                    * math::hypot(x, y),
+            )
+        } else {
+            feed
+        };
         to.mask |= 1 << first | 1 << second;
         let start = |axis: u8| self.position[axis as usize] as f64;
         let center = (start(first) + x / scale(first), start(second) + y / scale(second));
         Ok(Canon::Arc { to, plane: (first, second), center, clockwise, feed, exact })
+    }
+
+    /// Feed along the path of a helix from its feed along the arc, whose length is `arc`: `F · sqrt(arc² + others²) / arc`.
+    fn helix_feed(&self, cx: &BlockContext, feed: Feed, to: &Target, plane: (u8, u8), arc: f64) -> Feed {
+        let way = |k: usize| to.position[k].saturating_sub(self.position[k]) as f64 * cx.shared.rules.moved(k as u8);
+        let others = (0..AXES).filter(|&k| k != usize::from(plane.0) && k != usize::from(plane.1));
+        let others: f64 = others.map(|k| way(k) * way(k)).sum();
+        if others == 0.0 || arc == 0.0 {
+            return feed;
+        }
+        let ratio = (arc * arc + others).sqrt() / arc.abs();
+        match feed {
+            Feed::PerMinute(feed) => Feed::PerMinute(feed * ratio),
+            Feed::PerRevolution(feed) => Feed::PerRevolution(feed * ratio),
+        }
     }
 
     /// Sets the end of an arc from its centre and its swept angle in degrees.

@@ -17,7 +17,7 @@ pub mod canon;
 mod step;
 pub mod world;
 
-mod arc;
+pub(crate) mod arc;
 mod context;
 mod error;
 mod frame;

@@ -3,6 +3,7 @@
 use super::path::{Circle, Segment};
 use super::plant::AxisPlant;
 use crate::interp::Feed;
+use crate::interp::arc::sweep;
 use crate::interp::canon::AXES;
 use crate::math;
 
@@ -100,20 +101,7 @@ impl ActiveMove {
         let (from, to) = ((start[a] - center.0, start[b] - center.1), (end[a] - center.0, end[b] - center.1));
         let radius = math::hypot(from.0, from.1);
         let phase = math::atan2(from.1, from.0);
-        let turn = 2.0 * math::PI;
-        let mut sweep = math::atan2(to.1, to.0) - phase;
-        if start[a] == end[a] && start[b] == end[b] {
-            sweep = 0.0;
-        }
-        if clockwise {
-            while sweep >= 0.0 {
-                sweep -= turn;
-            }
-        } else {
-            while sweep <= 0.0 {
-                sweep += turn;
-            }
-        }
+        let sweep = sweep((from, to), start[a] == end[a] && start[b] == end[b], clockwise);
         let others: f64 = (0..AXES).filter(|&k| k != a && k != b).map(|k| self.line[k] * self.line[k]).sum();
         let (sin, cos) = math::sin_cos(phase + sweep);
         self.line[a] = to.0 - radius * cos;

@@ -258,6 +258,7 @@ const OWN_PARAMETERS: &[(&str, &str, &str, &str)] = &[
     ("gsk-980tdc", "m03-m04", "A0.3", "GSK980MDi manual, ladder 3.1"),
     ("gsk-980tdc", "spindle-at-end", "K10 MTSS of the milling control", "GSK980MDi manual, ladder 3.1"),
     ("fanuc-0i-mf", "startup-distance", "3402#3", "FANUC 0i-M usage, unverified"),
+    ("fanuc-0i-mf", "helix-feed", "1403#5", "FANUC operator's manual B-63783EN, p.571: HTG"),
 ];
 
 /// Parameters of switches that contradict the rows of parameters, the family or the list of the control's own.

@@ -757,3 +757,13 @@ fn retract_at_cutting_feed_is_a_warning() {
         KND.quiet(quiet);
     }
 }
+
+#[test]
+fn own_call_behind_a_condition_is_no_warning() {
+    E60.check("O1\n#1=#1+1\nM98 P1\nM30", expect![[r#"
+        4:5 “P1” warning lint.calls-own-program
+            P1 calls the program that it is in. Each call begins it once more, until programs are nested too deep. Write the program that is meant, or a loop.
+    "#]]);
+    E60.quiet("O1\n#500=#500+1\nIF[#500 GT 3]GOTO9\nM98 P1\nN9 M30");
+    E60.quiet("O1\n/M98 P1\nM30");
+}

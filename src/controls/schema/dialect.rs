@@ -126,6 +126,8 @@ pub(crate) struct RunningRules {
     pub(crate) keep_locals: bool,
     /// Common variables become vacant at reset.
     pub(crate) clear_common: bool,
+    /// F of a helix is the feed along its arc; otherwise along the path with all axes.
+    pub(crate) helix_by_arc: bool,
     /// Maximum effective M codes of a block.
     pub(crate) m_codes: u8,
     /// More M codes than `m_codes` are an alarm; otherwise the last ones act.
@@ -352,6 +354,10 @@ impl RunningRules {
             clear_common: match set.common_at_reset {
                 Some(CommonAtReset::Vacant) => true,
                 Some(CommonAtReset::Kept) | None => false,
+            },
+            helix_by_arc: match set.helix_feed {
+                Some(HelixFeed::Arc) => true,
+                Some(HelixFeed::Path) | None => false,
             },
             m_codes,
             m_alarm,

@@ -245,6 +245,8 @@ switches! {
         surface_speed_in_inch: SurfaceSpeedInInch = "surface-speed-in-inch" {
             MetresPerMinute = "metres-per-minute", FeetPerMinute = "feet-per-minute",
         }
+        /// Meaning of F in helical interpolation.
+        helix_feed: HelixFeed = "helix-feed" { Arc = "arc", Path = "path" }
         /// G96 sets the speed at once.
         g96_at_once: G96AtOnce = "g96-apply-at-activation" { Yes = "yes", No = "no" }
         /// Rapids under G96 that already set the speed of the following cut: the rapid directly before a cutting block, or before the next

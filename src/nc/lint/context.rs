@@ -6,7 +6,6 @@ use super::super::parsed::{FINDINGS, Parsed};
 use super::super::program_names::ProgramNames;
 use crate::controls::syntax::RoundBrackets;
 use crate::controls::{Address, AddressSet, Control};
-use crate::msg;
 use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, LineIndex, Message, Place, Span};
 
 /// Missing index or number.
@@ -84,12 +83,6 @@ impl<'a> Lint<'a> {
         }
         self.found.push(Diagnostic::warning(message).kind(DiagnosticKind::Lint).at(place));
         self.found.last_mut()
-    }
-
-    /// Reports a call of the program in which it is, on a control without an alarm for it.
-    pub(super) fn own_call(&mut self, place: Place) {
-        let call = self.parsed.text(place);
-        self.warn(place, msg!("lint.calls-own-program", call));
     }
 
     /// Adds a fix to the last finding: another text for each of these words of its file; none if a comment is inside one of them.

@@ -124,9 +124,6 @@ impl Facts {
             if sub && macros.sub_sequence {
                 self.entry(to.unwrap_or(NONE), number(Address::H));
             }
-            if to == Some(program) && number(Address::P).is_some() && !lint.control.raises(Alarm::OwnCall) {
-                lint.own_call(lint.written_word(block, words, Address::P).0);
-            }
             if let Some(to) = to
                 && let Some(part) = self.programs.get_mut(to as usize)
             {

@@ -11,7 +11,7 @@ use super::short::Short;
 use crate::controls::address::LETTERS;
 use crate::controls::{Address, AddressSet, Alarm};
 use crate::msg;
-use crate::text::either;
+use crate::text::{Place, either};
 
 /// Maximum words reported for overwriting others.
 const AGAIN: usize = 20;
@@ -51,12 +51,14 @@ struct InProgram {
     index: u32,
     points: Points,
     short: Short,
+    /// A block so far may jump, or does not parse.
+    forks: bool,
 }
 
 impl Survey<'_> {
     fn program(&mut self, lint: &mut Lint, index: u32, program: &Program) {
         let short = Short::new(lint, self.increments[0]);
-        let mut here = InProgram { index, points: Points::new(self.increments), short };
+        let mut here = InProgram { index, points: Points::new(self.increments), short, forks: false };
         self.feeds.program();
         let mut bends = false;
         for (at, block) in (program.first..).zip(lint.deck.blocks_of(program)) {
@@ -80,11 +82,12 @@ impl Survey<'_> {
             let unit = self.facts.bad_block(lint, (here.index, at), block);
             self.feeds.bad_block(unit);
         }
+        here.forks |= !matches!(block.stmt, Stmt::Empty | Stmt::Assign { .. } | Stmt::Message(_) | Stmt::Call { .. });
         messages::length(lint, at, block);
         if let Stmt::Call { name, .. } = block.stmt {
             match lint.programs.name(lint.deck.text(Some(name))) {
                 Some(to) => {
-                    if to == here.index {
+                    if to == here.index && !here.forks && block.skip == 0 {
                         lint.own_call(lint.place(at, lint.parsed.text_span(name)));
                     }
                     self.facts.call(Call { block: at, from: here.index, to, with_locals: false });
@@ -123,7 +126,15 @@ impl Survey<'_> {
         here.short.block((at, block), words, bits);
         let goes = bits & (CALL | SUB | RETURN | END) != 0;
         if goes {
+            let known = self.facts.calls.len();
             self.facts.note(lint, self.roles, (here.index, at), words, bits);
+            let own = self.facts.calls.get(known).is_some_and(|call| call.to == here.index);
+            if own
+                && letters.contains(Address::P)
+                && !(here.forks || block.skip > 0 || lint.control.raises(Alarm::OwnCall))
+            {
+                lint.own_call(lint.written_word(at, words, Address::P).0);
+            }
         }
         goes
     }
@@ -169,6 +180,12 @@ impl Lint<'_> {
                 self.warn(place, msg!("lint.word-again", word, earlier));
             }
         }
+    }
+
+    /// Reports a call of the program in which it is, on a control without an alarm for it.
+    fn own_call(&mut self, place: Place) {
+        let call = self.parsed.text(place);
+        self.warn(place, msg!("lint.calls-own-program", call));
     }
 
     /// Reports a call of a name missing in these files, unless the reader has reported the block.

@@ -55,8 +55,15 @@ const RUNNING: &[Switch] = &[
     switch(OverrideSuppression::of(&[OverrideSuppression::Yes, OverrideSuppression::No]), MEMORY),
 ];
 
+/// Feed of a helix on a mill.
+const HELIX: &[Switch] = &[switch(
+    HelixFeed::of(&[HelixFeed::Arc, HelixFeed::Path]),
+    Citation::new("FANUC operator's manual B-63783EN, p.571: HTG", Grade::Sister),
+)
+.parameter("1403#5")];
+
 /// Switches of a lathe.
 pub const LATHE: &[Switch] = joined![Switch: NUMBERS, DIAMETER, RUNNING];
 
 /// Switches of a mill.
-pub const MILL: &[Switch] = joined![Switch: NUMBERS, RUNNING];
+pub const MILL: &[Switch] = joined![Switch: NUMBERS, RUNNING, HELIX];
