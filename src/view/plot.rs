@@ -18,6 +18,7 @@ use super::svg::escape;
 use super::{Chart, ChartLimit};
 use crate::math;
 use crate::text::catalog::words;
+use crate::text::columns;
 use crate::text::number::{Plain, fill, short};
 
 /// Size of the frame in units.
@@ -34,6 +35,22 @@ const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
 const LIMIT_COLOUR: RGBColor = RGBColor(0, 128, 0);
 /// Share of the height above a limit that its name needs.
 const ABOVE_LIMIT: f64 = 0.22;
+/// Distance of a name's base line from the line of its limit, in pixels, for a name above and a name below.
+const ABOVE: f64 = -4.0;
+/// See [`ABOVE`].
+const BELOW: f64 = 13.0;
+/// Share of the width that a column of text needs, for charts of the usual widths.
+const COLUMN: f64 = 0.011;
+/// Places of a limit's name, in the order of preference: share of the width, and the anchor of the text. Figures are at the left edge.
+const NAME_PLACES: [(f64, Anchor); 3] = [(1.0, Anchor::End), (0.06, Anchor::Start), (0.5, Anchor::Middle)];
+
+/// The part of a text that is at its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Anchor {
+    Start,
+    Middle,
+    End,
+}
 
 /// A drawn chart: left edge is `x.0`, right edge `x.1`, bottom `y.0`, top `y.1`.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,7 +89,7 @@ pub fn draw(chart: &Chart) -> Plot {
          width=\"100%\" height=\"100%\" preserveAspectRatio=\"none\">{paths}</svg>"
     );
     figures(&mut svg, x, y, chart.x_unit);
-    names(&mut svg, &limits, y, chart.unit);
+    names(&mut svg, (chart, &limits), x, y);
     svg.push_str("</svg>");
     Plot { svg, x, y }
 }
@@ -153,14 +170,41 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
     }
 }
 
-/// Writes the limits with their names at the right edge, where no figure is.
-fn names(out: &mut String, limits: &[&ChartLimit], (low, high): (f64, f64), unit: &str) {
+/// Writes the limits with their names, each where the fewest lines pass behind it.
+fn names(out: &mut String, (chart, limits): (&Chart, &[&ChartLimit]), x: (f64, f64), (low, high): (f64, f64)) {
     for limit in limits {
+        let text = format!("{} {} {}", words(limit.label), short(limit.value, 3), chart.unit);
+        let width = COLUMN * columns(&text) as f64;
+        let top = limit.value + ABOVE_LIMIT * (high - low);
+        let crossed = |(place, anchor): (f64, Anchor)| {
+            let begin = match anchor {
+                Anchor::Start => place,
+                Anchor::Middle => place - 0.5 * width,
+                Anchor::End => place - width,
+            };
+            let time = |share: f64| x.0 + share * (x.1 - x.0);
+            let (begin, end) = (time(begin), time(begin + width));
+            let behind = |ends: &&[(f64, f64)]| {
+                let [from, to] = **ends else { return false };
+                from.0 <= end && to.0 >= begin && from.1.min(to.1) <= top && from.1.max(to.1) >= limit.value
+            };
+            chart.series.iter().flat_map(|line| line.points.windows(2)).filter(behind).count()
+        };
+        // Of equals the first one is taken.
+        let Some((place, anchor)) = NAME_PLACES.into_iter().min_by_key(|place| crossed(*place)) else { continue };
+        let (anchor, dx) = match anchor {
+            Anchor::Start => ("start", 0.0),
+            Anchor::Middle => ("middle", 0.0),
+            Anchor::End => ("end", -3.0),
+        };
         let at = 100.0 * (limit.value - low) / (high - low);
-        fill(out, "<text class=\"bound\" x=\"100%\" dx=\"-3\" y=\"#%\" dy=\"-4\" text-anchor=\"end\">", &[100.0 - at]);
-        escape(out, words(limit.label));
-        let _ = write!(out, " {} ", short(limit.value, 3));
-        escape(out, unit);
+        // The name of a limit close below another one is below its line.
+        let close = |other: &&ChartLimit| other.value > limit.value && other.value < top;
+        let dy = if limits.iter().any(close) { BELOW } else { ABOVE };
+        let places = [100.0 * place, dx, 100.0 - at, dy];
+        fill(out, "<text class=\"bound\" x=\"#%\" dx=\"#\" y=\"#%\" dy=\"#\"", &places);
+        let _ = write!(out, " text-anchor=\"{anchor}\">");
+        escape(out, &text);
         out.push_str("</text>");
     }
 }

@@ -81,6 +81,8 @@ fn command(browser: &OsStr, folder: &Path) -> Command {
     let mut command = Command::new(browser);
     command
         .args(["--headless", "--disable-gpu", "--no-first-run", "--no-pdf-header-footer"])
+        // Bookmarks of the sections; a browser that does not know the option passes over it.
+        .arg("--generate-pdf-document-outline")
         // The document is macroline's own and runs no script; the sandbox fails where containers run browsers as root.
         .arg("--no-sandbox")
         .arg(option("--user-data-dir=", "profile"))

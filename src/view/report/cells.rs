@@ -93,8 +93,13 @@ pub(super) fn has_sources(sheet: &Sheet) -> bool {
     sheet.columns.iter().any(|column| matches!(column, Column::Source(_)))
 }
 
+/// Source of a row of a sheet, with a remark if it is not confirmed.
+pub(super) fn source_of_row(row: &Row) -> String {
+    let doubt = if row.grade == Grade::Open { words("form.report.unconfirmed") } else { "" };
+    format!("{} {doubt}", row.source).trim_end().to_owned()
+}
+
 /// The cells of a row of a sheet, followed by its source.
 pub(super) fn cells_of_row(row: &Row) -> Vec<String> {
-    let doubt = if row.grade == Grade::Open { words("form.report.unconfirmed") } else { "" };
-    row.cells.iter().cloned().chain([format!("{} {doubt}", row.source).trim_end().to_owned()]).collect()
+    row.cells.iter().cloned().chain([source_of_row(row)]).collect()
 }

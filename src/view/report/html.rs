@@ -1,22 +1,24 @@
 //! The report as a standalone page for print on A4 or Letter: first sheet with frame and title block, then tables on numbered sheets.
 
-use super::cells::{
-    INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
-    has_sources,
-};
+use super::cells::{PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, source_of_row};
 use super::conclusion::conclusion;
 use super::document::Report;
+use super::references::References;
 use crate::msg;
 use crate::text::catalog::{sentence, spoken, words};
 use crate::text::columns;
 use crate::text::headed;
 use crate::text::number::{decimals_of_four, filled, four_digits, short};
-use crate::text::{Provenance, Severity, clauses};
+use crate::text::{Grade, Provenance, Severity, clauses};
 use crate::view::svg::escape;
-use crate::view::{Chart, ComparedRow, Readout, Sheet, Verdict, ladder, plot};
+use crate::view::{Chart, Column, ComparedRow, Readout, Sheet, Verdict, ladder, plot};
 
 /// The style sheet.
 const STYLE: &str = include_str!("../../../style/report.css");
+
+/// The mark of macroline, as in the header of the page.
+const MARK: &str = "<svg viewBox=\"0 0 24 24\"><path class=\"web\" d=\"M2 19h20\"/><circle cx=\"12\" cy=\"11\" r=\"7\"/>\
+                    <path class=\"web\" d=\"M12 11v7\"/></svg>";
 
 /// Number of variants beside the offer that fit into a table.
 const BESIDE: usize = 4;
@@ -30,7 +32,7 @@ const LEAST: usize = 4;
 
 /// The report as HTML with embedded styles and pictures.
 pub fn html(report: &Report) -> String {
-    let mut page = Page { out: String::new(), report };
+    let mut page = Page { out: String::new(), report, references: References::default() };
     page.whole();
     page.out
 }
@@ -38,6 +40,7 @@ pub fn html(report: &Report) -> String {
 struct Page<'r> {
     out: String,
     report: &'r Report,
+    references: References,
 }
 
 impl Page<'_> {
@@ -90,13 +93,9 @@ impl Page<'_> {
             self.sheet(sheet);
         }
         self.variants();
-        self.title("form.report.results");
-        let results: Vec<_> = report.readouts.iter().map(|row| cells_of_result(report, row)).collect();
-        self.table("results", &RESULT_COLUMNS, &results);
+        self.results();
         self.run();
-        self.title("form.report.inputs");
-        let inputs: Vec<_> = report.inputs.iter().map(|row| cells_of_input(report, row)).collect();
-        self.table("inputs", &INPUT_COLUMNS, &inputs);
+        self.inputs();
         for sheet in &report.sheets {
             self.sheet(sheet);
         }
@@ -105,7 +104,67 @@ impl Page<'_> {
         let open = report.open.iter().map(|open| headed(self.words(open.kind), clauses(&open.facts)));
         let open: Vec<_> = open.collect();
         self.list(open);
+        self.sources();
         self.raw("</main></body></html>\n");
+    }
+
+    /// All results, with formulas and the numbers of their sources.
+    fn results(&mut self) {
+        let report = self.report;
+        self.title("form.report.results");
+        self.raw("<table class=\"results\">");
+        self.head(&RESULT_COLUMNS, None);
+        for readout in &report.readouts {
+            let [cells @ .., source] = cells_of_result(report, readout);
+            self.raw("<tr>");
+            cells.iter().for_each(|text| cell(&mut self.out, text));
+            self.reference(&source, readout.cite.grade);
+            self.raw("</tr>");
+        }
+        self.raw("</table>");
+    }
+
+    /// All inputs, a table for each group.
+    fn inputs(&mut self) {
+        let report = self.report;
+        self.title("form.report.inputs");
+        self.raw("<div class=\"inputs\">");
+        for group in report.inputs.chunk_by(|a, b| a.group == b.group) {
+            let rows: Vec<_> = group.iter().map(|row| cells_of_input(report, row)).collect();
+            self.raw("<table>");
+            for (at, [title, cells @ ..]) in rows.iter().enumerate() {
+                if at == 0 {
+                    self.text("caption", "", title);
+                }
+                self.row(cells);
+            }
+            self.raw("</table>");
+        }
+        self.raw("</div>");
+    }
+
+    /// Writes a cell with the number of a source, which leads to the list at the end; `?` for a source that is not confirmed.
+    fn reference(&mut self, source: &str, grade: Grade) {
+        self.raw("<td class=\"ref\">");
+        if !source.is_empty() {
+            let number = self.references.number(source);
+            let doubt = if grade == Grade::Open { "\u{a0}?" } else { "" };
+            self.raw(&format!("<a href=\"#source-{number}\">{number}</a>{doubt}"));
+        }
+        self.raw("</td>");
+    }
+
+    /// The sources by their numbers.
+    fn sources(&mut self) {
+        self.title("form.report.sources");
+        self.text("p", "dim", self.words("form.report.about-sources"));
+        self.raw("<ol class=\"sources\">");
+        for (number, source) in (1..).zip(core::mem::take(&mut self.references).sources()) {
+            self.raw(&format!("<li id=\"source-{number}\">"));
+            escape(&mut self.out, &source);
+            self.raw("</li>");
+        }
+        self.raw("</ol>");
     }
 
     /// Heading, conclusion, drawing, verdicts and title block.
@@ -116,11 +175,7 @@ impl Page<'_> {
         self.raw("<header><div>");
         self.text("h1", "", &report.title);
         self.text("p", "dim", self.words("form.report.about"));
-        self.raw(concat!(
-            "</div><b class=\"maker\">",
-            include_str!("../../../style/icon.svg"),
-            "macroline</b></header>"
-        ));
+        self.raw(&format!("</div><b class=\"maker\">{MARK}macroline</b></header>"));
         self.raw("<p class=\"conclusion\">");
         self.raw(&conclusion(report));
         self.raw("</p>");
@@ -336,23 +391,35 @@ impl Page<'_> {
     }
 
     fn sheet(&mut self, sheet: &Sheet) {
+        self.raw(&format!("<section class=\"of-{}\">", sheet.id));
         self.title(sheet.title);
-        self.raw(&format!("<table class=\"{}\">", sheet.id));
+        // Long lists of short rows flow in columns of the page, which a table itself cannot.
+        self.raw(&format!("<div class=\"rows\"><table class=\"{}\">", sheet.id));
         let mut heads: Vec<&str> = sheet.columns.iter().map(|column| column.head()).collect();
         // A source common to all rows is given once.
         let common = sheet.common_source();
-        if common.is_none() && !has_sources(sheet) {
+        let own = sheet.columns.iter().position(|column| matches!(column, Column::Source(_)));
+        if common.is_none() && own.is_none() {
             heads.push("form.report.source");
         }
         self.head(&heads, None);
         for row in &sheet.rows {
-            let mut cells = cells_of_row(row);
-            cells.truncate(heads.len());
-            self.row(&cells);
+            self.raw("<tr>");
+            for (at, text) in row.cells.iter().enumerate() {
+                if Some(at) == own {
+                    self.reference(text, Grade::Manual);
+                } else {
+                    cell(&mut self.out, text);
+                }
+            }
+            if common.is_none() && own.is_none() {
+                self.reference(&row.source.to_string(), row.grade);
+            }
+            self.raw("</tr>");
         }
-        self.raw("</table>");
+        self.raw("</table></div>");
         if let Some(row) = common {
-            let source = cells_of_row(row).pop().unwrap_or_default();
+            let source = source_of_row(row);
             self.text("p", "dim source", &source);
         }
         if !sheet.drawing.is_empty() {
@@ -361,6 +428,7 @@ impl Page<'_> {
             pieces.iter().for_each(|piece| self.raw(piece));
             self.raw("</figure>");
         }
+        self.raw("</section>");
     }
 
     /// Rows in which the variants differ from the offer or from each other; variants beyond the width of a table have further tables.

@@ -6,6 +6,8 @@ mod cells;
 
 mod conclusion;
 
+mod references;
+
 mod markdown;
 
 mod html;

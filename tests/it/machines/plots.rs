@@ -61,6 +61,27 @@ fn limits_near_the_lines_are_drawn_with_their_names() {
 }
 
 #[test]
+fn names_of_limits_are_off_the_lines_and_off_each_other() {
+    let limit = |value: f64| ChartLimit { label: "ribbon.loop-capacity", value };
+    let name = |points, limits: &[f64], value: f64| {
+        let drawn = plot::draw(&Chart { limits: limits.iter().copied().map(limit).collect(), ..chart(points) }).svg;
+        let end = format!(">Loop capacity {value} mm/min</text>");
+        let (before, _) = drawn.split_once(&end).unwrap_or_else(|| panic!("{value}: {drawn}"));
+        before.rsplit_once("<text").unwrap().1.to_owned()
+    };
+    // Flat below the limit, then through it at the right edge, at the left edge, at both.
+    let late = vec![(0.0, 0.0), (8.0, 10.0), (10.0, 100.0)];
+    let early = vec![(0.0, 100.0), (2.0, 10.0), (10.0, 0.0)];
+    let both = vec![(0.0, 100.0), (2.0, 10.0), (8.0, 10.0), (10.0, 100.0)];
+    for (points, anchor) in [(late, "start"), (early.clone(), "end"), (both, "middle")] {
+        let place = name(points, &[60.0], 60.0);
+        assert!(place.contains(&format!("text-anchor=\"{anchor}\"")), "{anchor}: {place}");
+    }
+    let (above, below) = (name(early.clone(), &[1.0, 3.0], 3.0), name(early, &[1.0, 3.0], 1.0));
+    assert!(above.contains("dy=\"-4\"") && below.contains("dy=\"13\""), "{above} {below}");
+}
+
+#[test]
 fn empty_or_non_finite_charts_are_drawn() {
     for points in [
         vec![],

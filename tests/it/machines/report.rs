@@ -211,6 +211,30 @@ fn figures_and_order_numbers_of_tables_stay_on_one_line() {
 }
 
 #[test]
+fn numbers_of_sources_lead_to_the_list_at_the_end() {
+    for machine in ALL {
+        let project = Project::named(machine.id(), None, None).unwrap();
+        let text = html(&project);
+        let page = read(&text);
+        let list = of_class(&page, "sources")[0];
+        let listed: Vec<&str> = list.children().filter_map(|item| item.attribute("id")).collect();
+        let first = &project.prepared().design(&project.provenance).readouts[0];
+        let source = list.children().find(|item| words(*item) == first.cite.source.to_string());
+        assert!(source.is_some(), "{}: {:?}", machine.id(), first.cite);
+        let numbers = of_class(&page, "ref").into_iter().filter_map(|cell| cell.first_element_child());
+        let mut seen: Vec<&str> = Vec::new();
+        for link in numbers {
+            let to = link.attribute("href").and_then(|href| href.strip_prefix('#')).unwrap();
+            assert!(listed.contains(&to) && to == format!("source-{}", words(link)), "{}: {to}", machine.id());
+            if !seen.contains(&to) {
+                seen.push(to);
+            }
+        }
+        assert_eq!(seen, listed, "{}: in the order of their numbers, none without a row", machine.id());
+    }
+}
+
+#[test]
 fn printed_ladder_ends_a_sheet_between_two_rungs() {
     for machine in ALL {
         let project = Project::named(machine.id(), None, None).unwrap();
