@@ -1,9 +1,10 @@
 //! Contacts that hold the program (inverter ready, loop at its limits, reel at its end): their places, and their states in a run.
 
-use super::driven::stretch;
+use super::driven::{allowed_stretch, stretch};
 use super::pose::{TIGHT, unwound};
 use super::reel::wound;
 use super::resolved::RibbonLine;
+use crate::drives::web;
 use crate::machines::ladder::MachineContact;
 use crate::machines::ladder::plc::BY_MOVERS;
 use crate::motion::{ProgramState, Timeline};
@@ -27,6 +28,30 @@ pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
     let (p, fast) = (&line.p, &line.fast);
     let ramp = p.inverter_ramp * fast.actual_speed / p.speed_at_10v;
     fast.line_speed / 60.0 * ramp / 2.0
+}
+
+/// Ribbon (mm) that may be missing when the tension switch opens: the allowed stretch, or that at which the ribbon tears or slips less the
+/// way of X from a hold to its stop, `v · (τ / 2 + 1 / K)` with the knob at its highest position, if that is less: an unwinder that stands
+/// gives nothing meanwhile. Source: ribbon line facts, 11.
+fn stretch_at_switch(line: &RibbonLine) -> f64 {
+    let p = &line.p;
+    let way = line.fast.line_speed / 60.0 * (p.time_constant_x / 2000.0 + 1.0 / p.position_gain_x);
+    allowed_stretch(line).min(stretch(line, line.mechanics.tears_or_slips) - way)
+}
+
+/// Ribbon (mm) in the loop, negative, at which the tension switch opens.
+fn shortest(line: &RibbonLine) -> f64 {
+    (-stretch_at_switch(line)).min(TIGHT)
+}
+
+/// Tension (N) of the ribbon before X at which the switch opens before the allowed one, because X needs its way to the stop:
+/// `T1 + E · A · s / L`; `None` if it opens at the allowed one.
+pub(super) fn early_tension(line: &RibbonLine) -> Option<f64> {
+    let p = &line.p;
+    let strain = -shortest(line) / p.web.span;
+    let tension =
+        p.web.tension_before + web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, strain);
+    (stretch_at_switch(line) < allowed_stretch(line)).then_some(tension)
 }
 
 /// The contacts of loop and reel in a run, in the order of [`BY_MOVERS`].
@@ -60,7 +85,7 @@ impl RibbonContacts {
             per_turn,
             pull: line.pull(),
             longest: if p.loop_capacity > 0.0 { p.loop_capacity } else { f64::INFINITY },
-            shortest: (-stretch(line)).min(TIGHT),
+            shortest: shortest(line),
             reel: (1e3 * wound(p).length() - left_at_reel_end(line)).max(0.0),
             fastest: (unwinds + p.clamp_x.max(p.rapid_x)) / 60.0,
             taken_up: 0.0,

@@ -177,7 +177,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         label: "ribbon.gauge.loop-least",
         unit: "mm",
         decimals: 1,
-        limit: |line| Some(Limit::AtLeast(-stretch(line))),
+        limit: |line| Some(Limit::AtLeast(-allowed_stretch(line))),
         field: None,
         value: |line, now| LineState::new(line, now).slack,
     },
@@ -192,10 +192,15 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
     },
 ];
 
-/// Stretch (mm) of the ribbon before X at the tension limit: `s = (T - T1) · L / (E · A)`, and none where T1 is above the limit. An empty
-/// loop may miss as much ribbon. Source: ribbon line facts, 7.
-pub(super) fn stretch(line: &RibbonLine) -> f64 {
-    let (p, left) = (&line.p, line.d.tension_limit - line.p.web.tension_before);
+/// Stretch (mm) of the ribbon before X at the tension that it may have: an empty loop may miss as much ribbon.
+pub(super) fn allowed_stretch(line: &RibbonLine) -> f64 {
+    stretch(line, line.mechanics.taut_limit)
+}
+
+/// Stretch (mm) of the ribbon before X at a tension (N): `s = (T - T1) · L / (E · A)`, and none where T1 is above that. Source: ribbon line
+/// facts, 7 and 11.
+pub(super) fn stretch(line: &RibbonLine, tension: f64) -> f64 {
+    let (p, left) = (&line.p, tension - line.p.web.tension_before);
     let per_strain = web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0);
     left.max(0.0) * p.web.span / per_strain
 }

@@ -308,6 +308,11 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     }
     b.n(4).assign(128, v(121)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
+    // A start under override 0 has its wait for the unwinder when the override rises: X would else pull before ribbon is given.
+    b.while_do(v(115).lt(real(0.001, 3)), 1);
+    b.words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
+    b.call(COMPUTE, None);
+    b.end_do(1);
     if is_length(line) {
         pitches_left(b, line, v(LENGTH));
         b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);

@@ -254,6 +254,11 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| slack::worst_loop(line).loop_needed, ..ReadoutRow::BASE
     },
     ReadoutRow {
+        id: "knob-turn", label: "ribbon.readout.knob-turn", unit: "%", decimals: 1,
+        formula: "highest / (1 + (loop capacity - |start| - |run|) / ((1 + blocks read ahead) · pitches · #107))",
+        cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::lowest_turn, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
         id: "coasting-time", label: "ribbon.readout.coasting-time", unit: "s", decimals: 2,
         formula: "J · 2π n / 60 / (unwinder torque + motor brake)",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred),

@@ -96,6 +96,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-scaling-drift", coordinates::scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("y-scaling-drift", coordinates::scaling_y, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("length-error", product::length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
+    Rule::new("knob-turn", slack::turned_up, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("y-drift", product::y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
 ];
 

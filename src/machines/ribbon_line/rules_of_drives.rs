@@ -2,7 +2,7 @@
 //!
 //! Judged with the knob at its highest position: acceleration grows with the speed, because a ramp lasts its time constant at every speed.
 
-use super::mechanics::ServoAxis;
+use super::mechanics::{GRIP, ServoAxis};
 use super::params::FIELDS;
 use super::resolved::RibbonLine;
 use super::rules_of_slack as slack;
@@ -30,9 +30,6 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("unwinder-torque", unwinder_load, Citation::new("sizing facts D1", Grade::Inferred)),
     Rule::new("unwinder-braking-torque", unwinder_braking, Citation::new("turning spindle facts, 5", Grade::Open)),
 ];
-
-/// Share (%) of the nip's holding force that may be used: a safety of 2 against slip. Source: sizing facts 2.2, from memory.
-const GRIP: f64 = 50.0;
 
 /// Difference (% of the rated torque) between the load of the form and that of brake and friction from which it is reported: a twentieth of
 /// the slip. Engineering choice.

@@ -1,5 +1,6 @@
 //! Rules about ribbon between unwinder and pull roller: the loop, the slack rate, the knob, the tension of the web.
 
+use super::contacts::early_tension;
 use super::derive::Derived;
 use super::params::{FIELDS, Params, PathMode, Variant, Wait};
 use super::resolved::{GREATEST, RibbonLine};
@@ -150,6 +151,52 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
+/// Lowest position (%) of an override knob in common use: the knobs of the makers' panels begin there. Engineering choice.
+const LOW_KNOB: f64 = 50.0;
+
+/// Ribbon (mm) of the running block and of those that the control has read ahead: they keep the F of the old position of the knob.
+fn queued(p: &Params) -> f64 {
+    (p.preread + 1.0) * p.block_pitches() * p.pitch
+}
+
+/// Ribbon (mm) that start and run lay into the loop, at the worst position of the knob.
+fn laid_so_far(line: &RibbonLine) -> f64 {
+    let laid = |d: &Derived| d.slack_start.abs() + d.slack_run.abs();
+    [&line.d, &line.fast, &line.slow].map(laid).into_iter().fold(0.0, f64::max)
+}
+
+/// Lowest position (%) of the knob from which one turn to its highest position does not overfill the loop; 0 where the axes follow the
+/// unwinder at once, or the knob does not turn it. The unwinder follows the knob, the queued blocks take their time at the old speed:
+/// `queued · (highest / k - 1)` is laid more than pulled.
+pub(super) fn lowest_turn(line: &RibbonLine) -> f64 {
+    let p = &line.p;
+    if line.in_step() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
+        return 0.0;
+    }
+    let room = (p.loop_capacity - laid_so_far(line)).max(0.0);
+    line.highest_knob_percent() / (1.0 + room / queued(p))
+}
+
+/// Judges the turn of the knob from the lowest position in common use to its highest.
+pub(super) fn turned_up(line: &RibbonLine) -> Option<Judgement> {
+    let (p, least, highest) = (&line.p, lowest_turn(line), line.highest_knob_percent());
+    // A knob that ends below is no wider.
+    let limit = AtMost(LOW_KNOB.min(highest));
+    if least <= LOW_KNOB.min(highest) {
+        return ok(limit);
+    }
+    let laid = queued(p) * (highest / LOW_KNOB - 1.0);
+    let said = msg!(
+        "ribbon.knob-queue",
+        queued = (queued(p), 0),
+        low = (LOW_KNOB, 0),
+        high = (highest, 0),
+        laid = (laid, 0),
+        least = (least, 1)
+    );
+    warn(limit, [with_loop(said.into(), laid_so_far(line) + laid, Vec::new())])
+}
+
 /// A form with the dwell that matches it, and the change to it.
 fn with_matching_dwell(line: &RibbonLine, form: Params) -> (Params, Change) {
     let set = matching_dwell(line, &form);
@@ -265,7 +312,8 @@ pub(super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
 /// Judges the tension of a tight ribbon over the range of the knob: by the draw while the line runs, and by the ribbon that is missing
 /// after a start.
 pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
-    let (p, most) = (&line.p, line.d.tension_limit);
+    let p = &line.p;
+    let most = early_tension(line).map_or(line.d.tension_limit, |early| early.min(line.d.tension_limit));
     let limit = AtMost(most);
     let (drawn, started) = (line.worst(|d| d.draw_tension), line.worst(|d| d.start_tension));
     let mut advice = Vec::new();

@@ -18,6 +18,9 @@ use crate::view::{Limit, Verdict};
 /// Time (s) after a change in which the values are read.
 const SPAN: f64 = 10.0;
 
+/// The same after the knob went up from its lowest position: the blocks read ahead take their time at the old feed.
+const LONG_SPAN: f64 = 60.0;
+
 /// Time (s) from standstill to the next cycle start.
 const PAUSE: f64 = 1.0;
 
@@ -43,7 +46,7 @@ pub enum OperatingEvent {
     Start,
     /// From the first contact to the end of the program, and to standstill after it.
     Run,
-    /// The knob goes to either end.
+    /// The knob goes to either end, and from its lowest position back to that of the form.
     Knob,
     /// The knob is turned by one step, and back.
     SpeedChange,
@@ -186,14 +189,22 @@ struct Envelope<'a> {
 impl Envelope<'_> {
     /// The worst rows of an event over the positions of the knob.
     fn rows(&self, event: OperatingEvent) -> Vec<EnvelopeRow> {
-        // The knob starts at the form's position.
-        let turns = matches!(event, OperatingEvent::Knob | OperatingEvent::SpeedChange);
-        let runs = self.runs.all().filter(|whole| !turns || whole.knob.is_none());
+        // The knob is turned from the form's position, and up to it from the lowest one.
+        let runs = self.runs.all().filter(|whole| match event {
+            OperatingEvent::Knob => whole.knob.is_none_or(|percent| percent < self.present_position()),
+            OperatingEvent::SpeedChange => whole.knob.is_none(),
+            _ => true,
+        });
         worst(runs.map(|whole| {
             let mut rows = self.rows_of(event, whole);
             rows.iter_mut().for_each(|row| row.knob = whole.knob);
             rows
         }))
+    }
+
+    /// The form's position (%) of the knob.
+    fn present_position(&self) -> f64 {
+        self.prepared.panel().spindle_override.unwrap_or(100.0)
     }
 
     fn rows_of(&self, event: OperatingEvent, whole: &WholeRun) -> Vec<EnvelopeRow> {
@@ -217,15 +228,19 @@ impl Envelope<'_> {
             }
             OperatingEvent::Knob => {
                 let Some((low, high)) = self.runs.knob else { return Vec::new() };
-                let turn = |percent| vec![(at, Action::SpindleOverride(percent))];
-                worst([low, high].map(|percent| self.handled(event, whole, turn(percent))))
+                let turn =
+                    |percent, span| self.handled(event, whole, vec![(at, Action::SpindleOverride(percent))], span);
+                match whole.knob {
+                    None => worst([low, high].map(|percent| turn(percent, SPAN))),
+                    Some(_) => turn(self.present_position(), LONG_SPAN),
+                }
             }
             OperatingEvent::SpeedChange => {
                 let Some((low, high)) = self.runs.knob else { return Vec::new() };
-                let now = self.prepared.panel().spindle_override.unwrap_or(100.0);
+                let now = self.present_position();
                 let next = if now + TURN <= high { now + TURN } else { (now - TURN).max(low) };
                 let [there, back] = [next, now].map(Action::SpindleOverride);
-                self.handled(event, whole, vec![(at, there), (at + 0.5 * SPAN, back)])
+                self.handled(event, whole, vec![(at, there), (at + 0.5 * SPAN, back)], SPAN)
             }
             OperatingEvent::ProductChange => {
                 let Some(product) = self.product else { return Vec::new() };
@@ -233,7 +248,7 @@ impl Envelope<'_> {
                 let typed = |size: f64| Action::Variable(product.variable, Some((1000.0 * size).round() / 1000.0));
                 let change = |part: f64| {
                     let [other, present] = [part * product.size, product.size].map(typed);
-                    self.handled(event, whole, vec![(at, other), (at + 0.5 * SPAN, present)])
+                    self.handled(event, whole, vec![(at, other), (at + 0.5 * SPAN, present)], SPAN)
                 };
                 worst([1.0 - TENTH, 1.0 + TENTH].map(change))
             }
@@ -255,14 +270,20 @@ impl Envelope<'_> {
         }
     }
 
-    /// The run with the operator's actions at some times, read from the middle of the work on.
-    fn handled(&self, event: OperatingEvent, whole: &WholeRun, hand: Vec<(f64, Action)>) -> Vec<EnvelopeRow> {
+    /// The run with the operator's actions at some times, read for a time (s) from the middle of the work on.
+    fn handled(
+        &self,
+        event: OperatingEvent,
+        whole: &WholeRun,
+        hand: Vec<(f64, Action)>,
+        span: f64,
+    ) -> Vec<EnvelopeRow> {
         let at = whole.middle();
         let mut run = whole.run.branch(at);
         for (t, action) in hand {
             run.event(Event { t, action });
         }
-        let until = at + SPAN;
+        let until = at + span;
         let ended = plan(&mut run, until);
         let mut rows = self.read(event, &run, (at, until));
         rows.extend(alarm(event, ended.as_ref()));

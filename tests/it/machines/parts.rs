@@ -126,6 +126,6 @@ fn dancer_is_in_drawing_and_parts_list_where_it_is_chosen() {
         let scene = project.prepared().scene();
         assert_eq!(scene.nodes.iter().any(|node| node.field == "dancer"), chosen);
         assert_eq!(at("ribbon.part.dancer"), at("ribbon.part.loop").map(|at| at + 1).filter(|_| chosen));
-        assert_eq!(exported(&project, "report.md").contains("| Dancer | 500 mm |"), chosen);
+        assert_eq!(exported(&project, "report.md").contains("| Dancer | 600 mm |"), chosen);
     }
 }

@@ -10,8 +10,8 @@ use macroline::view::{Readout, Row, Verdict};
 use super::ribbon_controls::{ended, over_time, project};
 use super::ribbon_line::{controls, values};
 
-/// A line whose F every control takes, and whose print roller runs 100 mm for each pitch of 10 mm.
-const LINE: [(&str, &str); 7] = [
+/// A line whose F every control takes, whose print roller runs 100 mm for each pitch of 10 mm, and whose nip holds a taut ribbon.
+const LINE: [(&str, &str); 8] = [
     ("spindle-speed", "60"),
     ("speed-clamp", "60"),
     ("pitch", "10"),
@@ -19,6 +19,7 @@ const LINE: [(&str, &str); 7] = [
     ("print-roller-diameter", "127.324"),
     ("pitches-per-block", "10"),
     ("inverter-ramp", "0.1"),
+    ("pinch-force", "2000"),
 ];
 
 fn line(control: &str, more: &[(&str, &str)]) -> Project {

@@ -7,7 +7,7 @@ use macroline::project::run::{self, RunOptions};
 
 use super::ribbon_controls::{begun, ended, over_time, project};
 use super::ribbon_line::controls;
-use crate::asked::value;
+use crate::asked::{sized_without_envelope, value};
 
 /// An unwinder without slip, so that starts and stops alone fill and empty the loop.
 const EVEN: [(&str, &str); 2] = [("no-load-speed", "1480"), ("rated-load-speed", "1480")];
@@ -47,6 +47,7 @@ fn slipping() -> Project {
         ("ribbon-width", "50"),
         ("ribbon-thickness", "0.05"),
         ("tensile-strength", "150"),
+        ("pinch-force", "1000"),
         ("pitch-count", "5000"),
     ];
     project("mitsubishi-e60", &changes)
@@ -147,6 +148,40 @@ fn tight_ribbon_holds_the_run_at_its_tension_limit() {
     // An immediate cycle start is refused, and nothing moves.
     let (planner, end) = run(&project, &[(held + 0.01, Action::Start)]);
     assert_eq!((end, said(&planner).contains(&"motion.start-refused")), (RunEnd::Stop, true));
+}
+
+#[test]
+fn tension_switch_opens_before_the_nip_slips() {
+    let text = |force: &str| {
+        let sizing = sized_without_envelope(&project("mitsubishi-e60", &[("pinch-force", force)]));
+        let told = sizing.bill.iter().map(|row| row.model.clone()).find(|told| told.contains("limit of the tension"));
+        told.expect("a tension switch")
+    };
+    // Half of 0.4 · 100 N behind a ribbon without tension: the strength of 75 N is out of reach. 1000 N reach it.
+    assert!(text("100").ends_with("limit of the tension 20 N"), "{}", text("100"));
+    assert!(text("1000").ends_with("limit of the tension 75 N"), "{}", text("1000"));
+}
+
+#[test]
+fn start_under_override_0_waits_for_the_unwinder_too() {
+    let stiff = [
+        ("youngs-modulus", "4000"),
+        ("ribbon-width", "50"),
+        ("ribbon-thickness", "0.05"),
+        ("tensile-strength", "150"),
+        ("pinch-force", "1000"),
+    ];
+    for wait in ["dwell", "fin"] {
+        let project = line(&[&EVEN[..], &stiff, &[("wait", wait), ("loop-capacity", "2000")]].concat());
+        let usual = run(&project, &[]).0;
+        let (late, end) = run(&project, &[(0.0, Action::SpindleOverride(0.0)), (5.0, Action::SpindleOverride(100.0))]);
+        assert_eq!((end, said(&late)), (RunEnd::ProgramEnd, vec![]), "{wait}");
+        let least = |planner: &Planner<Interp>| {
+            let end = planner.timeline().end();
+            (0..=2000).map(|at| ribbon(planner, end * f64::from(at) / 2000.0).1).fold(f64::INFINITY, f64::min)
+        };
+        assert!((least(&late) - least(&usual)).abs() < 0.5, "{wait}: {} {}", least(&late), least(&usual));
+    }
 }
 
 #[test]

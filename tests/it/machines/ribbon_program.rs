@@ -515,7 +515,13 @@ fn line_keeps_its_speed_between_pitches() {
 fn slack_in_the_run_equals_the_design() {
     for (dwell, wait) in [("2", "dwell"), ("0.5", "dwell"), ("5", "dwell"), ("2", "fin")] {
         // Without slip: with it the slack grows while X waits, too.
-        let even = [("no-load-speed", "1480"), ("rated-load-speed", "1480"), ("loop-capacity", "2000")];
+        // The nip holds the ribbon that misses most.
+        let even = [
+            ("no-load-speed", "1480"),
+            ("rated-load-speed", "1480"),
+            ("loop-capacity", "2000"),
+            ("pinch-force", "2000"),
+        ];
         let values = values(&[&[("dwell", dwell), ("wait", wait)][..], &even].concat());
         let mut run = planned(&values, vec![]);
         run.advance(3600.0, 10_000_000);

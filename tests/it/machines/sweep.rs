@@ -34,7 +34,7 @@ const TOLD: &[(&str, &[&str])] = &[
     ("The gear is not in position", &["stage"]),
     // A contact of the machine holds the program. M5 waits for the slower axis, so that unequal time constants fill the loop.
     ("The loop is at its longest limit", &["loop-needed", "slack-rate", "slack-rate-rated", "register-error"]),
-    ("The ribbon is taut to its limit", &["tension", "slack-rate", "slack-rate-rated"]),
+    ("The ribbon is taut to its limit", &["tension", "nip-use", "slack-rate", "slack-rate-rated"]),
     ("The reel is at its end", &["reel-products"]),
 ];
 

@@ -229,6 +229,32 @@ fn loop_that_is_offered_holds_by_every_rule_too() {
 }
 
 #[test]
+fn knob_turned_up_overfills_the_loop_as_the_formula_says() {
+    // Blocks of four pitches: one runs, five are read ahead, and these 240 mm keep the feed of 10 % while the unwinder goes to 100 %.
+    let mut project = line();
+    for (field, value) in [("pitches-per-block", 4.0), ("loop-capacity", 100_000.0)] {
+        project.values.insert(field.to_owned(), Value::Number(value));
+    }
+    let highest = row(&sized(&project), OperatingEvent::Knob, "loop").value;
+    let queued = 6.0 * 4.0 * 10.0;
+    let wanted = queued * (100.0 / 10.0 - 1.0) + value(&project, "slack-start");
+    assert!((highest / wanted - 1.0).abs() < 0.1, "{highest} {wanted}");
+    // The result is the position from which the loop just holds.
+    project.values.insert("loop-capacity".to_owned(), Value::Number(700.0));
+    let from = value(&project, "knob-turn");
+    let top = 100.0 * 1480.0 / 1200.0;
+    let laid = value(&project, "slack-start").abs() + value(&project, "slack-run").abs();
+    assert!((queued * (top / from - 1.0) + laid - 700.0).abs() < 60.0, "{from}: {queued} {top} {laid}");
+    let row = |project: &Project| project.design().readouts.into_iter().find(|row| row.id == "knob-turn").unwrap();
+    assert_eq!(row(&project).verdict, Verdict::Ok);
+    project.values.insert("loop-capacity".to_owned(), Value::Number(300.0));
+    let judged = row(&project);
+    assert_eq!((judged.verdict, judged.advice.len()), (Verdict::Warn, 1));
+    let longer = project.with_entries(&judged.advice[0].sets).unwrap();
+    assert_eq!(row(&longer).verdict, Verdict::Ok);
+}
+
+#[test]
 fn loop_misses_at_most_the_stretch_at_the_tension_limit() {
     let mut project = line();
     assert!(sized(&project).envelope.iter().all(|row| row.id != "loop-least" || row.verdict == Verdict::Ok));
@@ -238,6 +264,7 @@ fn loop_misses_at_most_the_stretch_at_the_tension_limit() {
         ("ribbon-width", 50.0),
         ("ribbon-thickness", 0.05),
         ("tensile-strength", 150.0),
+        ("pinch-force", 1000.0),
         ("dwell", 0.3),
     ] {
         project.values.insert(field.to_owned(), Value::Number(value));
