@@ -4,10 +4,11 @@
 //! them, and the bits to and from the PMC, is ours.
 
 use super::path::{PassStep, SlideTarget};
-use super::resolved::{ALONG, CROSS, PolygonLathe};
+use super::resolved::PolygonLathe;
 use crate::controls::Address;
 use crate::controls::Code;
 use crate::controls::CodeId;
+use crate::machines::slides::{ALONG, CROSS};
 use crate::machines::writing;
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x, z};

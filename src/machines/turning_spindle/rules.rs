@@ -168,12 +168,12 @@ fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
 fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
     let clamp = match p.path {
-        Path::Facing => p.clamp_x,
-        Path::Turning => p.clamp_z,
+        Path::Facing => p.slides.x.clamp,
+        Path::Turning => p.slides.z.clamp,
         Path::Taper => {
             // Feed of X: its share of the path.
             let across = 0.5 * (p.large_diameter - p.finished_diameter).abs();
-            p.clamp_z.min(p.clamp_x * math::hypot(p.length, across) / across)
+            p.slides.z.clamp.min(p.slides.x.clamp * math::hypot(p.length, across) / across)
         }
     };
     if d.feed_top <= clamp {
@@ -248,7 +248,7 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     }
     let slower = (p.cutting_speed * rated / d.power).floor();
     // Friction keeps its power with less depth.
-    let friction = spindle_motor::power(p.spindle_friction, d.speed_largest.max(d.speed_smallest));
+    let friction = spindle_motor::power(p.spindle.friction, d.speed_largest.max(d.speed_smallest));
     let part = (rated - friction) / (d.power - friction);
     // Below base speed a slower cut needs the same torque, and the motor has no more.
     let turns_slower = d.speed_largest_cut * slower / p.cutting_speed;
@@ -323,7 +323,7 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
             let sets = gear.map(|(_, (id, _))| ("gear", (*id).to_owned()));
             Advice::from(message).setting(msg!("advice.set-stage", stage = f64::from(stage)), Vec::from_iter(sets))
         }
-        None => with_depth(lathe, (rated - p.spindle_friction) / (d.torque - p.spindle_friction), message),
+        None => with_depth(lathe, (rated - p.spindle.friction) / (d.torque - p.spindle.friction), message),
     };
     fail(AtMost(most), Vec::from_iter(cooled.into_iter().chain([advice])))
 }
