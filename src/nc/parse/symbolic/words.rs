@@ -300,7 +300,7 @@ impl Reader<'_> {
 
     /// Reads a formula; a constant one becomes a number.
     fn constant_or_formula(&mut self) -> Read<WordValue> {
-        let id = self.symbolic_formula(false)?;
+        let id = self.symbolic_formula()?;
         Ok(match self.deck.expr(id) {
             Expr::Number(number) => {
                 self.deck.exprs.pop();
