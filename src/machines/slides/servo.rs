@@ -164,7 +164,7 @@ impl ServoSlide {
 
     /// Torque (Nm) that the limits leave the motor for a short time at rapid traverse.
     pub(super) fn rapid_torque_limit(&self) -> f64 {
-        self.limits.peak * self.motor.most(self.rapid_speed())
+        self.limits.peak * self.motor.short_time_torque(self.rapid_speed())
     }
 
     /// Torque (Nm) that the limits leave the motor continuously at the low speed of a feed.
