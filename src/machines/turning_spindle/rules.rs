@@ -92,7 +92,7 @@ fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
     Some(Judgement { advice: vec![advice.into()], ..judgement? })
 }
 
-fn few(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
+fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     if volts.abs() >= FEW_VOLTS {
         return ok(None);
     }
@@ -116,11 +116,11 @@ fn with_best_stage(lathe: &TurningSpindle, message: Message) -> Advice {
 }
 
 fn few_volts(lathe: &TurningSpindle) -> Option<Judgement> {
-    few(lathe, lathe.d.volts_smallest)
+    judge_volts(lathe, lathe.d.volts_smallest)
 }
 
 fn few_volts_large(lathe: &TurningSpindle) -> Option<Judgement> {
-    few(lathe, lathe.d.volts_largest)
+    judge_volts(lathe, lathe.d.volts_largest)
 }
 
 fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -184,7 +184,7 @@ fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
 }
 
 /// Macro blocks between two passes.
-const BETWEEN: f64 = 5.0;
+const BLOCKS_BETWEEN_PASSES: f64 = 5.0;
 
 /// Blocks that are read while the cut lasts.
 fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -193,7 +193,7 @@ fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let keeps = lathe.surface() && lathe.rules().rapid == RapidSpeed::Kept;
     let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.high)).sum() } else { f64::INFINITY };
     let lasts = 1000.0 * (d.cutting_time / d.passes.max(1.0)).min(least);
-    let needed = p.block_time + BETWEEN * p.macro_time;
+    let needed = p.block_time + BLOCKS_BETWEEN_PASSES * p.macro_time;
     if lasts >= needed {
         return None;
     }
