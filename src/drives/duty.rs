@@ -264,7 +264,7 @@ impl Motion {
 
     /// The operating point with the largest fraction of the motor's short-time torque at its speed.
     pub fn worst_point(&self, motor: &Servo) -> OperatingPoint {
-        self.worst_point_under(motor.rotor, |_, speed| motor.most(speed))
+        self.worst_point_under(motor.rotor, |_, speed| motor.short_time_torque(speed))
     }
 
     /// The operating point with the largest fraction of the torque (Nm) that a drive gives at a speed in r/min, with a rotor in kg m². The

@@ -118,7 +118,7 @@ impl Servo {
     }
 
     /// Short-time torque in Nm at a speed in r/min: the peak torque up to rated speed, constant power above.
-    pub fn most(&self, speed: f64) -> f64 {
+    pub fn short_time_torque(&self, speed: f64) -> f64 {
         self.peak * (self.rated_speed / speed).min(1.0)
     }
 

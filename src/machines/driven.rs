@@ -58,8 +58,8 @@ pub struct Fitted {
 
 impl Fitted {
     /// Greatest torque (Nm) that its limits allow at a speed in r/min.
-    pub fn most(&self, speed: f64) -> f64 {
-        self.limits.peak * self.motor.most(speed)
+    pub fn torque_limit(&self, speed: f64) -> f64 {
+        self.limits.peak * self.motor.short_time_torque(speed)
     }
 }
 

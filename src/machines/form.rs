@@ -130,6 +130,23 @@ pub enum FieldKind<P: 'static> {
     },
 }
 
+// Derived, they would ask that the parameters are `Copy` too.
+impl<P> Clone for Field<P> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<P> Copy for Field<P> {}
+
+impl<P> Clone for FieldKind<P> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<P> Copy for FieldKind<P> {}
+
 /// A field without the type of its parameters, for pages and reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldInfo {

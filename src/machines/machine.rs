@@ -546,8 +546,8 @@ impl<M: Machine> AnyMachine for Erased<M> {
         let mut params = M::Params::default();
         defaults(M::fields(), &mut params);
         let invalid = fill(M::fields(), values, &mut params);
-        let (shown, hidden): (Vec<_>, Vec<_>) =
-            M::fields().iter().partition(|field| (field.shown)(&params, on.control));
+        let (shown, hidden) =
+            M::fields().iter().partition::<Vec<&Field<M::Params>>, _>(|field| (field.shown)(&params, on.control));
         let facts = shown.into_iter().filter(|field| field.role.is_fact()).map(|field| field.id).collect();
         let hidden = hidden.into_iter().map(|field| field.id).collect();
         let trial = Trial {

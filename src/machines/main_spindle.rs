@@ -1,13 +1,178 @@
-//! A main spindle on its inverter, for every lathe that has one: verdict of its ramp, fan, charts of torque and power over the speed.
+//! A main spindle on its inverter, for every lathe that has one: rows of the form, motor, verdict of its ramp, fan, charts over the speed.
 
 use super::devices::{AskedDevice, BillItem};
+use super::driven::SpindleRun;
 use super::form::Field;
+use super::form::rows::{Member, flag, number};
 use super::verdict::{Judgement, fail, maximum, ok, up, warn};
 use crate::drives::MainSpindle;
+use crate::drives::duty::{CutSpan, Motion};
+use crate::drives::inertia;
+use crate::drives::load::{Load, through_gear};
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::msg;
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Chart, Series};
+
+/// Motor, ramp of the inverter and friction of a main spindle. Units as in the form.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct SpindleDrive {
+    pub power: f64,
+    pub base: f64,
+    /// Speed at 10 V.
+    pub top: f64,
+    pub forced_cooling: bool,
+    pub peak: f64,
+    pub braking: f64,
+    pub rotor: f64,
+    pub friction: f64,
+    pub ramp: f64,
+}
+
+/// A gear stage of a main spindle: speed (r/min) of the spindle at 10 V, and efficiency of the gear, %.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SpindleGear {
+    pub speed_at_10v: f64,
+    pub efficiency: f64,
+}
+
+impl SpindleDrive {
+    /// Speed of the motor over that of the spindle.
+    pub(super) fn gear(&self, speed_at_10v: f64) -> f64 {
+        self.top / speed_at_10v
+    }
+
+    /// The motor at the spindle, by its data sheet.
+    pub(super) fn motor(&self, stage: SpindleGear) -> MotorCurve {
+        MotorCurve::new(self.power, stage.efficiency / 100.0, (self.base, self.top), stage.speed_at_10v)
+    }
+
+    /// Continuous curve of the motor at the spindle, derated for its site (`site_share`, %) and, without forced cooling, for a fan on its shaft.
+    pub(super) fn continuous(&self, stage: SpindleGear, site_share: f64) -> MotorCurve {
+        self.motor(stage).share(site_share / 100.0).with_shaft_fan(!self.forced_cooling)
+    }
+
+    /// Moment of inertia (kg m²) of the rotor at the spindle: `J_rotor (n_m / n10)²`. Source: sizing facts 2.1.
+    pub(super) fn rotor_at_spindle(&self, speed_at_10v: f64) -> f64 {
+        inertia::through_gear(self.rotor, speed_at_10v / self.top)
+    }
+
+    /// The spindle with its motor. `inertia`: moment of inertia (kg m²) of all that turns with it, without the rotor.
+    pub(super) fn main_spindle(&self, stage: SpindleGear, inertia: f64) -> MainSpindle {
+        let speed_at_10v = stage.speed_at_10v;
+        MainSpindle {
+            speed_at_10v,
+            ramp: self.ramp,
+            load_at_spindle: Load {
+                inertia: inertia + self.rotor_at_spindle(speed_at_10v),
+                torque: self.friction,
+                efficiency: 1.0,
+            },
+            motor: self.motor(stage),
+            peak: self.short_time(),
+        }
+    }
+
+    /// Short-time torque as a share of the rated one, in run-up and in braking.
+    fn short_time(&self) -> [f64; 2] {
+        [self.peak, self.braking].map(|percent| percent / 100.0)
+    }
+
+    /// An inertia (kg m²) at the spindle as the motor has it at its shaft, against the friction of the spindle.
+    pub(super) fn load_at_motor(&self, stage: SpindleGear, inertia: f64) -> Load {
+        let (gear, efficiency) = (self.gear(stage.speed_at_10v), stage.efficiency / 100.0);
+        Load {
+            inertia: inertia::through_gear(inertia, gear),
+            torque: through_gear(self.friction, gear, efficiency),
+            efficiency,
+        }
+    }
+
+    /// The motor in a part of a run, at its shaft.
+    pub(super) fn run(&self, name: &'static str, idle: Motion, cuts: Vec<CutSpan>) -> SpindleRun {
+        SpindleRun {
+            name,
+            motion: idle.clone().with_cuts(cuts),
+            idle,
+            rotor: self.rotor,
+            motor: MotorCurve::at_shaft(self.power, self.base),
+            peak: self.short_time(),
+        }
+    }
+}
+
+/// A field for the rated power of a motor.
+pub(super) const fn power<P>(
+    id: &'static str,
+    label: &'static str,
+    help: &'static str,
+    member: Member<P, f64>,
+) -> Field<P> {
+    let row = number(id, member).label(label).help(help).symbol("P");
+    row.unit("kW").range(0.01..=1000.0).default(7.5).decimals(2).step(0.5).fact()
+}
+
+/// A field for the speed up to which a motor has its rated torque.
+pub(super) const fn base_speed<P>(
+    id: &'static str,
+    label: &'static str,
+    help: &'static str,
+    member: Member<P, f64>,
+) -> Field<P> {
+    let row = number(id, member).label(label).help(help).symbol("n b");
+    row.unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact()
+}
+
+/// A field for the speed of a motor at 10 V.
+pub(super) const fn top_speed<P>(
+    id: &'static str,
+    label: &'static str,
+    help: &'static str,
+    default: f64,
+    member: Member<P, f64>,
+) -> Field<P> {
+    let row = number(id, member).label(label).help(help).symbol("n m");
+    row.unit("r/min").range(1.0..=60000.0).default(default).decimals(0).step(100.0).fact()
+}
+
+/// A field for the forced cooling of a motor.
+pub(super) const fn forced_cooling<P>(id: &'static str, label: &'static str, member: Member<P, bool>) -> Field<P> {
+    flag(id, member).label(label).help("lathe.motor-forced-cooling.help").fact()
+}
+
+/// A field for the short-time torque of a motor.
+pub(super) const fn peak<P>(id: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
+    let row = number(id, member).label(label).help("lathe.motor-peak.help");
+    row.unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact()
+}
+
+/// A field for the torque with which a motor brakes.
+pub(super) const fn braking<P>(id: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
+    let row = number(id, member).label(label).help("lathe.motor-braking.help");
+    row.unit("%").range(1.0..=600.0).default(150.0).decimals(0).step(10.0).fact()
+}
+
+/// A field for the moment of inertia of a rotor.
+pub(super) const fn rotor<P>(
+    id: &'static str,
+    label: &'static str,
+    help: &'static str,
+    member: Member<P, f64>,
+) -> Field<P> {
+    let row = number(id, member).label(label).help(help);
+    row.unit("kg m²").range(0.0..=1000.0).default(0.03).decimals(4).step(0.001).fact()
+}
+
+/// A field for the friction of a spindle.
+pub(super) const fn friction<P>(
+    id: &'static str,
+    label: &'static str,
+    help: &'static str,
+    member: Member<P, f64>,
+) -> Field<P> {
+    let row = number(id, member).label(label).help(help);
+    row.unit("Nm").range(0.01..=10000.0).default(2.0).decimals(2).step(0.1).fact()
+}
 
 /// The ramp of the form, its field `id`, against the shortest one to a highest speed of the program in r/min: a warning where it is long enough
 /// for that speed and not for the one at the highest position of the override knob, given with its percentage.

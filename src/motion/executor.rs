@@ -144,7 +144,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             // No motion: a position or message is recorded, or the command has acted when it was read.
             Canon::Preset { .. } => self.s.path.reference = Some(self.s.path.position),
             Canon::PathMode { .. } => {}
-            Canon::Show { text } => self.out.timeline.show_message(t, &text, false),
+            Canon::Show { text } => self.out.timeline.show_message(t, &text),
             Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. } => {}
             Canon::OptionalStop if !self.s.operator.knobs.optional_stop => {}
             _ => {
@@ -186,11 +186,11 @@ impl<P: RunningProgram> Sim<'_, P> {
             Canon::DwellTurns { turns } => self.s.exec = Exec::Counting(self.turns(t), turns.max(0.0)),
             Canon::Stop | Canon::OptionalStop => self.s.exec = Exec::Stopped,
             Canon::Message { text } => {
-                self.out.timeline.show_message(t, &text, true);
+                self.out.timeline.show_message_until_start(t, &text);
                 self.s.exec = Exec::Stopped;
             }
             Canon::End => {
-                self.out.timeline.show_message(t, "", false);
+                self.out.timeline.clear_message(t);
                 self.s.exec = Exec::Finished;
                 if self.plant.spindle.rules.end_stops {
                     (self.s.spindle.speed, self.s.spindle.direction) = (0.0, 0);

@@ -38,11 +38,12 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.begin(t, motion);
     }
 
-    /// Whether a movement ends deeper in the work than it began without rotation: the spindle and the PMC axes are at rest, and the spindle
-    /// is not positioned for a driven tool.
+    /// Whether a movement ends deeper in the work than it began without rotation: the spindle is off, or at speed 0 under a feed per minute, the
+    /// PMC axes are at rest, and the spindle is not positioned for a driven tool.
     fn feeds_without_rotation(&self, motion: &ActiveMove) -> bool {
         let turning = &self.s.spindle;
-        let turns = turning.direction != 0
+        let per_minute = matches!(motion.pace, Pace::Feed(Feed::PerMinute(_)));
+        let turns = turning.direction != 0 && !(per_minute && self.s.plc.io.spindle_command == 0.0)
             || turning.orienting.is_some()
             || self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let along = |letter: Address| {

@@ -174,7 +174,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
         }
         self.clear();
-        self.out.timeline.show_message(t, "", false);
+        self.out.timeline.clear_message(t);
         let emergency = matches!(then, Exec::Emergency(_));
         if emergency || self.orients() {
             self.s.spindle.orienting = None;

@@ -170,8 +170,23 @@ impl Timeline {
         self.messages.at(t).map(|message| &*message.text).filter(|text| !text.is_empty())
     }
 
-    /// Shows a message from `t` on; an empty text clears the last one. Repeating the shown message adds no entry.
-    pub(super) fn show_message(&mut self, t: f64, text: &str, until_start: bool) {
+    /// Shows a message from `t` on, until another one.
+    pub(super) fn show_message(&mut self, t: f64, text: &str) {
+        self.change_message(t, text, false);
+    }
+
+    /// Shows a message from `t` on, until another one or cycle start.
+    pub(super) fn show_message_until_start(&mut self, t: f64, text: &str) {
+        self.change_message(t, text, true);
+    }
+
+    /// Clears the message at `t`.
+    pub(super) fn clear_message(&mut self, t: f64) {
+        self.change_message(t, "", false);
+    }
+
+    /// Repeating the shown message adds no entry.
+    fn change_message(&mut self, t: f64, text: &str, until_start: bool) {
         if self.messages.last().map_or("", |last| &*last.text) != text {
             self.messages.put(MessageChange { t, text: text.into(), until_start });
         }
@@ -180,7 +195,7 @@ impl Timeline {
     /// Clears a message that waits for cycle start.
     pub(super) fn started(&mut self, t: f64) {
         if self.messages.last().is_some_and(|last| last.until_start) {
-            self.show_message(t, "", false);
+            self.clear_message(t);
         }
     }
 

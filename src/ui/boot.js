@@ -56,12 +56,16 @@ if (kept('project') || location.hash || root.lang !== languages[0] || root.datas
 // wait for the page, which finds places for them, and so do names in such a drawing. The drawing is not laid out before its scale is known
 // (`#still` in `app.css`): all its labels would be twice.
 const drawing = still.querySelector('.scene');
+// Ratio of the drawing's units per pixel to those its labels are laid out for, above which it becomes wider than its room, and height in pixels
+// of the strip over it then: the same two as in `machine/scene_view.rs`, held by a test.
+const CROWDED = 1.35;
+const STRIP = 40;
 if (drawing) {
   const stage = drawing.parentElement;
   const { width, height } = drawing.viewBox.baseVal;
   const laidOut = Number(drawing.dataset.unit);
   const across = width / stage.clientWidth;
-  const pans = across > 1.35 * laidOut && across > height / Math.max(stage.clientHeight - 40, 1);
+  const pans = across > CROWDED * laidOut && across > height / Math.max(stage.clientHeight - STRIP, 1);
   stage.classList.toggle('pans', pans);
   const room = stage.getBoundingClientRect();
   const unit = Math.max(height / room.height, pans ? laidOut : width / room.width);

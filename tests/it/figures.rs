@@ -215,7 +215,7 @@ proptest! {
             ("spindle-speed", f64::from(speed)), ("reduction-ratio", round(ratio)), ("press-roller-diameter", press), ("pitch", pitch),
             ("heads", f64::from(heads)), ("print-roller-diameter", roller), ("pitch-count", f64::from(count)),
             ("pitches-per-block", f64::from(per_block)), ("override", f64::from(percent)),
-            ("clamp-x", 1e6), ("clamp-y", 1e6), ("rapid-x", 1e6), ("rapid-y", 1e6), ("loop-capacity", 1e5),
+            ("clamp-x", 1e6), ("clamp-y", 1e6), ("rapid-x", 1e6), ("rapid-y", 1e6), ("loop-capacity", 1e5), ("pinch-force", 2000.0),
         ]);
         choose(&mut project, "y-unit", if degrees { "degrees" } else { "mm" });
         // A reduction ratio that keeps F within the range of the control.

@@ -6,6 +6,7 @@ mod imports;
 mod links;
 mod lists;
 mod methods;
+mod numbers_of_the_page;
 mod source;
 mod test_names;
 mod views;

@@ -7,7 +7,7 @@ use super::base::fanuc::series_0i_f;
 use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
 use super::interface::PlcLanguage;
-use super::schema::control::axis;
+use super::schema::control::{linear_axis, rotary_axis};
 use super::{Address, AddressSet, AnalogOutput, AxisScaling, Control, Limits, SpindleRules, Syntax};
 use rows::MEMORY;
 
@@ -24,10 +24,10 @@ pub static CONTROL: Control = Control {
     },
     macros: series_0i_f::MACROS,
     axes: &[
-        axis(Address::X, false, MEMORY),
-        axis(Address::Y, false, MEMORY),
-        axis(Address::Z, false, MEMORY),
-        axis(Address::A, true, MEMORY),
+        linear_axis(Address::X, MEMORY),
+        linear_axis(Address::Y, MEMORY),
+        linear_axis(Address::Z, MEMORY),
+        rotary_axis(Address::A, MEMORY),
     ],
     startup: &g_codes([0, 17, 21, 40, 54, 64, 67, 80, 90, 94, 97]),
     limits: Limits { cite: MEMORY, ..series_0i_f::LIMITS },

@@ -14,7 +14,7 @@ use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
 use super::interface::PlcLanguage;
 use super::macros::CodeCalls;
-use super::schema::control::axis;
+use super::schema::control::{linear_axis, rotary_axis};
 use super::schema::table::joined;
 use super::syntax::{ArcTangent, Function};
 use super::{AnalogOutput, AxisScaling, Control, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing};
@@ -65,10 +65,10 @@ pub static CONTROL: Control = Control {
         ..fanuc::MACROS
     },
     axes: &[
-        axis(Address::X, false, PAPER),
-        axis(Address::Y, false, PAPER),
-        axis(Address::Z, false, MEMORY),
-        axis(Address::A, true, MEMORY),
+        linear_axis(Address::X, PAPER),
+        linear_axis(Address::Y, PAPER),
+        linear_axis(Address::Z, MEMORY),
+        rotary_axis(Address::A, MEMORY),
     ],
     startup: &g_codes([1, 17, 21, 54, 64, 67, 80, 90, 94, 97]),
     limits: Limits {

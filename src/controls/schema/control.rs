@@ -71,9 +71,14 @@ pub struct AxisDef {
     pub cite: Citation,
 }
 
-/// A row of an axis whose words count its travel.
-pub(in crate::controls) const fn axis(letter: Address, rotary: bool, cite: Citation) -> AxisDef {
-    AxisDef { letter, rotary, incremental: None, diameter: false, cite }
+/// A row of a linear axis whose words count its travel.
+pub(in crate::controls) const fn linear_axis(letter: Address, cite: Citation) -> AxisDef {
+    AxisDef { letter, rotary: false, incremental: None, diameter: false, cite }
+}
+
+/// A row of a rotary axis.
+pub(in crate::controls) const fn rotary_axis(letter: Address, cite: Citation) -> AxisDef {
+    AxisDef { rotary: true, ..linear_axis(letter, cite) }
 }
 
 impl Control {

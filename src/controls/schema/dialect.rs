@@ -144,6 +144,13 @@ pub(crate) struct RunningRules {
     pub(crate) user_alarm_base: Option<u32>,
 }
 
+/// Whether a switch of two options is set to this one; `None` where the control has no such switch. A switch with a third option needs a
+/// `match` that gives the effect of each, so that here it does not compile.
+fn is_set_to<C: SwitchChoice>(setting: Option<C>, option: C) -> Option<bool> {
+    const { assert!(C::COUNT == 2, "a switch of two options") };
+    setting.map(|setting| setting == option)
+}
+
 impl Dialect {
     /// Resolves the rows of a control and the switch settings.
     pub fn resolve(control: &Control, switches: &Switches) -> Dialect {
@@ -167,10 +174,7 @@ impl Dialect {
             calls: calls(control, &call_parts.iter().filter_map(|part| part.1).collect::<Vec<_>>()),
             call_parts,
             inputs_moved: set.macro_input_base.map_or(0, |base| base.register() - input_rows(control)),
-            pmc_override: match set.pmc_override {
-                Some(PmcOverride::Acts) => true,
-                Some(PmcOverride::ActsNot) | None => false,
-            },
+            pmc_override: is_set_to(set.pmc_override, PmcOverride::Acts).unwrap_or(false),
             unread,
         }
     }
@@ -227,10 +231,7 @@ impl ReadingRules {
     fn new(control: &Control, set: &Settings) -> ReadingRules {
         let syntax = &control.syntax;
         ReadingRules {
-            characters: match set.comment_characters {
-                Some(characters) => characters,
-                None => CommentCharacters::Ascii,
-            },
+            characters: set.comment_characters.unwrap_or(CommentCharacters::Ascii),
             block_chars: match set.block_length {
                 Some(BlockLength::Chars200) => 200,
                 Some(BlockLength::Chars512) => 512,
@@ -246,30 +247,12 @@ impl ReadingRules {
                 Some(NumberDigits::Eight) => 8,
                 None => DIGITS,
             },
-            number_jumps: match set.block_number_jumps {
-                Some(BlockNumberJumps::Yes) => true,
-                Some(BlockNumberJumps::No) | None => false,
-            },
-            variable_point: match set.point_after_variable {
-                Some(PointAfterVariable::Ignored) => true,
-                Some(PointAfterVariable::Alarm) | None => false,
-            },
-            assignments: match set.assignments {
-                Some(Assignments::Several) => true,
-                Some(Assignments::One) | None => false,
-            },
-            if_then: match set.if_then {
-                Some(IfThen::Read) => true,
-                Some(IfThen::Alarm) | None => syntax.if_then,
-            },
-            modulo: match set.modulo {
-                Some(Modulo::Read) => true,
-                Some(Modulo::Alarm) | None => syntax.modulo,
-            },
-            enclosed: match set.word_formula {
-                Some(WordFormula::InBrackets) => true,
-                Some(WordFormula::AsIs) | None => false,
-            },
+            number_jumps: is_set_to(set.block_number_jumps, BlockNumberJumps::Yes).unwrap_or(false),
+            variable_point: is_set_to(set.point_after_variable, PointAfterVariable::Ignored).unwrap_or(false),
+            assignments: is_set_to(set.assignments, Assignments::Several).unwrap_or(false),
+            if_then: syntax.if_then || is_set_to(set.if_then, IfThen::Read).unwrap_or(false),
+            modulo: syntax.modulo || is_set_to(set.modulo, Modulo::Read).unwrap_or(false),
+            enclosed: is_set_to(set.word_formula, WordFormula::InBrackets).unwrap_or(false),
             fitted: match (set.common_variables, set.r_parameters) {
                 (Some(CommonVariables::Sets100), _) => &[(100, 149), (500, 549)],
                 (Some(CommonVariables::Sets200), _) => &[(100, 199), (500, 599)],
@@ -296,35 +279,13 @@ impl NumberRules {
             Some(AngleRange::AtanHalfTurnAsinAroundHalfTurn) => (false, AsinRange::AroundHalfTurn),
         };
         NumberRules {
-            whole_units: match set.decimal_point {
-                Some(DecimalPoint::Millimetres) => true,
-                Some(DecimalPoint::Increments) | None => false,
-            },
-            argument_increments: match set.argument_point {
-                Some(ArgumentPoint::Increments) => true,
-                Some(ArgumentPoint::AsWritten) | None => false,
-            },
-            offset_increments: match set.offset_values {
-                Some(OffsetValues::Increments) => true,
-                Some(OffsetValues::AsWritten) | None => false,
-            },
-            round_to_step: match set.round_in_word {
-                Some(RoundInWord::AddressStep) => true,
-                Some(RoundInWord::WholeNumber) | None => false,
-            },
-            round_speed: match set.spindle_word {
-                Some(SpindleWord::Round) => true,
-                Some(SpindleWord::Truncate) => false,
-                None => control.macros.round_words,
-            },
-            surface_feet: match set.surface_speed_in_inch {
-                Some(SurfaceSpeedInInch::FeetPerMinute) => true,
-                Some(SurfaceSpeedInInch::MetresPerMinute) | None => false,
-            },
-            fine_lead: match set.thread_e {
-                Some(ThreadE::Lead) => true,
-                Some(ThreadE::ThreadsPerInch) | None => false,
-            },
+            whole_units: is_set_to(set.decimal_point, DecimalPoint::Millimetres).unwrap_or(false),
+            argument_increments: is_set_to(set.argument_point, ArgumentPoint::Increments).unwrap_or(false),
+            offset_increments: is_set_to(set.offset_values, OffsetValues::Increments).unwrap_or(false),
+            round_to_step: is_set_to(set.round_in_word, RoundInWord::AddressStep).unwrap_or(false),
+            round_speed: is_set_to(set.spindle_word, SpindleWord::Round).unwrap_or(control.macros.round_words),
+            surface_feet: is_set_to(set.surface_speed_in_inch, SurfaceSpeedInInch::FeetPerMinute).unwrap_or(false),
+            fine_lead: is_set_to(set.thread_e, ThreadE::Lead).unwrap_or(false),
             atan_turn,
             asin,
         }
@@ -339,42 +300,21 @@ impl RunningRules {
             Some(MCodes::Alarm) => (control.limits.m_codes, true),
         };
         RunningRules {
-            feed_zero_rapid: match set.feed_zero {
-                Some(FeedZero::Rapid) => true,
-                Some(FeedZero::Alarm) | None => false,
-            },
-            suppress_override: match set.override_suppression {
-                Some(OverrideSuppression::Yes) | None => true,
-                Some(OverrideSuppression::No) => false,
-            },
-            keep_locals: match set.locals_of_calls {
-                Some(LocalsOfCalls::Kept) => true,
-                Some(LocalsOfCalls::Vacant) | None => false,
-            },
-            clear_common: match set.common_at_reset {
-                Some(CommonAtReset::Vacant) => true,
-                Some(CommonAtReset::Kept) | None => false,
-            },
-            helix_by_arc: match set.helix_feed {
-                Some(HelixFeed::Arc) => true,
-                Some(HelixFeed::Path) | None => false,
-            },
+            feed_zero_rapid: is_set_to(set.feed_zero, FeedZero::Rapid).unwrap_or(false),
+            suppress_override: is_set_to(set.override_suppression, OverrideSuppression::Yes).unwrap_or(true),
+            keep_locals: is_set_to(set.locals_of_calls, LocalsOfCalls::Kept).unwrap_or(false),
+            clear_common: is_set_to(set.common_at_reset, CommonAtReset::Vacant).unwrap_or(false),
+            helix_by_arc: is_set_to(set.helix_feed, HelixFeed::Arc).unwrap_or(false),
             m_codes,
             m_alarm,
-            area: match set.working_area {
-                Some(WorkingArea::Limit) | None => true,
-                Some(WorkingArea::NoLimit) => false,
-            },
+            area: is_set_to(set.working_area, WorkingArea::Limit).unwrap_or(true),
             range: match set.coordinate_range {
                 Some(CoordinateRange::Program) => Some(CoordinateFrame::Program),
                 Some(CoordinateRange::Machine) => Some(CoordinateFrame::Machine),
                 Some(CoordinateRange::NoAlarm) | None => None,
             },
-            ends_return: match set.end_in_subprogram {
-                Some(EndInSubprogram::Return) => true,
-                Some(EndInSubprogram::EndProgram) => false,
-                None => control.macros.ends_return,
-            },
+            ends_return: is_set_to(set.end_in_subprogram, EndInSubprogram::Return)
+                .unwrap_or(control.macros.ends_return),
             // The switch counts the main program as one level.
             sub_depth: match set.subprogram_levels {
                 Some(SubprogramLevels::Eight) => 7,
@@ -460,87 +400,33 @@ fn spindle(row: SpindleRules, set: &Settings, unread: &mut Vec<(&'static str, St
             Some(SpeedReached::NoWait) => None,
             None => row.reached,
         },
-        volts_stay: match set.volts_at_stop {
-            Some(VoltsAtStop::Kept) => true,
-            Some(VoltsAtStop::Off) => false,
-            None => row.volts_stay,
-        },
-        emergency_clears: match set.volts_at_emergency_stop {
-            Some(VoltsAtEmergencyStop::Off) => true,
-            Some(VoltsAtEmergencyStop::Kept) => false,
-            None => row.emergency_clears,
-        },
-        stop_last: match set.m5_timing {
-            Some(M5Timing::End) => true,
-            Some(M5Timing::Before) => false,
-            None => row.stop_last,
-        },
-        surface_limit_stays: match set.limit_in_g97 {
-            Some(LimitInG97::Yes) => true,
-            Some(LimitInG97::No) => false,
-            None => row.surface_limit_stays,
-        },
-        surface_at_once: match set.g96_at_once {
-            Some(G96AtOnce::Yes) => true,
-            Some(G96AtOnce::No) => false,
-            None => row.surface_at_once,
-        },
+        volts_stay: is_set_to(set.volts_at_stop, VoltsAtStop::Kept).unwrap_or(row.volts_stay),
+        emergency_clears: is_set_to(set.volts_at_emergency_stop, VoltsAtEmergencyStop::Off)
+            .unwrap_or(row.emergency_clears),
+        stop_last: is_set_to(set.m5_timing, M5Timing::End).unwrap_or(row.stop_last),
+        surface_limit_stays: is_set_to(set.limit_in_g97, LimitInG97::Yes).unwrap_or(row.surface_limit_stays),
+        surface_at_once: is_set_to(set.g96_at_once, G96AtOnce::Yes).unwrap_or(row.surface_at_once),
         rapid: rapid_speed(row.rapid, set),
-        offset_at_rest: match set.offset_at_rest {
-            Some(OffsetAtRest::PutOut) => true,
-            Some(OffsetAtRest::Off) => false,
-            None => row.offset_at_rest,
-        },
+        offset_at_rest: is_set_to(set.offset_at_rest, OffsetAtRest::PutOut).unwrap_or(row.offset_at_rest),
         small_offset: match set.small_offset {
             Some(SmallOffset::Tenth) => 0.1,
             Some(SmallOffset::Half) => 0.5,
             Some(SmallOffset::Nothing) => 0.0,
             None => row.small_offset,
         },
-        override_last: match set.override_order {
-            Some(OverrideOrder::AfterLimits) => true,
-            Some(OverrideOrder::BeforeLimits) => false,
-            None => row.override_last,
-        },
-        last_speed_back: match set.feed_code_without_s {
-            Some(FeedCodeWithoutS::LastProgrammed) => true,
-            Some(FeedCodeWithoutS::Hold) => false,
-            None => row.last_speed_back,
-        },
-        angle_wraps: match set.spos_out_of_range {
-            Some(SposOutOfRange::Modulo) => true,
-            Some(SposOutOfRange::Alarm) => false,
-            None => row.angle_wraps,
-        },
-        turns_through_reset: match set.spindle_at_reset {
-            Some(SpindleAtReset::Turns) => true,
-            Some(SpindleAtReset::Stops) => false,
-            None => row.turns_through_reset,
-        },
-        stop_between: match set.reversal {
-            Some(Reversal::Alarm) => true,
-            Some(Reversal::TurnsBack) => false,
-            None => row.stop_between,
-        },
+        override_last: is_set_to(set.override_order, OverrideOrder::AfterLimits).unwrap_or(row.override_last),
+        last_speed_back: is_set_to(set.feed_code_without_s, FeedCodeWithoutS::LastProgrammed)
+            .unwrap_or(row.last_speed_back),
+        angle_wraps: is_set_to(set.spos_out_of_range, SposOutOfRange::Modulo).unwrap_or(row.angle_wraps),
+        turns_through_reset: is_set_to(set.spindle_at_reset, SpindleAtReset::Turns).unwrap_or(row.turns_through_reset),
+        stop_between: is_set_to(set.reversal, Reversal::Alarm).unwrap_or(row.stop_between),
         knob: match set.spindle_knob {
             Some(SpindleKnob::From50To120) => PANEL,
             Some(SpindleKnob::From0To200) | None => row.knob,
         },
-        lower_wins: match set.crossed_limits {
-            Some(CrossedLimits::LowerHolds) => true,
-            Some(CrossedLimits::UpperHolds) => false,
-            None => row.lower_wins,
-        },
-        end_stops: match set.spindle_at_end {
-            Some(SpindleAtEnd::Stops) => true,
-            Some(SpindleAtEnd::Turns) => false,
-            None => row.end_stops,
-        },
-        manual_in_automatic: match set.manual_s {
-            Some(ManualS::Taken) => true,
-            Some(ManualS::Refused) => false,
-            None => row.manual_in_automatic,
-        },
+        lower_wins: is_set_to(set.crossed_limits, CrossedLimits::LowerHolds).unwrap_or(row.lower_wins),
+        end_stops: is_set_to(set.spindle_at_end, SpindleAtEnd::Stops).unwrap_or(row.end_stops),
+        manual_in_automatic: is_set_to(set.manual_s, ManualS::Taken).unwrap_or(row.manual_in_automatic),
         lock: m_code(SpindleLock::ID, set.spindle_lock, unread).or(row.lock),
         driven_tool: m_code(DrivenTool::ID, set.driven_tool, unread).or(row.driven_tool),
         ..row

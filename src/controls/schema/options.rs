@@ -14,6 +14,9 @@ pub trait SwitchChoice: Copy + PartialEq + 'static {
     /// Id of the switch.
     const SWITCH: &'static str;
 
+    /// Number of its options.
+    const COUNT: usize;
+
     /// Id and label of the option.
     fn option(self) -> SwitchOption;
 }
@@ -45,6 +48,8 @@ macro_rules! switches {
 
             impl SwitchChoice for $kind {
                 const SWITCH: &'static str = $id;
+
+                const COUNT: usize = [$( $name ),+].len();
 
                 fn option(self) -> SwitchOption {
                     match self {

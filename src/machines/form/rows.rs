@@ -19,20 +19,14 @@ pub type TextMember<P> = (fn(&P) -> &str, fn(&mut P, String));
 /// The member that a row fills: `member!(Params.feed)`, of a choice with its type: `member!(Params.path: Path)`, of a text with `&`.
 #[macro_export]
 macro_rules! member {
-    ($params:ident.$part:ident.$member:ident) => {
-        (|p: &$params| p.$part.$member, |p: &mut $params, value| p.$part.$member = value)
-    };
-    (&$params:ident.$part:ident.$member:ident) => {
-        (|p: &$params| p.$part.$member.as_str(), |p: &mut $params, text| p.$part.$member = text)
-    };
-    ($params:ident.$member:ident) => {
-        (|p: &$params| p.$member, |p: &mut $params, value| p.$member = value)
+    ($params:ident$(.$member:ident)+) => {
+        (|p: &$params| p$(.$member)+, |p: &mut $params, value| p$(.$member)+ = value)
     };
     ($params:ident.$member:ident: $choice:ident) => {
         ($choice::OPTIONS, (|p: &$params| p.$member as usize, |p: &mut $params, at| p.$member = $choice::at(at)))
     };
-    (&$params:ident.$member:ident) => {
-        (|p: &$params| p.$member.as_str(), |p: &mut $params, text| p.$member = text)
+    (&$params:ident$(.$member:ident)+) => {
+        (|p: &$params| p$(.$member)+.as_str(), |p: &mut $params, text| p$(.$member)+ = text)
     };
 }
 
@@ -99,6 +93,32 @@ pub const fn text<P>(id: &'static str, (get, set): TextMember<P>) -> Field<P> {
 /// Shown with all parameters on all controls.
 fn always<P>(_: &P, _: &Control) -> bool {
     true
+}
+
+/// Number of rows in all lists.
+pub const fn count<P>(lists: &[&[Field<P>]]) -> usize {
+    let (mut count, mut list) = (0, 0);
+    while list < lists.len() {
+        count += lists[list].len();
+        list += 1;
+    }
+    count
+}
+
+/// The rows of all lists as one, in their order; `N` is their [`count`].
+pub const fn joined<P, const N: usize>(lists: &[&[Field<P>]]) -> [Field<P>; N] {
+    let mut rows = [const { Field::new("", FieldKind::Text { max: 0, get: |_| "", set: |_, _| () }) }; N];
+    let (mut count, mut list) = (0, 0);
+    while list < lists.len() {
+        let mut row = 0;
+        while row < lists[list].len() {
+            rows[count] = lists[list][row];
+            count += 1;
+            row += 1;
+        }
+        list += 1;
+    }
+    rows
 }
 
 impl<P> Field<P> {

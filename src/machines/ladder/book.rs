@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    Bit, Branches, DECODED, Device, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcSide, Rung,
-    RungAction, off, on,
+    Bit, Branches, DECODED, Device, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcSide, PlcWidth,
+    Rung, RungAction, off, on,
 };
 use crate::controls::interface::{PlcLanguage, SignalRole};
 use crate::controls::{Control, Dialect, VarKind};
@@ -17,6 +17,29 @@ const ALWAYS: Bit = Bit::Relay("always");
 
 /// Signals or numbers with their devices.
 type Carried<T> = Vec<(T, Device)>;
+
+/// Source of a signal or a number.
+#[derive(Debug, Clone, Copy)]
+enum Driver {
+    /// A rung of the ladder.
+    Ladder,
+    /// The machine, the control, its program or a block of its maker.
+    Other,
+}
+
+impl Driver {
+    fn of<T: Ord>(driven: &BTreeSet<T>, carried: &T) -> Driver {
+        if driven.contains(carried) { Driver::Ladder } else { Driver::Other }
+    }
+
+    /// Sides between which a signal goes, from its source on, where the ladder shares it with this one.
+    fn sides(self, other: PlcSide) -> (PlcSide, PlcSide) {
+        match self {
+            Driver::Ladder => (PlcSide::Plc, other),
+            Driver::Other => (other, PlcSide::Plc),
+        }
+    }
+}
 
 /// A ladder while it is written.
 #[derive(Debug)]
@@ -78,17 +101,23 @@ impl<'a> Book<'a> {
 
     /// Copies a number while the condition holds.
     pub fn copy(&mut self, from: PlcNumber, to: PlcNumber, when: Branches, note: &'static str) {
-        self.rung(when, RungAction::Move { from, to, double: false }, note);
+        self.rung(when, RungAction::Move { from, to, width: PlcWidth::Word }, note);
     }
 
     /// Copies a number of two registers.
     pub fn copy_double(&mut self, from: PlcNumber, to: PlcNumber, when: Branches, note: &'static str) {
-        self.rung(when, RungAction::Move { from, to, double: true }, note);
+        self.rung(when, RungAction::Move { from, to, width: PlcWidth::DoubleWord }, note);
     }
 
     /// Computes a number in every scan.
-    pub fn compute(&mut self, operator: Operator, [left, right, to]: [PlcNumber; 3], double: bool, note: &'static str) {
-        self.rung(Book::always(), RungAction::Compute { operator, left, right, to, double }, note);
+    pub fn compute(
+        &mut self,
+        operator: Operator,
+        [left, right, to]: [PlcNumber; 3],
+        width: PlcWidth,
+        note: &'static str,
+    ) {
+        self.rung(Book::always(), RungAction::Compute { operator, left, right, to, width }, note);
     }
 
     /// The signal of an M function: the control's own, or the decoded number while the strobe is on.
@@ -129,7 +158,7 @@ impl<'a> Book<'a> {
         let words: BTreeSet<PlcNumber> = rungs.iter().flat_map(Rung::read).chain(written.iter().copied()).collect();
         let places = Places::new(&bits, &words);
         let bits = bits.iter().map(|bit| {
-            let device = self.bit(*bit, coils.contains(bit), &places);
+            let device = self.bit(*bit, Driver::of(coils, bit), &places);
             let (meaning, cite) = self.bit_meanings.get(bit).copied().unwrap_or((device.meaning, device.cite));
             (*bit, Device { meaning, cite, ..device })
         });
@@ -137,7 +166,7 @@ impl<'a> Book<'a> {
         let constant = |word: &&PlcNumber| !matches!(word, PlcNumber::Constant(_));
         let words = words.iter().filter(constant);
         let words = words.map(|word| {
-            let device = self.word(*word, written.contains(word), &places);
+            let device = self.word(*word, Driver::of(&written, word), &places);
             let (meaning, cite) = self.word_meanings.get(word).copied().unwrap_or((device.meaning, device.cite));
             (*word, Device { meaning, cite, ..device })
         });
@@ -145,7 +174,7 @@ impl<'a> Book<'a> {
         (bits, words)
     }
 
-    fn bit(&self, bit: Bit, driven: bool, places: &Places) -> Device {
+    fn bit(&self, bit: Bit, by: Driver, places: &Places) -> Device {
         let language = self.control.plc;
         let open = |name: String, sides, meaning| Device {
             name,
@@ -156,10 +185,9 @@ impl<'a> Book<'a> {
             cite: BUILDER,
         };
         match bit {
-            Bit::Signal(role) => self.signal(role, driven),
+            Bit::Signal(role) => self.signal(role, by),
             Bit::Macro(variable) => {
-                let other = if driven { (PlcSide::Plc, PlcSide::Program) } else { (PlcSide::Program, PlcSide::Plc) };
-                let device = open(self.macro_bit(variable), other, "");
+                let device = open(self.macro_bit(variable), by.sides(PlcSide::Program), "");
                 Device { variable: format!("#{variable}"), ..device }
             }
             Bit::Decoded(_) | Bit::Relay(_) | Bit::Timer(_) => {
@@ -179,14 +207,11 @@ impl<'a> Book<'a> {
                 open(name, (PlcSide::Plc, reader), output_meaning(output))
             }
             Bit::Device(name) => open(name.to_owned(), (PlcSide::Plc, PlcSide::Control), ""),
-            Bit::Block(name) => {
-                let sides = if driven { (PlcSide::Plc, PlcSide::Block) } else { (PlcSide::Block, PlcSide::Plc) };
-                open(name.to_owned(), sides, "")
-            }
+            Bit::Block(name) => open(name.to_owned(), by.sides(PlcSide::Block), ""),
         }
     }
 
-    fn word(&self, word: PlcNumber, written: bool, places: &Places) -> Device {
+    fn word(&self, word: PlcNumber, by: Driver, places: &Places) -> Device {
         let language = self.control.plc;
         let open = |name: String, sides, unit, meaning| Device {
             name,
@@ -198,7 +223,7 @@ impl<'a> Book<'a> {
         };
         match word {
             PlcNumber::Signal(role) => {
-                let device = self.signal(role, written);
+                let device = self.signal(role, by);
                 Device { unit: self.unit(role), ..device }
             }
             PlcNumber::Knob => open(data_device(language, 0), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.knob"),
@@ -217,7 +242,7 @@ impl<'a> Book<'a> {
     }
 
     /// A signal of the control, or the register of a macro variable that no row names.
-    fn signal(&self, role: SignalRole, driven: bool) -> Device {
+    fn signal(&self, role: SignalRole, by: Driver) -> Device {
         let variable = match role {
             SignalRole::MacroInputLow(number)
             | SignalRole::MacroInputHigh(number)
@@ -227,12 +252,12 @@ impl<'a> Book<'a> {
         let other = if variable.is_some() { PlcSide::Program } else { PlcSide::Control };
         let (name, cite) = match self.dialect.device(self.control, role) {
             Some(known) => known,
-            None => (variable.map_or_else(String::new, |variable| self.register(variable, !driven)), BUILDER),
+            None => (variable.map_or_else(String::new, |variable| self.register(variable, by)), BUILDER),
         };
         Device {
             name,
             variable: variable.map_or_else(String::new, |number| format!("#{number}")),
-            sides: if driven { (PlcSide::Plc, other) } else { (other, PlcSide::Plc) },
+            sides: by.sides(other),
             unit: "",
             meaning: role_meaning(role),
             cite,
@@ -245,13 +270,17 @@ impl<'a> Book<'a> {
     }
 
     /// Register of a macro variable by the range that it is in: `G` as the program reads it, `F` as it writes it.
-    fn register(&self, variable: u32, output: bool) -> String {
+    fn register(&self, variable: u32, by: Driver) -> String {
+        let letter = match by {
+            Driver::Ladder => 'G',
+            Driver::Other => 'F',
+        };
         let range = self.control.var(variable).filter(|range| range.kind == VarKind::ExchangeWord);
         let number = range.and_then(|range| {
             let first: u32 = range.device.get(1..)?.parse().ok()?;
             Some(first + variable - range.first)
         });
-        number.map_or_else(|| format!("#{variable}"), |number| format!("{}{number}", if output { 'F' } else { 'G' }))
+        number.map_or_else(|| format!("#{variable}"), |number| format!("{letter}{number}"))
     }
 
     /// Bit of a macro variable in the byte of its word.

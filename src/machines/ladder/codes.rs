@@ -1,7 +1,7 @@
 //! Rungs that every machine with an inverter spindle needs: run command, stops, and the answer to M, S and T.
 
 use super::book::Book;
-use super::{Bit, Branches, MachineContact, MachineOutput, Operator, PlcNumber, RungContact, off, on};
+use super::{Bit, Branches, MachineContact, MachineOutput, Operator, PlcNumber, PlcWidth, RungContact, off, on};
 use crate::controls::SpindleRules;
 use crate::controls::interface::SignalRole;
 use crate::machines::stops::{Interruption, SpindleReaction};
@@ -93,7 +93,7 @@ impl Book<'_> {
         if self.has(SignalRole::SpindleOverrideCode) {
             let code = PlcNumber::Signal(SignalRole::SpindleOverrideCode);
             let numbers = [PlcNumber::Knob, PlcNumber::Constant(10), code];
-            self.compute(Operator::Divide, numbers, false, "turning.ladder.code");
+            self.compute(Operator::Divide, numbers, PlcWidth::Word, "turning.ladder.code");
         } else {
             let register = PlcNumber::Signal(SignalRole::SpindleOverride);
             self.copy(PlcNumber::Knob, register, Book::always(), "turning.ladder.override");

@@ -172,6 +172,15 @@ pub enum Operator {
     Divide,
 }
 
+/// Width of the numbers that an instruction handles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlcWidth {
+    /// One register of 16 bits.
+    Word,
+    /// Two registers of 16 bits.
+    DoubleWord,
+}
+
 /// Output of a rung.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RungAction {
@@ -185,8 +194,8 @@ pub enum RungAction {
         from: PlcNumber,
         /// To.
         to: PlcNumber,
-        /// Two registers of 16 bits instead of one.
-        double: bool,
+        /// Width of the numbers.
+        width: PlcWidth,
     },
     /// While the condition holds, the result is computed.
     Compute {
@@ -198,8 +207,8 @@ pub enum RungAction {
         right: PlcNumber,
         /// Result.
         to: PlcNumber,
-        /// Two registers of 16 bits instead of one.
-        double: bool,
+        /// Width of the numbers.
+        width: PlcWidth,
     },
     /// M functions `first` to `first + 7` follow the M code while the condition holds; all are off while it does not.
     Decode {

@@ -13,9 +13,9 @@ use crate::motion::{Io, Plc, PlcAlarm, ProgramState, Strobes};
 /// Time (s) from a code to the end of its block, at the least: strobe, a few scans, and the width of FIN.
 pub const ANSWER: f64 = 0.05;
 /// Interval (s) at which contacts that follow the measured speed are read while a rung waits for them.
-const LOOK: f64 = 0.01;
+const LOOK_INTERVAL: f64 = 0.01;
 /// Scans in which a ladder settles; further ones wait for the next moment.
-const SCANS: u32 = 24;
+const MOST_SCANS: u32 = 24;
 /// Contacts that follow the measured speed.
 const BY_SPEED: [Bit; 2] = [Bit::Input(MachineContact::AtSpeed), Bit::Input(MachineContact::AtShiftSpeed)];
 /// Contacts that follow the movers of the machine: closed until [switched](LadderPlc::switch).
@@ -78,7 +78,7 @@ pub struct LadderPlc {
     /// Whether one more scan of the same signals would change nothing.
     settled: bool,
     /// Settled state of a ladder without a named block: signals after its last scan, and time (s) of the next scan if none of them changes.
-    left: Option<(Box<Io>, Option<f64>)>,
+    last_scan: Option<(Box<Io>, Option<f64>)>,
     /// When the next timer of the image closes its contact (s).
     due: Option<f64>,
     /// Whether a rung waits for a contact that follows the measured speed.
@@ -120,7 +120,7 @@ impl LadderPlc {
             reads_speed,
             image,
             settled: false,
-            left: None,
+            last_scan: None,
             due: None,
             waits_for_speed: false,
             strobes: Strobes::default(),
@@ -141,7 +141,7 @@ impl LadderPlc {
         let changes = self.image.is_on(bit) != closed;
         if changes {
             self.image.set(bit, closed);
-            (self.settled, self.left) = (false, None);
+            (self.settled, self.last_scan) = (false, None);
         }
         changes
     }
@@ -224,8 +224,8 @@ impl LadderPlc {
         }
     }
 
-    /// Signals that last for one scan.
-    fn fall(&mut self) {
+    /// Ends the signals that last for one scan.
+    fn end_pulses(&mut self) {
         for bit in self.named.iter() {
             match bit {
                 Bit::Signal(SignalRole::ProgramEnd | SignalRole::Reset | SignalRole::MFunction(_))
@@ -305,17 +305,17 @@ impl LadderPlc {
     fn again(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let since = self.strobes.since(t, io).map(|since| since + ANSWER).filter(|due| *due > t);
         let meshed = Some(self.gear.1 + self.wiring.meshing).filter(|due| *due > t);
-        let look = self.waits_for_speed.then_some(t + LOOK);
+        let look = self.waits_for_speed.then_some(t + LOOK_INTERVAL);
         [since, meshed, look, self.due].into_iter().flatten().reduce(f64::min)
     }
 
     /// Whether a scan at `t` would change nothing: the signals are those of the last scan, and none of its times is due. Speeds may differ
     /// if the ladder reads the same values.
     fn rests(&mut self, t: f64, io: &Io) -> bool {
-        let Some((left, again)) = &mut self.left else { return false };
-        (left.spindle_actual, left.spindle_command) = (io.spindle_actual, io.spindle_command);
+        let Some((signals, again)) = &mut self.last_scan else { return false };
+        (signals.spindle_actual, signals.spindle_command) = (io.spindle_actual, io.spindle_command);
         again.is_none_or(|again| t < again)
-            && **left == *io
+            && **signals == *io
             && BY_SPEED.into_iter().all(|contact| {
                 self.named.binary_search(&contact).is_err()
                     || self.state(contact, io) == Some(self.image.is_on(contact))
@@ -341,7 +341,7 @@ fn final_speed(io: &Io) -> f64 {
 impl Plc for LadderPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         if self.rests(t, io) {
-            return self.left.as_ref().and_then(|left| left.1);
+            return self.last_scan.as_ref().and_then(|(_, again)| *again);
         }
         self.image.take_changed();
         self.read(t, io);
@@ -351,9 +351,9 @@ impl Plc for LadderPlc {
         let mut wish = None;
         let due = self.due.is_some_and(|due| due <= t);
         if !self.settled || changed || due || self.block.is_some() {
-            self.settled = (0..SCANS).any(|_| {
+            self.settled = (0..MOST_SCANS).any(|_| {
                 self.ladder.scan(t, &mut self.image);
-                self.fall();
+                self.end_pulses();
                 self.contacts(t);
                 if let Some(block) = &mut self.block {
                     wish = block.act(t, &mut self.image, io);
@@ -364,7 +364,7 @@ impl Plc for LadderPlc {
         }
         self.write(t, io, alarms);
         let again = [wish, self.again(t, io)].into_iter().flatten().reduce(f64::min);
-        self.left = (self.settled && self.block.is_none()).then(|| (Box::new(io.clone()), again));
+        self.last_scan = (self.settled && self.block.is_none()).then(|| (Box::new(io.clone()), again));
         again
     }
 

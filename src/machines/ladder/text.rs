@@ -1,6 +1,6 @@
 //! A ladder as an instruction list in the language of the control's PLC.
 
-use super::{Bit, Branches, DECODED, Ladder, Operator, PlcNumber, Rung, RungAction};
+use super::{Bit, Branches, DECODED, Ladder, Operator, PlcNumber, PlcWidth, Rung, RungAction};
 use crate::controls::interface::{PlcLanguage, SignalRole};
 
 /// Words of an instruction list for contacts: first, its inverse; next in series, its inverse; parallel, its inverse; joining a branch.
@@ -78,9 +78,9 @@ impl Ladder {
         match rung.action {
             RungAction::Coil(bit) => vec![coil(bit)],
             RungAction::Timer(name, ms) => self.timer(Bit::Timer(name), ms),
-            RungAction::Move { from, to, double } => vec![self.moved(from, to, double)],
-            RungAction::Compute { operator, left, right, to, double } => {
-                self.computed(operator, [left, right, to], double)
+            RungAction::Move { from, to, width } => vec![self.moved(from, to, width)],
+            RungAction::Compute { operator, left, right, to, width } => {
+                self.computed(operator, [left, right, to], width)
             }
             RungAction::Decode { first } => self.decoded(rung, first),
         }
@@ -112,29 +112,35 @@ impl Ladder {
     }
 
     /// Bytes that a number has: overrides are single ones, but in the registers of 16 bits of the E60.
-    fn bytes(&self, to: PlcNumber, double: bool) -> u32 {
+    fn bytes(&self, to: PlcNumber, width: PlcWidth) -> u32 {
         let role = if let PlcNumber::Signal(role) = to { Some(role) } else { None };
         match role {
             Some(SignalRole::SpindleOverride | SignalRole::SpindleOverrideCode | SignalRole::FeedOverride) => 1,
-            _ if double => 4,
-            _ => 2,
+            _ => match width {
+                PlcWidth::Word => 2,
+                PlcWidth::DoubleWord => 4,
+            },
         }
     }
 
-    fn moved(&self, from: PlcNumber, to: PlcNumber, double: bool) -> String {
-        let (bytes, from, to) = (self.bytes(to, double), self.operand(from), self.operand(to));
+    fn moved(&self, from: PlcNumber, to: PlcNumber, width: PlcWidth) -> String {
+        let (bytes, from, to) = (self.bytes(to, width), self.operand(from), self.operand(to));
         match self.language {
             PlcLanguage::Step7 if bytes == 1 => format!("MOV_B {}, {to}", low_byte(&from)),
             PlcLanguage::Pmc if from.starts_with('K') => format!("SUB 40 NUMEB {bytes} {from} {to}"),
             PlcLanguage::Pmc => format!("SUB 45 MOVN {bytes} {from} {to}"),
             PlcLanguage::Gsk => format!("MOVN {bytes} {from} {to}"),
-            PlcLanguage::Melsec => format!("{} {from} {to}", if double { "DMOV" } else { "MOV" }),
-            PlcLanguage::Step7 => format!("{} {from}, {to}", if double { "MOV_DW" } else { "MOV_W" }),
+            PlcLanguage::Melsec => {
+                format!("{} {from} {to}", if width == PlcWidth::DoubleWord { "DMOV" } else { "MOV" })
+            }
+            PlcLanguage::Step7 => {
+                format!("{} {from}, {to}", if width == PlcWidth::DoubleWord { "MOV_DW" } else { "MOV_W" })
+            }
         }
     }
 
-    fn computed(&self, operator: Operator, words: [PlcNumber; 3], double: bool) -> Vec<String> {
-        let (bytes, [left, right, to]) = (self.bytes(words[2], double), words.map(|word| self.operand(word)));
+    fn computed(&self, operator: Operator, words: [PlcNumber; 3], width: PlcWidth) -> Vec<String> {
+        let (bytes, [left, right, to]) = (self.bytes(words[2], width), words.map(|word| self.operand(word)));
         let (name, sub, sign) = match operator {
             Operator::Add => ("ADDB", 36, '+'),
             Operator::Multiply => ("MULB", 38, '*'),
@@ -143,10 +149,12 @@ impl Ladder {
         match self.language {
             PlcLanguage::Pmc => vec![format!("SUB {sub} {name} {bytes} {left} {right} {to}")],
             PlcLanguage::Gsk => vec![format!("{name} {bytes} {left} {right} {to}")],
-            PlcLanguage::Melsec => vec![format!("{}{sign} {left} {right} {to}", if double { "D" } else { "" })],
+            PlcLanguage::Melsec => {
+                vec![format!("{}{sign} {left} {right} {to}", if width == PlcWidth::DoubleWord { "D" } else { "" })]
+            }
             PlcLanguage::Step7 => {
-                let kind = if double { 'D' } else { 'I' };
-                vec![self.moved(words[0], words[2], double), format!("{sign}{kind} {right}, {to}")]
+                let kind = if width == PlcWidth::DoubleWord { 'D' } else { 'I' };
+                vec![self.moved(words[0], words[2], width), format!("{sign}{kind} {right}, {to}")]
             }
         }
     }

@@ -9,7 +9,7 @@ use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, GaugeRow};
-use crate::machines::slides::{self, HasSlides, ServoSlide, SlideAxis, SlideMachine};
+use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDuty};
 use crate::math::PI;
 use crate::motion::Mover;
 
@@ -67,7 +67,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
 
 /// Starts per minute of the slide that starts more often, over the passes of all polygons and turned ends.
 fn starts_per_minute(lathe: &PolygonLathe) -> f64 {
-    let (p, rapids) = (&lathe.p, [lathe.p.rapid_x, lathe.p.rapid_z]);
+    let (p, rapids) = (&lathe.p, [lathe.p.slides.x.rapid, lathe.p.slides.z.rapid]);
     let of = |p: &Params, steps: Vec<PassStep>, rpm: f64| {
         let begin = (p.clear_diameter(), p.clearance);
         let motions = steps.len() as f64;
@@ -79,33 +79,18 @@ fn starts_per_minute(lathe: &PolygonLathe) -> f64 {
     let ends = ends.flat_map(|end| [end.steps(p), end.thread(p)].map(|steps| of(p, steps, end.speed)));
     let (starts, seconds, motions) =
         polygons.chain(ends).fold((0.0, 0.0, 0.0), |all, next| (all.0 + next.0, all.1 + next.1, all.2 + next.2));
-    slides::starts_per_minute(starts, seconds, (motions, p.time_constant))
+    slides::starts_per_minute(starts, seconds, (motions, p.slides.time_constant))
 }
 
 impl HasSlides for PolygonLathe {
     fn slides(&self) -> [ServoSlide; 2] {
-        let (p, [x, z]) = (&self.p, self.drives());
-        let machine = SlideMachine {
-            efficiency: p.screw_efficiency,
-            ramp: (p.time_constant, p.position_gain),
-            site_share: p.site_share,
-            feed_force: self.force().max(self.greatest_end_force()) * p.feed_force / 100.0,
+        self.p.slides.servos(SlideDuty {
+            axes: [self.cross(), self.along()],
+            site_share: self.p.site_share,
+            cutting_force: self.force().max(self.greatest_end_force()),
             starts_per_minute: starts_per_minute(self),
-        };
-        [
-            ServoSlide::new(
-                &p.slide_x,
-                x,
-                SlideAxis { at: self.cross(), rapid: p.rapid_x, rise: p.bed_angle, cuts_downhill: false },
-                machine,
-            ),
-            ServoSlide::new(
-                &p.slide_z,
-                z,
-                SlideAxis { at: self.along(), rapid: p.rapid_z, rise: 0.0, cuts_downhill: false },
-                machine,
-            ),
-        ]
+            x_cuts_downhill: false,
+        })
     }
 }
 

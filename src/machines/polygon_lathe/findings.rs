@@ -133,10 +133,10 @@ fn size_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) 
 fn cut_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
     let (p, limits) = (&lathe.p, &lathe.control.limits);
     let mut found = Vec::new();
-    if end.speed > p.main.speed {
-        found.push((msg!("polygon.fast-spindle", most = (p.main.speed, 0)), fields.speed));
+    if end.speed > p.main_speed {
+        found.push((msg!("polygon.fast-spindle", most = (p.main_speed, 0)), fields.speed));
     }
-    let (least, most) = (limits.feed_increment, limits.feed_max.min(p.clamp_x.min(p.clamp_z)));
+    let (least, most) = (limits.feed_increment, limits.feed_max.min(p.slides.x.clamp.min(p.slides.z.clamp)));
     let thread = (end.pitch > 0.0).then_some((end.pitch, fields.pitch));
     for (per_turn, field) in [(end.feed, fields.feed)].into_iter().chain(thread) {
         let feed = per_turn * end.speed;

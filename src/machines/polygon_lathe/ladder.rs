@@ -13,7 +13,7 @@ use super::stops;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{Direction, SpindleRequirements};
-use crate::machines::ladder::{Bit, Ladder, MachineOutput, Operator, PlcNumber, off, on};
+use crate::machines::ladder::{Bit, Ladder, MachineOutput, Operator, PlcNumber, PlcWidth, off, on};
 use crate::motion::PMC_AXES;
 use crate::text::{Citation, Grade};
 
@@ -96,7 +96,7 @@ fn channels(book: &mut Book) {
     for (speed, ratio, note) in
         [(RPM[1], TOOL_RATIO, "polygon.ladder.speed-tool"), (RPM[0], WORK_RATIO, "polygon.ladder.speed-work")]
     {
-        book.compute(Operator::Multiply, [written(SPEED), written(ratio), speed], true, note);
+        book.compute(Operator::Multiply, [written(SPEED), written(ratio), speed], PlcWidth::DoubleWord, note);
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::params::Params;
 use crate::drives::cutting::kienzle;
-use crate::drives::inertia::through_gear;
 use crate::drives::polygon::{cut, load};
 use crate::drives::spindle_motor::{MotorCurve, shortest_ramp};
 use crate::machines::materials::Kienzle;
@@ -113,7 +112,7 @@ impl Params {
 
     /// Moment of inertia (kg m²) of the main motor's rotor at the spindle.
     pub(super) fn main_rotor_at_spindle(&self) -> f64 {
-        through_gear(self.main.rotor, self.main.speed / self.main.motor_top)
+        self.main.rotor_at_spindle(self.main_speed)
     }
 
     /// Moment of inertia (kg m²) that the work axis turns: the main motor, where there is one, stays on the spindle.

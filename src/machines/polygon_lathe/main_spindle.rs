@@ -5,14 +5,13 @@ use super::resolved::PolygonLathe;
 use crate::drives::MainSpindle;
 use crate::drives::cutting;
 use crate::drives::duty::{CutSpan, Motion};
-use crate::drives::inertia::through_gear as inertia_through_gear;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::speed::KnobEnds;
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::machines::devices::{AskedDevice, forced_cooling_advice};
 use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
 use crate::machines::machine::Samples;
-use crate::machines::main_spindle::{self, SpeedCurves};
+use crate::machines::main_spindle::{self, SpeedCurves, SpindleGear};
 use crate::machines::verdict::{Judgement, down, fail, ok, warn};
 use crate::math::RPM;
 use crate::motion::Stretch;
@@ -26,32 +25,21 @@ pub(super) const NAME: &str = "polygon.drive.main";
 impl Params {
     /// The spindle with its motor. The work's motor stays on the spindle, so that its inertia includes that of the work axis.
     pub(super) fn main_spindle(&self) -> MainSpindle {
-        let main = &self.main;
-        MainSpindle {
-            speed_at_10v: main.speed,
-            ramp: main.ramp,
-            load_at_spindle: Load {
-                inertia: self.work_inertia + self.main_rotor_at_spindle(),
-                torque: main.friction,
-                efficiency: 1.0,
-            },
-            motor: MotorCurve::new(main.power, self.drive_efficiency / 100.0, (main.base, main.motor_top), main.speed),
-            peak: self.main_peak(),
-        }
+        self.main.main_spindle(self.main_spindle_gear(), self.work_inertia)
     }
 
     /// Continuous curve of its motor at the spindle, derated for the site and, without forced cooling, for a fan on its shaft.
     fn main_continuous(&self) -> MotorCurve {
-        self.main_spindle().motor.share(self.site_share / 100.0).with_shaft_fan(!self.main.forced_cooling)
+        self.main.continuous(self.main_spindle_gear(), self.site_share)
     }
 
-    fn main_peak(&self) -> [f64; 2] {
-        [self.main.peak, self.main.braking].map(|percent| percent / 100.0)
+    fn main_spindle_gear(&self) -> SpindleGear {
+        SpindleGear { speed_at_10v: self.main_speed, efficiency: self.drive_efficiency }
     }
 
     /// Speed of its motor over that of the spindle.
     fn main_gear(&self) -> f64 {
-        self.main.motor_top / self.main.speed
+        self.main.gear(self.main_speed)
     }
 }
 
@@ -63,7 +51,7 @@ impl PolygonLathe {
 
     /// Speed (r/min) of the spindle at a position (%) of the override knob, for a speed of the form: at most that at 10 V.
     fn speed_at(&self, speed: f64, percent: f64) -> f64 {
-        (speed * percent / 100.0).min(self.p.main.speed)
+        (speed * percent / 100.0).min(self.p.main_speed)
     }
 
     /// The turned ends of the program, with the fields of their depths.
@@ -107,7 +95,7 @@ pub(super) fn power(lathe: &PolygonLathe) -> f64 {
 
 /// Voltage (V) of the control's output at the greatest speed.
 pub(super) fn volts(lathe: &PolygonLathe) -> f64 {
-    lathe.control.analog_output.with_speed(lathe.p.main.speed).output(highest(lathe))
+    lathe.control.analog_output.with_speed(lathe.p.main_speed).output(highest(lathe))
 }
 
 /// Cut and friction against the continuous torque of the motor.
@@ -197,7 +185,7 @@ pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
         name: NAME,
         torque: through_gear(lathe.end_torque(end), gear, p.drive_efficiency / 100.0),
         speed: end.speed * gear,
-        top_speed: p.main.motor_top,
+        top_speed: p.main.top,
         site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: None,
@@ -214,12 +202,7 @@ pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
 
 /// Chuck, work and the work's motor at the shaft of the main motor, against the friction of the spindle.
 fn load_at_motor(p: &Params) -> Load {
-    let (gear, efficiency) = (p.main_gear(), p.drive_efficiency / 100.0);
-    Load {
-        inertia: inertia_through_gear(p.work_inertia, gear),
-        torque: through_gear(p.main.friction, gear, efficiency),
-        efficiency,
-    }
+    p.main.load_at_motor(p.main_spindle_gear(), p.work_inertia)
 }
 
 /// Its motor in a part of a run: friction always, the greatest cut while the slide is in the stock and the spindle turns it.
@@ -231,20 +214,13 @@ pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stret
     let idle = Motion::new(turns(stretches, p.main_gear() * RPM), load_at_motor(p), 0.0);
     let spans = super::progress::turning_spans(lathe, run, until);
     let cuts = spans.into_iter().map(|(begin, end)| CutSpan { begin, end, torque }).collect();
-    lathe.has_main_spindle().then(|| SpindleRun {
-        name: NAME,
-        motion: idle.clone().with_cuts(cuts),
-        idle,
-        rotor: p.main.rotor,
-        motor: MotorCurve::at_shaft(p.main.power, p.main.base),
-        peak: p.main_peak(),
-    })
+    lathe.has_main_spindle().then(|| p.main.run(NAME, idle, cuts))
 }
 
-/// The encoder by which the control cuts a thread.
+/// The encoder by which the control feeds per revolution and cuts a thread, for the greatest speed that the knob allows.
 pub(super) fn encoder(lathe: &PolygonLathe) -> Option<SpindleEncoder> {
-    let threads = lathe.turned_ends().any(|(end, _)| end.threads());
-    threads.then(|| SpindleEncoder { name: NAME, speed: highest(lathe) })
+    let speed = lathe.speed_at(highest(lathe), lathe.knob_ends().higher.unwrap_or(100.0));
+    lathe.has_main_spindle().then_some(SpindleEncoder { name: NAME, speed })
 }
 
 /// The fan of its motor with forced cooling.

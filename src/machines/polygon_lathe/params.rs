@@ -2,10 +2,11 @@
 
 use crate::controls::Control;
 use crate::machines::form::Field;
-use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, text};
+use crate::machines::main_spindle::{self, SpindleDrive};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
-use crate::machines::slides::{self, SlideParams};
+use crate::machines::slides::{self, LatheSlides, SlideForm, XDefaults};
 use crate::machines::{shift, site};
 use crate::{member, options};
 
@@ -72,21 +73,6 @@ pub(crate) struct TurnedEnd {
     pub thread_tool: f64,
 }
 
-/// The main spindle, which turns the bar before and after the polygons. Units as in the form.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct MainParams {
-    pub power: f64,
-    pub base: f64,
-    pub motor_top: f64,
-    pub speed: f64,
-    pub forced_cooling: bool,
-    pub peak: f64,
-    pub braking: f64,
-    pub rotor: f64,
-    pub friction: f64,
-    pub ramp: f64,
-}
-
 /// The member of a turned end that a row fills.
 macro_rules! turned_end {
     ($at:literal.$member:ident) => {
@@ -149,7 +135,9 @@ pub(crate) struct Params {
     pub tool: f64,
     pub further: [Further; 2],
     pub turned_ends: [TurnedEnd; 2],
-    pub main: MainParams,
+    /// The main spindle, which turns the bar before and after the polygons.
+    pub main: SpindleDrive,
+    pub main_speed: f64,
     pub work_limit: f64,
     pub tool_limit: f64,
     pub work_time_constant: f64,
@@ -193,23 +181,7 @@ pub(crate) struct Params {
     pub against: bool,
     pub least_distance: f64,
     pub greatest_distance: f64,
-    pub rapid_x: f64,
-    pub rapid_z: f64,
-    pub clamp_x: f64,
-    pub clamp_z: f64,
-    pub lead_x: f64,
-    pub lead_z: f64,
-    pub motor_teeth_x: f64,
-    pub screw_teeth_x: f64,
-    pub motor_teeth_z: f64,
-    pub screw_teeth_z: f64,
-    pub time_constant: f64,
-    pub position_gain: f64,
-    pub slide_x: SlideParams,
-    pub slide_z: SlideParams,
-    pub bed_angle: f64,
-    pub screw_efficiency: f64,
-    pub feed_force: f64,
+    pub slides: LatheSlides,
     pub block_time: f64,
     pub macro_time: f64,
     pub preread: f64,
@@ -293,9 +265,23 @@ impl Params {
     }
 }
 
+impl SlideForm for Params {
+    fn lathe_slides(&self) -> &LatheSlides {
+        &self.slides
+    }
+
+    fn lathe_slides_mut(&mut self) -> &mut LatheSlides {
+        &mut self.slides
+    }
+}
+
 /// Every input, in the order of the form.
+pub(super) static FIELDS: &[Field<Params>] = &joined::<Params, { count(ROWS) }>(ROWS);
+
+/// The inputs in lists: those of this machine, and between them those that every lathe has.
 #[rustfmt::skip]
-pub(super) static FIELDS: &[Field<Params>] = &[
+const ROWS: &[&[Field<Params>]] = &[
+    &[
     choice("shape", member!(Params.shape: Shape)).group("polygon.group.part").label("polygon.shape").help("polygon.shape.help"),
     number("sides", member!(Params.sides)).group("polygon.group.part").label("polygon.sides").help("polygon.sides.help").symbol("N")
         .range(1.0..=100.0).default(4.0).decimals(0).step(1.0).when(Params::is_own),
@@ -457,24 +443,16 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(0.01..=5.0).default(0.25).decimals(3).step(0.05).when(Params::threads_after),
     number("after-thread-tool", turned_end!(1.thread_tool)).group("polygon.group.after").label("polygon.turned-end.thread-tool").help("polygon.turned-end.thread-tool.help").symbol("T")
         .range(1.0..=99.0).default(4.0).decimals(0).step(1.0).when(Params::threads_after),
-    number("main-power", member!(Params.main.power)).group("polygon.group.main").label("polygon.main.power").help("polygon.main.power.help").symbol("P")
-        .unit("kW").range(0.01..=1000.0).default(7.5).decimals(2).step(0.5).fact().when(Params::turns),
-    number("main-base", member!(Params.main.base)).group("polygon.group.main").label("polygon.main.base").help("polygon.base.help").symbol("n b")
-        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact().when(Params::turns),
-    number("main-motor-top", member!(Params.main.motor_top)).group("polygon.group.main").label("polygon.main.motor-top").help("polygon.main.motor-top.help").symbol("n m")
-        .unit("r/min").range(1.0..=60000.0).default(2250.0).decimals(0).step(100.0).fact().when(Params::turns),
-    number("main-speed", member!(Params.main.speed)).group("polygon.group.main").label("polygon.main.speed").help("polygon.main.speed.help").symbol("n10")
+    main_spindle::power("main-power", "polygon.main.power", "polygon.main.power.help", member!(Params.main.power)).group("polygon.group.main").when(Params::turns),
+    main_spindle::base_speed("main-base", "polygon.main.base", "polygon.base.help", member!(Params.main.base)).group("polygon.group.main").when(Params::turns),
+    main_spindle::top_speed("main-motor-top", "polygon.main.motor-top", "polygon.main.motor-top.help", 2250.0, member!(Params.main.top)).group("polygon.group.main").when(Params::turns),
+    number("main-speed", member!(Params.main_speed)).group("polygon.group.main").label("polygon.main.speed").help("polygon.main.speed.help").symbol("n10")
         .unit("r/min").range(1.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact().when(Params::turns),
-    flag("main-forced-cooling", member!(Params.main.forced_cooling)).group("polygon.group.main").label("polygon.main.forced-cooling").help("lathe.motor-forced-cooling.help")
-        .fact().when(Params::turns),
-    number("main-peak", member!(Params.main.peak)).group("polygon.group.main").label("polygon.main.peak").help("lathe.motor-peak.help")
-        .unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact().when(Params::turns),
-    number("main-braking", member!(Params.main.braking)).group("polygon.group.main").label("polygon.main.braking").help("lathe.motor-braking.help")
-        .unit("%").range(1.0..=600.0).default(150.0).decimals(0).step(10.0).fact().when(Params::turns),
-    number("main-rotor", member!(Params.main.rotor)).group("polygon.group.main").label("polygon.main.rotor").help("polygon.main.rotor.help")
-        .unit("kg m²").range(0.0..=1000.0).default(0.03).decimals(4).step(0.001).fact().when(Params::turns),
-    number("main-friction", member!(Params.main.friction)).group("polygon.group.main").label("polygon.main.friction").help("polygon.main.friction.help")
-        .unit("Nm").range(0.01..=10000.0).default(2.0).decimals(2).step(0.1).fact().when(Params::turns),
+    main_spindle::forced_cooling("main-forced-cooling", "polygon.main.forced-cooling", member!(Params.main.forced_cooling)).group("polygon.group.main").when(Params::turns),
+    main_spindle::peak("main-peak", "polygon.main.peak", member!(Params.main.peak)).group("polygon.group.main").when(Params::turns),
+    main_spindle::braking("main-braking", "polygon.main.braking", member!(Params.main.braking)).group("polygon.group.main").when(Params::turns),
+    main_spindle::rotor("main-rotor", "polygon.main.rotor", "polygon.main.rotor.help", member!(Params.main.rotor)).group("polygon.group.main").when(Params::turns),
+    main_spindle::friction("main-friction", "polygon.main.friction", "polygon.main.friction.help", member!(Params.main.friction)).group("polygon.group.main").when(Params::turns),
     number("main-ramp", member!(Params.main.ramp)).group("polygon.group.main").label("polygon.main.ramp").help("polygon.main.ramp.help")
         .unit("s").range(0.1..=600.0).default(2.0).decimals(2).step(0.1).fact().when(Params::turns),
     number("work-limit", member!(Params.work_limit)).group("polygon.group.drives").label("polygon.work-limit").help("polygon.work-limit.help")
@@ -553,55 +531,24 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(0.0..=2000.0).default(20.0).decimals(2).step(5.0).fact(),
     number("greatest-distance", member!(Params.greatest_distance)).group("polygon.group.limits").label("polygon.greatest-distance").help("polygon.greatest-distance.help")
         .unit("mm").range(1.0..=2000.0).default(150.0).decimals(2).step(5.0).fact(),
-    number("rapid-x", member!(Params.rapid_x)).group("polygon.group.slides").label("polygon.rapid-x").help("polygon.rapid-x.help")
+    number("rapid-x", member!(Params.slides.x.rapid)).group("polygon.group.slides").label("polygon.rapid-x").help("polygon.rapid-x.help")
         .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
-    number("rapid-z", member!(Params.rapid_z)).group("polygon.group.slides").label("polygon.rapid-z").help("polygon.rapid-z.help")
+    number("rapid-z", member!(Params.slides.z.rapid)).group("polygon.group.slides").label("polygon.rapid-z").help("polygon.rapid-z.help")
         .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
-    number("clamp-x", member!(Params.clamp_x)).group("polygon.group.slides").label("polygon.clamp-x").help("polygon.clamp-x.help")
+    number("clamp-x", member!(Params.slides.x.clamp)).group("polygon.group.slides").label("polygon.clamp-x").help("polygon.clamp-x.help")
         .unit("mm/min").range(1.0..=1000000.0).default(3000.0).decimals(0).step(500.0).fact(),
-    number("clamp-z", member!(Params.clamp_z)).group("polygon.group.slides").label("polygon.clamp-z").help("polygon.clamp-z.help")
+    number("clamp-z", member!(Params.slides.z.clamp)).group("polygon.group.slides").label("polygon.clamp-z").help("polygon.clamp-z.help")
         .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
-    scaling::lead("lead-x", "polygon.group.slides", "scaling.lead-x", member!(Params.lead_x)),
-    scaling::lead("lead-z", "polygon.group.slides", "scaling.lead-z", member!(Params.lead_z)),
-    scaling::teeth("motor-teeth-x", "polygon.group.slides", "scaling.motor-teeth-x", member!(Params.motor_teeth_x)),
-    scaling::teeth("screw-teeth-x", "polygon.group.slides", "scaling.screw-teeth-x", member!(Params.screw_teeth_x)),
-    scaling::teeth("motor-teeth-z", "polygon.group.slides", "scaling.motor-teeth-z", member!(Params.motor_teeth_z)),
-    scaling::teeth("screw-teeth-z", "polygon.group.slides", "scaling.screw-teeth-z", member!(Params.screw_teeth_z)),
-    scaling::encoder("encoder-counts-x", "polygon.group.slides", "scaling.encoder-x", member!(Params.slide_x.encoder)),
-    scaling::encoder("encoder-counts-z", "polygon.group.slides", "scaling.encoder-z", member!(Params.slide_z.encoder)),
-    number("time-constant", member!(Params.time_constant)).group("polygon.group.slides").label("polygon.time-constant").help("polygon.time-constant.help").symbol("τ")
+    ],
+    &slides::scaling_rows("polygon.group.slides"),
+    &[
+    number("time-constant", member!(Params.slides.time_constant)).group("polygon.group.slides").label("polygon.time-constant").help("polygon.time-constant.help").symbol("τ")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
-    number("position-gain", member!(Params.position_gain)).group("polygon.group.slides").label("polygon.position-gain").help("polygon.position-gain.help").symbol("K")
+    number("position-gain", member!(Params.slides.position_gain)).group("polygon.group.slides").label("polygon.position-gain").help("polygon.position-gain.help").symbol("K")
         .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
-    slides::mass("slide-mass-x", "slides.mass-x", 150.0, member!(Params.slide_x.mass)),
-    slides::friction("slide-friction-x", "slides.friction-x", 200.0, member!(Params.slide_x.friction)),
-    slides::screw_diameter("screw-diameter-x", "slides.screw-diameter-x", 32.0, member!(Params.slide_x.screw_diameter)),
-    slides::screw_length("screw-length-x", "slides.screw-length-x", 500.0, member!(Params.slide_x.screw_length)),
-    slides::mass("slide-mass-z", "slides.mass-z", 250.0, member!(Params.slide_z.mass)),
-    slides::friction("slide-friction-z", "slides.friction-z", 250.0, member!(Params.slide_z.friction)),
-    slides::screw_diameter("screw-diameter-z", "slides.screw-diameter-z", 40.0, member!(Params.slide_z.screw_diameter)),
-    slides::screw_length("screw-length-z", "slides.screw-length-z", 1000.0, member!(Params.slide_z.screw_length)),
-    slides::bed_angle(member!(Params.bed_angle)),
-    slides::efficiency(member!(Params.screw_efficiency)),
-    slides::feed_force(member!(Params.feed_force)),
-    slides::motor("motor-x", "slides.motor-x", member!(&Params.slide_x.motor)),
-    slides::rated("motor-rated-torque-x", "slides.motor-rated-torque-x", 4.8, member!(Params.slide_x.rated)),
-    slides::stall("motor-stall-x", "slides.motor-stall-x", 4.8, member!(Params.slide_x.stall)),
-    slides::peak("motor-peak-x", "slides.motor-peak-x", 14.3, member!(Params.slide_x.peak)),
-    slides::rotor("motor-rotor-x", "slides.motor-rotor-x", 11.6, member!(Params.slide_x.rotor)),
-    slides::rated_speed("motor-rated-x", "slides.motor-rated-x", 2000.0, member!(Params.slide_x.rated_speed)),
-    slides::top_speed("motor-max-x", "slides.motor-max-x", 3000.0, member!(Params.slide_x.top_speed)),
-    slides::inertia_limit("inertia-limit-x", "slides.inertia-limit-x", member!(Params.slide_x.inertia_limit)),
-    slides::effective_limit("effective-limit-x", "slides.effective-limit-x", member!(Params.slide_x.effective_limit)),
-    slides::motor("motor-z", "slides.motor-z", member!(&Params.slide_z.motor)),
-    slides::rated("motor-rated-torque-z", "slides.motor-rated-torque-z", 4.8, member!(Params.slide_z.rated)),
-    slides::stall("motor-stall-z", "slides.motor-stall-z", 4.8, member!(Params.slide_z.stall)),
-    slides::peak("motor-peak-z", "slides.motor-peak-z", 14.3, member!(Params.slide_z.peak)),
-    slides::rotor("motor-rotor-z", "slides.motor-rotor-z", 11.6, member!(Params.slide_z.rotor)),
-    slides::rated_speed("motor-rated-z", "slides.motor-rated-z", 2000.0, member!(Params.slide_z.rated_speed)),
-    slides::top_speed("motor-max-z", "slides.motor-max-z", 3000.0, member!(Params.slide_z.top_speed)),
-    slides::inertia_limit("inertia-limit-z", "slides.inertia-limit-z", member!(Params.slide_z.inertia_limit)),
-    slides::effective_limit("effective-limit-z", "slides.effective-limit-z", member!(Params.slide_z.effective_limit)),
+    ],
+    &slides::rows(XDefaults { mass: 150.0, friction: 200.0 }),
+    &[
     number("block-time", member!(Params.block_time)).group("polygon.group.control").label("form.block-time").help("form.block-time.help")
         .unit("ms").range(0.1..=1000.0).default(4.0).decimals(3).step(0.1).fact(),
     number("macro-time", member!(Params.macro_time)).group("polygon.group.control").label("form.macro-time").help("form.macro-time.help")
@@ -611,4 +558,5 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     choice("newline", member!(Params.newline: LineEnds)).group("polygon.group.control").label("form.newline").help("form.newline.help"),
     text("customer", member!(&Params.customer)).group("polygon.group.control").label("form.customer").help("form.customer.help").characters(22),
     text("product", member!(&Params.product)).group("polygon.group.control").label("form.product").help("form.product.help").characters(22),
+    ],
 ];

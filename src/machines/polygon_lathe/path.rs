@@ -74,7 +74,7 @@ impl Params {
 
     /// Feed out of the stock, mm/min: that of the form, at most the clamp of X.
     pub(super) fn clamped_retract_feed(&self) -> f64 {
-        self.retract_feed.min(self.clamp_x)
+        self.retract_feed.min(self.slides.x.clamp)
     }
 
     /// Time in which every insert passes every side, s: `60 D / n work` in lowest terms, rounded up to a word.

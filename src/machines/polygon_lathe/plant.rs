@@ -1,7 +1,6 @@
 //! The plant of the polygon lathe: two slides, and the axes of work and tool that the PMC turns.
 
-use super::resolved::{ALONG, CROSS, PolygonLathe};
-use crate::controls::Address;
+use super::resolved::PolygonLathe;
 use crate::drives::Stage;
 use crate::drives::speed::STAGES;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
@@ -12,7 +11,7 @@ fn spindle(lathe: &PolygonLathe) -> SpindlePlant {
     if !lathe.has_main_spindle() {
         return bench;
     }
-    let (speed, ramp) = (lathe.p.main.speed, lathe.p.main.ramp);
+    let (speed, ramp) = (lathe.p.main_speed, lathe.p.main.ramp);
     let coasting = lathe.p.main_spindle().coasting(speed);
     SpindlePlant {
         analog: lathe.control.analog_output.with_speed(speed),
@@ -27,23 +26,9 @@ fn spindle(lathe: &PolygonLathe) -> SpindlePlant {
 /// The plant with the project's clamps and time constants.
 pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
     let p = &lathe.p;
-    let slide = |letter: Address, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
-        letter: Some(letter),
-        rotary: false,
-        endless: false,
-        diameter,
-        rapid,
-        clamp,
-        time_constant: p.time_constant / 1000.0,
-        position_gain: p.position_gain,
-        home,
-    };
     let turns = |ms: f64, position_gain: f64| AxisPlant { time_constant: ms / 1000.0, position_gain, ..AxisPlant::PMC };
     Plant {
-        axes: vec![
-            slide(CROSS, lathe.x_per_mm() > 1.0, p.rapid_x, p.clamp_x, 0.5 * p.start_x),
-            slide(ALONG, false, p.rapid_z, p.clamp_z, p.start_z),
-        ],
+        axes: p.slides.plants(lathe.x_per_mm() > 1.0, [0.5 * p.start_x, p.start_z]),
         pmc: vec![turns(p.work_time_constant, p.work_gain), turns(p.tool_time_constant, p.tool_gain)],
         spindle: spindle(lathe),
         block_time: p.block_time / 1000.0,

@@ -4,10 +4,11 @@
 //! them, and the bits to and from the PMC, is ours.
 
 use super::path::{PassStep, SlideTarget};
-use super::resolved::{ALONG, CROSS, PolygonLathe};
+use super::resolved::PolygonLathe;
 use crate::controls::Address;
 use crate::controls::Code;
 use crate::controls::CodeId;
+use crate::machines::slides::{ALONG, CROSS};
 use crate::machines::writing;
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x, z};
@@ -150,7 +151,17 @@ pub(super) enum TurnedEndPlace {
     After,
 }
 
-/// Blocks of a turned end, if the part has one there: each tool from the start of the slide and back, the spindle on for both.
+/// A step of a turned end with its feed per revolution of the spindle, instead of per minute at `speed` (r/min).
+fn per_revolution(step: PassStep, speed: f64) -> PassStep {
+    match step {
+        PassStep::Feed(to, feed) => PassStep::Feed(to, feed / speed),
+        PassStep::Slope { across, along, feed } => PassStep::Slope { across, along, feed: feed / speed },
+        other => other,
+    }
+}
+
+/// Blocks of a turned end, if the part has one there: each tool from the start of the slide and back, the spindle on for both. The feed is per
+/// revolution: with one per minute a knob at a low position would drive the tool into a bar that hardly turns.
 pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<TurnedEndBlock> {
     let p = &lathe.p;
     let Some(end) = p.turned_ends.get(place as usize).filter(|end| end.on) else { return Vec::new() };
@@ -158,6 +169,8 @@ pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<Tur
     let ramp = || writing::dwell(lathe.control, p.main.ramp).to_vec();
     let plain = |words: Vec<NewWord>| TurnedEndBlock::new(words, "");
     let away = || rapid([cross(lathe, p.start_x), z(real(p.start_z, 3))]);
+    let per_turn = lathe.control.can(Code::FeedPerRevolution);
+    let in_feed = |step| if per_turn { per_revolution(step, end.speed) } else { step };
     let mut all = Vec::new();
     let cuts = [(end.tool, end.steps(p), "TURNING"), (end.thread_tool, end.thread(p), "THREAD")];
     for (at, (tool, steps, note)) in cuts.into_iter().filter(|(_, steps, _)| !steps.is_empty()).enumerate() {
@@ -166,20 +179,18 @@ pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<Tur
         if at == 0 {
             all.push(plain(vec![m(3), s(end.speed as u32)]));
             all.push(TurnedEndBlock::new(ramp(), "SPINDLE COMES TO ITS SPEED"));
+            // Behind the dwell: a parameter of the control may count it in revolutions under a feed per revolution.
+            all.extend(per_turn.then(|| plain(writing::codes(lathe.control, [Code::FeedPerRevolution]))));
         }
         all.push(plain(rapid([cross(lathe, p.clear_diameter())])));
         all.push(plain(vec![z(real(p.clearance, 3))]));
-        all.extend(steps.into_iter().map(|step| plain(block(lathe, step))));
+        all.extend(steps.into_iter().map(|step| plain(block(lathe, in_feed(step)))));
         all.push(plain(away()));
     }
-    match place {
-        TurnedEndPlace::Before => {
-            all.push(plain(vec![m(5)]));
-            // M5 is answered at once.
-            all.push(TurnedEndBlock::new(ramp(), "SPINDLE STOPS, THE WORK AXIS TAKES OVER"));
-        }
-        TurnedEndPlace::After => all.push(plain(vec![m(5)])),
-    }
+    let per_minute = writing::codes(lathe.control, per_turn.then_some(Code::FeedPerMinute));
+    all.push(plain(per_minute.into_iter().chain([m(5)]).collect()));
+    // M5 is answered at once; the work axis takes over, or the next part begins with it.
+    all.push(TurnedEndBlock::new(ramp(), "SPINDLE STOPS"));
     all
 }
 

@@ -4,16 +4,12 @@ use std::sync::OnceLock;
 
 use super::derive::Derived;
 use super::params::Params;
-use crate::controls::{Address, Control, Dialect};
+use crate::controls::{Control, Dialect};
 use crate::drives::polygon::Ratio;
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
-use crate::machines::slides::SlideParams;
+use crate::machines::slides::{ALONG, CROSS};
 use crate::motion::Snapshot;
-
-/// The slide across the work, and the one along it.
-pub(super) const CROSS: Address = Address::X;
-pub(super) const ALONG: Address = Address::Z;
 
 /// Index of the PMC axis of the work, and of the tool.
 pub(super) const WORK: usize = 0;
@@ -78,19 +74,7 @@ impl PolygonLathe {
 
     /// Drives of the slides across and along the work.
     pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
-        let p = &self.p;
-        let drive = |axis, lead, gear, slide: &SlideParams, words| AxisDrive {
-            axis,
-            lead,
-            gear,
-            encoder: slide.encoder,
-            rotary: false,
-            words,
-        };
-        [
-            drive("X", p.lead_x, (p.screw_teeth_x, p.motor_teeth_x), &p.slide_x, self.x_per_mm()),
-            drive("Z", p.lead_z, (p.screw_teeth_z, p.motor_teeth_z), &p.slide_z, 1.0),
-        ]
+        self.p.slides.drives(self.x_per_mm())
     }
 
     /// Drives of the work and the tool.

@@ -456,17 +456,17 @@ fn within_clamp(field: &'static str, per_turn: f64, feed: f64, clamp: f64) -> Op
 
 fn clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    within_clamp("feed", p.feed, d.feed, p.clamp_z)
+    within_clamp("feed", p.feed, d.feed, p.slides.z.clamp)
 }
 
 fn finish_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    within_clamp("finish-feed", p.finish_feed, d.finish_feed, p.clamp_z)
+    within_clamp("finish-feed", p.finish_feed, d.finish_feed, p.slides.z.clamp)
 }
 
 fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    within_clamp("infeed", p.infeed, d.infeed, p.clamp_x)
+    within_clamp("infeed", p.infeed, d.infeed, p.slides.x.clamp)
 }
 
 /// Judges the distance of the jaws, if the form has their distance from the face.

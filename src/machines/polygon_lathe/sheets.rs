@@ -43,10 +43,10 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
     let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
     let mut values = vec![
         (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.x_per_mm() > 1.0))]),
-        (ParamRole::AxisRapid, slides(p.rapid_x, p.rapid_z)),
-        (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
-        (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
-        (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
+        (ParamRole::AxisRapid, slides(p.slides.x.rapid, p.slides.z.rapid)),
+        (ParamRole::AxisClamp, slides(p.slides.x.clamp, p.slides.z.clamp)),
+        (ParamRole::AxisTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
+        (ParamRole::AxisPositionGain, slides(p.slides.position_gain, p.slides.position_gain)),
         (ParamRole::EditLock, vec![("", ParamValue::Answer(false))]),
     ];
     if lathe.has_main_spindle() {
@@ -55,8 +55,8 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         values.extend([
             (ParamRole::SpindleCount, yes()),
             (ParamRole::SpindleConnection, yes()),
-            (ParamRole::SpindleLimit, number(p.main.speed)),
-            (ParamRole::SpindleMaximum, number(p.main.speed)),
+            (ParamRole::SpindleLimit, number(p.main_speed)),
+            (ParamRole::SpindleMaximum, number(p.main_speed)),
             (ParamRole::SpindleUnipolar, yes()),
             (ParamRole::SpindleRatedVolts, number(100.0)),
         ]);

@@ -81,7 +81,8 @@ impl TurnedEnd {
     /// K)`. On a ramp so long that the lag is below a on it: `t = τ (1 - a) + 1/K`, `δ = V (t²/2 - t/K + 1/K²) / τ`. Source: polygon
     /// turning facts 3.10.
     pub(super) fn run_in(&self, p: &Params) -> f64 {
-        let (ramp, gain, speed) = (p.time_constant / 1000.0, p.position_gain, self.speed * self.pitch / 60.0);
+        let (ramp, gain, speed) =
+            (p.slides.time_constant / 1000.0, p.slides.position_gain, self.speed * self.pitch / 60.0);
         // Share of the speed that is missing at the end of the ramp.
         let missing = if ramp > 0.0 { -math::expm1(-gain * ramp) / (gain * ramp) } else { 1.0 };
         if missing > PITCH_ERROR {

@@ -116,8 +116,8 @@ impl Cam {
     }
 
     /// Greatest torque that the limits allow at the highest speed of the motor, Nm.
-    pub(super) fn most(&self) -> f64 {
-        self.axis.limits.peak * self.axis.motor.most(self.motor_speed())
+    pub(super) fn torque_limit(&self) -> f64 {
+        self.axis.limits.peak * self.axis.motor.short_time_torque(self.motor_speed())
     }
 
     /// Greatest effective torque that the limits allow on this site at the mean speed of the motor, Nm.
@@ -155,7 +155,7 @@ impl Cam {
     pub(super) fn speed_by_peak(&self) -> f64 {
         let most = self.correction.speed_at(self.law, self.left());
         self.speed_within(most, |cam| {
-            cam.motor_speed() <= cam.axis.motor.rated_speed || cam.peak_torque() <= cam.most()
+            cam.motor_speed() <= cam.axis.motor.rated_speed || cam.peak_torque() <= cam.torque_limit()
         })
     }
 
@@ -168,7 +168,7 @@ impl Cam {
         let linear = per_speed.peak_speed(self.law).abs().max(1.0) / self.axis.ramp;
         let most = 2.0 * left / (linear + (linear * linear + 4.0 * square * left).sqrt());
         self.speed_within(most, |cam| {
-            cam.motor_speed() <= cam.axis.motor.rated_speed || cam.start_torque() <= cam.most()
+            cam.motor_speed() <= cam.axis.motor.rated_speed || cam.start_torque() <= cam.torque_limit()
         })
     }
 

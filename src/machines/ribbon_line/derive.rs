@@ -23,6 +23,7 @@ const KNOB_RATE: f64 = 10.0;
 /// The results. At standstill (override 0) the times of a pitch are infinite.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Derived {
+    /// Ribbon per revolution of the unwinder's motor.
     pub k: f64,
     pub asked_speed: f64,
     pub top_speed: f64,
@@ -428,7 +429,7 @@ struct Timing {
 }
 
 impl Timing {
-    /// Times of a pitch that lasts `pitch_time` at the driven speed of X.
+    /// Times of a line whose pitch lasts `programmed` seconds by its F and `pitch_time` at the driven speed of X.
     fn new(p: &Params, programmed: f64, pitch_time: f64, y_stroke: f64) -> Timing {
         let (pitches, count) = (p.block_pitches(), p.count());
         let wait = wait(p, pitch_time.is_finite());
@@ -561,6 +562,7 @@ impl Slack {
         let second = line_speed / 60.0;
         let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
         let started = actual_speed > 0.0;
+        // A running axis lags its command by v / K.
         let lag = second / p.position_gain_x;
         // Each exact stop has its ramps and the lag in its time.
         let stops = p.path_mode == PathMode::ExactStop;
@@ -578,7 +580,6 @@ impl Slack {
             loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
             error,
             error_rated,
-            // A running axis lags its command by v / K.
             start,
             rate,
             rate_rated,

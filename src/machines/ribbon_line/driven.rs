@@ -4,6 +4,7 @@ use super::mechanics::{ServoAxis, unwinder_load};
 use super::pose::LineState;
 use super::resolved::RibbonLine;
 use super::unwinder_motor::SHORT_TIME;
+use super::variables::PITCH;
 use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, Move};
 use crate::drives::web;
@@ -158,7 +159,7 @@ pub(super) fn encoder(line: &RibbonLine) -> Option<SpindleEncoder> {
 
 /// The pitch, which the program reads before each block.
 pub(super) fn pitch(line: &RibbonLine) -> ProductSize {
-    ProductSize { variable: 107, size: line.p.pitch }
+    ProductSize { variable: PITCH, size: line.p.pitch }
 }
 
 /// Quantities checked during operation: ribbon in the loop at the most and at the least, and tension while the loop is empty.

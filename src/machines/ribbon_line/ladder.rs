@@ -8,7 +8,7 @@ use super::stops::unwinder;
 use crate::controls::interface::{PlcLanguage, SignalRole};
 use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{BUSY, Direction, INTERRUPTED, STARTED, SpindleRequirements};
-use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, off, on};
+use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcWidth, off, on};
 
 /// The axes wait for the unwinder at the restart.
 const RESTART: Bit = Bit::Relay("restart");
@@ -50,7 +50,7 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     if book.has(SignalRole::SpindleOverrideCode) {
         // A switch with a code has steps of 10 %, which the program gets, too.
         let code = PlcNumber::Signal(SignalRole::SpindleOverrideCode);
-        book.compute(Operator::Divide, [knob, PlcNumber::Constant(10), code], false, "ribbon.ladder.code");
+        book.compute(Operator::Divide, [knob, PlcNumber::Constant(10), code], PlcWidth::Word, "ribbon.ladder.code");
     } else {
         let step = p.knob_step.percent();
         if step > 1.0 {
@@ -58,9 +58,9 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
                 (PlcNumber::Data("half"), PlcNumber::Data("steps"), PlcNumber::Data("percent"));
             let step = PlcNumber::Constant(step as i32);
             let middle = PlcNumber::Constant((p.knob_step.percent() / 2.0) as i32);
-            book.compute(Operator::Add, [knob, middle, half], false, "ribbon.ladder.half");
-            book.compute(Operator::Divide, [half, step, steps], false, "ribbon.ladder.divide");
-            book.compute(Operator::Multiply, [steps, step, percent], false, "ribbon.ladder.multiply");
+            book.compute(Operator::Add, [knob, middle, half], PlcWidth::Word, "ribbon.ladder.half");
+            book.compute(Operator::Divide, [half, step, steps], PlcWidth::Word, "ribbon.ladder.divide");
+            book.compute(Operator::Multiply, [steps, step, percent], PlcWidth::Word, "ribbon.ladder.multiply");
             knob = percent;
         }
         if p.knob_is_locked() {

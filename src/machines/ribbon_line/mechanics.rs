@@ -109,7 +109,7 @@ impl ServoAxis {
 
     /// Seconds of the shortest ramp, up and down, with the torque that the limits leave; infinite where standstill takes more.
     pub(super) fn shortest_ramp(&self) -> f64 {
-        let torque = self.limits.peak * self.motor.most(self.duty.speed);
+        let torque = self.limits.peak * self.motor.short_time_torque(self.duty.speed);
         let speed = self.duty.speed * RPM;
         let left = torque + self.load.torque;
         if left <= 0.0 || self.hold.abs() > torque {

@@ -42,6 +42,8 @@ mod rules_of_drives;
 
 mod program;
 
+mod variables;
+
 mod rules;
 
 mod plant;

@@ -4,12 +4,10 @@
 //! ribbon on the way. If it does not, a variable marks a product that was broken off, and an alarm sends the operator to the roller.
 
 use super::resolved::RibbonLine;
+use super::variables::{PHASE, PRINT_TRAVEL, REMAINDER, STROKE};
 use crate::controls::Code;
 use crate::machines::writing;
 use crate::nc::build::{Builder, Formula, NewWord, g, real, v};
-
-/// Distance of the nearest head from the ribbon, in heads; if the program cannot read positions, 1 from the start of a product to its end.
-pub(super) const PHASE: u32 = 138;
 
 /// Number of the alarm after a product that was broken off.
 pub(super) const ALARM: u32 = 23;
@@ -34,7 +32,7 @@ pub(super) fn check(b: &mut Builder, line: &RibbonLine) {
     }
 }
 
-/// Brings a head to the ribbon and goes on at block `next`: `#110` has the stroke of a pitch, one head. `turn` is the word of the roller's
+/// Brings a head to the ribbon and goes on at block `next`: [`STROKE`] has the stroke of a pitch, one head. `turn` is the word of the roller's
 /// travel. A product begins here.
 ///
 /// With the position y in heads and its distance `e = y - ROUND(y)` from the nearest head, the way on to the next head is
@@ -42,19 +40,19 @@ pub(super) fn check(b: &mut Builder, line: &RibbonLine) {
 pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl FnOnce(Formula) -> NewWord) {
     let axis = line.p.print_axis.address();
     let Some(position) = position(line) else {
-        b.assign(122, 0).note(&format!("REMAINDER OF {axis}"));
+        b.assign(REMAINDER, 0).note(&format!("REMAINDER OF {axis}"));
         b.assign(PHASE, 1).note("A PRODUCT BEGINS");
         return;
     };
-    b.assign(PHASE, v(position) / v(110)).note("HEADS FROM ZERO");
+    b.assign(PHASE, v(position) / v(STROKE)).note("HEADS FROM ZERO");
     b.assign(PHASE, v(PHASE) - v(PHASE).round()).note("FROM THE NEAREST");
-    b.assign(122, -(v(PHASE) * v(110))).note(&format!("REMAINDER OF {axis}"));
+    b.assign(REMAINDER, -(v(PHASE) * v(STROKE))).note(&format!("REMAINDER OF {axis}"));
     b.if_goto(v(PHASE).abs().le(real(SMALL, 3)), next);
     b.assign(PHASE, (v(PHASE) + real(0.49, 2)).round() - v(PHASE)).note("TO THE NEXT HEAD");
-    b.assign(124, (v(PHASE) * v(110) * 1000).round() / 1000);
-    b.assign(122, v(PHASE) * v(110) - v(124)).note(&format!("REMAINDER OF {axis}"));
+    b.assign(PRINT_TRAVEL, (v(PHASE) * v(STROKE) * 1000).round() / 1000);
+    b.assign(REMAINDER, v(PHASE) * v(STROKE) - v(PRINT_TRAVEL)).note(&format!("REMAINDER OF {axis}"));
     let mut words = writing::codes(line.control, [Code::Incremental]);
-    words.extend([g(0), turn(v(124))]);
+    words.extend([g(0), turn(v(PRINT_TRAVEL))]);
     b.words(words).note("A HEAD TO THE RIBBON");
 }
 

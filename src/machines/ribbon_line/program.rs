@@ -7,6 +7,12 @@ use super::derive::{SHORTEST, WHOLE};
 use super::params::{Endless, OverrideForm, PathMode, Rest, Variant, Wait};
 use super::phase;
 use super::resolved::RibbonLine;
+use super::variables::{
+    ACTUAL_SPEED, BLOCK_PITCHES, BLOCK_SIZE, BLOCK_STROKE, COUNT, FEED_LIMIT, FEED_PER_TURN, HEADS, HEADS_COPY, KNOB,
+    LAST, LEFT, LENGTH, LENGTH_LEFT, LINE_SPEED, PITCH, PITCH_COPY, PRESS_ROLLER, PRESS_ROLLER_COPY, PRINT_ROLLER,
+    PRINT_ROLLER_COPY, PRINT_TRAVEL, PULL, REDUCTION, REDUCTION_COPY, REMAINDER, RIBBON_PER_TURN, RUNNING_SPEED, SPEED,
+    SPEED_CLAMP, SPEED_COPY, STROKE, VECTOR_FEED,
+};
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, VarKind};
@@ -23,29 +29,17 @@ pub(super) const SETUP: u32 = 9102;
 
 /// The operator's variables: number, and whether only whole numbers are valid.
 const ENTRIES: [OperatorVariable; 10] = [
-    (100, true),
-    (101, false),
-    (102, false),
-    (107, false),
-    (109, true),
-    (111, false),
-    (116, false),
-    (119, false),
-    (120, true),
-    (121, true),
+    (SPEED, true),
+    (REDUCTION, false),
+    (PRESS_ROLLER, false),
+    (PITCH, false),
+    (HEADS, true),
+    (PRINT_ROLLER, false),
+    (SPEED_CLAMP, false),
+    (FEED_LIMIT, false),
+    (COUNT, true),
+    (BLOCK_SIZE, true),
 ];
-
-/// Variable of the pitches of a product, or of its length.
-const COUNT: u32 = 120;
-const LENGTH: u32 = 106;
-
-/// Pitches left, length left, and length of a shorter last pitch.
-const LEFT: u32 = 125;
-const LENGTH_LEFT: u32 = 137;
-const LAST: u32 = 126;
-
-/// Copy of the pitch by which the running line was computed.
-const PITCH_COPY: u32 = 134;
 
 /// Numbers of the alarms about a length.
 const SHORT_ALARM: u32 = 21;
@@ -67,48 +61,46 @@ fn entries(line: &RibbonLine) -> Vec<OperatorVariable> {
 pub(super) fn variables(line: &RibbonLine) -> Vec<(u32, &'static str, &'static str)> {
     let per_turn = line.in_step();
     let mut all = vec![
-        (100, "ribbon.spindle-speed", "r/min"),
-        (101, "ribbon.reduction-ratio", ": 1"),
-        (102, "ribbon.press-roller-diameter", "mm"),
-        (107, "ribbon.pitch", "mm"),
-        (109, "ribbon.heads", ""),
-        (111, "ribbon.print-roller-diameter", "mm"),
-        (116, "ribbon.speed-clamp", "r/min"),
-        (119, "ribbon.feed-limit", if per_turn { "mm/rev" } else { "mm/min" }),
+        (SPEED, "ribbon.spindle-speed", "r/min"),
+        (REDUCTION, "ribbon.reduction-ratio", ": 1"),
+        (PRESS_ROLLER, "ribbon.press-roller-diameter", "mm"),
+        (PITCH, "ribbon.pitch", "mm"),
+        (HEADS, "ribbon.heads", ""),
+        (PRINT_ROLLER, "ribbon.print-roller-diameter", "mm"),
+        (SPEED_CLAMP, "ribbon.speed-clamp", "r/min"),
+        (FEED_LIMIT, "ribbon.feed-limit", if per_turn { "mm/rev" } else { "mm/min" }),
         if is_length(line) { (LENGTH, "ribbon.product-length", "mm") } else { (COUNT, "ribbon.pitch-count", "") },
-        (121, "ribbon.pitches-per-block", ""),
+        (BLOCK_SIZE, "ribbon.pitches-per-block", ""),
         (line.input(), "ribbon.variable.input", ""),
-        (104, "ribbon.readout.actual-speed", "r/min"),
-        (105, "ribbon.readout.line-speed", "mm/min"),
-        (110, "ribbon.readout.y-stroke", ""),
-        (115, "ribbon.readout.vector-feed", "mm/min"),
+        (ACTUAL_SPEED, "ribbon.readout.actual-speed", "r/min"),
+        (LINE_SPEED, "ribbon.readout.line-speed", "mm/min"),
+        (STROKE, "ribbon.readout.y-stroke", ""),
+        (VECTOR_FEED, "ribbon.readout.vector-feed", "mm/min"),
     ];
     let ready_made = line.p.variant == Variant::ReadyMade;
     if per_turn || ready_made {
-        all.push((PER_TURN, "ribbon.readout.feed-per-revolution", "mm/rev"));
+        all.push((FEED_PER_TURN, "ribbon.readout.feed-per-revolution", "mm/rev"));
     }
     if ready_made {
-        all.push((RIBBON, "ribbon.readout.k", "mm/rev"));
+        all.push((RIBBON_PER_TURN, "ribbon.readout.k", "mm/rev"));
     }
     all.extend([
-        (122, "ribbon.variable.remainder", ""),
-        (125, "ribbon.variable.left", ""),
-        (128, "ribbon.variable.block", ""),
+        (REMAINDER, "ribbon.variable.remainder", ""),
+        (LEFT, "ribbon.variable.left", ""),
+        (BLOCK_PITCHES, "ribbon.variable.block", ""),
     ]);
     all
 }
 
-/// The vector feed per revolution of the unwinder's motor.
-const PER_TURN: u32 = 117;
-
-/// Ribbon per revolution of the unwinder's motor.
-const RIBBON: u32 = 118;
-
-/// Copy of the override, by which the running line notices a turned knob.
-const KNOB: u32 = 130;
-
 /// Entries that change the motion of a running line, each with the variable of its copy.
-const WATCHED: [(u32, u32); 6] = [(100, 131), (101, 132), (102, 133), (107, 134), (109, 135), (111, 136)];
+const WATCHED: [(u32, u32); 6] = [
+    (SPEED, SPEED_COPY),
+    (REDUCTION, REDUCTION_COPY),
+    (PRESS_ROLLER, PRESS_ROLLER_COPY),
+    (PITCH, PITCH_COPY),
+    (HEADS, HEADS_COPY),
+    (PRINT_ROLLER, PRINT_ROLLER_COPY),
+];
 
 /// The programs, one per file.
 pub(super) fn deck(line: &RibbonLine) -> Deck {
@@ -165,7 +157,12 @@ fn pull_words(line: &RibbonLine, ribbon: Formula) -> Formula {
 fn move_block(line: &RibbonLine, pull: Formula) -> Vec<NewWord> {
     let once = line.p.path_mode == PathMode::ExactStop && !line.control.can(Code::ExactStop);
     let mut words = codes(line, once.then_some(Code::ExactStopOnce));
-    words.extend([g(1), travel(line, line.pull(), pull), travel(line, line.print(), v(124)), f(v(feed(line)))]);
+    words.extend([
+        g(1),
+        travel(line, line.pull(), pull),
+        travel(line, line.print(), v(PRINT_TRAVEL)),
+        f(v(feed(line))),
+    ]);
     words
 }
 
@@ -227,30 +224,30 @@ fn pi(line: &RibbonLine) -> Formula {
 /// Actual spindle speed, equation (1). `input` holds the PLC's word.
 fn actual_speed(line: &RibbonLine, input: u32) -> Formula {
     match line.p.override_form {
-        OverrideForm::Percent => v(100) * v(input) / 100,
+        OverrideForm::Percent => v(SPEED) * v(input) / 100,
         OverrideForm::FinalSpeed => v(input),
     }
 }
 
 /// Travel of the print roller per pitch: one head further.
 fn print_stroke(line: &RibbonLine) -> Formula {
-    if line.degrees() { real(360.0, 0) / v(109) } else { pi(line) * v(111) / v(109) }
+    if line.degrees() { real(360.0, 0) / v(HEADS) } else { pi(line) * v(PRINT_ROLLER) / v(HEADS) }
 }
 
 /// Vector feed from the speed of the ribbon, equation (4): the block N30 that the paper leaves out.
 fn vector_feed(speed: Formula) -> Formula {
-    speed * (v(107) * v(107) + v(110) * v(110)).sqrt() / v(107)
+    speed * (v(PITCH) * v(PITCH) + v(STROKE) * v(STROKE)).sqrt() / v(PITCH)
 }
 
 /// Ribbon per revolution of the unwinder's motor, equation (2).
 fn per_turn(line: &RibbonLine) -> Formula {
-    pi(line) * v(102) / v(101)
+    pi(line) * v(PRESS_ROLLER) / v(REDUCTION)
 }
 
 /// The alarm of an F above the limit.
 fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
     let feed = line.control.variable(feed(line));
-    writing::alarm(b, line.control, 20, &format!("FEED {feed} ABOVE LIMIT {}", line.control.variable(119)));
+    writing::alarm(b, line.control, 20, &format!("FEED {feed} ABOVE LIMIT {}", line.control.variable(FEED_LIMIT)));
     if writing::has_alarms(line.control) {
         b.words(codes(line, [Code::SubEnd]));
     }
@@ -264,17 +261,17 @@ fn compute(b: &mut Builder, line: &RibbonLine) {
     for (at, (watched, copy)) in (20..).zip(WATCHED) {
         b.n(at).assign(copy, v(watched));
     }
-    b.n(30).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
-    b.n(31).assign(129, pull_words(line, v(107) * v(128))).note(if line.pull_words() == 2 {
+    b.n(30).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(31).assign(PULL, pull_words(line, v(PITCH) * v(BLOCK_PITCHES))).note(if line.pull_words() == 2 {
         "X PER BLOCK, DIAMETER"
     } else {
         "X PER BLOCK"
     });
-    b.n(32).assign(123, v(110) * v(128)).note(&about(line, "PER BLOCK"));
-    b.n(33).assign(RIBBON, per_turn(line)).note("RIBBON PER REVOLUTION");
-    b.n(34).assign(PER_TURN, vector_feed(v(RIBBON))).note("FEED PER REVOLUTION");
+    b.n(32).assign(BLOCK_STROKE, v(STROKE) * v(BLOCK_PITCHES)).note(&about(line, "PER BLOCK"));
+    b.n(33).assign(RIBBON_PER_TURN, per_turn(line)).note("RIBBON PER REVOLUTION");
+    b.n(34).assign(FEED_PER_TURN, vector_feed(v(RIBBON_PER_TURN))).note("FEED PER REVOLUTION");
     speed_and_feed(b, line, 40);
-    b.n(46).if_goto(v(feed(line)).gt(v(119)), 920);
+    b.n(46).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), 920);
     b.n(47).words(codes(line, [Code::SubEnd]));
     writing::alarms(b, line.control, &entries(line));
     feed_alarm(b, line);
@@ -282,19 +279,19 @@ fn compute(b: &mut Builder, line: &RibbonLine) {
     header(b, line);
 }
 
-/// All that depends on the override, in six blocks from number `n` on; `#117` and `#118` hold what does not.
+/// All that depends on the override, in six blocks from number `n` on; [`FEED_PER_TURN`] and [`RIBBON_PER_TURN`] hold what does not.
 fn speed_and_feed(b: &mut Builder, line: &RibbonLine, n: u32) {
     b.n(n).assign(KNOB, v(line.input())).note("OVERRIDE");
-    b.n(n + 1).assign(104, actual_speed(line, KNOB)).note("ACTUAL SPEED R/MIN");
-    b.n(n + 2).if_goto(v(104).le(v(116)), n + 4);
-    b.n(n + 3).assign(104, v(116)).note("CLAMP AS THE CONTROL DOES");
-    b.n(n + 4).assign(105, v(RIBBON) * v(104)).note("LINE SPEED MM/MIN");
-    b.n(n + 5).assign(115, v(PER_TURN) * v(104)).note("VECTOR FEED");
+    b.n(n + 1).assign(ACTUAL_SPEED, actual_speed(line, KNOB)).note("ACTUAL SPEED R/MIN");
+    b.n(n + 2).if_goto(v(ACTUAL_SPEED).le(v(SPEED_CLAMP)), n + 4);
+    b.n(n + 3).assign(ACTUAL_SPEED, v(SPEED_CLAMP)).note("CLAMP AS THE CONTROL DOES");
+    b.n(n + 4).assign(LINE_SPEED, v(RIBBON_PER_TURN) * v(ACTUAL_SPEED)).note("LINE SPEED MM/MIN");
+    b.n(n + 5).assign(VECTOR_FEED, v(FEED_PER_TURN) * v(ACTUAL_SPEED)).note("VECTOR FEED");
 }
 
 /// Variable of the F that moves the axes.
 fn feed(line: &RibbonLine) -> u32 {
-    if line.in_step() { PER_TURN } else { 115 }
+    if line.in_step() { FEED_PER_TURN } else { VECTOR_FEED }
 }
 
 /// O9101, ready-made.
@@ -306,10 +303,10 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     if !is_length(line) {
         b.n(2).assign(LEFT, v(COUNT)).note("PITCHES LEFT");
     }
-    b.n(4).assign(128, v(121)).note("PITCHES OF A BLOCK");
+    b.n(4).assign(BLOCK_PITCHES, v(BLOCK_SIZE)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
     // A start under override 0 has its wait for the unwinder when the override rises: X would else pull before ribbon is given.
-    b.while_do(v(115).lt(real(0.001, 3)), 1);
+    b.while_do(v(VECTOR_FEED).lt(real(0.001, 3)), 1);
     b.words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.call(COMPUTE, None);
     b.end_do(1);
@@ -321,13 +318,13 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     to_head(b, line, next);
     preset(b, line, 6);
     let speed = spindle_word(line);
-    b.n(7).assign(127, v(speed)).note("SPEED THAT RUNS");
+    b.n(7).assign(RUNNING_SPEED, v(speed)).note("SPEED THAT RUNS");
     start_spindle(b, line, 8, 9);
     b.n(10).words(modes(line));
-    b.n(11).while_do(v(125).gt(0), 1);
-    b.n(12).assign(128, v(121));
-    b.n(13).if_goto(v(125).ge(v(128)), 15);
-    b.n(14).assign(128, v(125)).note("LAST BLOCK IS SHORTER");
+    b.n(11).while_do(v(LEFT).gt(0), 1);
+    b.n(12).assign(BLOCK_PITCHES, v(BLOCK_SIZE));
+    b.n(13).if_goto(v(LEFT).ge(v(BLOCK_PITCHES)), 15);
+    b.n(14).assign(BLOCK_PITCHES, v(LEFT)).note("LAST BLOCK IS SHORTER");
     if is_length(line) {
         // Computed with the old pitch, of which O9100 has a copy, so that the length stays when the pitch changes.
         b.n(15).assign(LENGTH_LEFT, v(LEFT) * v(PITCH_COPY) + v(LAST)).note("LENGTH LEFT");
@@ -336,13 +333,13 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     } else {
         b.n(15).call(COMPUTE, None);
     }
-    b.n(16).if_goto(v(speed).eq(v(127)), 19);
-    b.n(17).assign(127, v(speed));
+    b.n(16).if_goto(v(speed).eq(v(RUNNING_SPEED)), 19);
+    b.n(17).assign(RUNNING_SPEED, v(speed));
     b.n(18).words([s(v(speed))]);
-    b.n(19).if_goto(v(115).ge(real(0.001, 3)), 30).note("F BELOW IS F0");
+    b.n(19).if_goto(v(VECTOR_FEED).ge(real(0.001, 3)), 30).note("F BELOW IS F0");
     b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.n(21).goto(15);
-    b.n(30).while_do(v(125).ge(v(128)), 2);
+    b.n(30).while_do(v(LEFT).ge(v(BLOCK_PITCHES)), 2);
     // One block watches the knob and three entries, another one the other entries, so that a pass has seven macro blocks. Each block fits a
     // screen, this one without its number.
     let (first, second) = WATCHED.split_at(3);
@@ -355,15 +352,17 @@ fn run(b: &mut Builder, line: &RibbonLine) {
         b.n(32).if_goto(changed(first).gt(0), 15);
         speed_and_feed(b, line, 33);
         if !line.in_step() {
-            b.n(39).if_goto(v(115).gt(v(119)), 15).note("TOO FAST: ALARM");
+            b.n(39).if_goto(v(VECTOR_FEED).gt(v(FEED_LIMIT)), 15).note("TOO FAST: ALARM");
         }
-        b.n(40).if_goto(v(115).lt(real(0.001, 3)), 15).note("OVERRIDE 0");
+        b.n(40).if_goto(v(VECTOR_FEED).lt(real(0.001, 3)), 15).note("OVERRIDE 0");
     }
     b.n(41).if_goto(changed(second).gt(0), 15);
-    b.n(42).assign(124, ((v(122) + v(123)) * 1000).round() / 1000).note(&about(line, "OF THIS BLOCK"));
-    b.n(43).assign(122, v(122) + v(123) - v(124)).note(&about(line, "LEFT OVER"));
-    b.n(44).words(move_block(line, v(129)));
-    b.n(45).assign(125, v(125) - v(128));
+    b.n(42)
+        .assign(PRINT_TRAVEL, ((v(REMAINDER) + v(BLOCK_STROKE)) * 1000).round() / 1000)
+        .note(&about(line, "OF THIS BLOCK"));
+    b.n(43).assign(REMAINDER, v(REMAINDER) + v(BLOCK_STROKE) - v(PRINT_TRAVEL)).note(&about(line, "LEFT OVER"));
+    b.n(44).words(move_block(line, v(PULL)));
+    b.n(45).assign(LEFT, v(LEFT) - v(BLOCK_PITCHES));
     b.n(46).end_do(2);
     b.n(47).end_do(1);
     last_pitch(b, line);
@@ -373,18 +372,18 @@ fn run(b: &mut Builder, line: &RibbonLine) {
 
 /// Writes the pitches left of a length by the rule for its remainder, and the length of a shorter last pitch.
 fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) {
-    let pitches = || length.clone() / v(107);
+    let pitches = || length.clone() / v(PITCH);
     let whole = match line.p.rest {
         Rest::Shorten => (pitches() + real(WHOLE, 4)).fix(),
         Rest::Round | Rest::Alarm => pitches().round(),
     };
     b.assign(LEFT, whole).note("PITCHES LEFT");
     match line.p.rest {
-        Rest::Shorten => b.assign(LAST, length.clone() - v(LEFT) * v(107)).note("LAST PITCH"),
+        Rest::Shorten => b.assign(LAST, length.clone() - v(LEFT) * v(PITCH)).note("LAST PITCH"),
         Rest::Round | Rest::Alarm => b.assign(LAST, 0).note("NO SHORTER PITCH"),
     };
     if line.p.rest == Rest::Alarm {
-        b.if_goto((length - v(LEFT) * v(107)).abs().gt(real(0.001, 3)), 900 + WHOLE_ALARM);
+        b.if_goto((length - v(LEFT) * v(PITCH)).abs().gt(real(0.001, 3)), 900 + WHOLE_ALARM);
     }
 }
 
@@ -394,7 +393,8 @@ fn last_pitch(b: &mut Builder, line: &RibbonLine) {
         return;
     }
     b.if_goto(v(LAST).le(real(SHORTEST, 4)), 50);
-    b.assign(124, ((v(122) + v(110) * v(LAST) / v(107)) * 1000).round() / 1000).note(&about(line, "OF THE LAST PITCH"));
+    b.assign(PRINT_TRAVEL, ((v(REMAINDER) + v(STROKE) * v(LAST) / v(PITCH)) * 1000).round() / 1000)
+        .note(&about(line, "OF THE LAST PITCH"));
     b.words(move_block(line, pull_words(line, v(LAST))));
 }
 
@@ -429,7 +429,7 @@ fn changed(watched: &[(u32, u32)]) -> Formula {
 /// Variable of S: the programmed speed, which the control multiplies by the knob; where the PLC locks the knob, the speed that the typed
 /// override leaves.
 fn spindle_word(line: &RibbonLine) -> u32 {
-    if line.p.knob_is_locked() { 104 } else { 100 }
+    if line.p.knob_is_locked() { ACTUAL_SPEED } else { SPEED }
 }
 
 /// S and M3, and the wait until the unwinder runs.
@@ -462,26 +462,28 @@ fn end(b: &mut Builder, line: &RibbonLine) {
 /// O9100 as published: its numbers N5, N10, N20, N30, N100 and N200 with the corrections between them.
 fn published(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - AS PUBLISHED");
-    b.n(5).assign(104, actual_speed(line, line.input())).note("ACTUAL SPEED R/MIN");
-    b.n(6).if_goto(v(104).le(v(116)), 10);
-    b.n(7).assign(104, v(116)).note("CLAMP AS THE CONTROL DOES");
-    b.n(10).assign(105, per_turn(line) * v(104)).note("LINE SPEED MM/MIN");
-    b.n(20).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
-    b.n(30).assign(115, vector_feed(v(105))).note("VECTOR FEED");
-    b.n(31).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note(&about(line, "OF THIS PITCH"));
-    b.n(40).if_goto(v(115).lt(real(0.001, 3)), 210).note("F BELOW IS F0");
+    b.n(5).assign(ACTUAL_SPEED, actual_speed(line, line.input())).note("ACTUAL SPEED R/MIN");
+    b.n(6).if_goto(v(ACTUAL_SPEED).le(v(SPEED_CLAMP)), 10);
+    b.n(7).assign(ACTUAL_SPEED, v(SPEED_CLAMP)).note("CLAMP AS THE CONTROL DOES");
+    b.n(10).assign(LINE_SPEED, per_turn(line) * v(ACTUAL_SPEED)).note("LINE SPEED MM/MIN");
+    b.n(20).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(30).assign(VECTOR_FEED, vector_feed(v(LINE_SPEED))).note("VECTOR FEED");
+    b.n(31)
+        .assign(PRINT_TRAVEL, ((v(REMAINDER) + v(STROKE)) * 1000).round() / 1000)
+        .note(&about(line, "OF THIS PITCH"));
+    b.n(40).if_goto(v(VECTOR_FEED).lt(real(0.001, 3)), 210).note("F BELOW IS F0");
     if line.in_step() {
-        b.assign(PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
+        b.assign(FEED_PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
     }
-    b.n(41).if_goto(v(feed(line)).gt(v(119)), 920);
+    b.n(41).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), 920);
     let speed = spindle_word(line);
-    b.n(90).if_goto(v(127).eq(v(speed)), 200);
+    b.n(90).if_goto(v(RUNNING_SPEED).eq(v(speed)), 200);
     start_spindle(b, line, 100, 110);
-    b.n(120).assign(127, v(speed)).note("SPEED THAT RUNS");
-    let pull = pull_words(line, v(107));
+    b.n(120).assign(RUNNING_SPEED, v(speed)).note("SPEED THAT RUNS");
+    let pull = pull_words(line, v(PITCH));
     b.n(200).words(modes(line).into_iter().chain(move_block(line, pull)));
-    b.n(201).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));
-    b.n(202).assign(125, v(125) - 1);
+    b.n(201).assign(REMAINDER, v(REMAINDER) + v(STROKE) - v(PRINT_TRAVEL)).note(&about(line, "LEFT OVER"));
+    b.n(202).assign(LEFT, v(LEFT) - 1);
     b.n(203).words(codes(line, [Code::SubEnd]));
     b.n(210).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.n(211).words(codes(line, [Code::SubEnd]));
@@ -498,8 +500,8 @@ fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl 
     phase::check(b, line);
     b.n(21);
     product(b, line);
-    b.n(22).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
-    b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
+    b.n(22).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(23).assign(RUNNING_SPEED, 0).note("SPINDLE DOES NOT RUN YET");
     to_head(b, line, if presets(line) { 24 } else { passes_at });
     preset(b, line, 24);
     passes(b);
@@ -520,7 +522,7 @@ fn run_published(b: &mut Builder, line: &RibbonLine) {
 }
 
 /// Entries that the precomputed listing watches in the running line, each with the variable of its copy; the others act at the next start.
-const WATCHED_ONCE: [(u32, u32); 3] = [(100, 131), (107, PITCH_COPY), (109, 135)];
+const WATCHED_ONCE: [(u32, u32); 3] = [(SPEED, SPEED_COPY), (PITCH, PITCH_COPY), (HEADS, HEADS_COPY)];
 
 /// O9100 of the listing that calculates before the loop: the same numbers without the motion, and copies of the watched entries.
 fn precompute(b: &mut Builder, line: &RibbonLine) {
@@ -529,17 +531,17 @@ fn precompute(b: &mut Builder, line: &RibbonLine) {
     for (at, (watched, copy)) in (2..).zip(WATCHED_ONCE) {
         b.n(at).assign(copy, v(watched));
     }
-    b.n(5).assign(104, actual_speed(line, KNOB)).note("ACTUAL SPEED R/MIN");
-    b.n(6).if_goto(v(104).le(v(116)), 10);
-    b.n(7).assign(104, v(116)).note("CLAMP AS THE CONTROL DOES");
-    b.n(10).assign(105, per_turn(line) * v(104)).note("LINE SPEED MM/MIN");
-    b.n(20).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
-    b.n(30).assign(115, vector_feed(v(105))).note("VECTOR FEED");
-    b.n(31).assign(129, pull_words(line, v(107))).note("PULL PER PITCH");
+    b.n(5).assign(ACTUAL_SPEED, actual_speed(line, KNOB)).note("ACTUAL SPEED R/MIN");
+    b.n(6).if_goto(v(ACTUAL_SPEED).le(v(SPEED_CLAMP)), 10);
+    b.n(7).assign(ACTUAL_SPEED, v(SPEED_CLAMP)).note("CLAMP AS THE CONTROL DOES");
+    b.n(10).assign(LINE_SPEED, per_turn(line) * v(ACTUAL_SPEED)).note("LINE SPEED MM/MIN");
+    b.n(20).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(30).assign(VECTOR_FEED, vector_feed(v(LINE_SPEED))).note("VECTOR FEED");
+    b.n(31).assign(PULL, pull_words(line, v(PITCH))).note("PULL PER PITCH");
     if line.in_step() {
-        b.n(32).assign(PER_TURN, vector_feed(per_turn(line))).note("FEED PER TURN");
+        b.n(32).assign(FEED_PER_TURN, vector_feed(per_turn(line))).note("FEED PER TURN");
     }
-    b.n(41).if_goto(v(feed(line)).gt(v(119)), 920);
+    b.n(41).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), 920);
     b.n(42).words(codes(line, [Code::SubEnd]));
     feed_alarm(b, line);
     header(b, line);
@@ -559,20 +561,22 @@ fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
         } else {
             b.call(COMPUTE, None);
         }
-        b.n(32).if_goto(v(115).ge(real(0.001, 3)), 35).note("F BELOW IS F0");
+        b.n(32).if_goto(v(VECTOR_FEED).ge(real(0.001, 3)), 35).note("F BELOW IS F0");
         b.n(33).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
         b.n(34).goto(31);
         let speed = spindle_word(line);
-        b.n(35).if_goto(v(127).eq(v(speed)), 190);
+        b.n(35).if_goto(v(RUNNING_SPEED).eq(v(speed)), 190);
         start_spindle(b, line, 100, 110);
-        b.n(120).assign(127, v(speed)).note("SPEED THAT RUNS");
+        b.n(120).assign(RUNNING_SPEED, v(speed)).note("SPEED THAT RUNS");
         b.n(190).while_do(v(LEFT).gt(0), 2);
         let watched: Vec<_> = core::iter::once((line.input(), KNOB)).chain(WATCHED_ONCE).collect();
         // Without its number the block fits on a screen.
         b.if_goto(changed(&watched).gt(0), 31);
-        b.n(192).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note(&about(line, "OF THIS PITCH"));
-        b.n(193).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));
-        b.n(200).words(move_block(line, v(129)));
+        b.n(192)
+            .assign(PRINT_TRAVEL, ((v(REMAINDER) + v(STROKE)) * 1000).round() / 1000)
+            .note(&about(line, "OF THIS PITCH"));
+        b.n(193).assign(REMAINDER, v(REMAINDER) + v(STROKE) - v(PRINT_TRAVEL)).note(&about(line, "LEFT OVER"));
+        b.n(200).words(move_block(line, v(PULL)));
         b.n(201).assign(LEFT, v(LEFT) - 1);
         b.n(202).end_do(2);
         b.n(203).end_do(1);
@@ -585,7 +589,7 @@ fn product(b: &mut Builder, line: &RibbonLine) {
         pitches_left(b, line, v(LENGTH));
         b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);
         if line.p.variant == Variant::Precomputed {
-            b.assign(PITCH_COPY, v(107));
+            b.assign(PITCH_COPY, v(PITCH));
         }
     } else {
         b.assign(LEFT, v(COUNT)).note("PITCHES LEFT");
@@ -598,20 +602,20 @@ fn setup(b: &mut Builder, line: &RibbonLine) {
     header(b, line);
     let p = &line.p;
     let values = [
-        (100, p.spindle_speed, 0, "SPINDLE SPEED S"),
-        (101, p.reduction_ratio, 6, "REDUCTION RATIO"),
-        (102, p.press_roller_diameter, 4, "PRESS ROLLER DIAMETER"),
-        (107, p.pitch, 3, "PITCH"),
-        (109, p.heads, 0, "PRINT HEADS"),
-        (111, p.print_roller_diameter, 4, "PRINT ROLLER DIAMETER"),
-        (116, p.top_speed(), 3, "SPEED CLAMP"),
-        (119, line.feed_max(), 3, "FEED LIMIT"),
+        (SPEED, p.spindle_speed, 0, "SPINDLE SPEED S"),
+        (REDUCTION, p.reduction_ratio, 6, "REDUCTION RATIO"),
+        (PRESS_ROLLER, p.press_roller_diameter, 4, "PRESS ROLLER DIAMETER"),
+        (PITCH, p.pitch, 3, "PITCH"),
+        (HEADS, p.heads, 0, "PRINT HEADS"),
+        (PRINT_ROLLER, p.print_roller_diameter, 4, "PRINT ROLLER DIAMETER"),
+        (SPEED_CLAMP, p.top_speed(), 3, "SPEED CLAMP"),
+        (FEED_LIMIT, line.feed_max(), 3, "FEED LIMIT"),
         if is_length(line) {
             (LENGTH, p.product_length, 3, "LENGTH OF A PRODUCT")
         } else {
             (COUNT, p.count(), 0, "PITCHES OF A PRODUCT")
         },
-        (121, p.block_pitches(), 0, "PITCHES PER BLOCK"),
+        (BLOCK_SIZE, p.block_pitches(), 0, "PITCHES PER BLOCK"),
     ];
     for (at, (number, value, decimals, text)) in (1..).zip(values) {
         b.n(at).assign(number, real(value, decimals)).note(text);

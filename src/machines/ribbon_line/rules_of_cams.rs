@@ -39,7 +39,7 @@ pub(super) fn advice(line: &RibbonLine) -> Option<Message> {
         msg!(
             "ribbon.match-cam",
             torque = peak,
-            limit = (fast.most(), 2),
+            limit = (fast.torque_limit(), 2),
             effective,
             effective_limit = (fast.effective_torque_limit(), 2),
             speed = (speed, 0)
@@ -70,12 +70,12 @@ fn torque(line: &RibbonLine, (now, fast): (f64, f64), most: f64, speed: f64) -> 
 
 fn peak(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast) = cams::chosen(line)?;
-    torque(line, (now.peak_torque(), fast.peak_torque()), fast.most(), fast.speed_by_peak())
+    torque(line, (now.peak_torque(), fast.peak_torque()), fast.torque_limit(), fast.speed_by_peak())
 }
 
 fn start(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast) = cams::chosen(line)?;
-    torque(line, (now.start_torque(), fast.start_torque()), fast.most(), fast.speed_by_start())
+    torque(line, (now.start_torque(), fast.start_torque()), fast.torque_limit(), fast.speed_by_start())
 }
 
 fn effective(line: &RibbonLine) -> Option<Judgement> {

@@ -41,7 +41,7 @@ pub(super) fn here(limit: f64, now: f64, fast: f64) -> f64 {
 }
 
 fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
-    let most = fast.limits.peak * fast.motor.most(fast.duty.speed);
+    let most = fast.limits.peak * fast.motor.short_time_torque(fast.duty.speed);
     let limit = AtMost(here(most, now.duty.peak, fast.duty.peak));
     if limit.holds(now.duty.peak) {
         return ok(limit);
@@ -64,7 +64,7 @@ fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
 
 fn peak_x(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast) = (&line.mechanics.pull, &line.fast_mechanics.pull);
-    let most = fast.limits.peak * fast.motor.most(fast.duty.speed);
+    let most = fast.limits.peak * fast.motor.short_time_torque(fast.duty.speed);
     if fast.taut.abs() <= most {
         return peak(now, fast);
     }

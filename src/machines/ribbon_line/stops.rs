@@ -4,6 +4,7 @@ use super::coasting;
 use super::contacts::{CONTACTS, left_at_reel_end};
 use super::phase;
 use super::resolved::RibbonLine;
+use super::variables::PHASE;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
@@ -35,7 +36,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     };
     // After a broken-off product a head has to be brought to the ribbon again.
     let program_sets_phase = phase::program_sets_phase(line);
-    let variable = line.control.variable(phase::PHASE);
+    let variable = line.control.variable(PHASE);
     let anew = |by_program: fn(&str) -> Message, by_hand: fn(&str, &str) -> Message| match program_sets_phase {
         true => by_program(print.as_str()),
         false => by_hand(print.as_str(), variable.as_str()),
@@ -98,7 +99,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
 fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
     let (d, print) = (&line.d, line.p.print_axis.address().to_string());
     let (axis, program_sets_phase, in_step) = (print.as_str(), phase::program_sets_phase(line), line.in_step());
-    let variable = line.control.variable(phase::PHASE);
+    let variable = line.control.variable(PHASE);
     let variable = variable.as_str();
     let row = |at, cause, axes, material, operator| Reaction {
         at,

@@ -7,6 +7,11 @@ use crate::machines::form::rows::{Member, TextMember, number, text};
 /// Inputs of a slide. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::machines) struct SlideParams {
+    pub rapid: f64,
+    pub clamp: f64,
+    pub lead: f64,
+    pub motor_teeth: f64,
+    pub screw_teeth: f64,
     pub mass: f64,
     pub friction: f64,
     pub screw_diameter: f64,
@@ -63,7 +68,7 @@ pub(in crate::machines) const MOTORS: [FormMotor; 2] = [
 macro_rules! fact {
     ($(#[$doc:meta])* $name:ident: $help:literal, $unit:literal, $range:expr, $decimals:literal, $step:literal) => {
         $(#[$doc])*
-        pub(in crate::machines) const fn $name<P>(
+        pub(super) const fn $name<P>(
             id: &'static str,
             label: &'static str,
             default: f64,
@@ -117,45 +122,37 @@ fact!(
 );
 
 /// A field for maker and model of a motor.
-pub(in crate::machines) const fn motor<P>(id: &'static str, label: &'static str, member: TextMember<P>) -> Field<P> {
+pub(super) const fn motor<P>(id: &'static str, label: &'static str, member: TextMember<P>) -> Field<P> {
     text(id, member).group(GROUP).label(label).help("slides.motor.help").characters(40)
 }
 
 /// A field for the greatest ratio of inertias.
-pub(in crate::machines) const fn inertia_limit<P>(
-    id: &'static str,
-    label: &'static str,
-    member: Member<P, f64>,
-) -> Field<P> {
+pub(super) const fn inertia_limit<P>(id: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).group(GROUP).label(label).help("slides.inertia-limit.help");
     row.unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).setting()
 }
 
 /// A field for the share of the stall torque that the effective torque may take.
-pub(in crate::machines) const fn effective_limit<P>(
-    id: &'static str,
-    label: &'static str,
-    member: Member<P, f64>,
-) -> Field<P> {
+pub(super) const fn effective_limit<P>(id: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).group(GROUP).label(label).help("slides.effective-limit.help");
     row.unit("%").range(1.0..=100.0).default(80.0).decimals(1).step(1.0).setting()
 }
 
 /// A field for the angle of the way of X.
-pub(in crate::machines) const fn bed_angle<P>(member: Member<P, f64>) -> Field<P> {
+pub(super) const fn bed_angle<P>(member: Member<P, f64>) -> Field<P> {
     let row = number("bed-angle", member).group(GROUP).label("slides.bed-angle").help("slides.bed-angle.help");
     row.symbol("α").unit("°").range(0.0..=90.0).default(0.0).decimals(1).step(5.0).fact()
 }
 
 /// A field for the efficiency of the screws.
-pub(in crate::machines) const fn efficiency<P>(member: Member<P, f64>) -> Field<P> {
+pub(super) const fn efficiency<P>(member: Member<P, f64>) -> Field<P> {
     let row = number("screw-efficiency", member).group(GROUP);
     let row = row.label("slides.screw-efficiency").help("slides.screw-efficiency.help").symbol("η");
     row.unit("%").range(1.0..=100.0).default(90.0).decimals(0).step(1.0).fact()
 }
 
 /// A field for the force against the feed, as a share of the cutting force.
-pub(in crate::machines) const fn feed_force<P>(member: Member<P, f64>) -> Field<P> {
+pub(super) const fn feed_force<P>(member: Member<P, f64>) -> Field<P> {
     let row = number("feed-force", member).group(GROUP).label("slides.feed-force").help("slides.feed-force.help");
     row.unit("%").range(0.0..=300.0).default(50.0).decimals(0).step(5.0).fact()
 }

@@ -1,15 +1,14 @@
 //! The slides of a lathe, on ball screws: their form, their motors, their loads, and the results that judge them.
 
 mod form;
+mod lathe;
 mod results;
 mod servo;
 
-pub(super) use form::{
-    MOTORS, SlideParams, bed_angle, effective_limit, efficiency, feed_force, friction, inertia_limit, mass, motor,
-    peak, rated, rated_speed, rotor, screw_diameter, screw_length, stall, top_speed,
-};
+pub(super) use form::MOTORS;
+pub(super) use lathe::{ALONG, CROSS, LatheSlides, SlideForm, XDefaults, rows, scaling_rows};
 pub(super) use results::results;
-pub(super) use servo::{HasSlides, ServoSlide, SlideAxis, SlideMachine, starts_per_minute};
+pub(super) use servo::{HasSlides, ServoSlide, SlideDuty, starts_per_minute};
 
 use super::driven::DrivenAxis;
 

@@ -1,13 +1,13 @@
 //! A slide with its motor: loads, limits, and the drive of the sizing.
 
 use super::form::SlideParams;
+use super::lathe::LatheSlides;
 use crate::drives::duty::Strikes;
 use crate::drives::inertia::{CM2, Cylinder, STEEL};
 use crate::drives::servo::{Acceptance, Servo, WEIGHT_SHARE};
 use crate::drives::slide::Slide;
 use crate::machines::driven::{DrivenAxis, Fitted, MotorFields};
 use crate::machines::machine::Machine;
-use crate::machines::scaling::AxisDrive;
 use crate::math::{PI, RPM};
 use crate::motion::Mover;
 
@@ -41,19 +41,19 @@ pub(in crate::machines) struct ServoSlide {
     pub cuts_downhill: bool,
 }
 
-/// Data common to the slides of a machine.
+/// Duty of the slides by the work of their lathe.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::machines) struct SlideMachine {
-    /// Efficiency of screw and gear, %.
-    pub efficiency: f64,
-    /// Time constant of the ramps, ms, and the position gain, 1/s.
-    pub ramp: (f64, f64),
+pub(in crate::machines) struct SlideDuty {
+    /// Index of X on the control, then that of Z.
+    pub axes: [usize; 2],
     /// Share of its ratings that the site leaves a motor, %.
     pub site_share: f64,
-    /// Greatest force of the cut against the feed, N.
-    pub feed_force: f64,
+    /// Greatest force of the cut, N.
+    pub cutting_force: f64,
     /// Starts per minute of each slide while pass follows pass; see [`starts_per_minute`].
     pub starts_per_minute: f64,
+    /// Whether X cuts only in its negative direction, down its inclined way.
+    pub x_cuts_downhill: bool,
 }
 
 /// Starts per minute: `n = 60 z / (Σ s/v + m τ)`, with z starts, m motions, ways s at speeds v without pauses (`seconds`), time constant τ
@@ -63,26 +63,26 @@ pub(in crate::machines) fn starts_per_minute(starts: f64, seconds: f64, (motions
     if starts > 0.0 && all > 0.0 { 60.0 * starts / all } else { 0.0 }
 }
 
-/// Data of a slide's axis that are neither in its form nor given by its screw.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::machines) struct SlideAxis {
+/// A slide's place on its lathe.
+struct SlidePlace {
     /// Index of its axis on the control.
-    pub at: usize,
-    /// Rapid traverse, mm/min.
-    pub rapid: f64,
+    at: usize,
     /// Angle of the positive direction above the horizontal, degrees.
-    pub rise: f64,
+    rise: f64,
     /// Whether it cuts only in its negative direction.
-    pub cuts_downhill: bool,
+    cuts_downhill: bool,
 }
 
-impl ServoSlide {
-    pub(in crate::machines) fn new(
-        form: &SlideParams,
-        drive: AxisDrive,
-        axis: SlideAxis,
-        of: SlideMachine,
-    ) -> ServoSlide {
+impl LatheSlides {
+    /// X and Z with their motors, on duty.
+    pub(in crate::machines) fn servos(&self, duty: SlideDuty) -> [ServoSlide; 2] {
+        let [at_x, at_z] = duty.axes;
+        let x = SlidePlace { at: at_x, rise: self.bed_angle, cuts_downhill: duty.x_cuts_downhill };
+        let z = SlidePlace { at: at_z, rise: 0.0, cuts_downhill: false };
+        [self.servo(&self.x, x, duty), self.servo(&self.z, z, duty)]
+    }
+
+    fn servo(&self, form: &SlideParams, place: SlidePlace, duty: SlideDuty) -> ServoSlide {
         let metres = |mm: f64| mm / 1e3;
         let screw = Cylinder {
             outer: metres(form.screw_diameter),
@@ -90,19 +90,19 @@ impl ServoSlide {
             length: metres(form.screw_length),
             density: STEEL,
         };
-        let site_share = of.site_share / 100.0;
+        let site_share = duty.site_share / 100.0;
         let limits =
             Acceptance { effective: form.effective_limit / 100.0, ..Acceptance::mitsubishi(form.inertia_limit) };
         ServoSlide {
-            at: axis.at,
+            at: place.at,
             slide: Slide {
                 mass: form.mass,
                 friction: form.friction,
-                rise: axis.rise * PI / 180.0,
+                rise: place.rise * PI / 180.0,
                 screw,
-                lead: metres(drive.lead),
-                gear: drive.gear.0 / drive.gear.1,
-                efficiency: of.efficiency / 100.0,
+                lead: metres(form.lead),
+                gear: form.screw_teeth / form.motor_teeth,
+                efficiency: self.efficiency / 100.0,
             },
             motor: Servo {
                 rated: form.rated,
@@ -113,17 +113,19 @@ impl ServoSlide {
                 rotor: form.rotor * CM2,
             },
             form_inertia_limit: form.inertia_limit,
-            limits: limits.at_starts(of.starts_per_minute).derated(site_share),
+            limits: limits.at_starts(duty.starts_per_minute).derated(site_share),
             site_share,
-            rapid: axis.rapid,
+            rapid: form.rapid,
             // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
-            ramp: (of.ramp.0 / 1e3).max(1.0 / of.ramp.1),
-            feed_force: of.feed_force,
-            starts_per_minute: of.starts_per_minute,
-            cuts_downhill: axis.cuts_downhill,
+            ramp: (self.time_constant / 1e3).max(1.0 / self.position_gain),
+            feed_force: duty.cutting_force * self.feed_force / 100.0,
+            starts_per_minute: duty.starts_per_minute,
+            cuts_downhill: place.cuts_downhill,
         }
     }
+}
 
+impl ServoSlide {
     /// Speed (r/min) of the screw at rapid traverse.
     pub(super) fn screw_speed(&self) -> f64 {
         self.rapid / 1e3 / self.slide.lead
@@ -162,7 +164,7 @@ impl ServoSlide {
 
     /// Torque (Nm) that the limits leave the motor for a short time at rapid traverse.
     pub(super) fn rapid_torque_limit(&self) -> f64 {
-        self.limits.peak * self.motor.most(self.rapid_speed())
+        self.limits.peak * self.motor.short_time_torque(self.rapid_speed())
     }
 
     /// Torque (Nm) that the limits leave the motor continuously at the low speed of a feed.

@@ -89,7 +89,7 @@ pub(super) fn charts_by_speed(lathe: &TurningSpindle, points: usize) -> Vec<Char
     let stages = STAGES.into_iter().zip(p.stages());
     let stages =
         stages.map(|((label, tone), stage_speed)| (label, tone, p.continuous(stage_speed), stage_speed)).collect();
-    let short = p.motor(d.stage_speed).share(p.motor_peak / 100.0);
+    let short = p.motor(d.stage_speed).share(p.spindle.peak / 100.0);
     let cut = |at: usize| {
         let diameter = d.smallest + (d.largest_cut - d.smallest) * at as f64 / (points - 1) as f64;
         (d.speed_at(p, diameter), p.steady_torque(diameter))

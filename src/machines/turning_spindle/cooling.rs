@@ -2,7 +2,6 @@
 
 use super::derive::Derived;
 use super::driven::{self, motor_speed};
-use super::params::Params;
 use super::resolved::TurningSpindle;
 use crate::machines::devices::{AskedDevice, forced_cooling_advice};
 use crate::machines::main_spindle;
@@ -16,7 +15,7 @@ const FIELD: &str = "motor-forced-cooling";
 
 /// The fan of a motor with forced cooling.
 pub(super) fn devices(lathe: &TurningSpindle) -> Vec<AskedDevice> {
-    Vec::from_iter(main_spindle::fan(driven::NAME, lathe.p.forced_cooling))
+    Vec::from_iter(main_spindle::fan(driven::NAME, lathe.p.spindle.forced_cooling))
 }
 
 /// Forced cooling, where the motor carries the cut with it and not with a fan on its shaft.
@@ -30,7 +29,7 @@ pub(super) fn remedy(lathe: &TurningSpindle) -> Option<Advice> {
 /// Cut and friction with the knob at its lowest position, where they ask the same torque and the fan on the motor's shaft cools least.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
     let (p, d) = (&lathe.p, &lathe.d);
-    if p.cutting_force <= 0.0 || p.forced_cooling || d.torque > d.torque_available {
+    if p.cutting_force <= 0.0 || p.spindle.forced_cooling || d.torque > d.torque_available {
         return None;
     }
     let (percent, slow) = lathe.at_lowest_knob()?;
@@ -45,6 +44,6 @@ pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
 }
 
 fn carries_with_forced(lathe: &TurningSpindle, d: &Derived) -> bool {
-    let forced = Params { forced_cooling: true, ..lathe.p.clone() }.continuous(d.stage_speed);
-    !lathe.p.forced_cooling && d.torque <= d.for_the_cut(&lathe.p, forced.torque(d.speed_largest_cut))
+    let forced = lathe.p.continuous(d.stage_speed).with_shaft_fan(false);
+    !lathe.p.spindle.forced_cooling && d.torque <= d.for_the_cut(&lathe.p, forced.torque(d.speed_largest_cut))
 }

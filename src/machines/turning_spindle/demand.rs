@@ -50,7 +50,7 @@ impl Derived {
 
     /// Torque (Nm) at the spindle with the tool tip at a diameter (mm): `F d_m / 2000 + M_f + J · 2π / 60 · dn/dt`. Source: turning spindle facts, 4.
     pub(super) fn torque_at(&self, p: &Params, diameter: f64) -> f64 {
-        let inertia = p.load_at_spindle(self.stage_speed).inertia;
+        let inertia = p.main_spindle(self.stage_speed).load_at_spindle.inertia;
         p.steady_torque(diameter) + inertia * self.acceleration_at(p, diameter) * RPM
     }
 
@@ -76,14 +76,7 @@ impl Derived {
 pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> SpindleRun {
     let (p, gear) = (&lathe.p, driven::gear(lathe));
     let idle = Motion::new(turns(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);
-    SpindleRun {
-        name: driven::NAME,
-        motion: idle.clone().with_cuts(cuts(lathe, run, stretches)),
-        idle,
-        rotor: p.rotor_inertia,
-        motor: MotorCurve::at_shaft(p.motor_power, p.motor_base),
-        peak: [p.motor_peak, p.motor_braking].map(|percent| percent / 100.0),
-    }
+    p.spindle.run(driven::NAME, idle, cuts(lathe, run, stretches))
 }
 
 /// The spans of a run in which the tool cuts, up to a time.

@@ -128,7 +128,7 @@ impl Params {
     /// stock. In front of the stock it is that of friction. Source: turning spindle facts, 4.
     pub(super) fn steady_torque(&self, diameter: f64) -> f64 {
         let cut = if diameter > self.stock_diameter { 0.0 } else { self.cutting_force };
-        cutting::torque(cut, self.middle_of_edge(diameter)) + self.spindle_friction
+        cutting::torque(cut, self.middle_of_edge(diameter)) + self.spindle.friction
     }
 
     /// Diameter (mm) at the middle of the edge in the stock, with its tip at a diameter: across the axis the edge reaches over the depth of cut.
@@ -302,7 +302,7 @@ impl Derived {
             torque: p.steady_torque(largest_cut),
             torque_available: motor.torque(speed(largest_cut)),
             acceleration_needed: if fixed { 0.0 } else { acceleration(p, v, limit.max(smallest)) },
-            acceleration: if p.spindle_ramp > 0.0 { stage_speed / p.spindle_ramp } else { f64::INFINITY },
+            acceleration: if p.spindle.ramp > 0.0 { stage_speed / p.spindle.ramp } else { f64::INFINITY },
             feed_top: p.feed * speed(smallest).max(speed(largest)),
             asked: s * before,
             held: surface,

@@ -4,10 +4,9 @@ use super::derive::Derived;
 use super::params::Path;
 use super::resolved::TurningSpindle;
 use super::run_up;
-use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
 use crate::machines::driven::{GaugeRow, InverterDrive, SpindleEncoder};
-use crate::machines::slides::{self, HasSlides, ServoSlide, SlideAxis, SlideMachine};
+use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDuty};
 use crate::math::RPM;
 use crate::view::Limit;
 
@@ -25,13 +24,13 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         torque: through_gear(d.torque, gear, p.efficiency / 100.0),
         speed: d.speed_largest_cut * gear,
         // The inverter is set to give this speed at 10 V, whatever the program commands.
-        top_speed: p.motor_top,
+        top_speed: p.spindle.top,
         site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: None,
         turn: gear * RPM,
         load_at_motor: load_at_motor(lathe),
-        rotor: p.rotor_inertia,
+        rotor: p.spindle.rotor,
         // Stages of the headstock.
         gear: None,
         full: None,
@@ -45,7 +44,7 @@ pub(super) const NAME: &str = "turning.drive.spindle";
 
 /// Speed of the motor over that of the spindle in the program's gear stage.
 pub(super) fn gear(lathe: &TurningSpindle) -> f64 {
-    lathe.p.motor_top / lathe.d.stage_speed
+    lathe.p.spindle.gear(lathe.d.stage_speed)
 }
 
 /// Speed (r/min) of the motor at the largest diameter of the cut, where it turns slowest.
@@ -58,22 +57,19 @@ pub(super) fn motor_speed(lathe: &TurningSpindle, d: &Derived) -> f64 {
 fn cooled_at(lathe: &TurningSpindle) -> Option<f64> {
     let slow = lathe.at_lowest_knob();
     let slowest = slow.map_or(f64::INFINITY, |(_, slow)| motor_speed(lathe, slow));
-    (!lathe.p.forced_cooling).then(|| slowest.min(motor_speed(lathe, &lathe.d)))
+    (!lathe.p.spindle.forced_cooling).then(|| slowest.min(motor_speed(lathe, &lathe.d)))
 }
 
 /// Chuck and work at the motor, against the friction of the spindle.
 pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
-    let (p, gear, efficiency) = (&lathe.p, gear(lathe), lathe.p.efficiency / 100.0);
-    Load {
-        inertia: inertia::through_gear(p.spindle_inertia + p.work_inertia(), gear),
-        torque: through_gear(p.spindle_friction, gear, efficiency),
-        efficiency,
-    }
+    let p = &lathe.p;
+    p.spindle.load_at_motor(p.spindle_gear(lathe.d.stage_speed), p.spindle_inertia + p.work_inertia())
 }
 
-/// The encoder of the spindle: the control counts the speed by it in every gear stage.
+/// The encoder of the spindle, for the greatest speed that the knob allows: the control counts the speed by it in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
-    SpindleEncoder { name: NAME, speed: run_up::highest(lathe) }
+    let at_knob = lathe.at_highest_knob().map_or(0.0, |(_, fast)| run_up::highest_of(&fast));
+    SpindleEncoder { name: NAME, speed: run_up::highest(lathe).max(at_knob) }
 }
 
 /// Starts and motions of a pass: each slide goes to its place or cuts, and comes back.
@@ -86,41 +82,21 @@ fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
     let fast = lathe.at_highest_knob().map_or(f64::INFINITY, |(_, fast)| fast.cutting_time);
     // The way back over the whole cut, along its longer axis.
     let length = p.cuts(1.0).map(|cut| cut.length).sum::<f64>();
-    let rapid = if p.path == Path::Facing { p.rapid_x } else { p.rapid_z };
+    let rapid = if p.path == Path::Facing { p.slides.x.rapid } else { p.slides.z.rapid };
     let back = 60.0 * if p.path == Path::Taper { p.length + p.clearance } else { length } / rapid;
     let seconds = d.cutting_time.min(fast) + d.passes * back;
-    slides::starts_per_minute(STARTS * d.passes, seconds, (MOTIONS * d.passes, p.time_constant))
+    slides::starts_per_minute(STARTS * d.passes, seconds, (MOTIONS * d.passes, p.slides.time_constant))
 }
 
 impl HasSlides for TurningSpindle {
     fn slides(&self) -> [ServoSlide; 2] {
-        let (p, [x, z]) = (&self.p, self.drives());
-        let machine = SlideMachine {
-            efficiency: p.screw_efficiency,
-            ramp: (p.time_constant, p.position_gain),
-            site_share: p.site_share,
-            feed_force: self.p.cutting_force * p.feed_force / 100.0,
+        self.p.slides.servos(SlideDuty {
+            axes: [self.cross(), self.along()],
+            site_share: self.p.site_share,
+            cutting_force: self.p.cutting_force,
             starts_per_minute: starts_per_minute(self),
-        };
-        [
-            ServoSlide::new(
-                &p.slide_x,
-                x,
-                SlideAxis {
-                    at: self.cross(),
-                    rapid: p.rapid_x,
-                    rise: p.bed_angle,
-                    cuts_downhill: p.path == Path::Facing,
-                },
-                machine,
-            ),
-            ServoSlide::new(
-                &p.slide_z,
-                z,
-                SlideAxis { at: self.along(), rapid: p.rapid_z, rise: 0.0, cuts_downhill: false },
-                machine,
-            ),
-        ]
+            x_cuts_downhill: self.p.path == Path::Facing,
+        })
     }
 }
 

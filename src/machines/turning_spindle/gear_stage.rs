@@ -2,19 +2,24 @@
 
 use super::params::{Params, Path};
 use crate::drives::MainSpindle;
-use crate::drives::inertia::{Cylinder, through_gear};
-use crate::drives::load::Load;
+use crate::drives::inertia::Cylinder;
 use crate::drives::spindle_motor::MotorCurve;
+use crate::machines::main_spindle::SpindleGear;
 
 impl Params {
+    /// The gear of the stage of `stage_speed` r/min at 10 V.
+    pub(super) fn spindle_gear(&self, stage_speed: f64) -> SpindleGear {
+        SpindleGear { speed_at_10v: stage_speed, efficiency: self.efficiency }
+    }
+
     /// The motor at the spindle in a gear stage of `stage_speed` r/min at 10 V, by its data sheet.
     pub(super) fn motor(&self, stage_speed: f64) -> MotorCurve {
-        MotorCurve::new(self.motor_power, self.efficiency / 100.0, (self.motor_base, self.motor_top), stage_speed)
+        self.spindle.motor(self.spindle_gear(stage_speed))
     }
 
     /// Continuous curve of the motor at the spindle, derated for its site and for a fan on its shaft.
     pub(super) fn continuous(&self, stage_speed: f64) -> MotorCurve {
-        self.motor(stage_speed).share(self.site_share / 100.0).with_shaft_fan(!self.forced_cooling)
+        self.spindle.continuous(self.spindle_gear(stage_speed), self.site_share)
     }
 
     /// Moment of inertia (kg m²) of the stock, a solid cylinder that is as long as the cut at least. Source: sizing facts 2.1.
@@ -24,25 +29,9 @@ impl Params {
         Cylinder { outer, inner: 0.0, length, density: self.work_density }.inertia()
     }
 
-    /// Chuck, work and rotor as the spindle sees them in a gear stage of `stage_speed` r/min at 10 V, against its friction:
+    /// The spindle with its motor in a gear stage of `stage_speed` r/min at 10 V. Chuck, work and rotor as the spindle sees them:
     /// `J = J_spindle + J_work + J_rotor (n_m / n10)²`. Source: sizing facts 2.1.
-    pub(super) fn load_at_spindle(&self, stage_speed: f64) -> Load {
-        let rotor = through_gear(self.rotor_inertia, stage_speed / self.motor_top);
-        Load {
-            inertia: self.spindle_inertia + self.work_inertia() + rotor,
-            torque: self.spindle_friction,
-            efficiency: 1.0,
-        }
-    }
-
-    /// The spindle with its motor in a gear stage of `stage_speed` r/min at 10 V.
     pub(super) fn main_spindle(&self, stage_speed: f64) -> MainSpindle {
-        MainSpindle {
-            speed_at_10v: stage_speed,
-            ramp: self.spindle_ramp,
-            load_at_spindle: self.load_at_spindle(stage_speed),
-            motor: self.motor(stage_speed),
-            peak: [self.motor_peak, self.motor_braking].map(|percent| percent / 100.0),
-        }
+        self.spindle.main_spindle(self.spindle_gear(stage_speed), self.spindle_inertia + self.work_inertia())
     }
 }

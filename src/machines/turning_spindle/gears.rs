@@ -37,7 +37,7 @@ pub(super) fn has_gears(lathe: &TurningSpindle) -> bool {
 /// highest speed in that stage, at most the chuck's limit; of all stages the longest. Source: turning spindle facts, 2.
 pub(super) fn slowing(lathe: &TurningSpindle) -> f64 {
     let p = &lathe.p;
-    p.stages().map(|n10| p.spindle_ramp * n10.min(p.chuck_limit) / n10).fold(0.0, f64::max)
+    p.stages().map(|n10| p.spindle.ramp * n10.min(p.chuck_limit) / n10).fold(0.0, f64::max)
 }
 
 /// Delay (ms) until the old gear goes out, for a control whose own ladder waits by time alone: at least the time of slowing down.

@@ -182,7 +182,7 @@ impl Prepared for TurningSpindle {
     }
 
     fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
-        self.spindle_run(run, stretches)?.resistor(self.p.motor_braking, self.p.pause)
+        self.spindle_run(run, stretches)?.resistor(self.p.spindle.braking, self.p.pause)
     }
 
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {

@@ -4,10 +4,10 @@ use crate::controls::Address;
 use crate::controls::{Alarm, Code, Control};
 use crate::drives::inertia::STEEL;
 use crate::machines::form::Field;
-use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, text};
+use crate::machines::main_spindle::{self, SpindleDrive};
 use crate::machines::materials::Material;
-use crate::machines::scaling;
-use crate::machines::slides::{self, SlideParams};
+use crate::machines::slides::{self, LatheSlides, SlideForm, XDefaults};
 use crate::machines::{shift, site};
 use crate::{member, options};
 
@@ -117,9 +117,8 @@ pub(crate) struct Params {
     pub stage_3: f64,
     pub stage_4: f64,
     pub chuck_limit: f64,
-    pub spindle_ramp: f64,
+    pub spindle: SpindleDrive,
     pub spindle_inertia: f64,
-    pub spindle_friction: f64,
     pub gear_time: f64,
     pub gear_patience: f64,
     pub output: Output,
@@ -130,35 +129,12 @@ pub(crate) struct Params {
     pub rake: f64,
     pub edge_wear: f64,
     pub cutting_force: f64,
-    pub motor_power: f64,
-    pub motor_base: f64,
-    pub motor_top: f64,
     pub motor_overload: f64,
-    pub forced_cooling: bool,
     pub site_share: f64,
-    pub motor_peak: f64,
-    pub motor_braking: f64,
-    pub rotor_inertia: f64,
     pub efficiency: f64,
-    pub rapid_x: f64,
-    pub rapid_z: f64,
-    pub clamp_x: f64,
-    pub clamp_z: f64,
     pub travel_x: f64,
     pub travel_z: f64,
-    pub lead_x: f64,
-    pub lead_z: f64,
-    pub motor_teeth_x: f64,
-    pub screw_teeth_x: f64,
-    pub motor_teeth_z: f64,
-    pub screw_teeth_z: f64,
-    pub time_constant: f64,
-    pub position_gain: f64,
-    pub slide_x: SlideParams,
-    pub slide_z: SlideParams,
-    pub bed_angle: f64,
-    pub screw_efficiency: f64,
-    pub feed_force: f64,
+    pub slides: LatheSlides,
     pub block_time: f64,
     pub macro_time: f64,
     pub preread: f64,
@@ -249,9 +225,23 @@ impl Params {
     }
 }
 
+impl SlideForm for Params {
+    fn lathe_slides(&self) -> &LatheSlides {
+        &self.slides
+    }
+
+    fn lathe_slides_mut(&mut self) -> &mut LatheSlides {
+        &mut self.slides
+    }
+}
+
 /// Every input, in the order of the form.
+pub(super) static FIELDS: &[Field<Params>] = &joined::<Params, { count(ROWS) }>(ROWS);
+
+/// The inputs in lists: those of this machine, and between them those that every lathe has.
 #[rustfmt::skip]
-pub(super) static FIELDS: &[Field<Params>] = &[
+const ROWS: &[&[Field<Params>]] = &[
+    &[
     choice("path", member!(Params.path: Path)).group("turning.group.part").label("turning.path").help("turning.path.help"),
     number("stock-diameter", member!(Params.stock_diameter)).group("turning.group.part").label("turning.stock-diameter").help("turning.stock-diameter.help").symbol("#102")
         .unit("mm").range(1.0..=3000.0).default(80.0).decimals(3).step(1.0).essential(),
@@ -339,12 +329,11 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(0.0..=60000.0).default(0.0).decimals(0).step(100.0).fact().when(Params::has_gears),
     number("chuck-limit", member!(Params.chuck_limit)).group("turning.group.spindle").label("turning.chuck-limit").help("turning.chuck-limit.help")
         .unit("r/min").range(1.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact(),
-    number("spindle-ramp", member!(Params.spindle_ramp)).group("turning.group.spindle").label("turning.spindle-ramp").help("turning.spindle-ramp.help")
+    number("spindle-ramp", member!(Params.spindle.ramp)).group("turning.group.spindle").label("turning.spindle-ramp").help("turning.spindle-ramp.help")
         .unit("s").range(0.0..=600.0).default(3.0).decimals(2).step(0.1).fact(),
     number("spindle-inertia", member!(Params.spindle_inertia)).group("turning.group.spindle").label("turning.spindle-inertia").help("turning.spindle-inertia.help").symbol("J")
         .unit("kg m²").range(0.0001..=10000.0).default(0.2).decimals(4).step(0.01).fact(),
-    number("spindle-friction", member!(Params.spindle_friction)).group("turning.group.spindle").label("turning.spindle-friction").help("turning.spindle-friction.help")
-        .unit("Nm").range(0.01..=10000.0).default(2.0).decimals(2).step(0.1).fact(),
+    main_spindle::friction("spindle-friction", "turning.spindle-friction", "turning.spindle-friction.help", member!(Params.spindle.friction)).group("turning.group.spindle"),
     number("gear-time", member!(Params.gear_time)).group("turning.group.spindle").label("turning.gear-time").help("turning.gear-time.help")
         .unit("s").range(0.0..=60.0).default(2.0).decimals(2).step(0.1).fact().when(Params::has_gears),
     number("gear-patience", member!(Params.gear_patience)).group("turning.group.spindle").label("turning.gear-patience").help("turning.gear-patience.help")
@@ -364,78 +353,40 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .range(1.0..=3.0).default(1.0).decimals(2).step(0.1).when(Params::has_material),
     number("cutting-force", member!(Params.cutting_force)).group("turning.group.power").label("turning.cutting-force").help("turning.cutting-force.help").symbol("F")
         .unit("N").range(0.0..=100000.0).default(0.0).decimals(0).step(50.0).when(Params::has_force),
-    number("motor-power", member!(Params.motor_power)).group("turning.group.power").label("turning.motor-power").help("turning.motor-power.help").symbol("P")
-        .unit("kW").range(0.01..=1000.0).default(7.5).decimals(2).step(0.5).fact(),
-    number("motor-base", member!(Params.motor_base)).group("turning.group.power").label("turning.motor-base").help("turning.motor-base.help").symbol("n b")
-        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
-    number("motor-top", member!(Params.motor_top)).group("turning.group.power").label("turning.motor-top").help("turning.motor-top.help").symbol("n m")
-        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
+    main_spindle::power("motor-power", "turning.motor-power", "turning.motor-power.help", member!(Params.spindle.power)).group("turning.group.power"),
+    main_spindle::base_speed("motor-base", "turning.motor-base", "turning.motor-base.help", member!(Params.spindle.base)).group("turning.group.power"),
+    main_spindle::top_speed("motor-top", "turning.motor-top", "turning.motor-top.help", 1500.0, member!(Params.spindle.top)).group("turning.group.power"),
     number("motor-overload", member!(Params.motor_overload)).group("turning.group.power").label("turning.motor-overload").help("turning.motor-overload.help")
         .unit("%").range(100.0..=400.0).default(100.0).decimals(0).step(10.0).fact(),
-    flag("motor-forced-cooling", member!(Params.forced_cooling)).group("turning.group.power").label("turning.motor-forced-cooling").help("lathe.motor-forced-cooling.help")
-        .fact(),
+    main_spindle::forced_cooling("motor-forced-cooling", "turning.motor-forced-cooling", member!(Params.spindle.forced_cooling)).group("turning.group.power"),
     site::share("site-share", "turning.group.power", member!(Params.site_share)),
-    number("motor-peak", member!(Params.motor_peak)).group("turning.group.power").label("turning.motor-peak").help("lathe.motor-peak.help")
-        .unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact(),
-    number("motor-braking", member!(Params.motor_braking)).group("turning.group.power").label("turning.motor-braking").help("lathe.motor-braking.help")
-        .unit("%").range(1.0..=600.0).default(150.0).decimals(0).step(10.0).fact(),
-    number("rotor-inertia", member!(Params.rotor_inertia)).group("turning.group.power").label("turning.rotor-inertia").help("turning.rotor-inertia.help")
-        .unit("kg m²").range(0.0..=1000.0).default(0.03).decimals(4).step(0.001).fact(),
+    main_spindle::peak("motor-peak", "turning.motor-peak", member!(Params.spindle.peak)).group("turning.group.power"),
+    main_spindle::braking("motor-braking", "turning.motor-braking", member!(Params.spindle.braking)).group("turning.group.power"),
+    main_spindle::rotor("rotor-inertia", "turning.rotor-inertia", "turning.rotor-inertia.help", member!(Params.spindle.rotor)).group("turning.group.power"),
     number("efficiency", member!(Params.efficiency)).group("turning.group.power").label("turning.efficiency").help("turning.efficiency.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(80.0).decimals(0).step(1.0).fact(),
-    number("rapid-x", member!(Params.rapid_x)).group("turning.group.axes").label("turning.rapid-x").help("turning.rapid-x.help")
+    number("rapid-x", member!(Params.slides.x.rapid)).group("turning.group.axes").label("turning.rapid-x").help("turning.rapid-x.help")
         .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
-    number("rapid-z", member!(Params.rapid_z)).group("turning.group.axes").label("turning.rapid-z").help("turning.rapid-z.help")
+    number("rapid-z", member!(Params.slides.z.rapid)).group("turning.group.axes").label("turning.rapid-z").help("turning.rapid-z.help")
         .unit("mm/min").range(1.0..=1000000.0).default(10000.0).decimals(0).step(500.0).fact(),
-    number("clamp-x", member!(Params.clamp_x)).group("turning.group.axes").label("turning.clamp-x").help("turning.clamp-x.help")
+    number("clamp-x", member!(Params.slides.x.clamp)).group("turning.group.axes").label("turning.clamp-x").help("turning.clamp-x.help")
         .unit("mm/min").range(1.0..=1000000.0).default(4000.0).decimals(0).step(500.0).fact(),
-    number("clamp-z", member!(Params.clamp_z)).group("turning.group.axes").label("turning.clamp-z").help("turning.clamp-z.help")
+    number("clamp-z", member!(Params.slides.z.clamp)).group("turning.group.axes").label("turning.clamp-z").help("turning.clamp-z.help")
         .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
     number("travel-x", member!(Params.travel_x)).group("turning.group.axes").label("turning.travel-x").help("turning.travel.help")
         .unit("mm").range(0.0..=10000.0).default(0.0).decimals(1).step(10.0).fact(),
     number("travel-z", member!(Params.travel_z)).group("turning.group.axes").label("turning.travel-z").help("turning.travel.help")
         .unit("mm").range(0.0..=20000.0).default(0.0).decimals(1).step(10.0).fact(),
-    scaling::lead("lead-x", "turning.group.axes", "scaling.lead-x", member!(Params.lead_x)),
-    scaling::lead("lead-z", "turning.group.axes", "scaling.lead-z", member!(Params.lead_z)),
-    scaling::teeth("motor-teeth-x", "turning.group.axes", "scaling.motor-teeth-x", member!(Params.motor_teeth_x)),
-    scaling::teeth("screw-teeth-x", "turning.group.axes", "scaling.screw-teeth-x", member!(Params.screw_teeth_x)),
-    scaling::teeth("motor-teeth-z", "turning.group.axes", "scaling.motor-teeth-z", member!(Params.motor_teeth_z)),
-    scaling::teeth("screw-teeth-z", "turning.group.axes", "scaling.screw-teeth-z", member!(Params.screw_teeth_z)),
-    scaling::encoder("encoder-counts-x", "turning.group.axes", "scaling.encoder-x", member!(Params.slide_x.encoder)),
-    scaling::encoder("encoder-counts-z", "turning.group.axes", "scaling.encoder-z", member!(Params.slide_z.encoder)),
-    number("time-constant", member!(Params.time_constant)).group("turning.group.axes").label("turning.time-constant").help("turning.time-constant.help").symbol("τ")
+    ],
+    &slides::scaling_rows("turning.group.axes"),
+    &[
+    number("time-constant", member!(Params.slides.time_constant)).group("turning.group.axes").label("turning.time-constant").help("turning.time-constant.help").symbol("τ")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
-    number("position-gain", member!(Params.position_gain)).group("turning.group.axes").label("turning.position-gain").help("turning.position-gain.help").symbol("K")
+    number("position-gain", member!(Params.slides.position_gain)).group("turning.group.axes").label("turning.position-gain").help("turning.position-gain.help").symbol("K")
         .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
-    slides::mass("slide-mass-x", "slides.mass-x", 100.0, member!(Params.slide_x.mass)),
-    slides::friction("slide-friction-x", "slides.friction-x", 150.0, member!(Params.slide_x.friction)),
-    slides::screw_diameter("screw-diameter-x", "slides.screw-diameter-x", 32.0, member!(Params.slide_x.screw_diameter)),
-    slides::screw_length("screw-length-x", "slides.screw-length-x", 500.0, member!(Params.slide_x.screw_length)),
-    slides::mass("slide-mass-z", "slides.mass-z", 250.0, member!(Params.slide_z.mass)),
-    slides::friction("slide-friction-z", "slides.friction-z", 250.0, member!(Params.slide_z.friction)),
-    slides::screw_diameter("screw-diameter-z", "slides.screw-diameter-z", 40.0, member!(Params.slide_z.screw_diameter)),
-    slides::screw_length("screw-length-z", "slides.screw-length-z", 1000.0, member!(Params.slide_z.screw_length)),
-    slides::bed_angle(member!(Params.bed_angle)),
-    slides::efficiency(member!(Params.screw_efficiency)),
-    slides::feed_force(member!(Params.feed_force)),
-    slides::motor("motor-x", "slides.motor-x", member!(&Params.slide_x.motor)),
-    slides::rated("motor-rated-torque-x", "slides.motor-rated-torque-x", 4.8, member!(Params.slide_x.rated)),
-    slides::stall("motor-stall-x", "slides.motor-stall-x", 4.8, member!(Params.slide_x.stall)),
-    slides::peak("motor-peak-x", "slides.motor-peak-x", 14.3, member!(Params.slide_x.peak)),
-    slides::rotor("motor-rotor-x", "slides.motor-rotor-x", 11.6, member!(Params.slide_x.rotor)),
-    slides::rated_speed("motor-rated-x", "slides.motor-rated-x", 2000.0, member!(Params.slide_x.rated_speed)),
-    slides::top_speed("motor-max-x", "slides.motor-max-x", 3000.0, member!(Params.slide_x.top_speed)),
-    slides::inertia_limit("inertia-limit-x", "slides.inertia-limit-x", member!(Params.slide_x.inertia_limit)),
-    slides::effective_limit("effective-limit-x", "slides.effective-limit-x", member!(Params.slide_x.effective_limit)),
-    slides::motor("motor-z", "slides.motor-z", member!(&Params.slide_z.motor)),
-    slides::rated("motor-rated-torque-z", "slides.motor-rated-torque-z", 4.8, member!(Params.slide_z.rated)),
-    slides::stall("motor-stall-z", "slides.motor-stall-z", 4.8, member!(Params.slide_z.stall)),
-    slides::peak("motor-peak-z", "slides.motor-peak-z", 14.3, member!(Params.slide_z.peak)),
-    slides::rotor("motor-rotor-z", "slides.motor-rotor-z", 11.6, member!(Params.slide_z.rotor)),
-    slides::rated_speed("motor-rated-z", "slides.motor-rated-z", 2000.0, member!(Params.slide_z.rated_speed)),
-    slides::top_speed("motor-max-z", "slides.motor-max-z", 3000.0, member!(Params.slide_z.top_speed)),
-    slides::inertia_limit("inertia-limit-z", "slides.inertia-limit-z", member!(Params.slide_z.inertia_limit)),
-    slides::effective_limit("effective-limit-z", "slides.effective-limit-z", member!(Params.slide_z.effective_limit)),
+    ],
+    &slides::rows(XDefaults { mass: 100.0, friction: 150.0 }),
+    &[
     number("block-time", member!(Params.block_time)).group("turning.group.control").label("form.block-time").help("form.block-time.help")
         .unit("ms").range(0.1..=1000.0).default(5.0).decimals(3).step(0.1).fact(),
     number("macro-time", member!(Params.macro_time)).group("turning.group.control").label("form.macro-time").help("form.macro-time.help")
@@ -445,4 +396,5 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     choice("newline", member!(Params.newline: LineEnds)).group("turning.group.control").label("form.newline").help("form.newline.help"),
     text("customer", member!(&Params.customer)).group("turning.group.control").label("form.customer").help("form.customer.help").characters(22),
     text("product", member!(&Params.product)).group("turning.group.control").label("form.product").help("form.product.help").characters(22),
+    ],
 ];

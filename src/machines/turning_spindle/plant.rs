@@ -2,31 +2,17 @@
 
 use super::gears::gear_times;
 use super::ladder::ladder;
-use super::resolved::{ALONG, CROSS, TurningSpindle};
-use crate::controls::{Address, SpindleRules};
+use super::resolved::TurningSpindle;
+use crate::controls::SpindleRules;
 use crate::drives::speed::STAGES;
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
-use crate::motion::{AxisPlant, Plant, SpindlePlant};
+use crate::motion::{Plant, SpindlePlant};
 
 /// The plant with the project's clamps, ramps and limits.
 pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
     let p = &lathe.p;
-    let slide = |letter: Address, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
-        letter: Some(letter),
-        rotary: false,
-        endless: false,
-        diameter,
-        rapid,
-        clamp,
-        time_constant: p.time_constant / 1000.0,
-        position_gain: p.position_gain,
-        home,
-    };
     Plant {
-        axes: vec![
-            slide(CROSS, lathe.diameters(), p.rapid_x, p.clamp_x, 0.5 * p.start_x),
-            slide(ALONG, false, p.rapid_z, p.clamp_z, p.start_z),
-        ],
+        axes: p.slides.plants(lathe.diameters(), [0.5 * p.start_x, p.start_z]),
         pmc: Vec::new(),
         spindle: spindle(lathe),
         block_time: p.block_time / 1000.0,
@@ -45,7 +31,7 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
         driven_tool: (p.driven_code > 0.0).then_some(p.driven_code as u32).or(lathe.rules().driven_tool),
         ..lathe.rules()
     };
-    let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle_ramp, rules);
+    let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle.ramp, rules);
     SpindlePlant {
         surface_low: if lathe.rules().low_always { 0.0 } else { p.lower_limit },
         // If the program cuts the keyway, it starts the driven tool itself.

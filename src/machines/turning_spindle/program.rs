@@ -4,9 +4,10 @@
 //! writes the operator's variables, so that parts are changed by variables alone.
 
 use super::params::{Direction, Path};
-use super::resolved::{ALONG, CROSS, TurningSpindle};
+use super::resolved::TurningSpindle;
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
+use crate::machines::slides::{ALONG, CROSS};
 use crate::machines::writing::{self, OperatorVariable};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, indexed, m, real, s, v, word, x, z};
@@ -277,7 +278,7 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(27).words(words);
     // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
     // override.
-    let ramp = lathe.p.spindle_ramp * lathe.d.stage_top.min(lathe.p.chuck_limit) / lathe.d.stage_speed;
+    let ramp = lathe.p.spindle.ramp * lathe.d.stage_top.min(lathe.p.chuck_limit) / lathe.d.stage_speed;
     if lathe.rules().reached.is_none() && ramp > 0.0 {
         let seconds = (100.0 * ramp).ceil() / 100.0;
         b.n(28).words(writing::dwell(lathe.control, seconds)).note("SPINDLE COMES TO ITS SPEED");

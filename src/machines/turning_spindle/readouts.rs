@@ -68,7 +68,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "gear-delay", label: "turning.readout.gear-delay", unit: "s", decimals: 2,
-        formula: "t · n / n10", cite: GEARS, value: gears::slowing, shown: |lathe| gears::has_gears(lathe) && lathe.p.spindle_ramp > 0.0, ..ReadoutRow::BASE
+        formula: "t · n / n10", cite: GEARS, value: gears::slowing, shown: |lathe| gears::has_gears(lathe) && lathe.p.spindle.ramp > 0.0, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "volts-largest", label: "turning.readout.volts-largest", unit: "V", decimals: 3,
@@ -141,7 +141,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "run-up-torque", label: "turning.readout.run-up-torque", unit: "Nm", decimals: 1,
-        formula: "J · 2π n10 / (60 t) + friction", cite: RUN_UP, value: |lathe| engaged(lathe).ramp_torque(), shown: |lathe| lathe.p.spindle_ramp > 0.0, ..ReadoutRow::BASE
+        formula: "J · 2π n10 / (60 t) + friction", cite: RUN_UP, value: |lathe| engaged(lathe).ramp_torque(), shown: |lathe| lathe.p.spindle.ramp > 0.0, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "positioning-torque", label: "turning.readout.positioning-torque", unit: "Nm", decimals: 1,

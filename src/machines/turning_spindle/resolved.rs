@@ -9,12 +9,8 @@ use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::{Positioning, Stage, cutting};
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
-use crate::machines::slides::SlideParams;
+use crate::machines::slides::{ALONG, CROSS};
 use crate::motion::Snapshot;
-
-/// The axis across the spindle, and the one along it.
-pub(super) const CROSS: Address = Address::X;
-pub(super) const ALONG: Address = Address::Z;
 
 /// The turning spindle on a control.
 #[derive(Debug)]
@@ -99,20 +95,7 @@ impl TurningSpindle {
 
     /// Drives of the slides across and along the work.
     pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
-        let p = &self.p;
-        let drive = |axis, lead, gear, slide: &SlideParams, words| AxisDrive {
-            axis,
-            lead,
-            gear,
-            encoder: slide.encoder,
-            rotary: false,
-            words,
-        };
-        let words = if self.diameters() { 2.0 } else { 1.0 };
-        [
-            drive("X", p.lead_x, (p.screw_teeth_x, p.motor_teeth_x), &p.slide_x, words),
-            drive("Z", p.lead_z, (p.screw_teeth_z, p.motor_teeth_z), &p.slide_z, 1.0),
-        ]
+        self.p.slides.drives(if self.diameters() { 2.0 } else { 1.0 })
     }
 
     /// Index of the axis across the spindle.

@@ -92,7 +92,7 @@ fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
     Some(Judgement { advice: vec![advice.into()], ..judgement? })
 }
 
-fn few(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
+fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     if volts.abs() >= FEW_VOLTS {
         return ok(None);
     }
@@ -116,11 +116,11 @@ fn with_best_stage(lathe: &TurningSpindle, message: Message) -> Advice {
 }
 
 fn few_volts(lathe: &TurningSpindle) -> Option<Judgement> {
-    few(lathe, lathe.d.volts_smallest)
+    judge_volts(lathe, lathe.d.volts_smallest)
 }
 
 fn few_volts_large(lathe: &TurningSpindle) -> Option<Judgement> {
-    few(lathe, lathe.d.volts_largest)
+    judge_volts(lathe, lathe.d.volts_largest)
 }
 
 fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -168,12 +168,12 @@ fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
 fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
     let clamp = match p.path {
-        Path::Facing => p.clamp_x,
-        Path::Turning => p.clamp_z,
+        Path::Facing => p.slides.x.clamp,
+        Path::Turning => p.slides.z.clamp,
         Path::Taper => {
             // Feed of X: its share of the path.
             let across = 0.5 * (p.large_diameter - p.finished_diameter).abs();
-            p.clamp_z.min(p.clamp_x * math::hypot(p.length, across) / across)
+            p.slides.z.clamp.min(p.slides.x.clamp * math::hypot(p.length, across) / across)
         }
     };
     if d.feed_top <= clamp {
@@ -184,7 +184,7 @@ fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
 }
 
 /// Macro blocks between two passes.
-const BETWEEN: f64 = 5.0;
+const BLOCKS_BETWEEN_PASSES: f64 = 5.0;
 
 /// Blocks that are read while the cut lasts.
 fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -193,7 +193,7 @@ fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let keeps = lathe.surface() && lathe.rules().rapid == RapidSpeed::Kept;
     let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.high)).sum() } else { f64::INFINITY };
     let lasts = 1000.0 * (d.cutting_time / d.passes.max(1.0)).min(least);
-    let needed = p.block_time + BETWEEN * p.macro_time;
+    let needed = p.block_time + BLOCKS_BETWEEN_PASSES * p.macro_time;
     if lasts >= needed {
         return None;
     }
@@ -248,7 +248,7 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     }
     let slower = (p.cutting_speed * rated / d.power).floor();
     // Friction keeps its power with less depth.
-    let friction = spindle_motor::power(p.spindle_friction, d.speed_largest.max(d.speed_smallest));
+    let friction = spindle_motor::power(p.spindle.friction, d.speed_largest.max(d.speed_smallest));
     let part = (rated - friction) / (d.power - friction);
     // Below base speed a slower cut needs the same torque, and the motor has no more.
     let turns_slower = d.speed_largest_cut * slower / p.cutting_speed;
@@ -323,7 +323,7 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
             let sets = gear.map(|(_, (id, _))| ("gear", (*id).to_owned()));
             Advice::from(message).setting(msg!("advice.set-stage", stage = f64::from(stage)), Vec::from_iter(sets))
         }
-        None => with_depth(lathe, (rated - p.spindle_friction) / (d.torque - p.spindle_friction), message),
+        None => with_depth(lathe, (rated - p.spindle.friction) / (d.torque - p.spindle.friction), message),
     };
     fail(AtMost(most), Vec::from_iter(cooled.into_iter().chain([advice])))
 }

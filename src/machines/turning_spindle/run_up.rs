@@ -16,7 +16,7 @@ pub(super) fn highest(lathe: &TurningSpindle) -> f64 {
     highest_of(&lathe.d)
 }
 
-fn highest_of(d: &Derived) -> f64 {
+pub(super) fn highest_of(d: &Derived) -> f64 {
     d.speed_largest.max(d.speed_smallest)
 }
 

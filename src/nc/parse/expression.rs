@@ -53,13 +53,13 @@ impl Reader<'_> {
         self.pass_blanks();
         let start = self.cursor.at;
         if self.names().is_some() {
-            let root = self.symbolic_formula(true)?;
+            let root = self.symbolic_condition()?;
             self.pass_blanks();
             return if self.cursor.ended() { Ok(root) } else { Err(self.unexpected()) };
         }
-        let mut root = if bracketed { self.condition(Alarm::IfSentence, "")? } else { self.formula(false)? };
+        let mut root = if bracketed { self.condition(Alarm::IfSentence, "")? } else { self.formula()? };
         if let Some(op) = self.comparison(Alarm::IfSentence) {
-            let right = self.formula(false)?;
+            let right = self.formula()?;
             root = self.add_expr(Expr::Binary(op, root, right), start)?;
         }
         self.pass_blanks();

@@ -19,6 +19,33 @@ const PARTS: u32 = 250;
 /// Maximum nesting of brackets and signs, far beyond the limit of any control.
 const DEPTH: u32 = 40;
 
+/// Meaning of `/` in a formula.
+#[derive(Clone, Copy, PartialEq)]
+enum Slash {
+    /// Division.
+    Divides,
+    /// Block skip before a letter, else division: after an address.
+    MaySkip,
+}
+
+/// Operators of one precedence.
+#[derive(Clone, Copy, PartialEq)]
+enum Level {
+    /// Sum, difference, OR, XOR.
+    Sum,
+    /// Product, quotient, AND, MOD.
+    Product,
+}
+
+/// Side of an assignment that a variable is on.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum VariableAccess {
+    /// Its value is used.
+    Read,
+    /// It is assigned.
+    Write,
+}
+
 /// An open bracket: its position and its closing byte.
 pub(super) struct OpenBracket {
     pub(super) at: usize,
@@ -74,23 +101,32 @@ impl Reader<'_> {
         Ok(ExprId(self.deck.exprs.len() as u32 - 1))
     }
 
-    /// Reads an expression. After an address (`word`) a `/` before a letter is a block skip, not a division.
-    pub(super) fn formula(&mut self, word: bool) -> Read<ExprId> {
+    /// Reads an expression.
+    pub(super) fn formula(&mut self) -> Read<ExprId> {
+        self.sum(Slash::Divides)
+    }
+
+    /// Reads an expression after an address.
+    pub(super) fn formula_of_word(&mut self) -> Read<ExprId> {
+        self.sum(Slash::MaySkip)
+    }
+
+    fn sum(&mut self, slash: Slash) -> Read<ExprId> {
         let start = self.cursor.at;
-        let mut left = self.term(word)?;
-        while let Some(op) = self.operator(word, false) {
-            let right = self.term(word)?;
+        let mut left = self.term(slash)?;
+        while let Some(op) = self.operator(slash, Level::Sum) {
+            let right = self.term(slash)?;
             left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
         Ok(left)
     }
 
-    fn term(&mut self, word: bool) -> Read<ExprId> {
+    fn term(&mut self, slash: Slash) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.factor()?;
         loop {
             let end = self.cursor.at;
-            let Some(op) = self.operator(word, true) else {
+            let Some(op) = self.operator(slash, Level::Product) else {
                 let quotient = self.names().is_some() && self.cursor.peek() | 0x20 == b'd' && self.quotient_ahead();
                 if !quotient {
                     return Ok(left);
@@ -160,12 +196,13 @@ impl Reader<'_> {
     }
 
     /// Reads an operator of one level.
-    fn operator(&mut self, word: bool, multiplicative: bool) -> Option<Op> {
+    fn operator(&mut self, slash: Slash, level: Level) -> Option<Op> {
+        let multiplicative = level == Level::Product;
         let op = match self.next_byte() {
             b'+' if !multiplicative => Op::Add,
             b'-' if !multiplicative => Op::Subtract,
             b'*' if multiplicative => Op::Multiply,
-            b'/' if multiplicative && !(word && self.skip_mark_ahead()) => Op::Divide,
+            b'/' if multiplicative && !(slash == Slash::MaySkip && self.skip_mark_ahead()) => Op::Divide,
             byte if byte.is_ascii_alphabetic() => {
                 let (name, op) = OPERATORS.iter().find(|(name, _)| self.cursor.ahead(name))?;
                 // In a language with names, logic operators bind weaker than sums and stronger than comparisons.
@@ -201,11 +238,11 @@ impl Reader<'_> {
         let byte = self.next_byte();
         let start = self.cursor.at;
         match byte {
-            b'R' | b'r' if self.parameter_ahead() => self.variable(false),
-            b'#' if self.names().is_some() => self.hash_variable(false),
+            b'R' | b'r' if self.parameter_ahead() => self.variable(VariableAccess::Read),
+            b'#' if self.names().is_some() => self.hash_variable(VariableAccess::Read),
             b'[' if self.names().is_some() => self.square_group(),
             b'$' if self.names().is_some() => Err(self.system_variable()),
-            b'#' => self.variable(false),
+            b'#' => self.variable(VariableAccess::Read),
             b'0'..=b'9' | b'.' => {
                 let number = self.formula_number(start)?;
                 self.add_expr(Expr::Number(number), start)
@@ -511,7 +548,7 @@ impl Reader<'_> {
 
     /// A formula within brackets.
     fn inner_formula(&mut self) -> Read<ExprId> {
-        if self.names().is_some() { self.symbolic_formula(false) } else { self.formula(false) }
+        if self.names().is_some() { self.symbolic_formula() } else { self.formula() }
     }
 
     pub(super) fn open(&mut self, close: u8) -> OpenBracket {
@@ -565,7 +602,7 @@ impl Reader<'_> {
     }
 
     /// Reads `#n`, `#[expr]`, `##n` or `#9nnn`, from the `#` on.
-    pub(super) fn variable(&mut self, written: bool) -> Read<ExprId> {
+    pub(super) fn variable(&mut self, access: VariableAccess) -> Read<ExprId> {
         let start = self.cursor.at;
         self.cursor.at += 1;
         match self.next_byte() {
@@ -582,17 +619,17 @@ impl Reader<'_> {
                     return self.add_expr(Expr::Var(0), start);
                 }
                 if let (true, 4, 9000..=9999) = (self.control.syntax.nine_hash, self.cursor.at - from, number) {
-                    self.check_variable(number - 9000, start, false);
+                    self.check_variable(number - 9000, start, VariableAccess::Read);
                     let inner = self.add_expr(Expr::Var(number - 9000), start)?;
                     return self.add_expr(Expr::Indirect(inner), start);
                 }
-                self.check_variable(number, start, written);
+                self.check_variable(number, start, access);
                 self.add_expr(Expr::Var(number), start)
             }
             b'#' => {
                 let from = self.cursor.at;
                 self.deeper()?;
-                let inner = self.variable(false)?;
+                let inner = self.variable(VariableAccess::Read)?;
                 self.formulas.depth -= 1;
                 if !self.control.syntax.double_hash {
                     let finding = self.finding(
@@ -628,13 +665,14 @@ impl Reader<'_> {
 
     /// Checks that a variable exists and is allowed on this side.
     #[inline]
-    fn check_variable(&mut self, number: u32, start: usize, written: bool) {
+    fn check_variable(&mut self, number: u32, start: usize, access: VariableAccess) {
         if !self.formulas.plain.contains(&number) {
-            self.check_row(number, start, written);
+            self.check_row(number, start, access);
         }
     }
 
-    fn check_row(&mut self, number: u32, start: usize, written: bool) {
+    fn check_row(&mut self, number: u32, start: usize, access: VariableAccess) {
+        let written = access == VariableAccess::Write;
         let alarm = match self.control.var(number) {
             None => Alarm::VariableRange,
             Some(row) if row.kind.common() && !is_fitted(self.tables.rules.fitted, number) => Alarm::VariableRange,

@@ -6,6 +6,7 @@ use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Op, Pair, Stmt};
 use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
 use crate::nc::lex::spelling::meant;
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
+use crate::nc::parse::formula::VariableAccess;
 use crate::nc::parse::reader::{Reader, starts_value};
 
 /// Words and signs that join conditions in other languages.
@@ -124,7 +125,7 @@ impl Reader<'_> {
             let next = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default().trim_ascii_start().first();
             let value = next.is_some_and(|b| starts_value(*b));
             if self.cursor.peek().is_ascii_alphabetic() && value {
-                failure.finding = self.jump_instead(failure.finding, then, then);
+                failure.finding = self.jump_instead(failure.finding, (then, then), &[]);
             }
             return Err(failure);
         }
@@ -135,7 +136,7 @@ impl Reader<'_> {
                 let end = self.cursor.line.len();
                 let mut finding = self.finding(Alarm::Format, self.cursor.at, end, msg!("nc.second-assignment"));
                 if self.tables.rules.if_then {
-                    finding = self.jump_instead(finding, then, after);
+                    finding = self.jump_instead(finding, (then, after), &[self.cursor.at]);
                 }
                 self.cursor.at = end;
                 self.report_as(Alarm::Format, finding);
@@ -157,7 +158,7 @@ impl Reader<'_> {
             false => msg!("nc.no-if-then", control = self.control.name),
         };
         let finding = self.finding(Alarm::IfSentence, then, if named { after } else { then + 1 }, message);
-        let finding = self.jump_instead(finding, then, after);
+        let finding = self.jump_instead(finding, (then, after), &[]);
         self.report_as(Alarm::IfSentence, finding);
         Ok(stmt)
     }
@@ -176,7 +177,7 @@ impl Reader<'_> {
             self.report_replaced(Alarm::IfSentence, at, at + 1, msg!("nc.goto-n"), "");
             self.cursor.at += 1;
         }
-        self.formula(false)
+        self.formula()
     }
 
     /// Reads `[ expr comparison expr ]`.
@@ -200,7 +201,7 @@ impl Reader<'_> {
         if let Some(word) = COMPARISONS.iter().map(|row| row.0).find(|word| self.cursor.ahead(word)) {
             return Err(self.failure(alarm, self.cursor.at, self.cursor.at + word.len(), msg!("nc.comparison-sides")));
         }
-        let left = self.formula(false)?;
+        let left = self.formula()?;
         self.pass_blanks();
         let at = self.cursor.at;
         let Some(op) = self.comparison(alarm) else {
@@ -212,7 +213,7 @@ impl Reader<'_> {
         if self.next_byte() == close {
             return Err(self.failure(alarm, at, self.formulas.compared.1, msg!("nc.comparison-sides")));
         }
-        let right = self.formula(false)?;
+        let right = self.formula()?;
         if self.next_byte() == close {
             self.close(open)?;
             return self.add_expr(Expr::Binary(op, left, right), start);
@@ -238,10 +239,10 @@ impl Reader<'_> {
             let message = msg!("nc.no-condition", keyword);
             reader.failure(alarm, start.saturating_sub(keyword.len()), start, message)
         };
-        let Ok(left) = self.formula(false) else { return Err(failure(self)) };
+        let Ok(left) = self.formula() else { return Err(failure(self)) };
         self.pass_blanks();
         let Some(op) = self.comparison(alarm) else { return Err(failure(self)) };
-        let Ok(right) = self.formula(false) else { return Err(failure(self)) };
+        let Ok(right) = self.formula() else { return Err(failure(self)) };
         let to = self.ended_at();
         let finding = self.finding(alarm, from, to, msg!("nc.no-condition", keyword));
         if self.next_byte() == b']' {
@@ -357,7 +358,7 @@ impl Reader<'_> {
     /// Reads the variable and the value of an assignment.
     fn assigned(&mut self) -> Read<(ExprId, ExprId)> {
         let start = self.cursor.at;
-        let to = self.variable(true)?;
+        let to = self.variable(VariableAccess::Write)?;
         let end = self.cursor.at;
         if self.next_byte() == b'.' {
             self.stray_point();
@@ -367,7 +368,7 @@ impl Reader<'_> {
             self.cursor.at += 1;
         }
         self.equals_sign(start, end)?;
-        let value = self.formula(false)?;
+        let value = self.formula()?;
         if let (Expr::Var(number), Expr::Number(value)) = (self.deck.expr(to), self.deck.expr(value)) {
             self.user_alarm(number, value.to_f64(), start);
         }

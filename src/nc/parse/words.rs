@@ -348,7 +348,7 @@ impl<'a> Reader<'a> {
         } else if !matches!(next, b'#' | b'[' | b'-' | b'+' | b'(') && !self.function_ahead() {
             return self.no_value(start, letter, next);
         }
-        let value = self.formula(true)?;
+        let value = self.formula_of_word()?;
         if self.tables.rules.enclosed {
             self.check_enclosed(value, value_at);
         }

@@ -13,6 +13,15 @@ use operators::{operator, symbolic_operator};
 /// Maximum depth of a tree, equal to the parser's maximum number of parts.
 pub(in crate::nc) const DEPTH: u32 = 250;
 
+/// A minus at the start of an expression.
+#[derive(Clone, Copy, PartialEq)]
+enum Sign {
+    /// As it is: at the start of a bracket or block.
+    Plain,
+    /// In brackets: after another sign or operator.
+    Bracketed,
+}
+
 /// Binding level at which every operator needs brackets.
 pub(in crate::nc) const FACTOR: u8 = 6;
 
@@ -75,24 +84,24 @@ impl Writer<'_> {
             Stmt::Assign { to, value } => self.assignment(to, value),
             Stmt::If { cond, target, .. } => {
                 self.text.push_str("IF[");
-                self.expr(cond, 0, true, 0);
+                self.formula(cond, 0);
                 self.text.push_str("]GOTO");
-                self.expr(target, 0, true, 0);
+                self.formula(target, 0);
             }
             Stmt::IfThen { cond, to, value } => {
                 self.text.push_str("IF[");
-                self.expr(cond, 0, true, 0);
+                self.formula(cond, 0);
                 self.text.push_str("]THEN ");
                 self.assignment(to, value);
             }
             Stmt::Goto { target, .. } => {
                 self.text.push_str("GOTO");
-                self.expr(target, 0, true, 0);
+                self.formula(target, 0);
             }
             Stmt::While { cond, label, .. } => {
                 if let Some(cond) = cond {
                     self.text.push_str("WHILE[");
-                    self.expr(cond, 0, true, 0);
+                    self.formula(cond, 0);
                     self.text.push(']');
                 }
                 self.text.push_str(&format!("DO{label}"));
@@ -104,9 +113,9 @@ impl Writer<'_> {
     }
 
     pub(in crate::nc) fn assignment(&mut self, to: ExprId, value: ExprId) {
-        self.expr(to, FACTOR, true, 0);
+        self.expr(to, FACTOR, Sign::Plain, 0);
         self.text.push('=');
-        self.expr(value, 0, true, 0);
+        self.formula(value, 0);
     }
 
     pub(in crate::nc) fn comment(&mut self, comment: Option<TextId>, spaced: bool) {
@@ -136,7 +145,7 @@ impl Writer<'_> {
                 }
                 WordValue::Number(number) => self.text.push_str(&number.to_string()),
                 WordValue::Expr(value) => match self.deck.expr(value) {
-                    Expr::Var(_) | Expr::Indirect(_) => self.expr(value, FACTOR, true, 0),
+                    Expr::Var(_) | Expr::Indirect(_) => self.expr(value, FACTOR, Sign::Plain, 0),
                     _ => self.bracketed(value, 0),
                 },
             }
@@ -152,34 +161,41 @@ impl Writer<'_> {
     pub(in crate::nc) fn bracketed(&mut self, id: ExprId, depth: u32) {
         let round = self.control.syntax.round == RoundBrackets::Group;
         self.text.push(if round { '(' } else { '[' });
-        self.expr(id, 0, true, depth + 1);
+        self.formula(id, depth + 1);
         self.text.push(if round { ')' } else { ']' });
     }
 
+    /// Writes an expression at the start of a bracket or block, where nothing of it needs brackets.
+    fn formula(&mut self, id: ExprId, depth: u32) {
+        self.expr(id, 0, Sign::Plain, depth);
+    }
+
     /// Writes an expression in a position where operators of at least `level` need no brackets: from comparisons at 0 to none at
-    /// [`FACTOR`]. A sign is allowed only at the start of a bracket or block (`lead`).
-    pub(in crate::nc) fn expr(&mut self, id: ExprId, level: u8, lead: bool, depth: u32) {
+    /// [`FACTOR`].
+    fn expr(&mut self, id: ExprId, level: u8, sign: Sign, depth: u32) {
         if depth > DEPTH || self.text.len() - self.start > BLOCK_TEXT {
             self.too_deep = true;
             self.text.push('0');
             return;
         }
         match self.deck.expr(id) {
-            Expr::Number(number) if number.mantissa < 0 && !lead => self.bracketed(id, depth),
+            Expr::Number(number) if number.mantissa < 0 && sign == Sign::Bracketed => self.bracketed(id, depth),
             Expr::Label(name) => self.text.push_str(self.deck.text(Some(name))),
             Expr::Number(number) => self.text.push_str(&number.to_string()),
             Expr::Var(number) => self.text.push_str(&self.control.variable(number)),
             Expr::Indirect(inner) => {
                 self.text.push(self.control.syntax.variable);
                 self.text.push('[');
-                self.expr(inner, 0, true, depth + 1);
+                self.formula(inner, depth + 1);
                 self.text.push(']');
             }
-            Expr::Negate(_) if !lead => self.bracketed(id, depth),
+            Expr::Negate(_) if sign == Sign::Bracketed => self.bracketed(id, depth),
             Expr::Negate(inner) => {
                 self.text.push('-');
                 match self.deck.expr(inner) {
-                    Expr::Var(_) | Expr::Indirect(_) | Expr::Call(..) => self.expr(inner, FACTOR, false, depth + 1),
+                    Expr::Var(_) | Expr::Indirect(_) | Expr::Call(..) => {
+                        self.expr(inner, FACTOR, Sign::Bracketed, depth + 1)
+                    }
                     _ => self.bracketed(inner, depth),
                 }
             }
@@ -202,25 +218,25 @@ impl Writer<'_> {
             {
                 self.bracketed(left, depth);
                 self.text.push('/');
-                self.expr(right, operator(Op::Divide).0 + 1, false, depth + 1);
+                self.expr(right, operator(Op::Divide).0 + 1, Sign::Bracketed, depth + 1);
             }
             Expr::Binary(Op::Power, left, right) => {
                 self.function_name(Function::Power);
                 self.text.push('[');
-                self.expr(left, 0, true, depth + 1);
+                self.formula(left, depth + 1);
                 self.text.push(',');
-                self.expr(right, 0, true, depth + 1);
+                self.formula(right, depth + 1);
                 self.text.push(']');
             }
             Expr::Binary(op, left, right) => {
-                let (own, sign) =
+                let (own, operator) =
                     if self.control.syntax.names().is_some() { symbolic_operator(op) } else { operator(op) };
                 if own < level {
                     return self.bracketed(id, depth);
                 }
-                self.expr(left, own, lead, depth + 1);
-                self.text.push_str(sign);
-                self.expr(right, own + 1, false, depth + 1);
+                self.expr(left, own, sign, depth + 1);
+                self.text.push_str(operator);
+                self.expr(right, own + 1, Sign::Bracketed, depth + 1);
             }
         }
     }

@@ -43,14 +43,14 @@ impl Writer<'_> {
                     self.gap(at);
                     if let Some(cond) = cond {
                         self.text.push_str("IF ");
-                        self.expr(cond, 0, true, 0);
+                        self.formula(cond, 0);
                         self.text.push(' ');
                     }
                     self.text.push_str(if way == JumpDirection::Backward { "GOTOB " } else { "GOTOF " });
                     if let Expr::Number(_) = self.deck.expr(target) {
                         self.text.push('N');
                     }
-                    self.expr(target, 0, true, 0);
+                    self.formula(target, 0);
                 }
             }
             Stmt::Call { name, repeats } => {
@@ -58,7 +58,7 @@ impl Writer<'_> {
                 if let Some(repeats) = repeats {
                     let formula = !matches!(self.deck.expr(repeats), Expr::Number(_));
                     self.text.push_str(if formula { " P=" } else { " P" });
-                    self.expr(repeats, 0, true, 0);
+                    self.formula(repeats, 0);
                 }
             }
             Stmt::Message(text) => {
@@ -105,7 +105,7 @@ impl Writer<'_> {
         self.text.push_str(form);
         match word.value {
             WordValue::Number(number) => self.text.push_str(&number.to_string()),
-            WordValue::Expr(id) => self.expr(id, 0, true, 0),
+            WordValue::Expr(id) => self.formula(id, 0),
         }
         self.text.push_str(if form.is_empty() { "" } else { ")" });
     }
@@ -114,9 +114,9 @@ impl Writer<'_> {
     pub(super) fn two_arguments(&mut self, left: ExprId, right: ExprId, depth: u32) {
         self.function_name(Function::Atan);
         self.text.push('(');
-        self.expr(left, 0, true, depth + 1);
+        self.formula(left, depth + 1);
         self.text.push(',');
-        self.expr(right, 0, true, depth + 1);
+        self.formula(right, depth + 1);
         self.text.push(')');
     }
 }

@@ -24,7 +24,7 @@ use crate::text::catalog::number_text;
 use crate::view::{OperatingLine, TorqueChart};
 
 /// Greatest number of a run's lines in a chart.
-const LINES: usize = 600;
+const MOST_LINES: usize = 600;
 
 /// Number of straight pieces of a motor's curve above its rated speed.
 const BEND: u32 = 8;
@@ -33,7 +33,7 @@ const BEND: u32 = 8;
 const ALIKE: f64 = 1e3;
 
 /// Greatest length of a motor's name in a form, characters.
-const NAME: usize = 40;
+const LONGEST_NAME: usize = 40;
 
 /// An axis or drive with the demand on its motor, and the available motors.
 #[derive(Debug, Clone, PartialEq)]
@@ -159,6 +159,12 @@ pub struct Refusal {
     pub message: Message,
 }
 
+impl Refusal {
+    fn new(rank: Rank, message: Message) -> Refusal {
+        Refusal { rank, message }
+    }
+}
+
 /// Reasons in the order of the list: the smallest shortage first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Rank {
@@ -226,7 +232,7 @@ impl Asked {
     /// All of the energy and power that come back with a rotor, the greatest value of each figure over all runs; none without any.
     fn returned(&self, rotor: f64) -> Option<ResistorLoad> {
         let returned = self.to_resistor(rotor, &Regeneration { efficiency: 1.0, capacitor: 0.0 });
-        (returned.mean > NOTHING).then_some(returned)
+        (returned.mean > LEAST_RETURNED).then_some(returned)
     }
 
     /// Mean speed (r/min) and effective torque (Nm) of the run with the greatest effective torque.
@@ -251,7 +257,7 @@ impl Asked {
         // The longest lines; the others are too short to be seen.
         let mut lines: Vec<OperatingLine> = lines.into_values().collect();
         lines.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
-        lines.truncate(LINES);
+        lines.truncate(MOST_LINES);
         let points = |torque: &dyn Fn(f64) -> f64| {
             let bend = motor.rated_speed.min(motor.top_speed);
             let above = (1..=BEND).map(|at| bend + (motor.top_speed - bend) * f64::from(at) / f64::from(BEND));
@@ -259,7 +265,7 @@ impl Asked {
         };
         TorqueChart {
             continuous: points(&|speed| motor.continuous_at(site_share, speed)),
-            peak: points(&|speed| motor.most(speed)),
+            peak: points(&|speed| motor.short_time_torque(speed)),
             lines,
             effective: self.effective(motor.rotor),
         }
@@ -384,21 +390,21 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &duty) };
     let limits =
         part.acceptance().at_starts(asked.starts_per_minute.max(axis.starts_per_minute)).derated(axis.site_share);
-    let refused =
+    let refusal =
         shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &worst_point)));
     let back = amplifier.and_then(braking).map(|(back, own)| (asked.to_resistor(motor.rotor, &back), own));
     let regenerative = back.and_then(|(asked, own)| Some(asked.mean / own?));
     let resistor = amplifier.zip(back).and_then(|(of, (asked, own))| resistor(of, asked, own, catalogue, control));
     let has_resistor = resistor.as_ref().is_some_and(|resistor| resistor.part.is_some());
-    let refused = refused
+    let refusal = refusal
         .or_else(|| too_weak_for_long(&motor, axis, &limits))
-        .or_else(|| (!follows(part, control)).then(|| (Rank::Role, msg!("size.refused-role"))))
+        .or_else(|| (!follows(part, control)).then(|| Refusal::new(Rank::Role, msg!("size.refused-role"))))
         .or_else(|| too_warm(&motor, &limits, (duty.effective, asked.mean_speed)))
         .or_else(|| {
             let share = regenerative.filter(|share| *share > 1.0 && !has_resistor)?;
-            Some((Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))))
+            Some(Refusal::new(Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))))
         })
-        .or_else(|| Some((Rank::Amplifier, shortage.clone()?)));
+        .or_else(|| Some(Refusal::new(Rank::Amplifier, shortage.clone()?)));
     Candidate {
         part: part.clone(),
         amplifier: amplifier.cloned(),
@@ -408,7 +414,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
         regenerative,
         resistor,
         short_time_current: None,
-        refusal: refused.map(|(rank, message)| Refusal { rank, message }),
+        refusal,
         entries: axis.fields.map(|fields| entries(fields, part, &motor)).unwrap_or_default(),
     }
 }
@@ -455,19 +461,19 @@ fn shortage(motor: &Part, (effective, peak): (f64, f64), catalogue: &[&Part], co
     Some(msg!("size.refused-amplifier-peak", current = (current, 2), amplifier, limit = (limit, 2)))
 }
 
-/// Reason why a servo motor is refused, in words; none if it passes.
+/// The refusal of a servo motor for a reason, in words.
 fn refused_by(
     reason: Reason,
     motor: &Servo,
     (shares, limits): (&Shares, &Acceptance),
     (duty, worst_point): (&Duty, &OperatingPoint),
-) -> (Rank, Message) {
+) -> Refusal {
     match reason {
         Reason::Speed => {
-            (Rank::Speed, msg!("size.refused-speed", speed = (duty.speed, 0), limit = (motor.top_speed, 0)))
+            Refusal::new(Rank::Speed, msg!("size.refused-speed", speed = (duty.speed, 0), limit = (motor.top_speed, 0)))
         }
         Reason::Peak => {
-            let gives = motor.most(worst_point.speed);
+            let gives = motor.short_time_torque(worst_point.speed);
             let message = msg!(
                 "size.refused-peak",
                 torque = (worst_point.torque, 3),
@@ -475,7 +481,7 @@ fn refused_by(
                 limit = (limits.peak * gives, 3),
                 percent = (100.0 * limits.peak, 0)
             );
-            (Rank::Peak, message)
+            Refusal::new(Rank::Peak, message)
         }
         Reason::Effective => {
             let message = msg!(
@@ -484,28 +490,32 @@ fn refused_by(
                 limit = (limits.effective * motor.stall, 3),
                 percent = (100.0 * limits.effective, 1)
             );
-            (Rank::Effective, message)
+            Refusal::new(Rank::Effective, message)
         }
         Reason::Inertia => {
             let (ratio, limit) = ((shares.inertia_ratio, 1), (limits.inertia_ratio, 1));
-            (Rank::Inertia, msg!("size.refused-inertia", ratio = ratio, limit = limit))
+            Refusal::new(Rank::Inertia, msg!("size.refused-inertia", ratio = ratio, limit = limit))
         }
     }
 }
 
-/// Whether the torque of a long cut, or of a weight, exceeds what the motor may give continuously.
-fn too_weak_for_long(motor: &Servo, axis: &DrivenAxis, limits: &Acceptance) -> Option<(Rank, Message)> {
+/// The refusal of a motor that gives less torque continuously than a long cut or a weight asks; none if it suffices.
+fn too_weak_for_long(motor: &Servo, axis: &DrivenAxis, limits: &Acceptance) -> Option<Refusal> {
     let most = limits.effective * motor.stall;
     if let Some(torque) = axis.lasting.filter(|torque| *torque > most) {
-        return Some((Rank::Effective, msg!("size.refused-long-cut", torque = (torque, 3), limit = (most, 3))));
+        return Some(Refusal::new(
+            Rank::Effective,
+            msg!("size.refused-long-cut", torque = (torque, 3), limit = (most, 3)),
+        ));
     }
     let most = WEIGHT_SHARE * axis.site_share * motor.stall;
     let too_heavy = || msg!("size.refused-weight", torque = (axis.weight, 3), limit = (most, 3));
-    (axis.weight > most).then(|| (Rank::Effective, too_heavy()))
+    (axis.weight > most).then(|| Refusal::new(Rank::Effective, too_heavy()))
 }
 
-/// Whether the effective torque (Nm) exceeds the continuous torque at the mean speed (r/min): a point of the data sheet's chart.
-fn too_warm(motor: &Servo, limits: &Acceptance, (effective, speed): (f64, f64)) -> Option<(Rank, Message)> {
+/// The refusal of a motor whose continuous torque at the mean speed (r/min), a point of the data sheet's chart, is below the effective torque (Nm);
+/// none if it suffices.
+fn too_warm(motor: &Servo, limits: &Acceptance, (effective, speed): (f64, f64)) -> Option<Refusal> {
     let most = limits.effective * motor.continuous(speed);
     let message = || {
         msg!(
@@ -516,11 +526,11 @@ fn too_warm(motor: &Servo, limits: &Acceptance, (effective, speed): (f64, f64)) 
             percent = (100.0 * limits.effective, 1)
         )
     };
-    (effective > most).then(|| (Rank::Effective, message()))
+    (effective > most).then(|| Refusal::new(Rank::Effective, message()))
 }
 
 /// Mean regenerated power (W) below which none is reported. Our choice.
-const NOTHING: f64 = 0.05;
+const LEAST_RETURNED: f64 = 0.05;
 
 /// Brake resistor for the regenerated energy beyond the amplifier's own resistor, whose continuous power (W) may be known; none without
 /// such energy.
@@ -531,7 +541,7 @@ fn resistor(
     catalogue: &[&Part],
     control: &Control,
 ) -> Option<Resistor> {
-    let is_asked = asked.mean > own.unwrap_or(0.0).max(NOTHING);
+    let is_asked = asked.mean > own.unwrap_or(0.0).max(LEAST_RETURNED);
     is_asked.then(|| {
         let part = smallest(catalogue, control, |other| match &other.ratings {
             Ratings::Resistor(of) if other.fits.contains(&amplifier.model) => {
@@ -589,7 +599,7 @@ fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<(&'static st
 
 /// Maker and model as text for the form.
 pub(super) fn name(part: &Part) -> String {
-    part.name().chars().take(NAME).collect()
+    part.name().chars().take(LONGEST_NAME).collect()
 }
 
 /// A part whose ratings do not suffice for a choice.

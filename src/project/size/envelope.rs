@@ -155,6 +155,25 @@ fn mark_worst(rows: &mut [EnvelopeRow]) {
 }
 
 impl EnvelopeRow {
+    /// A row of an event without a quantity, for what its quantity leaves out.
+    fn of(event: OperatingEvent) -> EnvelopeRow {
+        EnvelopeRow {
+            event,
+            id: String::new(),
+            label: "",
+            axis: None,
+            value: 0.0,
+            unit: "",
+            decimals: 0,
+            limit: None,
+            field: None,
+            verdict: Verdict::None,
+            knob: None,
+            is_cut: false,
+            is_worst: false,
+        }
+    }
+
     /// Whether the row reports that a contact of the machine holds the program at the event.
     pub(super) fn is_hold(&self) -> bool {
         self.id == HOLD
@@ -275,12 +294,12 @@ impl Envelope<'_> {
         &self,
         event: OperatingEvent,
         whole: &WholeRun,
-        hand: Vec<(f64, Action)>,
+        actions: Vec<(f64, Action)>,
         span: f64,
     ) -> Vec<EnvelopeRow> {
         let at = whole.middle();
         let mut run = whole.run.branch(at);
-        for (t, action) in hand {
+        for (t, action) in actions {
             run.event(Event { t, action });
         }
         let until = at + span;
@@ -351,7 +370,7 @@ impl Envelope<'_> {
             decimals: 3,
             limit,
             verdict: verdict(limit, effective),
-            ..time(event, 0.0)
+            ..EnvelopeRow::of(event)
         }
     }
 
@@ -366,7 +385,7 @@ impl Envelope<'_> {
             }
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
             let OperatingPoint { torque, speed, .. } = worst_point(axis, &stretches, works.as_deref());
-            let of_torque = torque_row(event, (axis.id, axis.name), torque, axis.fitted.most(speed));
+            let of_torque = torque_row(event, (axis.id, axis.name), torque, axis.fitted.torque_limit(speed));
             let of_current = ampere_per_torque.map(|per_torque| EnvelopeRow {
                 id: format!("{}-current", axis.id),
                 label: "size.current",
@@ -403,7 +422,7 @@ fn torque_row(event: OperatingEvent, (id, name): (&str, &'static str), torque: f
         decimals: 3,
         limit,
         verdict: verdict(limit, torque),
-        ..time(event, 0.0)
+        ..EnvelopeRow::of(event)
     }
 }
 
@@ -427,7 +446,7 @@ fn gauged(event: OperatingEvent, gauge: &Gauge) -> EnvelopeRow {
         limit: gauge.limit,
         field: gauge.field,
         verdict: verdict(gauge.limit, gauge.value),
-        ..time(event, 0.0)
+        ..EnvelopeRow::of(event)
     }
 }
 
@@ -479,8 +498,8 @@ pub(super) fn holding_limits(project: &Project, rows: &[EnvelopeRow]) -> Vec<Hol
         let same = || rows.iter().filter(|row| row.id == of.id);
         let most = same().map(|row| row.value).fold(0.0, f64::max);
         let most = most.max(asked_by_rules(project, field));
-        let unit = math::pow(10.0, f64::from(of.decimals));
-        let value = (most * unit).ceil() / unit;
+        let scale = math::pow(10.0, f64::from(of.decimals));
+        let value = (most * scale).ceil() / scale;
         let is_cut = same().any(|row| row.is_cut);
         let entry = (field, number_text(value, of.decimals));
         let fits = !is_cut && project.with_entries(core::slice::from_ref(&entry)).is_some();
@@ -514,26 +533,19 @@ fn stop(event: OperatingEvent, id: &str, label: &'static str) -> EnvelopeRow {
         decimals: 0,
         limit: Some(Limit::AtMost(0.0)),
         verdict: Verdict::Fail,
-        ..time(event, 0.0)
+        ..EnvelopeRow::of(event)
     }
 }
 
 /// Row with the duration (s) of an event.
 fn time(event: OperatingEvent, seconds: f64) -> EnvelopeRow {
     EnvelopeRow {
-        event,
         id: "time".to_owned(),
         label: "size.time",
-        axis: None,
         value: seconds,
         unit: "s",
         decimals: 2,
-        limit: None,
-        field: None,
-        verdict: Verdict::None,
-        knob: None,
-        is_cut: false,
-        is_worst: false,
+        ..EnvelopeRow::of(event)
     }
 }
 

@@ -63,7 +63,7 @@ const REST: Duration = Duration::from_millis(300);
 /// Time that another tab has to answer.
 const ANSWER: Duration = Duration::from_secs(2);
 
-/// Least time (ms) from that message until a watching tab takes over, and greatest random time added so that one of them is first. A
+/// Least time (ms) from the message [`LEAVES`] until a watching tab takes over, and greatest random time added so that one of them is first. A
 /// reloaded page has asked by then.
 const PATIENCE: (f64, f64) = (4000.0, 1000.0);
 

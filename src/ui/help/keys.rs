@@ -62,8 +62,8 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
     let button = matches!(tag.as_str(), "BUTTON" | "SUMMARY" | "A");
     match key.as_str() {
         " " if !button => player.toggle(),
-        "," => player.step(false),
-        "." => player.step(true),
+        "," => player.pause_at_block_before(),
+        "." => player.pause_at_next_block(),
         "a" => operator::toggle_list(page),
         "g" => stepping::show_block(page),
         "Home" if tag != "INPUT" => player.seek(0.0),

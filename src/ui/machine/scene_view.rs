@@ -25,10 +25,10 @@ pub(super) struct Drawn {
     alt: &'static str,
 }
 
-/// Ratio of the drawing's units per pixel to those its labels are laid out for, above which the drawing becomes wider than its room
-/// (`boot.js` too).
+/// Ratio of the drawing's units per pixel to those its labels are laid out for, above which the drawing becomes wider than its room:
+/// the same as in `ui/boot.js`, which shows the still before this code is loaded (held by a test).
 const CROWDED: f64 = 1.35;
-/// Height in pixels of the strip over such a drawing (`.stage.pans`; `boot.js` too).
+/// Height in pixels of the strip over such a drawing: the same as in `ui/boot.js` and in `style/app.css`, `.stage.pans` (held by a test).
 const STRIP: f64 = 40.0;
 
 struct Group {

@@ -22,11 +22,11 @@ pub(super) fn Transport() -> impl IntoView {
         <div class="keys">
             <Later>
                 <IconButton glyph=Glyph::ToStart label=t("page.to-start") title=t("page.to-start-key") press=move || player.seek(0.0) />
-                <IconButton glyph=Glyph::Back label=t("page.step-back") title=t("page.step-back-key") class="block" press=move || player.step(false) />
+                <IconButton glyph=Glyph::Back label=t("page.step-back") title=t("page.step-back-key") class="block" press=move || player.pause_at_block_before() />
                 <button type="button" class="icon play" id="play" aria-label=play_words title=t("page.play-key") on:click=move |_| player.toggle()>
                     <Icon glyph=sign />
                 </button>
-                <IconButton glyph=Glyph::Forth label=t("page.step") title=t("page.step-key") class="block" press=move || player.step(true) />
+                <IconButton glyph=Glyph::Forth label=t("page.step") title=t("page.step-key") class="block" press=move || player.pause_at_next_block() />
                 <Clock />
                 <span class="space"></span>
                 <RunningBlock />

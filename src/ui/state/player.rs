@@ -14,7 +14,7 @@ use crate::controls::Control;
 use crate::interp::inspect::What;
 use crate::machines::{Frame, PreparedMachine};
 use crate::math;
-use crate::motion::{Action, Event, Mode, RunEnd, Snapshot};
+use crate::motion::{Action, Event, Mode, RunEnd, Snapshot, Timeline};
 use crate::project::debug::Debugger;
 use crate::project::run::{self, Run};
 use crate::text::{Diagnostic, Message, Place};
@@ -248,13 +248,20 @@ impl Player {
         }
     }
 
-    /// Pauses at the begin of the next or previous block.
-    pub(crate) fn step(self, forth: bool) {
+    /// Pauses at the begin of the next block.
+    pub(crate) fn pause_at_next_block(self) {
+        self.pause_at(|timeline, head| timeline.next_block(head));
+    }
+
+    /// Pauses at the begin of the previous block.
+    pub(crate) fn pause_at_block_before(self) {
+        self.pause_at(|timeline, head| Some(timeline.block_before(head)));
+    }
+
+    /// Pauses at a time of the planned run that follows from that of the play head.
+    fn pause_at(self, to: impl FnOnce(&Timeline, f64) -> Option<f64>) {
         self.playing.set(false);
-        let to = self.state.with_value(|state| {
-            let timeline = state.planner.as_ref()?.timeline();
-            if forth { timeline.next_block(state.head) } else { Some(timeline.block_before(state.head)) }
-        });
+        let to = self.state.with_value(|state| to(state.planner.as_ref()?.timeline(), state.head));
         if let Some(t) = to {
             self.seek(t);
         }

@@ -324,12 +324,13 @@ fn second_statement_behind_then_stays_conditional() {
         "fanuc-0i-tf",
         "IF[#1 EQ 1]THEN #2=1 #3=2",
         expect![[r#"
-        1:22 error PS0004 A block holds one assignment.
-            Jump over it on the opposite condition: 1:7 "EQ"→"NE" 1:12 "THEN "→"GOTO9001\n" 1:26 ""→"\nN9001"
-        = IF[#1 NE 1]GOTO9001
-          #2=1 #3=2
-          N9001
-    "#]],
+            1:22 error PS0004 A block holds one assignment.
+                Jump over it on the opposite condition: 1:7 "EQ"→"NE" 1:12 "THEN "→"GOTO9001\n" 1:22 ""→"\n" 1:26 ""→"\nN9001"
+            = IF[#1 NE 1]GOTO9001
+              #2=1 
+              #3=2
+              N9001
+        "#]],
     );
     check(
         "mitsubishi-e60",

@@ -1,12 +1,14 @@
 //! The main spindle of the polygon lathe, sized where the program turns the bar before or after the polygons.
 
 use macroline::machines::devices::BillItem;
+use macroline::motion::{Action, Event, RunEnd};
 use macroline::project::Project;
 use macroline::project::size::{OperatingEvent, size};
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::polygon_shaft::whole;
+use super::ribbon_controls::{begun, ended};
 use crate::asked::{near, readout, sized_without_envelope};
 
 const NAME: &str = "polygon.drive.main";
@@ -95,8 +97,11 @@ fn main_spindle_is_ordered_and_wired_where_the_program_turns() {
     let (motor, inverter, resistor, encoder) =
         (BillItem::Motor, BillItem::Inverter, BillItem::Resistor, BillItem::Encoder);
     assert_eq!(items(&shaft(&[])), (vec![motor, inverter, resistor, encoder], 10, 4));
-    assert_eq!(items(&shaft(&[("before-pitch", "0")])), (vec![motor, inverter, resistor], 10, 4));
-    assert_eq!(items(&shaft(&[("before-pitch", "0"), ("main-braking", "20")])), (vec![motor, inverter], 10, 4));
+    assert_eq!(items(&shaft(&[("before-pitch", "0")])), (vec![motor, inverter, resistor, encoder], 10, 4));
+    assert_eq!(
+        items(&shaft(&[("before-pitch", "0"), ("main-braking", "20")])),
+        (vec![motor, inverter, encoder], 10, 4)
+    );
     assert_eq!(items(&shaft(&[("before", "false")])), (vec![], 0, 0));
 }
 
@@ -127,6 +132,42 @@ fn bar_is_turned_at_the_speed_of_the_form() {
     }
     near(fastest, 800.0, 1.0);
     near(volts, 8.0, 0.01);
+}
+
+#[test]
+fn turned_end_feeds_per_revolution_of_its_spindle() {
+    let project = shaft(&[]);
+    let text = &project.written().files.0[0].text;
+    let lines = |from: &str, count: usize| -> Vec<&str> {
+        text.lines().skip_while(|line| !line.starts_with(from)).take(count).collect()
+    };
+    assert_eq!(lines("M3 S800", 3), ["M3 S800", "G04 X2. (SPINDLE COMES TO ITS SPEED)", "G99"]);
+    assert_eq!(lines("G01 Z-20.", 1), ["G01 Z-20. F0.2"]);
+    assert_eq!(lines("G98 M5", 2), ["G98 M5", "G04 X2. (SPINDLE STOPS)"]);
+    // With the knob at 0 the bar stands, and the tool stands in front of it.
+    let mut planner = begun(&project, vec![Event { t: 0.0, action: Action::SpindleOverride(0.0) }]);
+    let ended = ended(&mut planner);
+    assert_eq!(ended, RunEnd::Stop);
+    let end = planner.timeline().end();
+    assert!(planner.timeline().at(end).axes[1].actual > 0.0);
+    assert!(planner.diagnostics().iter().any(|found| found.message.id == "motion.spindle-at-rest"));
+}
+
+#[test]
+fn encoders_reach_the_speed_of_the_knob_at_its_end() {
+    let encoder = |project: &Project| {
+        let bill = sized_without_envelope(project).bill;
+        bill.into_iter().find(|row| row.item == BillItem::Encoder).unwrap().model
+    };
+    // 800 r/min by 254 %, the greatest override of the register.
+    assert!(encoder(&shaft(&[])).starts_with("open: up to 2032 r/min"), "{}", encoder(&shaft(&[])));
+    let lathe = Project::of("turning-spindle", Some("mitsubishi-e60")).unwrap();
+    let envelope = size(&lathe, &lathe.written()).envelope;
+    let speeds = envelope.iter().filter(|row| row.label == "turning.gauge.speed").map(|row| row.value);
+    let highest = speeds.fold(0.0, f64::max);
+    let told = encoder(&lathe);
+    let asked: f64 = told.split(' ').nth(3).unwrap().replace('\u{202f}', "").parse().unwrap();
+    assert!(asked >= highest.floor() && highest > 0.0, "{told}: {highest}");
 }
 
 #[test]

@@ -257,7 +257,7 @@ impl Layout {
             (x + radius * c, y + radius * s)
         };
         let mut web = Web::from(at(angle - ON_REEL));
-        web.arc(at(angle), radius, true);
+        web.clockwise(at(angle), radius);
         web.line((self.unwinder.x, 0.0));
         web
     }
@@ -296,9 +296,9 @@ impl Layout {
             (x + r * c, y + r * s)
         };
         let DrawnReel { x: to_x, y: to_y, .. } = self.take_up;
-        web.arc(at(x, y, r, angle), r, true);
+        web.clockwise(at(x, y, r, angle), r);
         web.line(at(to_x, to_y, radius, angle));
-        web.arc(at(to_x, to_y, radius, angle + ON_REEL), radius, true);
+        web.clockwise(at(to_x, to_y, radius, angle + ON_REEL), radius);
     }
 }
 

@@ -126,11 +126,11 @@ impl SlackLoop {
         let turns = (leaves.0 + l1 * c, leaves.1 + l1 * s);
         let rises = (turns.0 + 2.0 * self.rho * s, turns.1);
         let meets = (x + self.distance - r2 * s, r2 * (1.0 - c));
-        web.arc(leaves, r1, true);
+        web.clockwise(leaves, r1);
         web.line(turns);
-        web.arc(rises, self.rho, false);
+        web.counter_clockwise(rises, self.rho);
         web.line(meets);
-        web.arc((x + self.distance, 0.0), r2, true);
+        web.clockwise((x + self.distance, 0.0), r2);
         web
     }
 }

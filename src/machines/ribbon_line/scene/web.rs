@@ -30,9 +30,14 @@ impl Web {
         self.parts.push(Part { to, radius: 0.0, clockwise: false });
     }
 
-    /// An arc of less than half a turn to a point.
-    pub(crate) fn arc(&mut self, to: (f64, f64), radius: f64, clockwise: bool) {
-        self.parts.push(Part { to, radius, clockwise });
+    /// An arc of less than half a turn to a point, clockwise on the screen.
+    pub(crate) fn clockwise(&mut self, to: (f64, f64), radius: f64) {
+        self.parts.push(Part { to, radius, clockwise: true });
+    }
+
+    /// An arc of less than half a turn to a point, counter-clockwise on the screen.
+    pub(crate) fn counter_clockwise(&mut self, to: (f64, f64), radius: f64) {
+        self.parts.push(Part { to, radius, clockwise: false });
     }
 
     /// The path shifted by `by`, as `d`, up to a length.

@@ -99,8 +99,14 @@ impl Reader<'_> {
         found.map(|(_, number)| number)
     }
 
-    /// Adds a fix for `IF … THEN`, from `then` to `after`: a jump over the conditional part.
-    pub(in crate::nc::parse) fn jump_instead(&mut self, finding: Diagnostic, then: usize, after: usize) -> Diagnostic {
+    /// Adds a fix for `IF … THEN`, from `then` to `after`: a jump over the conditional part, of which each place of `blocks` begins another
+    /// block.
+    pub(in crate::nc::parse) fn jump_instead(
+        &mut self,
+        finding: Diagnostic,
+        (then, after): (usize, usize),
+        blocks: &[usize],
+    ) -> Diagnostic {
         let rest = self.cursor.line.get(after..).unwrap_or_default();
         let after = after + rest.len() - rest.trim_ascii_start().len();
         let end = self.cursor.line.len();
@@ -110,11 +116,12 @@ impl Reader<'_> {
         let newline = self.newline();
         let skip = self.skip_mark();
         let opposite = self.spaced(from, to, letters_of(op.opposite()));
-        let edits = vec![
+        let mut edits = vec![
             (self.place(self.span(from, to)), opposite),
             (self.place(self.span(then, after)), format!("GOTO{number}{newline}{skip}")),
-            (self.place(self.span(end, end)), format!("{newline}N{number}")),
         ];
+        edits.extend(blocks.iter().map(|at| (self.place(self.span(*at, *at)), format!("{newline}{skip}"))));
+        edits.push((self.place(self.span(end, end)), format!("{newline}N{number}")));
         finding.fix(msg!("nc.fix.jump"), edits)
     }
 

@@ -20,6 +20,7 @@ use crate::nc::lex::names::begins_as_name;
 use crate::nc::lex::spelling::{meant, prose, states, zero_as_letter};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::file::begins_character;
+use crate::nc::parse::formula::VariableAccess;
 use crate::nc::parse::reader::{BLOCK_BYTES, Reader};
 use crate::nc::parsed::FINDINGS;
 use crate::text::{Diagnostic, Place, Span};
@@ -294,7 +295,7 @@ impl<'a> Reader<'a> {
             self.cursor.at += 1;
             if self.next_byte() == b'=' {
                 self.cursor.at += 1;
-                repeats = Some(self.symbolic_formula(false)?);
+                repeats = Some(self.symbolic_formula()?);
             } else {
                 repeats = Some(self.factor()?);
             }
@@ -436,7 +437,7 @@ impl<'a> Reader<'a> {
                 let message = msg!("nc.no-condition-before-jump");
                 return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), start, message));
             }
-            let left = self.symbolic_formula(true)?;
+            let left = self.symbolic_condition()?;
             self.pass_blanks();
             if !self.symbolic_jump_ahead() {
                 let end = self.cursor.line.len();
@@ -544,10 +545,14 @@ impl<'a> Reader<'a> {
         let first = self.deck.pairs.len();
         loop {
             let start = self.cursor.at;
-            let left = if self.cursor.peek() == b'#' { self.hash_variable(true)? } else { self.variable(true)? };
+            let left = if self.cursor.peek() == b'#' {
+                self.hash_variable(VariableAccess::Write)?
+            } else {
+                self.variable(VariableAccess::Write)?
+            };
             let end = self.cursor.at;
             self.equals_sign(start, end)?;
-            let right = self.symbolic_formula(false)?;
+            let right = self.symbolic_formula()?;
             self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around, keyword: Extent::default() });
             self.pass_blanks();
             if !(self.parameter_ahead() || self.cursor.peek() == b'#') {

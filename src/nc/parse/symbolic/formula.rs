@@ -11,7 +11,17 @@ use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
 use crate::nc::dec::{Dec, POW10};
 use crate::nc::lex::keywords::{COMPARISONS, LOGIC, SIGNS};
 use crate::nc::parse::failure::{ParseFailure, Read};
+use crate::nc::parse::formula::VariableAccess;
 use crate::nc::parse::reader::Reader;
+
+/// Signs that are read as comparisons.
+#[derive(Clone, Copy, PartialEq)]
+enum SignsRead {
+    /// Those of the control.
+    Known,
+    /// Those of other languages too, with a finding.
+    All,
+}
 
 impl Reader<'_> {
     /// Whether a variable follows: its letter with a number or an index.
@@ -22,11 +32,20 @@ impl Reader<'_> {
             && (self.cursor.byte(1).is_ascii_digit() || self.cursor.byte(1) == b'[')
     }
 
-    /// Reads an expression with comparisons as the weakest operators; in a condition a single `=` counts as `==`.
-    pub(in crate::nc::parse) fn symbolic_formula(&mut self, condition: bool) -> Read<ExprId> {
+    /// Reads an expression with comparisons as the weakest operators.
+    pub(in crate::nc::parse) fn symbolic_formula(&mut self) -> Read<ExprId> {
+        self.compared(SignsRead::Known)
+    }
+
+    /// Reads a condition: an expression in which signs of other languages compare too, such as a single `=`.
+    pub(in crate::nc::parse) fn symbolic_condition(&mut self) -> Read<ExprId> {
+        self.compared(SignsRead::All)
+    }
+
+    fn compared(&mut self, signs: SignsRead) -> Read<ExprId> {
         let start = self.cursor.at;
         let mut left = self.logic(0)?;
-        while let Some(op) = self.symbolic_comparison(condition) {
+        while let Some(op) = self.symbolic_comparison(signs) {
             let right = self.logic(0)?;
             left = self.add_expr(Expr::Binary(op, left, right), start)?;
         }
@@ -37,7 +56,7 @@ impl Reader<'_> {
         let start = self.cursor.at;
         let mut left = match self.negation()? {
             Some(left) => left,
-            None => self.formula(false)?,
+            None => self.formula()?,
         };
         loop {
             let byte = self.next_byte();
@@ -118,7 +137,7 @@ impl Reader<'_> {
         self.take_word("DIV")
     }
 
-    fn symbolic_comparison(&mut self, condition: bool) -> Option<Op> {
+    fn symbolic_comparison(&mut self, signs: SignsRead) -> Option<Op> {
         let byte = self.next_byte();
         let from = self.cursor.at;
         if byte.is_ascii_alphabetic() {
@@ -135,7 +154,7 @@ impl Reader<'_> {
             return Some(op);
         }
         let &(sign, op, known) = SIGNS.iter().find(|(sign, ..)| self.cursor.ahead(sign))?;
-        if !known && !condition {
+        if !known && signs == SignsRead::Known {
             return None;
         }
         self.cursor.at += sign.len();
@@ -167,11 +186,11 @@ impl Reader<'_> {
 
     /// Reports `#1`, the spelling of variables on other controls, once per file.
     #[cold]
-    pub(in crate::nc::parse) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
+    pub(in crate::nc::parse) fn hash_variable(&mut self, access: VariableAccess) -> Read<ExprId> {
         let finding = self.span(self.cursor.at, self.cursor.at + 1);
         self.notes.hash.get_or_insert(finding.start);
         self.block.bad.get_or_insert(BadBlock { alarm: Alarm::Format, finding });
-        self.variable(written)
+        self.variable(access)
     }
 
     /// The failure of `$P_S`: system data that the simulation does not keep.

@@ -86,7 +86,7 @@ impl Reader<'_> {
             self.cursor.at += 1;
             let SymbolicValue { index, dimensioning: form, value } = self.symbolic_value(start, letter)?;
             if !matches!(form, Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Incremental) {
-                self.check_way(start, letter, form);
+                self.check_approach(start, letter, form);
             }
             match (letter, value) {
                 (Address::G, WordValue::Number(number)) => {
@@ -300,7 +300,7 @@ impl Reader<'_> {
 
     /// Reads a formula; a constant one becomes a number.
     fn constant_or_formula(&mut self) -> Read<WordValue> {
-        let id = self.symbolic_formula(false)?;
+        let id = self.symbolic_formula()?;
         Ok(match self.deck.expr(id) {
             Expr::Number(number) => {
                 self.deck.exprs.pop();
@@ -424,7 +424,7 @@ impl Reader<'_> {
 
     /// Reports a direction of approach (DC, ACP, ACN) for a linear axis.
     #[cold]
-    fn check_way(&mut self, start: usize, letter: Address, form: Dimensioning) {
+    fn check_approach(&mut self, start: usize, letter: Address, form: Dimensioning) {
         let (alarm, name) = match form {
             Dimensioning::Positive => (Alarm::PositiveWay, "ACP"),
             Dimensioning::Negative => (Alarm::NegativeWay, "ACN"),
@@ -532,6 +532,7 @@ impl Reader<'_> {
         let rows: Vec<Option<&CodeDef>> = words.iter().map(|word| self.row_of(word)).collect();
         self.check_numbered_axes(&words, &rows);
         let end = |word: &Word| word.offset as usize + word.len as usize;
+        // M, H, D, and all of them with S and T.
         let mut counts = [0_u8; 4];
         for (at, word) in words.iter().enumerate() {
             let start = word.offset as usize;

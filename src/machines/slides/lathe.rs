@@ -1,0 +1,131 @@
+//! The slides of a lathe, X across its work and Z along it, as every lathe has them: parameters, rows of the form, drives, axes of the plant.
+
+use super::form::{self, SlideParams};
+use crate::controls::Address;
+use crate::machines::form::Field;
+use crate::machines::scaling::{self, AxisDrive};
+use crate::motion::AxisPlant;
+
+/// The slide across the work, and the one along it.
+pub(in crate::machines) const CROSS: Address = Address::X;
+pub(in crate::machines) const ALONG: Address = Address::Z;
+
+/// Inputs of both slides of a lathe. Units as in the form.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(in crate::machines) struct LatheSlides {
+    pub x: SlideParams,
+    pub z: SlideParams,
+    pub time_constant: f64,
+    pub position_gain: f64,
+    pub bed_angle: f64,
+    pub efficiency: f64,
+    pub feed_force: f64,
+}
+
+/// Parameters of a machine with the slides of a lathe among them.
+pub(in crate::machines) trait SlideForm: 'static {
+    fn lathe_slides(&self) -> &LatheSlides;
+
+    fn lathe_slides_mut(&mut self) -> &mut LatheSlides;
+}
+
+/// Defaults of the slide of X that depend on what it carries.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::machines) struct XDefaults {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Friction along its way, N.
+    pub friction: f64,
+}
+
+/// The member of the slides that a row fills; of a text with `&`.
+macro_rules! member {
+    ($($member:ident).+) => {
+        (|p: &P| p.lathe_slides().$($member).+, |p: &mut P, value| p.lathe_slides_mut().$($member).+ = value)
+    };
+    (&$($member:ident).+) => {
+        (|p: &P| p.lathe_slides().$($member).+.as_str(), |p: &mut P, text| p.lathe_slides_mut().$($member).+ = text)
+    };
+}
+
+/// Screws, gears and encoders, in a group of the machine. Rapid traverse, clamps, time constant and gain are rows of the machine, which
+/// explains them in its own words.
+#[rustfmt::skip]
+pub(in crate::machines) const fn scaling_rows<P: SlideForm>(group: &'static str) -> [Field<P>; 8] {
+    [
+        scaling::lead("lead-x", group, "scaling.lead-x", member!(x.lead)),
+        scaling::lead("lead-z", group, "scaling.lead-z", member!(z.lead)),
+        scaling::teeth("motor-teeth-x", group, "scaling.motor-teeth-x", member!(x.motor_teeth)),
+        scaling::teeth("screw-teeth-x", group, "scaling.screw-teeth-x", member!(x.screw_teeth)),
+        scaling::teeth("motor-teeth-z", group, "scaling.motor-teeth-z", member!(z.motor_teeth)),
+        scaling::teeth("screw-teeth-z", group, "scaling.screw-teeth-z", member!(z.screw_teeth)),
+        scaling::encoder("encoder-counts-x", group, "scaling.encoder-x", member!(x.encoder)),
+        scaling::encoder("encoder-counts-z", group, "scaling.encoder-z", member!(z.encoder)),
+    ]
+}
+
+/// Masses, ways and motors, in a group of their own.
+#[rustfmt::skip]
+pub(in crate::machines) const fn rows<P: SlideForm>(x: XDefaults) -> [Field<P>; 29] {
+    [
+        form::mass("slide-mass-x", "slides.mass-x", x.mass, member!(x.mass)),
+        form::friction("slide-friction-x", "slides.friction-x", x.friction, member!(x.friction)),
+        form::screw_diameter("screw-diameter-x", "slides.screw-diameter-x", 32.0, member!(x.screw_diameter)),
+        form::screw_length("screw-length-x", "slides.screw-length-x", 500.0, member!(x.screw_length)),
+        form::mass("slide-mass-z", "slides.mass-z", 250.0, member!(z.mass)),
+        form::friction("slide-friction-z", "slides.friction-z", 250.0, member!(z.friction)),
+        form::screw_diameter("screw-diameter-z", "slides.screw-diameter-z", 40.0, member!(z.screw_diameter)),
+        form::screw_length("screw-length-z", "slides.screw-length-z", 1000.0, member!(z.screw_length)),
+        form::bed_angle(member!(bed_angle)),
+        form::efficiency(member!(efficiency)),
+        form::feed_force(member!(feed_force)),
+        form::motor("motor-x", "slides.motor-x", member!(&x.motor)),
+        form::rated("motor-rated-torque-x", "slides.motor-rated-torque-x", 4.8, member!(x.rated)),
+        form::stall("motor-stall-x", "slides.motor-stall-x", 4.8, member!(x.stall)),
+        form::peak("motor-peak-x", "slides.motor-peak-x", 14.3, member!(x.peak)),
+        form::rotor("motor-rotor-x", "slides.motor-rotor-x", 11.6, member!(x.rotor)),
+        form::rated_speed("motor-rated-x", "slides.motor-rated-x", 2000.0, member!(x.rated_speed)),
+        form::top_speed("motor-max-x", "slides.motor-max-x", 3000.0, member!(x.top_speed)),
+        form::inertia_limit("inertia-limit-x", "slides.inertia-limit-x", member!(x.inertia_limit)),
+        form::effective_limit("effective-limit-x", "slides.effective-limit-x", member!(x.effective_limit)),
+        form::motor("motor-z", "slides.motor-z", member!(&z.motor)),
+        form::rated("motor-rated-torque-z", "slides.motor-rated-torque-z", 4.8, member!(z.rated)),
+        form::stall("motor-stall-z", "slides.motor-stall-z", 4.8, member!(z.stall)),
+        form::peak("motor-peak-z", "slides.motor-peak-z", 14.3, member!(z.peak)),
+        form::rotor("motor-rotor-z", "slides.motor-rotor-z", 11.6, member!(z.rotor)),
+        form::rated_speed("motor-rated-z", "slides.motor-rated-z", 2000.0, member!(z.rated_speed)),
+        form::top_speed("motor-max-z", "slides.motor-max-z", 3000.0, member!(z.top_speed)),
+        form::inertia_limit("inertia-limit-z", "slides.inertia-limit-z", member!(z.inertia_limit)),
+        form::effective_limit("effective-limit-z", "slides.effective-limit-z", member!(z.effective_limit)),
+    ]
+}
+
+impl LatheSlides {
+    /// Drives of X and Z. A word of X counts `x_units` per mm of its slide: 2 for diameters.
+    pub(in crate::machines) fn drives(&self, x_units: f64) -> [AxisDrive<'static>; 2] {
+        [self.x.drive("X", x_units), self.z.drive("Z", 1.0)]
+    }
+
+    /// Axes of X and Z in the plant. `home`: positions (mm) of both at power-on.
+    pub(in crate::machines) fn plants(&self, x_counts_diameters: bool, home: [f64; 2]) -> Vec<AxisPlant> {
+        let plant = |letter, diameter, slide: &SlideParams, home| AxisPlant {
+            letter: Some(letter),
+            rotary: false,
+            endless: false,
+            diameter,
+            rapid: slide.rapid,
+            clamp: slide.clamp,
+            time_constant: self.time_constant / 1000.0,
+            position_gain: self.position_gain,
+            home,
+        };
+        vec![plant(CROSS, x_counts_diameters, &self.x, home[0]), plant(ALONG, false, &self.z, home[1])]
+    }
+}
+
+impl SlideParams {
+    fn drive(&self, axis: &'static str, words: f64) -> AxisDrive<'static> {
+        let gear = (self.screw_teeth, self.motor_teeth);
+        AxisDrive { axis, lead: self.lead, gear, encoder: self.encoder, rotary: false, words }
+    }
+}
