@@ -131,7 +131,11 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
         devices.push(BillRow { quantity, ..open(item, None, &asked) });
     }
     if devices.iter().any(|row| row.item == BillItem::EmergencyStop) {
-        devices.push(open(BillItem::SafetyRelay, None, &msg!("size.bill.safety-relay")));
+        let asked = match prepared.coasts_at_emergency_stop() {
+            true => msg!("size.bill.safety-relay-coasting"),
+            false => msg!("size.bill.safety-relay"),
+        };
+        devices.push(open(BillItem::SafetyRelay, None, &asked));
     }
     devices.push(open(BillItem::MainSwitch, None, &msg!("size.bill.main-switch")));
     devices.push(open(BillItem::ControlSupply, None, &msg!("size.bill.control-supply")));

@@ -10,6 +10,7 @@ use crate::machines::PreparedMachine;
 use crate::machines::devices::{BillItem, wired};
 use crate::machines::ladder::{Device, Ladder, PlcSide};
 use crate::machines::sheets::say;
+use crate::motion::Mover;
 use crate::text::{Citation, Grade, headed};
 
 /// A wire at a terminal, or a cable.
@@ -95,7 +96,8 @@ struct Wire {
 /// The rows, by strip.
 pub(super) fn terminals(prepared: &PreparedMachine, bill: &[BillRow]) -> Vec<TerminalRow> {
     let ladder = prepared.ladder();
-    let of_items = bill.iter().flat_map(|row| wires(row.item, row.axis, bill));
+    let coasting: Vec<&'static str> = coasting_axes(prepared).collect();
+    let of_items = bill.iter().flat_map(|row| wires(row.item, row.axis, bill, &coasting));
     let mut wires: Vec<Wire> = of_items.chain(contacts(ladder.as_ref(), bill)).collect();
     wires.sort_by_key(|wire| wire.strip);
     let mut numbers: BTreeMap<Strip, u32> = BTreeMap::new();
@@ -106,8 +108,14 @@ pub(super) fn terminals(prepared: &PreparedMachine, bill: &[BillRow]) -> Vec<Ter
     wires.into_iter().map(numbered).collect()
 }
 
-/// The wires of an item but for those of the PLC's contacts and outputs.
-fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wire> {
+/// Names of the axes whose drives lose their enable at once at an emergency stop; others keep it until they stand.
+fn coasting_axes(prepared: &PreparedMachine) -> impl Iterator<Item = &'static str> {
+    let axes = if prepared.coasts_at_emergency_stop() { prepared.driven_axes() } else { Vec::new() };
+    axes.into_iter().filter(|axis| matches!(axis.mover, Mover::Turned(_))).map(|axis| axis.name)
+}
+
+/// The wires of an item but for those of the PLC's contacts and outputs; the drives of the `coasting` axes lose their enable at once.
+fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting: &[&'static str]) -> Vec<Wire> {
     let own = WireEnd::of(item, axis);
     let of = |item: BillItem| WireEnd::of(item, axis);
     let of_machine = |item: BillItem| WireEnd::of(item, None);
@@ -120,8 +128,9 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow]) -> Vec<Wi
             .to_vec()
     };
     let is_safe = bill.iter().any(|row| row.item == BillItem::SafetyRelay);
-    let enable =
-        is_safe.then(|| wire(Strip::Contacts, "size.terminal.enable", of_machine(BillItem::SafetyRelay), own.clone()));
+    let at_once = axis.is_some_and(|axis| coasting.contains(&axis));
+    let signal = if at_once { "size.terminal.enable-at-once" } else { "size.terminal.enable-delayed" };
+    let enable = is_safe.then(|| wire(Strip::Contacts, signal, of_machine(BillItem::SafetyRelay), own.clone()));
     let analog = |signals: [&'static str; 3], from: WireEnd, to: WireEnd| {
         signals.map(|signal| wire(Strip::Analog, signal, from.clone(), to.clone())).to_vec()
     };

@@ -458,6 +458,15 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             assert_eq!(rows("X0:"), 2 * (drives + supplies) + 6, "{name}");
             let enabled = sizing.terminals.iter().filter(|row| row.from.item == BillItem::SafetyRelay).count();
             assert_eq!(enabled, drives, "{name}: the emergency stop takes the enable from every drive");
+            // The table of stops lets them brake to rest; work and tool coast only where the form says so.
+            let at_once = |project: &Project| {
+                let rows = sized_without_envelope(project).terminals;
+                rows.iter().filter(|row| row.signal == "Enable, at once").count()
+            };
+            let coasting = project.with_entries(&[("emergency", "off".to_owned())]);
+            let held = project.with_entries(&[("emergency", "held".to_owned())]);
+            assert_eq!(held.as_ref().map_or(0, at_once), 0, "{name}");
+            assert_eq!(coasting.as_ref().map_or(2, at_once), 2, "{name}");
             // Encoder and command of every servo motor, pulses of the spindle.
             assert_eq!(rows("W"), 2 * billed(BillItem::Amplifier) + billed(BillItem::Encoder), "{name}");
             // Every input and output of the ladder that a wire leads to, each once, with its device.
