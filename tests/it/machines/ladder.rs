@@ -36,14 +36,33 @@ const FORMS: &[(&str, &[Entries])] = &[
             &[("stage-2", "0")],
             &[("stage-3", "4000"), ("gear-time", "0"), ("gear-patience", "1.5")],
             &[("stage-3", "4000"), ("stage-4", "5000"), ("gear-time", "3.3")],
+            &[
+                ("path", "turning"),
+                ("keyway", "true"),
+                ("lock-code", "81"),
+                ("release-code", "82"),
+                ("driven-tool", "true"),
+                ("driven-code", "93"),
+                ("driven-stop", "95"),
+                ("keyway-depth", "5.5"),
+                ("keyway-length", "50"),
+            ],
         ],
     ),
     ("polygon-lathe", &[&[], &[("work-time-constant", "33")]]),
 ];
 
-/// A project on a control, with a name for messages.
+/// The forms and the examples of every machine on each of its controls, with a name for messages.
 fn projects() -> impl Iterator<Item = (String, Project)> {
-    FORMS.iter().flat_map(|(id, forms)| {
+    let examples = machines::ALL.iter().flat_map(|machine| {
+        machine.controls().iter().flat_map(move |control| {
+            machine.examples().iter().map(move |example| {
+                let project = Project::named(machine.id(), Some(control), Some(example.id)).unwrap();
+                (format!("{} on {control} {}", machine.id(), example.id), project)
+            })
+        })
+    });
+    let forms = FORMS.iter().flat_map(|(id, forms)| {
         let machine = machines::find(id).unwrap();
         machine.controls().iter().flat_map(move |control| {
             forms.iter().map(move |form| {
@@ -55,7 +74,8 @@ fn projects() -> impl Iterator<Item = (String, Project)> {
                 (format!("{id} on {control} {form:?}"), project)
             })
         })
-    })
+    });
+    forms.chain(examples)
 }
 
 fn sheet(project: &Project, id: &str) -> Sheet {
@@ -235,6 +255,8 @@ fn sign_of_the_voltage_needs_one_run_contact() {
 fn spindle_is_locked_by_its_clamp_for_the_keyway() {
     let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
     let ladder = ladder(&project);
+    let bits = [81, 82].map(|code| ladder.bit(Bit::Signal(SignalRole::MFunction(code))).to_owned());
+    assert_eq!(bits, ["V25001010.1", "V25001010.2"]);
     let mut image = at_rest(&ladder);
     let clamped = Bit::Input(MachineContact::SpindleClamped);
     image.set(clamped, false);
@@ -356,7 +378,7 @@ proptest! {
                 for (at, (word, device)) in (0u32..).zip(&words) {
                     let drawn = random.rotate_left(7 * at);
                     let value = match word {
-                        PlcNumber::Signal(SignalRole::MCode) => [0, 3, 4, 5, 8, 30, 41, 42, 43, 44][(drawn % 10) as usize],
+                        PlcNumber::Signal(SignalRole::MCode) => [0, 3, 4, 5, 8, 30, 41, 42, 43, 44, 81, 82, 93, 95][(drawn % 14) as usize],
                         _ => drawn % 250,
                     };
                     image.put(*word, value as f64);
