@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use super::codes::{STOPPED, TURNS};
 use super::scan::Image;
 use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::controls::Control;
@@ -253,6 +254,11 @@ impl LadderPlc {
             .reduce(|a, b| a || b);
         let spindle = [signal(SignalRole::SpindleEnable), signal(SignalRole::SpindleHold).map(|held| !held), runs];
         io.stops.spindle = spindle.into_iter().flatten().any(|on| !on);
+        let directions = TURNS.iter().all(|turns| ladder.drives(*turns));
+        io.stops.turns = directions.then(|| {
+            let [forward, reverse] = TURNS.map(|turns| i8::from(image.is_on(turns) && !image.is_on(STOPPED)));
+            forward - reverse
+        });
         let axes = [signal(SignalRole::AxesEnable), signal(SignalRole::AxesStop).map(|held| !held)];
         io.stops.axes = axes.into_iter().flatten().any(|on| !on);
         io.stops.hold =
