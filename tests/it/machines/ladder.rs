@@ -362,6 +362,8 @@ fn spindle_is_locked_by_its_clamp_for_the_keyway() {
     image.set(clamped, true);
     assert_eq!(pulse(&mut image, 3), (true, false));
     assert!(!image.is_on(Bit::Output(MachineOutput::Forward)), "a clamped spindle gets no run command");
+    reset(&ladder, &mut image);
+    assert!(image.is_on(Bit::Output(MachineOutput::SpindleClamp)), "a reset with the mill in the keyway opens nothing");
     assert_eq!(pulse(&mut image, 82), (false, true));
     image.set(clamped, false);
     assert_eq!(pulse(&mut image, 3), (false, false));
