@@ -481,6 +481,7 @@ fn input_meaning(input: MachineContact) -> &'static str {
         MachineContact::InGear(3) => "plc.input.in-gear-3",
         MachineContact::InGear(_) => "plc.input.in-gear-4",
         MachineContact::AtShiftSpeed => "plc.input.at-shift-speed",
+        MachineContact::AtStandstill => "plc.input.at-standstill",
         MachineContact::SpindleClamped => "plc.input.spindle-clamped",
         MachineContact::InverterEnabled => "plc.input.inverter-enabled",
         MachineContact::LoopNotFull => "plc.input.loop-not-full",

@@ -30,6 +30,8 @@ pub struct SpindleRequirements<'a> {
     pub reaction: &'a dyn Fn(Interruption) -> SpindleReaction,
     /// The inverter reports that the speed is reached.
     pub reports_speed: bool,
+    /// The inverter reports that the spindle stands still: keys start it only then.
+    pub reports_standstill: bool,
     /// Contacts that hold the program while they are open, beside the fault contact of the inverter. Without its enable the inverter
     /// also loses its run command, and a begun program stops with the alarm: nothing restarts by itself.
     pub holds: &'a [MachineContact],
@@ -133,7 +135,7 @@ impl Book<'_> {
             guard.push(off(ENDED));
         }
         self.coil(FREE, vec![guard], "plc.rung.spindle-free");
-        self.directions(rules);
+        self.directions(rules, requirements.reports_standstill);
         self.run_commands(requirements.direction);
         self.hold_program(ready, alarm, requirements.holds);
         if requirements.reports_speed && self.has(SignalRole::SpeedArrived) {
@@ -150,9 +152,9 @@ impl Book<'_> {
         );
     }
 
-    /// The direction by M3, M4, M5 and the keys. Keys start a spindle without a run command, while no program is begun; the stop key leaves
+    /// The direction by M3, M4, M5 and the keys. Keys start a spindle without a run command, and at standstill where that is reported, while no program is begun; the stop key leaves
     /// the direction of a begun program.
-    fn directions(&mut self, rules: &SpindleRules) {
+    fn directions(&mut self, rules: &SpindleRules, reports_standstill: bool) {
         let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
         let [forward, reverse] = TURNS;
         if rules.stop_between {
@@ -173,7 +175,8 @@ impl Book<'_> {
             } else {
                 keeps.push(off(other_code));
             }
-            let by_key = vec![on(own_key), on(FREE), off(other_key), stop, off(other), off(STARTED)];
+            let mut by_key = vec![on(own_key), on(FREE), off(other_key), stop, off(other), off(STARTED)];
+            by_key.extend(reports_standstill.then_some(on(Bit::Input(MachineContact::AtStandstill))));
             // A reset behind the stop key starts nothing.
             let alone = [keeps.as_slice(), &[stop, off(STOPPED)]].concat();
             keeps.push(on(STARTED));

@@ -18,7 +18,13 @@ const LOOK_INTERVAL: f64 = 0.01;
 /// Scans in which a ladder settles; further ones wait for the next moment.
 const MOST_SCANS: u32 = 24;
 /// Contacts that follow the measured speed.
-const BY_SPEED: [Bit; 2] = [Bit::Input(MachineContact::AtSpeed), Bit::Input(MachineContact::AtShiftSpeed)];
+const BY_SPEED: [Bit; 3] = [
+    Bit::Input(MachineContact::AtSpeed),
+    Bit::Input(MachineContact::AtShiftSpeed),
+    Bit::Input(MachineContact::AtStandstill),
+];
+/// Speed (r/min) up to which the inverter reports standstill.
+const STANDSTILL: f64 = 0.5;
 /// Contacts that follow the movers of the machine: closed until [switched](LadderPlc::switch).
 pub const BY_MOVERS: [MachineContact; 3] =
     [MachineContact::LoopNotFull, MachineContact::WebNotTight, MachineContact::ReelNotEmpty];
@@ -196,6 +202,7 @@ impl LadderPlc {
                 io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs()
             }
             Bit::Input(MachineContact::AtShiftSpeed) => io.spindle_actual.abs() <= self.wiring.shift_speed(self.gear.0),
+            Bit::Input(MachineContact::AtStandstill) => io.spindle_actual.abs() <= STANDSTILL,
             Bit::Input(MachineContact::ForwardKey) => stops.spindle_key == Some(1),
             Bit::Input(MachineContact::ReverseKey) => stops.spindle_key == Some(-1),
             Bit::Input(MachineContact::StopKey) => stops.spindle_key == Some(0),

@@ -42,6 +42,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
         &SpindleRequirements {
             reaction: &reaction,
             reports_speed,
+            reports_standstill: false,
             holds: &[],
             locked_by: locks.map(|_| CLAMP),
             direction,
