@@ -128,7 +128,8 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
         MachineContact::InverterReady
         | MachineContact::InverterEnabled
         | MachineContact::AtSpeed
-        | MachineContact::AtShiftSpeed => BillItem::Inverter,
+        | MachineContact::AtShiftSpeed
+        | MachineContact::AtStandstill => BillItem::Inverter,
         MachineContact::InGear(_) => BillItem::GearSwitch,
         MachineContact::SpindleClamped => BillItem::ClampSwitch,
         MachineContact::LoopNotFull => BillItem::LoopSensor,

@@ -67,6 +67,10 @@ pub enum SpindleReaction {
     Off,
     /// The inverter's output is off, M3 and M4 are dropped.
     OutputOff,
+    /// It stays locked at its angle.
+    StaysLocked,
+    /// Its lock opens.
+    Unlocks,
     /// Work and tool turn on in their ratio.
     TurnsInRatio,
     /// Work and tool slow down in their ratio to standstill.
@@ -83,6 +87,8 @@ impl SpindleReaction {
             SpindleReaction::Waits => "stops.spindle-waits",
             SpindleReaction::Off => "stops.spindle-off",
             SpindleReaction::OutputOff => "stops.spindle-output-off",
+            SpindleReaction::StaysLocked => "stops.spindle-stays-locked",
+            SpindleReaction::Unlocks => "stops.spindle-unlocks",
             SpindleReaction::TurnsInRatio => "stops.spindle-turns-in-ratio",
             SpindleReaction::StopsInRatio => "stops.spindle-stops-in-ratio",
             SpindleReaction::Coasts => "stops.spindle-coasts",

@@ -101,7 +101,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Manual S. Most controls refuse it while the program runs; others let it replace the programmed S in a running or interrupted
-    /// program, with a warning.
+    /// program, with a warning. Its sign is a key of the spindle, which the PLC may leave without effect.
     fn manual_speed(&mut self, t: f64, rpm: f64) {
         if matches!(self.s.exec, Exec::Emergency(_)) || !rpm.is_finite() {
             return;
@@ -109,6 +109,13 @@ impl<P: RunningProgram> Sim<'_, P> {
         let runs = self.s.exec.runs() && !self.holding();
         if runs && !self.plant.spindle.rules.manual_in_automatic {
             self.out.report(Diagnostic::warning(msg!("motion.manual-speed-refused", speed = rpm)));
+            return;
+        }
+        let wanted = sense(rpm);
+        self.s.plc.io.stops.spindle_key = Some(wanted);
+        self.scan(t);
+        if self.s.plc.io.stops.turns.is_some_and(|turns| turns != wanted) {
+            self.out.report(Diagnostic::warning(msg!("motion.spindle-key-refused", speed = rpm)));
             return;
         }
         let turning = &mut self.s.spindle;
@@ -121,8 +128,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             )));
         }
         (turning.surface, turning.orienting) = (None, None);
-        (turning.speed, turning.direction) = (rpm.abs(), sense(rpm));
-        self.s.plc.io.stops.spindle_key = Some(sense(rpm));
+        (turning.speed, turning.direction) = (rpm.abs(), wanted);
         self.scan(t);
     }
 

@@ -59,6 +59,8 @@ pub struct Stops {
     pub inverter_fault: bool,
     /// Spindle key pressed by the operator: 1, -1, or 0 for stop; set for one scan.
     pub spindle_key: Option<i8>,
+    /// Direction of the spindle by the run contacts of the PLC: 1, -1, or 0 for none; `None` for a PLC without such contacts.
+    pub turns: Option<i8>,
     /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and direction stay in force.
     pub spindle: bool,
     /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it releases them.

@@ -37,6 +37,7 @@ mod ribbon_synchronism;
 mod scenes;
 mod sensitivity;
 mod slides;
+mod spindle_keys;
 mod standstill;
 mod sweep;
 mod toy;

@@ -15,6 +15,9 @@ const BUILDER: Citation = Citation::new("devices of the ladder: the builder's", 
 /// The relay that is always on.
 const ALWAYS: Bit = Bit::Relay("always");
 
+/// The last M function with a bit of its own, on controls that have such bits. Source: V25001012.3, SINUMERIK 802S/C start-up, 6.2.
+pub const LAST_FUNCTION_BIT: u32 = 99;
+
 /// Signals or numbers with their devices.
 type Carried<T> = Vec<(T, Device)>;
 
@@ -122,8 +125,24 @@ impl<'a> Book<'a> {
 
     /// The signal of an M function: the control's own, or the decoded number while the strobe is on.
     pub fn function(&self, code: u32) -> Bit {
-        let own = SignalRole::MFunction(code);
-        if self.has(own) { Bit::Signal(own) } else { Bit::Decoded(code) }
+        match self.function_bit(code) {
+            Some(_) => Bit::Signal(SignalRole::MFunction(code)),
+            None => Bit::Decoded(code),
+        }
+    }
+
+    /// The bit of an M function on a control that has a bit for each: eight functions to a byte, by their numbers, counted from one that
+    /// has a row.
+    fn function_bit(&self, code: u32) -> Option<(String, Citation)> {
+        let rows = self.control.interface.iter();
+        let (known, row) = rows.rev().find_map(|row| match row.role {
+            SignalRole::MFunction(known) if known <= code => Some((known, row)),
+            _ => None,
+        })?;
+        let (byte, _) = row.device.split_once('.')?;
+        let (letter, byte) = byte.split_at_checked(1)?;
+        let byte = byte.parse::<u32>().ok()? + code / DECODED - known / DECODED;
+        Some((format!("{letter}{byte}.{}", code % DECODED), row.cite))
     }
 
     /// The ladder, with the rungs that other rungs depend on before them.
@@ -250,7 +269,11 @@ impl<'a> Book<'a> {
             _ => None,
         };
         let other = if variable.is_some() { PlcSide::Program } else { PlcSide::Control };
-        let (name, cite) = match self.dialect.device(self.control, role) {
+        let known = match role {
+            SignalRole::MFunction(code) => self.function_bit(code),
+            _ => self.dialect.device(self.control, role),
+        };
+        let (name, cite) = match known {
             Some(known) => known,
             None => (variable.map_or_else(String::new, |variable| self.register(variable, by)), BUILDER),
         };
@@ -351,7 +374,7 @@ fn internal_device(language: PlcLanguage, bit: Bit, places: &Places) -> String {
         (Bit::Timer(_), PlcLanguage::Melsec) => format!("T{}", 20 + timer),
         // Timers of 10 ms: T33 to T36, then T97 on.
         (Bit::Timer(_), PlcLanguage::Step7) => format!("T{}", if timer < 4 { 33 + timer } else { 93 + timer }),
-        (Bit::Decoded(function), PlcLanguage::Melsec | PlcLanguage::Step7) => format!("M{}", 300 + function),
+        (Bit::Decoded(function), PlcLanguage::Melsec) => format!("M{}", 300 + function),
         (Bit::Decoded(function), _) => {
             let group = places.decoders.iter().rposition(|first| *first <= function).unwrap_or(0);
             let first = places.decoders.get(group).copied().unwrap_or(0);
@@ -458,6 +481,7 @@ fn input_meaning(input: MachineContact) -> &'static str {
         MachineContact::InGear(3) => "plc.input.in-gear-3",
         MachineContact::InGear(_) => "plc.input.in-gear-4",
         MachineContact::AtShiftSpeed => "plc.input.at-shift-speed",
+        MachineContact::AtStandstill => "plc.input.at-standstill",
         MachineContact::SpindleClamped => "plc.input.spindle-clamped",
         MachineContact::InverterEnabled => "plc.input.inverter-enabled",
         MachineContact::LoopNotFull => "plc.input.loop-not-full",
@@ -483,6 +507,7 @@ fn output_meaning(output: MachineOutput) -> &'static str {
         MachineOutput::Message(MachineContact::LoopNotFull) => "plc.output.loop-full",
         MachineOutput::Message(MachineContact::WebNotTight) => "plc.output.web-tight",
         MachineOutput::Message(MachineContact::ReelNotEmpty) => "plc.output.reel-empty",
+        MachineOutput::Message(MachineContact::StopKey) => "plc.output.stopped",
         MachineOutput::Message(_) => "plc.output.not-ready",
     }
 }

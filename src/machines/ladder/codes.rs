@@ -10,8 +10,16 @@ use crate::machines::stops::{Interruption, SpindleReaction};
 pub const STARTED: Bit = Bit::Relay("started");
 /// A program has started and is not running: hold, M00, alarm.
 pub const INTERRUPTED: Bit = Bit::Relay("interrupted");
+/// The spindle turns clockwise, or the other way round, by a code or a key; without it, it has no run command.
+pub const TURNS: [Bit; 2] = [Bit::Relay("clockwise"), Bit::Relay("counter-clockwise")];
+/// The stop key has stopped the spindle in a begun program: text for the operator, and cycle start is refused.
+pub const STOPPED: Bit = Bit::Output(MachineOutput::Message(MachineContact::StopKey));
 /// M, S or T has to wait.
 pub const BUSY: Bit = Bit::Relay("busy");
+/// Nothing forbids a run command.
+const FREE: Bit = Bit::Relay("spindle-free");
+/// Keys of the directions.
+const KEYS: [MachineContact; 2] = [MachineContact::ForwardKey, MachineContact::ReverseKey];
 /// On for one scan after the end of the program.
 const ENDED: Bit = Bit::Relay("ended");
 
@@ -22,6 +30,8 @@ pub struct SpindleRequirements<'a> {
     pub reaction: &'a dyn Fn(Interruption) -> SpindleReaction,
     /// The inverter reports that the speed is reached.
     pub reports_speed: bool,
+    /// The inverter reports that the spindle stands still: keys start it only then.
+    pub reports_standstill: bool,
     /// Contacts that hold the program while they are open, beside the fault contact of the inverter. Without its enable the inverter
     /// also loses its run command, and a begun program stops with the alarm: nothing restarts by itself.
     pub holds: &'a [MachineContact],
@@ -102,8 +112,6 @@ impl Book<'_> {
 
     /// M3, M4, M5 and the keys to the inverter, its fault, and the reactions of the spindle to interruptions.
     pub fn spindle(&mut self, rules: &SpindleRules, requirements: &SpindleRequirements<'_>) {
-        let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
-        let (key, running) = (Bit::Input, Bit::Signal(SignalRole::Running));
         let ready = Bit::Input(MachineContact::InverterReady);
         let enabled = Bit::Input(MachineContact::InverterEnabled);
         let has_enable = requirements.holds.contains(&MachineContact::InverterEnabled);
@@ -114,11 +122,6 @@ impl Book<'_> {
         let alarm = Bit::Output(MachineOutput::InverterAlarm);
         fault.push(vec![on(alarm), off(self.reset())]);
         self.coil(alarm, fault, "plc.rung.inverter-alarm");
-        self.hold_program(ready, alarm, requirements.holds);
-        let [forward, reverse] = match requirements.direction {
-            Direction::Contacts => [MachineOutput::Forward, MachineOutput::Reverse].map(Bit::Output),
-            Direction::Sign => [Bit::Relay("clockwise"), Bit::Relay("counter-clockwise")],
-        };
         let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
         guard.extend(has_enable.then_some(on(enabled)));
         guard.extend(requirements.locked_by.map(off));
@@ -131,37 +134,12 @@ impl Book<'_> {
             self.coil(was, vec![vec![on(STARTED)]], "plc.rung.was-started");
             guard.push(off(ENDED));
         }
-        if rules.stop_between {
-            let reversed = vec![vec![on(m3), on(reverse)], vec![on(m4), on(forward)]];
-            self.coil(Bit::Output(MachineOutput::ReversalAlarm), reversed, "plc.rung.reversal");
-        }
-        let sides = [
-            (forward, m3, MachineContact::ForwardKey, reverse, m4, MachineContact::ReverseKey, "plc.rung.forward"),
-            (reverse, m4, MachineContact::ReverseKey, forward, m3, MachineContact::ForwardKey, "plc.rung.reverse"),
-        ];
-        for (run, code, own_key, other, other_code, other_key, note) in sides {
-            let with = |mut contacts: Vec<RungContact>| {
-                contacts.extend(&guard);
-                contacts
-            };
-            let mut by_code = vec![on(code)];
-            let mut keeps = vec![on(run), off(m5), off(key(other_key)), off(key(MachineContact::StopKey))];
-            if rules.stop_between {
-                by_code.push(off(other));
-            } else {
-                keeps.push(off(other_code));
-            }
-            // The keys act while no program runs, from standstill, and stop takes precedence.
-            let stop = off(key(MachineContact::StopKey));
-            let by_key = vec![on(key(own_key)), off(key(other_key)), stop, off(other), off(running)];
-            self.coil(run, vec![with(by_code), with(by_key), with(keeps)], note);
-        }
-        if requirements.direction == Direction::Sign {
-            let runs = vec![vec![on(forward)], vec![on(reverse)]];
-            self.coil(Bit::Output(MachineOutput::Run), runs, "plc.rung.run");
-        }
+        self.coil(FREE, vec![guard], "plc.rung.spindle-free");
+        self.directions(rules, requirements.reports_standstill);
+        self.run_commands(requirements.direction);
+        self.hold_program(ready, alarm, requirements.holds);
         if requirements.reports_speed && self.has(SignalRole::SpeedArrived) {
-            let still = vec![off(forward), off(reverse)];
+            let still = TURNS.map(off).to_vec();
             let arrived = vec![vec![on(Bit::Input(MachineContact::AtSpeed))], still];
             self.coil(Bit::Signal(SignalRole::SpeedArrived), arrived, "plc.rung.speed-arrived");
         }
@@ -174,15 +152,68 @@ impl Book<'_> {
         );
     }
 
-    /// Holds the program while the inverter reports a fault, after one until reset, and while one of the contacts is open, with a text for
-    /// each contact that stays until the program runs again or reset is pressed.
+    /// The direction by M3, M4, M5 and the keys. Keys start a spindle without a run command, and at standstill where that is reported, while no program is begun; the stop key leaves
+    /// the direction of a begun program.
+    fn directions(&mut self, rules: &SpindleRules, reports_standstill: bool) {
+        let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
+        let [forward, reverse] = TURNS;
+        if rules.stop_between {
+            let reversed = vec![vec![on(m3), on(reverse)], vec![on(m4), on(forward)]];
+            self.coil(Bit::Output(MachineOutput::ReversalAlarm), reversed, "plc.rung.reversal");
+        }
+        let stop = off(Bit::Input(MachineContact::StopKey));
+        let [forward_key, reverse_key] = KEYS.map(Bit::Input);
+        let sides = [
+            (forward, m3, forward_key, reverse, m4, reverse_key, "plc.rung.forward"),
+            (reverse, m4, reverse_key, forward, m3, forward_key, "plc.rung.reverse"),
+        ];
+        for (turns, code, own_key, other, other_code, other_key, note) in sides {
+            let mut by_code = vec![on(code), on(FREE)];
+            let mut keeps = vec![on(turns), on(FREE), off(m5)];
+            if rules.stop_between {
+                by_code.push(off(other));
+            } else {
+                keeps.push(off(other_code));
+            }
+            let mut by_key = vec![on(own_key), on(FREE), off(other_key), stop, off(other), off(STARTED)];
+            by_key.extend(reports_standstill.then_some(on(Bit::Input(MachineContact::AtStandstill))));
+            // A reset behind the stop key starts nothing.
+            let alone = [keeps.as_slice(), &[stop, off(STOPPED)]].concat();
+            keeps.push(on(STARTED));
+            self.coil(turns, vec![by_code, by_key, alone, keeps], note);
+        }
+    }
+
+    /// The direction to the inverter. In a begun program the stop key acts while the program is interrupted, until the key of the direction
+    /// starts the spindle again.
+    fn run_commands(&mut self, direction: Direction) {
+        let stop = on(Bit::Input(MachineContact::StopKey));
+        let sides = TURNS.into_iter().zip(KEYS.map(Bit::Input));
+        let stopped = sides.flat_map(|(turns, key)| {
+            [vec![on(turns), on(INTERRUPTED), stop], vec![on(turns), on(STARTED), on(STOPPED), off(key)]]
+        });
+        self.coil(STOPPED, stopped.collect(), "plc.rung.stopped");
+        let runs = TURNS.map(|turns| vec![on(turns), off(STOPPED)]);
+        if direction == Direction::Sign {
+            self.coil(Bit::Output(MachineOutput::Run), runs.to_vec(), "plc.rung.run");
+            return;
+        }
+        let outputs =
+            [(MachineOutput::Forward, "plc.rung.run-forward"), (MachineOutput::Reverse, "plc.rung.run-reverse")];
+        for (when, (output, note)) in runs.into_iter().zip(outputs) {
+            self.coil(Bit::Output(output), vec![when], note);
+        }
+    }
+
+    /// Holds the program while the inverter reports a fault, after one until reset, while the spindle of a begun program is stopped by its
+    /// key, and while one of the contacts is open, with a text for each contact that stays until the program runs again or reset is pressed.
     fn hold_program(&mut self, ready: Bit, alarm: Bit, contacts: &[MachineContact]) {
         let all: Vec<Bit> = [ready].into_iter().chain(contacts.iter().copied().map(Bit::Input)).collect();
-        let free = all.iter().copied().map(on).chain([off(alarm)]).collect();
-        let held = all.iter().map(|contact| vec![off(*contact)]).chain([vec![on(alarm)]]).collect();
+        let free = all.iter().copied().map(on).chain([alarm, STOPPED].map(off)).collect();
+        let held = all.iter().map(|contact| vec![off(*contact)]).chain([alarm, STOPPED].map(|held| vec![on(held)]));
         self.one_of(
             (SignalRole::HoldReleased, vec![free]),
-            (SignalRole::HoldRequest, held),
+            (SignalRole::HoldRequest, held.collect()),
             if contacts.is_empty() { "plc.rung.inverter-hold" } else { "plc.rung.contacts-hold" },
         );
         let (running, reset) = (Bit::Signal(SignalRole::Running), self.reset());

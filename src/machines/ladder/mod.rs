@@ -64,6 +64,8 @@ pub enum MachineContact {
     InGear(u8),
     /// The spindle turns at the shift speed or slower.
     AtShiftSpeed,
+    /// The inverter reports that the spindle stands still.
+    AtStandstill,
     /// The clamp holds the spindle.
     SpindleClamped,
     /// The inverter has its supply and its enable, and no fault.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use super::codes::{STOPPED, TURNS};
 use super::scan::Image;
 use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::controls::Control;
@@ -17,7 +18,13 @@ const LOOK_INTERVAL: f64 = 0.01;
 /// Scans in which a ladder settles; further ones wait for the next moment.
 const MOST_SCANS: u32 = 24;
 /// Contacts that follow the measured speed.
-const BY_SPEED: [Bit; 2] = [Bit::Input(MachineContact::AtSpeed), Bit::Input(MachineContact::AtShiftSpeed)];
+const BY_SPEED: [Bit; 3] = [
+    Bit::Input(MachineContact::AtSpeed),
+    Bit::Input(MachineContact::AtShiftSpeed),
+    Bit::Input(MachineContact::AtStandstill),
+];
+/// Speed (r/min) up to which the inverter reports standstill.
+const STANDSTILL: f64 = 0.5;
 /// Contacts that follow the movers of the machine: closed until [switched](LadderPlc::switch).
 pub const BY_MOVERS: [MachineContact; 3] =
     [MachineContact::LoopNotFull, MachineContact::WebNotTight, MachineContact::ReelNotEmpty];
@@ -195,6 +202,7 @@ impl LadderPlc {
                 io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs()
             }
             Bit::Input(MachineContact::AtShiftSpeed) => io.spindle_actual.abs() <= self.wiring.shift_speed(self.gear.0),
+            Bit::Input(MachineContact::AtStandstill) => io.spindle_actual.abs() <= STANDSTILL,
             Bit::Input(MachineContact::ForwardKey) => stops.spindle_key == Some(1),
             Bit::Input(MachineContact::ReverseKey) => stops.spindle_key == Some(-1),
             Bit::Input(MachineContact::StopKey) => stops.spindle_key == Some(0),
@@ -253,6 +261,11 @@ impl LadderPlc {
             .reduce(|a, b| a || b);
         let spindle = [signal(SignalRole::SpindleEnable), signal(SignalRole::SpindleHold).map(|held| !held), runs];
         io.stops.spindle = spindle.into_iter().flatten().any(|on| !on);
+        let directions = TURNS.iter().all(|turns| ladder.drives(*turns));
+        io.stops.turns = directions.then(|| {
+            let [forward, reverse] = TURNS.map(|turns| i8::from(image.is_on(turns) && !image.is_on(STOPPED)));
+            forward - reverse
+        });
         let axes = [signal(SignalRole::AxesEnable), signal(SignalRole::AxesStop).map(|held| !held)];
         io.stops.axes = axes.into_iter().flatten().any(|on| !on);
         io.stops.hold =

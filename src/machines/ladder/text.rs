@@ -169,7 +169,9 @@ impl Ladder {
                 let sub = if self.language == PlcLanguage::Pmc { "SUB 25 " } else { "" };
                 vec![format!("{sub}DECB 1 {code} {first} {byte}")]
             }
-            PlcLanguage::Melsec | PlcLanguage::Step7 => used
+            // Each M function has a bit of its own, and none is decoded.
+            PlcLanguage::Step7 => Vec::new(),
+            PlcLanguage::Melsec => used
                 .flat_map(|bit| {
                     let Bit::Decoded(function) = bit else { return Vec::new() };
                     let mut list = self.contacts(&rung.when);

@@ -13,7 +13,7 @@ use super::stops;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{Direction, SpindleRequirements};
-use crate::machines::ladder::{Bit, Ladder, MachineOutput, Operator, PlcNumber, PlcWidth, off, on};
+use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcWidth, off, on};
 use crate::motion::PMC_AXES;
 use crate::text::{Citation, Grade};
 
@@ -50,6 +50,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
         let requirements = SpindleRequirements {
             reaction: &reaction,
             reports_speed,
+            reports_standstill: true,
             holds: &[],
             locked_by: Some(TAKEN),
             direction: Direction::Contacts,
@@ -150,6 +151,8 @@ fn answers(book: &mut Book, has_main_spindle: bool) {
     if has_main_spindle {
         // The inverter would turn the work against the servo motor.
         idle.extend([MachineOutput::Forward, MachineOutput::Reverse].map(|run| off(Bit::Output(run))));
+        // Without its run command it still slows down or coasts.
+        idle.push(on(Bit::Input(MachineContact::AtStandstill)));
     }
     book.coil(Bit::Macro(AT_ANGLE), vec![vec![on(INDEXED)]], "polygon.ladder.bit");
     book.coil(Bit::Macro(ON), vec![vec![on(TAKEN)]], "polygon.ladder.on");

@@ -26,6 +26,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
     let requirements = SpindleRequirements {
         reaction: &unwinder,
         reports_speed,
+        reports_standstill: false,
         holds: &holds,
         locked_by: None,
         direction: Direction::Contacts,

@@ -4,7 +4,9 @@ use super::params::{Params, Path};
 use super::program::KEYWAY;
 use super::resolved::TurningSpindle;
 use crate::controls::CodeId;
+use crate::controls::interface::SignalRole;
 use crate::machines::devices::{AskedDevice, BillItem};
+use crate::machines::ladder::book::LAST_FUNCTION_BIT;
 use crate::machines::machine::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
@@ -70,6 +72,7 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     ];
     // Without a cut the program only locks the spindle.
     let written = if lathe.keyway().is_some() { all.len() } else { 1 };
+    let has_bits = lathe.control.interface.iter().any(|row| matches!(row.role, SignalRole::MFunction(_)));
     for (field, code) in all.into_iter().take(written).filter(|(_, code)| *code > 0.0) {
         let code = code as u32;
         let known = lathe.control.codes.iter().find(|row| row.id == CodeId::M(code));
@@ -77,6 +80,10 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         let meaning = known.map(|row| row.text).or((code == 99).then_some(Phrase::new("subprogram return")));
         if let Some(meaning) = meaning {
             found.push(Diagnostic::error(msg!("turning.lock-is-taken", code, meaning)).about(field));
+        }
+        if has_bits && code > LAST_FUNCTION_BIT {
+            found
+                .push(Diagnostic::error(msg!("turning.code-without-bit", code, last = LAST_FUNCTION_BIT)).about(field));
         }
     }
 }

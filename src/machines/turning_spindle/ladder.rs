@@ -42,6 +42,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
         &SpindleRequirements {
             reaction: &reaction,
             reports_speed,
+            reports_standstill: false,
             holds: &[],
             locked_by: locks.map(|_| CLAMP),
             direction,
@@ -63,11 +64,12 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     book.finish()
 }
 
-/// The clamp holds the spindle from its lock code to its release code, and until reset where there is none; each waits for the contact.
+/// The clamp holds the spindle from its lock code to its release code, through a reset with the tool in the keyway; until reset where there is
+/// no release code. Each waits for the contact.
 fn clamp(book: &mut Book, (lock, release): (u32, Option<u32>)) {
     let reset = book.reset();
-    let mut stays = vec![on(CLAMP), off(reset)];
-    stays.extend(release.map(|code| off(book.function(code))));
+    let ends = release.map_or(reset, |code| book.function(code));
+    let stays = vec![on(CLAMP), off(ends)];
     let begins = vec![on(book.function(lock))];
     book.coil(CLAMP, vec![begins, stays], "turning.ladder.clamp");
     let clamped = Bit::Input(MachineContact::SpindleClamped);

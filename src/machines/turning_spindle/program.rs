@@ -21,6 +21,8 @@ pub(super) const SETUP: u32 = 9202;
 const LEFT: u32 = 110;
 /// Sequence numbers of the blocks that cut; the second on a taper.
 pub(super) const CUTS: [u32; 2] = [36, 37];
+/// 1 from the first cut of a part to its end: a start after a reset stops with a message until the operator has retracted the tool.
+const BEGUN: u32 = 124;
 /// Variable of the speed at the largest diameter: kept through the cut, or set after it.
 const SPEED: u32 = 109;
 
@@ -83,6 +85,9 @@ pub(super) fn variables(lathe: &TurningSpindle) -> Vec<(u32, &'static str, &'sta
     let limits = speed_limits(lathe).into_iter().zip(labels);
     all.extend(limits.filter_map(|(limit, label)| limit.map(|(_, number)| (number, label, "r/min"))));
     all.push((SPEED, "turning.variable.speed", "r/min"));
+    if has_flag(lathe) {
+        all.push((BEGUN, "turning.variable.begun", ""));
+    }
     all
 }
 
@@ -124,8 +129,11 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
     writing::guards(b, &entries(lathe));
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
-    if let Some(place) = place(lathe) {
-        writing::stays_clear(b.n(17), place, || size(lathe, clear()), 900 + away_alarm(lathe));
+    match place(lathe) {
+        Some(place) => writing::stays_clear(b.n(17), place, || size(lathe, clear()), 900 + away_alarm(lathe)),
+        None => {
+            b.n(17).if_goto(v(BEGUN).gt(0), 900 + away_alarm(lathe));
+        }
     }
     b.n(18).words(writing::tool(lathe.control, lathe.p.tool as u32)).note("TOOL AND ITS OFFSET");
     if let Some(place) = place(lathe) {
@@ -146,7 +154,14 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     // Away from the work first: a start after a reset may begin anywhere.
     b.n(23).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
     b.words([z(v(108))]);
+    if let Some((_, Some(release))) = lathe.lock_codes() {
+        // A reset in the keyway leaves the spindle locked.
+        b.words([m(release)]).note("RELEASES THE SPINDLE");
+    }
     start(b, lathe);
+    if has_flag(lathe) {
+        b.assign(BEGUN, 1).note("A PART IS BEGUN");
+    }
     let face = lathe.p.path == Path::Facing;
     let (whole, step) = match lathe.p.path {
         Path::Facing => (v(way(lathe)), v(106)),
@@ -178,11 +193,18 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
             }
         }
     }
+    if has_flag(lathe) {
+        // Not before the tool is back.
+        let waits = codes(lathe, [Code::StopReading]);
+        if !waits.is_empty() {
+            b.words(waits);
+        }
+        b.assign(BEGUN, 0).note("THE PART IS WHOLE");
+    }
     b.n(if lathe.keyway().is_some() { 70 } else { 55 }).words([m(30)]);
     writing::alarms(b, lathe.control, &entries(lathe));
-    if place(lathe).is_some() {
-        writing::alarm(b, lathe.control, away_alarm(lathe), "RETRACT THE TOOL BY HAND");
-    }
+    let flag = begun(lathe).map_or_else(String::new, |flag| format!(", {flag}=0"));
+    writing::alarm(b, lathe.control, away_alarm(lathe), &format!("RETRACT THE TOOL BY HAND{flag}"));
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
     }
@@ -234,6 +256,16 @@ const DRIVEN: u8 = 2;
 /// Variables of the tool's position in X and Z, where the program can read it and raise an alarm of its own.
 fn place(lathe: &TurningSpindle) -> Option<(u32, u32)> {
     writing::places(lathe.control, [CROSS, ALONG])
+}
+
+/// Whether a variable marks a begun part: where the program cannot read the tool's position.
+fn has_flag(lathe: &TurningSpindle) -> bool {
+    place(lathe).is_none()
+}
+
+/// The variable that marks a begun part, as the control writes it.
+pub(super) fn begun(lathe: &TurningSpindle) -> Option<String> {
+    has_flag(lathe).then(|| lathe.control.variable(BEGUN))
 }
 
 /// Number of the alarm of a tool that is not clear of the work, after those of the entries.

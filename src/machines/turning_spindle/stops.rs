@@ -1,5 +1,6 @@
 //! Interruptions of the lathe: the spindle turns on while the tool is in the cut, until the operator ends the program.
 
+use super::program;
 use super::resolved::TurningSpindle;
 use super::run_up::{engaged, highest};
 use crate::drives::holding_brake::CLOSING;
@@ -35,10 +36,11 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         cite: DESIGN,
     };
     let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
-    let (block, retract) = (msg!("lathe.stops.axes-block"), msg!("lathe.stops.anew"));
+    let block = msg!("lathe.stops.axes-block");
     let reset = if off { msg!("lathe.stops.work-slows") } else { msg!("lathe.stops.work-turns") };
     let coasts = (engaged(lathe).coasting(highest(lathe)), 1);
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
+    let anew = anew(lathe);
     let mut rows = vec![
         row(
             Interruption::Hold,
@@ -47,19 +49,19 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             msg!("lathe.stops.start"),
         ),
         row(Interruption::BlockStop, block.clone(), msg!("lathe.stops.work-turns"), msg!("lathe.stops.start")),
-        row(Interruption::Alarm, block, msg!("turning.stops.work-rubs"), msg!("turning.stops.mend")),
-        row(Interruption::Reset, msg!("lathe.stops.axes-reset"), reset, retract),
+        row(Interruption::Alarm, block, msg!("turning.stops.work-rubs"), anew(Interruption::Alarm)),
+        row(Interruption::Reset, msg!("lathe.stops.axes-reset"), reset, anew(Interruption::Reset)),
         row(
             Interruption::EmergencyStop,
             slides_at_emergency_stop(sinks),
             msg!("lathe.stops.work-slows"),
-            msg!("lathe.stops.clear"),
+            anew(Interruption::EmergencyStop),
         ),
         row(
             Interruption::InverterFault,
             msg!("lathe.stops.axes-reset"),
             msg!("lathe.stops.work-coasts", time = coasts),
-            msg!("lathe.stops.fault"),
+            anew(Interruption::InverterFault),
         ),
     ];
     rows.extend(sinks.map(|way| Reaction {
@@ -68,8 +70,70 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             Interruption::PowerFailure,
             slides_without_supply(Some(way)),
             msg!("lathe.stops.work-coasts", time = coasts),
-            msg!("lathe.stops.anew"),
+            anew(Interruption::PowerFailure),
         )
     }));
+    if lathe.keyway().is_some() {
+        rows.extend(in_keyway(lathe, sinks));
+    }
     rows
+}
+
+/// What the operator does before the program restarts; a variable that marks a begun part is set back.
+fn anew(lathe: &TurningSpindle) -> impl Fn(Interruption) -> Message {
+    let flag = program::begun(lathe);
+    move |at| match (at, flag.as_deref()) {
+        (Interruption::Alarm, None) => msg!("turning.stops.mend"),
+        (Interruption::Alarm, Some(variable)) => msg!("turning.stops.mend-by-hand", variable),
+        (Interruption::EmergencyStop, None) => msg!("lathe.stops.clear"),
+        (Interruption::EmergencyStop, Some(variable)) => msg!("turning.stops.clear-by-hand", variable),
+        (Interruption::InverterFault, None) => msg!("lathe.stops.fault"),
+        (Interruption::InverterFault, Some(variable)) => msg!("turning.stops.fault-by-hand", variable),
+        (_, None) => msg!("lathe.stops.anew"),
+        (_, Some(variable)) => msg!("turning.stops.anew-by-hand", variable),
+    }
+}
+
+/// Rows of the keyway: the spindle is locked at its angle, and the driven tool turns in the work.
+fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 3] {
+    // The ladder opens a clamp without a release code at reset; a person locks where there is no code at all.
+    let opens = matches!(lathe.lock_codes(), Some((_, None)));
+    let broken = if opens { SpindleReaction::Unlocks } else { SpindleReaction::StaysLocked };
+    let anew = anew(lathe);
+    let row = |at, cause, spindle, axes: Message, material: Message, operator: Message| Reaction {
+        at,
+        cause: Some(cause),
+        spindle,
+        axes,
+        material,
+        operator,
+        cite: DESIGN,
+    };
+    let (turns, stops) = (msg!("turning.stops.driven-turns"), msg!("turning.stops.driven-stops"));
+    [
+        row(
+            Interruption::Hold,
+            "turning.stops.keyway-hold",
+            SpindleReaction::StaysLocked,
+            msg!("lathe.stops.axes-hold"),
+            turns,
+            msg!("lathe.stops.start"),
+        ),
+        row(
+            Interruption::Reset,
+            "turning.stops.keyway-reset",
+            broken,
+            msg!("lathe.stops.axes-reset"),
+            stops.clone(),
+            anew(Interruption::Reset),
+        ),
+        row(
+            Interruption::EmergencyStop,
+            "turning.stops.keyway-emergency",
+            broken,
+            slides_at_emergency_stop(sinks),
+            stops,
+            anew(Interruption::EmergencyStop),
+        ),
+    ]
 }

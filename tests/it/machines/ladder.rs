@@ -36,14 +36,33 @@ const FORMS: &[(&str, &[Entries])] = &[
             &[("stage-2", "0")],
             &[("stage-3", "4000"), ("gear-time", "0"), ("gear-patience", "1.5")],
             &[("stage-3", "4000"), ("stage-4", "5000"), ("gear-time", "3.3")],
+            &[
+                ("path", "turning"),
+                ("keyway", "true"),
+                ("lock-code", "81"),
+                ("release-code", "82"),
+                ("driven-tool", "true"),
+                ("driven-code", "93"),
+                ("driven-stop", "95"),
+                ("keyway-depth", "5.5"),
+                ("keyway-length", "50"),
+            ],
         ],
     ),
     ("polygon-lathe", &[&[], &[("work-time-constant", "33")]]),
 ];
 
-/// A project on a control, with a name for messages.
+/// The forms and the examples of every machine on each of its controls, with a name for messages.
 fn projects() -> impl Iterator<Item = (String, Project)> {
-    FORMS.iter().flat_map(|(id, forms)| {
+    let examples = machines::ALL.iter().flat_map(|machine| {
+        machine.controls().iter().flat_map(move |control| {
+            machine.examples().iter().map(move |example| {
+                let project = Project::named(machine.id(), Some(control), Some(example.id)).unwrap();
+                (format!("{} on {control} {}", machine.id(), example.id), project)
+            })
+        })
+    });
+    let forms = FORMS.iter().flat_map(|(id, forms)| {
         let machine = machines::find(id).unwrap();
         machine.controls().iter().flat_map(move |control| {
             forms.iter().map(move |form| {
@@ -55,7 +74,8 @@ fn projects() -> impl Iterator<Item = (String, Project)> {
                 (format!("{id} on {control} {form:?}"), project)
             })
         })
-    })
+    });
+    forms.chain(examples)
 }
 
 fn sheet(project: &Project, id: &str) -> Sheet {
@@ -211,6 +231,95 @@ fn spindle_keys_act_without_a_program_and_stop_wins() {
     }
 }
 
+/// Outputs of the run commands.
+const RUNS: [Bit; 2] = [Bit::Output(MachineOutput::Forward), Bit::Output(MachineOutput::Reverse)];
+
+/// Presses a key for longer than the ladder needs; returns the run commands while it is pressed, and after it.
+fn press(ladder: &Ladder, image: &mut Image, key: MachineContact) -> [[bool; 2]; 2] {
+    [true, false].map(|on| {
+        image.set(Bit::Input(key), on);
+        settle(ladder, image, 0.0);
+        RUNS.map(|run| image.is_on(run))
+    })
+}
+
+/// Whether the PLC holds the program: cycle start is refused.
+fn is_held(ladder: &Ladder, image: &Image) -> bool {
+    match ladder.drives(Bit::Signal(SignalRole::HoldRequest)) {
+        true => image.is_on(Bit::Signal(SignalRole::HoldRequest)),
+        false => !image.is_on(Bit::Signal(SignalRole::HoldReleased)),
+    }
+}
+
+/// Each ladder with run commands, in a program that has commanded M3 or M4, with keys of this direction and of the other.
+fn turning() -> impl Iterator<Item = (String, Ladder, Image, [bool; 2], [MachineContact; 2])> {
+    use MachineContact::{ForwardKey, ReverseKey};
+    // Also where the spindle turns through a reset.
+    let with_runs = projects().flat_map(|(name, project)| {
+        let mut other = project.clone();
+        other.switches.0.push(("spindle-at-reset".to_owned(), "turns".to_owned()));
+        [(name.clone(), ladder(&project)), (format!("{name}, turns through reset"), ladder(&other))]
+    });
+    let with_runs = with_runs.filter(|(_, ladder)| ladder.drives(RUNS[0]));
+    with_runs.flat_map(|(name, ladder)| {
+        [(3, [true, false], [ForwardKey, ReverseKey]), (4, [false, true], [ReverseKey, ForwardKey])].map(
+            |(code, runs, keys)| {
+                let mut image = at_rest(&ladder);
+                image.set(Bit::Input(MachineContact::SpindleClamped), false);
+                image.set(Bit::Signal(SignalRole::Running), true);
+                for on in [true, false] {
+                    put_out(&ladder, &mut image, code, on);
+                    settle(&ladder, &mut image, 0.0);
+                }
+                let name = format!("{name} M{code}");
+                assert_eq!(RUNS.map(|run| image.is_on(run)), runs, "{name}");
+                (name, ladder.clone(), image, runs, keys)
+            },
+        )
+    })
+}
+
+#[test]
+fn keys_have_no_effect_while_a_program_runs() {
+    for (name, ladder, mut image, runs, [own, other]) in turning() {
+        for key in [own, other, MachineContact::StopKey] {
+            assert_eq!(press(&ladder, &mut image, key), [runs; 2], "{name}: {key:?}");
+            assert!(!is_held(&ladder, &image), "{name}: {key:?}");
+        }
+    }
+}
+
+#[test]
+fn no_key_reverses_the_spindle_of_a_begun_program() {
+    for (name, ladder, mut image, runs, [own, other]) in turning() {
+        image.set(Bit::Signal(SignalRole::Running), false);
+        assert_eq!(press(&ladder, &mut image, other), [runs; 2], "{name}: it turns");
+        press(&ladder, &mut image, MachineContact::StopKey);
+        assert_eq!(press(&ladder, &mut image, other), [[false; 2]; 2], "{name}: it is stopped");
+        assert_eq!(press(&ladder, &mut image, own), [runs; 2], "{name}: it goes on");
+    }
+}
+
+#[test]
+fn stop_key_in_a_hold_refuses_cycle_start() {
+    let message = Bit::Output(MachineOutput::Message(MachineContact::StopKey));
+    for (name, ladder, mut image, runs, [own, _]) in turning() {
+        image.set(Bit::Signal(SignalRole::Running), false);
+        settle(&ladder, &mut image, 0.0);
+        assert!(!is_held(&ladder, &image), "{name}");
+        assert_eq!(press(&ladder, &mut image, MachineContact::StopKey), [[false; 2]; 2], "{name}");
+        assert!(is_held(&ladder, &image) && image.is_on(message), "{name}");
+        let mut started = image.clone();
+        assert_eq!(press(&ladder, &mut started, own), [runs; 2], "{name}");
+        assert!(!is_held(&ladder, &started) && !started.is_on(message), "{name}");
+        // Reset ends the program, and starts nothing.
+        image.set(Bit::Signal(SignalRole::Idle), true);
+        reset(&ladder, &mut image);
+        assert_eq!(RUNS.map(|run| image.is_on(run)), [false; 2], "{name}");
+        assert!(!is_held(&ladder, &image) && !image.is_on(message), "{name}");
+    }
+}
+
 #[test]
 fn sign_of_the_voltage_needs_one_run_contact() {
     for control in ["sinumerik-802d", "sinumerik-808d"] {
@@ -235,6 +344,8 @@ fn sign_of_the_voltage_needs_one_run_contact() {
 fn spindle_is_locked_by_its_clamp_for_the_keyway() {
     let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
     let ladder = ladder(&project);
+    let bits = [81, 82].map(|code| ladder.bit(Bit::Signal(SignalRole::MFunction(code))).to_owned());
+    assert_eq!(bits, ["V25001010.1", "V25001010.2"]);
     let mut image = at_rest(&ladder);
     let clamped = Bit::Input(MachineContact::SpindleClamped);
     image.set(clamped, false);
@@ -251,6 +362,8 @@ fn spindle_is_locked_by_its_clamp_for_the_keyway() {
     image.set(clamped, true);
     assert_eq!(pulse(&mut image, 3), (true, false));
     assert!(!image.is_on(Bit::Output(MachineOutput::Forward)), "a clamped spindle gets no run command");
+    reset(&ladder, &mut image);
+    assert!(image.is_on(Bit::Output(MachineOutput::SpindleClamp)), "a reset with the mill in the keyway opens nothing");
     assert_eq!(pulse(&mut image, 82), (false, true));
     image.set(clamped, false);
     assert_eq!(pulse(&mut image, 3), (false, false));
@@ -356,7 +469,7 @@ proptest! {
                 for (at, (word, device)) in (0u32..).zip(&words) {
                     let drawn = random.rotate_left(7 * at);
                     let value = match word {
-                        PlcNumber::Signal(SignalRole::MCode) => [0, 3, 4, 5, 8, 30, 41, 42, 43, 44][(drawn % 10) as usize],
+                        PlcNumber::Signal(SignalRole::MCode) => [0, 3, 4, 5, 8, 30, 41, 42, 43, 44, 81, 82, 93, 95][(drawn % 14) as usize],
                         _ => drawn % 250,
                     };
                     image.put(*word, value as f64);

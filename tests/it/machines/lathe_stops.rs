@@ -43,6 +43,22 @@ fn tables_of_both_lathes_name_every_interruption() {
 }
 
 #[test]
+fn keyway_has_rows_of_its_own_in_the_table_of_stops() {
+    let rows = |changes: &[(&'static str, &str)]| {
+        let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+        let sets: Vec<_> = changes.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+        let rows = stop_table(&project.with_entries(&sets).unwrap());
+        rows.into_iter().filter(|cells| cells[0].ends_with("in the keyway")).collect::<Vec<_>>()
+    };
+    let spindles = |rows: &[Vec<String>]| rows.iter().map(|cells| cells[1].clone()).collect::<Vec<_>>();
+    let locked = rows(&[]);
+    assert_eq!(spindles(&locked), ["Stays locked at its angle"; 3]);
+    assert!(locked[1][4].contains("set R124 to 0"), "{locked:?}");
+    let opens = "Its clamp opens: no code releases it";
+    assert_eq!(spindles(&rows(&[("release-code", "0")]))[1..], [opens; 2]);
+}
+
+#[test]
 fn both_lathes_stop_and_turn_on_as_their_tables_say() {
     for project in projects() {
         let whole = over_time(&project, vec![]);

@@ -325,21 +325,21 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         12 | LDI X20 | 
         13 | OUT Y29F | emergency stop to the control
         14 | LD X22F | 
-        15 | LD M201 | 
+        15 | LD M203 | 
         16 | AND X1F3 | 
         17 | ORB | 
-        18 | OUT M201 | M30 until the program no longer runs
+        18 | OUT M203 | M30 until the program no longer runs
         19 | LD X1F3 | 
-        20 | ANI M201 | 
+        20 | ANI M203 | 
         21 | ANI X1F5 | 
-        22 | LD M204 | 
-        23 | ANI M201 | 
+        22 | LD M207 | 
+        23 | ANI M203 | 
         24 | ANI X1F5 | 
         25 | ORB | 
-        26 | OUT M204 | program is begun, until its end or reset
-        27 | LD M204 | 
+        26 | OUT M207 | program is begun, until its end or reset
+        27 | LD M207 | 
         28 | ANI X1F3 | 
-        29 | OUT M202 | stopped in the middle: hold, M00, alarm
+        29 | OUT M204 | stopped in the middle: hold, M00, alarm
         30 | LD M200 | 
         31 | MOV D100 R148 | spindle override to the control
         32 | LD M200 | 
@@ -350,119 +350,143 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         37 | MOV K0 R75 | high word
         38 | LDI X21 | 
         39 | LDI X25 | 
-        40 | AND M204 | 
+        40 | AND M207 | 
         41 | ORB | 
         42 | LD F0 | 
         43 | ANI X1F5 | 
         44 | ORB | 
         45 | OUT F0 | fault of the inverter: alarm until reset
-        46 | LD X21 | 
-        47 | AND X25 | 
-        48 | AND X26 | 
-        49 | AND X27 | 
-        50 | AND X28 | 
-        51 | ANI F0 | 
-        52 | OUT Y211 | fault, inverter not ready, loop or reel at its limit: program held
-        53 | LDI X25 | 
-        54 | LD F1 | 
-        55 | ANI X1F3 | 
-        56 | ANI X1F5 | 
-        57 | ORB | 
-        58 | OUT F1 | text for the operator until the program runs again
-        59 | LDI X26 | 
-        60 | LD F2 | 
-        61 | ANI X1F3 | 
-        62 | ANI X1F5 | 
-        63 | ORB | 
-        64 | OUT F2 | text for the operator until the program runs again
-        65 | LDI X27 | 
-        66 | LD F3 | 
-        67 | ANI X1F3 | 
-        68 | ANI X1F5 | 
-        69 | ORB | 
-        70 | OUT F3 | text for the operator until the program runs again
-        71 | LDI X28 | 
-        72 | LD F4 | 
-        73 | ANI X1F3 | 
-        74 | ANI X1F5 | 
-        75 | ORB | 
-        76 | OUT F4 | text for the operator until the program runs again
-        77 | LD M303 | 
-        78 | AND X20 | 
-        79 | AND X21 | 
-        80 | AND X25 | 
-        81 | ANI X1F5 | 
-        82 | LD X22 | 
-        83 | ANI X23 | 
-        84 | ANI X24 | 
-        85 | ANI Y21 | 
-        86 | ANI X1F3 | 
-        87 | AND X20 | 
-        88 | AND X21 | 
-        89 | AND X25 | 
-        90 | ANI X1F5 | 
-        91 | ORB | 
-        92 | LD Y20 | 
-        93 | ANI M305 | 
-        94 | ANI X23 | 
-        95 | ANI X24 | 
-        96 | ANI M304 | 
-        97 | AND X20 | 
-        98 | AND X21 | 
-        99 | AND X25 | 
-        100 | ANI X1F5 | 
-        101 | ORB | 
-        102 | OUT Y20 | run clockwise: M3, or key while no program runs, until M5, M4, stop, fault
-        103 | LD M304 | 
-        104 | AND X20 | 
-        105 | AND X21 | 
-        106 | AND X25 | 
-        107 | ANI X1F5 | 
-        108 | LD X23 | 
-        109 | ANI X22 | 
-        110 | ANI X24 | 
-        111 | ANI Y20 | 
-        112 | ANI X1F3 | 
-        113 | AND X20 | 
-        114 | AND X21 | 
-        115 | AND X25 | 
-        116 | ANI X1F5 | 
-        117 | ORB | 
-        118 | LD Y21 | 
-        119 | ANI M305 | 
-        120 | ANI X22 | 
-        121 | ANI X24 | 
-        122 | ANI M303 | 
-        123 | AND X20 | 
-        124 | AND X21 | 
-        125 | AND X25 | 
-        126 | ANI X1F5 | 
-        127 | ORB | 
-        128 | OUT Y21 | run counter-clockwise: M4, or key while no program runs, until M5, M3, stop, fault
-        129 | LD M202 | 
-        130 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
-        131 | LD X230 | 
-        132 | OR X234 | 
-        133 | OR X238 | 
-        134 | OUT Y226 | one answer for M, S and T
-        135 | LD M202 | 
-        136 | AND Y20 | 
-        137 | ANI X1F5 | 
-        138 | LD M202 | 
-        139 | AND Y21 | 
-        140 | ANI X1F5 | 
-        141 | ORB | 
-        142 | LD M203 | 
-        143 | ANI T20 | 
+        46 | LD X20 | 
+        47 | AND X21 | 
+        48 | AND X25 | 
+        49 | ANI X1F5 | 
+        50 | OUT M206 | spindle may turn: no emergency stop, fault, reset or lock
+        51 | LD M303 | 
+        52 | AND M206 | 
+        53 | LD X22 | 
+        54 | AND M206 | 
+        55 | ANI X23 | 
+        56 | ANI X24 | 
+        57 | ANI M202 | 
+        58 | ANI M207 | 
+        59 | ORB | 
+        60 | LD M201 | 
+        61 | AND M206 | 
+        62 | ANI M305 | 
+        63 | ANI M304 | 
+        64 | ANI X24 | 
+        65 | ANI F1 | 
+        66 | ORB | 
+        67 | LD M201 | 
+        68 | AND M206 | 
+        69 | ANI M305 | 
+        70 | ANI M304 | 
+        71 | AND M207 | 
+        72 | ORB | 
+        73 | OUT M201 | clockwise: M3, or key while no program is begun and the spindle has no run command, until M5, M4, stop key, fault
+        74 | LD M304 | 
+        75 | AND M206 | 
+        76 | LD X23 | 
+        77 | AND M206 | 
+        78 | ANI X22 | 
+        79 | ANI X24 | 
+        80 | ANI M201 | 
+        81 | ANI M207 | 
+        82 | ORB | 
+        83 | LD M202 | 
+        84 | AND M206 | 
+        85 | ANI M305 | 
+        86 | ANI M303 | 
+        87 | ANI X24 | 
+        88 | ANI F1 | 
+        89 | ORB | 
+        90 | LD M202 | 
+        91 | AND M206 | 
+        92 | ANI M305 | 
+        93 | ANI M303 | 
+        94 | AND M207 | 
+        95 | ORB | 
+        96 | OUT M202 | counter-clockwise: M4, or key while no program is begun and the spindle has no run command, until M5, M3, stop key, fault
+        97 | LD M201 | 
+        98 | AND M204 | 
+        99 | AND X24 | 
+        100 | LD M201 | 
+        101 | AND M207 | 
+        102 | AND F1 | 
+        103 | ANI X22 | 
+        104 | ORB | 
+        105 | LD M202 | 
+        106 | AND M204 | 
+        107 | AND X24 | 
+        108 | ORB | 
+        109 | LD M202 | 
+        110 | AND M207 | 
+        111 | AND F1 | 
+        112 | ANI X23 | 
+        113 | ORB | 
+        114 | OUT F1 | stop key while a begun program is interrupted: spindle off until the key of its direction, and no cycle start
+        115 | LD M201 | 
+        116 | ANI F1 | 
+        117 | OUT Y20 | run clockwise, unless the stop key has stopped the spindle
+        118 | LD M202 | 
+        119 | ANI F1 | 
+        120 | OUT Y21 | run counter-clockwise, unless the stop key has stopped the spindle
+        121 | LD X21 | 
+        122 | AND X25 | 
+        123 | AND X26 | 
+        124 | AND X27 | 
+        125 | AND X28 | 
+        126 | ANI F0 | 
+        127 | ANI F1 | 
+        128 | OUT Y211 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+        129 | LDI X25 | 
+        130 | LD F2 | 
+        131 | ANI X1F3 | 
+        132 | ANI X1F5 | 
+        133 | ORB | 
+        134 | OUT F2 | text for the operator until the program runs again
+        135 | LDI X26 | 
+        136 | LD F3 | 
+        137 | ANI X1F3 | 
+        138 | ANI X1F5 | 
+        139 | ORB | 
+        140 | OUT F3 | text for the operator until the program runs again
+        141 | LDI X27 | 
+        142 | LD F4 | 
+        143 | ANI X1F3 | 
         144 | ANI X1F5 | 
         145 | ORB | 
-        146 | OUT M203 | axes wait at the restart
-        147 | LD M203 | 
-        148 | ANI M202 | 
-        149 | OUT T20 K205 | as long as behind M3
-        150 | LDI M203 | 
-        151 | OR M202 | 
-        152 | OUT Y20F | axes may move
+        146 | OUT F4 | text for the operator until the program runs again
+        147 | LDI X28 | 
+        148 | LD F5 | 
+        149 | ANI X1F3 | 
+        150 | ANI X1F5 | 
+        151 | ORB | 
+        152 | OUT F5 | text for the operator until the program runs again
+        153 | LD M204 | 
+        154 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        155 | LD X230 | 
+        156 | OR X234 | 
+        157 | OR X238 | 
+        158 | OUT Y226 | one answer for M, S and T
+        159 | LD M204 | 
+        160 | AND Y20 | 
+        161 | ANI X1F5 | 
+        162 | LD M204 | 
+        163 | AND Y21 | 
+        164 | ANI X1F5 | 
+        165 | ORB | 
+        166 | LD M205 | 
+        167 | ANI T20 | 
+        168 | ANI X1F5 | 
+        169 | ORB | 
+        170 | OUT M205 | axes wait at the restart
+        171 | LD M205 | 
+        172 | ANI M204 | 
+        173 | OUT T20 K205 | as long as behind M3
+        174 | LDI M205 | 
+        175 | OR M204 | 
+        176 | OUT Y20F | axes may move
          |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
     "#]]
     .assert_eq(&rows(&[], "ladder"));
@@ -482,21 +506,21 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         12 | LDI X20 | 
         13 | OUT Y29F | emergency stop to the control
         14 | LD X22F | 
-        15 | LD M202 | 
+        15 | LD M204 | 
         16 | AND X1F3 | 
         17 | ORB | 
-        18 | OUT M202 | M30 until the program no longer runs
+        18 | OUT M204 | M30 until the program no longer runs
         19 | LD X1F3 | 
-        20 | ANI M202 | 
+        20 | ANI M204 | 
         21 | ANI X1F5 | 
-        22 | LD M205 | 
-        23 | ANI M202 | 
+        22 | LD M208 | 
+        23 | ANI M204 | 
         24 | ANI X1F5 | 
         25 | ORB | 
-        26 | OUT M205 | program is begun, until its end or reset
-        27 | LD M205 | 
+        26 | OUT M208 | program is begun, until its end or reset
+        27 | LD M208 | 
         28 | ANI X1F3 | 
-        29 | OUT M203 | stopped in the middle: hold, M00, alarm
+        29 | OUT M205 | stopped in the middle: hold, M00, alarm
         30 | LD M200 | 
         31 | + D100 K2 D104 | knob in percent (D100), half a step more
         32 | LD M200 | 
@@ -511,143 +535,167 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         41 | DMOV R10 R74 | final spindle speed to the program, both words
         42 | LDI X21 | 
         43 | LDI X26 | 
-        44 | AND M205 | 
+        44 | AND M208 | 
         45 | ORB | 
         46 | LD F0 | 
         47 | ANI X1F5 | 
         48 | ORB | 
         49 | OUT F0 | fault of the inverter: alarm until reset
-        50 | LD X21 | 
-        51 | AND X26 | 
-        52 | AND X27 | 
-        53 | AND X28 | 
-        54 | AND X29 | 
-        55 | ANI F0 | 
-        56 | OUT Y211 | fault, inverter not ready, loop or reel at its limit: program held
-        57 | LDI X26 | 
-        58 | LD F1 | 
-        59 | ANI X1F3 | 
-        60 | ANI X1F5 | 
-        61 | ORB | 
-        62 | OUT F1 | text for the operator until the program runs again
-        63 | LDI X27 | 
-        64 | LD F2 | 
-        65 | ANI X1F3 | 
-        66 | ANI X1F5 | 
-        67 | ORB | 
-        68 | OUT F2 | text for the operator until the program runs again
-        69 | LDI X28 | 
-        70 | LD F3 | 
-        71 | ANI X1F3 | 
-        72 | ANI X1F5 | 
-        73 | ORB | 
-        74 | OUT F3 | text for the operator until the program runs again
-        75 | LDI X29 | 
-        76 | LD F4 | 
-        77 | ANI X1F3 | 
-        78 | ANI X1F5 | 
-        79 | ORB | 
-        80 | OUT F4 | text for the operator until the program runs again
-        81 | LD M303 | 
-        82 | AND X20 | 
-        83 | AND X21 | 
-        84 | AND X26 | 
-        85 | ANI X1F5 | 
-        86 | LD X23 | 
-        87 | ANI X24 | 
-        88 | ANI X25 | 
-        89 | ANI Y21 | 
-        90 | ANI X1F3 | 
-        91 | AND X20 | 
-        92 | AND X21 | 
-        93 | AND X26 | 
-        94 | ANI X1F5 | 
-        95 | ORB | 
-        96 | LD Y20 | 
-        97 | ANI M305 | 
-        98 | ANI X24 | 
-        99 | ANI X25 | 
-        100 | ANI M304 | 
-        101 | AND X20 | 
-        102 | AND X21 | 
-        103 | AND X26 | 
-        104 | ANI X1F5 | 
-        105 | ORB | 
-        106 | OUT Y20 | run clockwise: M3, or key while no program runs, until M5, M4, stop, fault
-        107 | LD M304 | 
-        108 | AND X20 | 
-        109 | AND X21 | 
-        110 | AND X26 | 
-        111 | ANI X1F5 | 
-        112 | LD X24 | 
-        113 | ANI X23 | 
-        114 | ANI X25 | 
-        115 | ANI Y20 | 
-        116 | ANI X1F3 | 
-        117 | AND X20 | 
-        118 | AND X21 | 
-        119 | AND X26 | 
-        120 | ANI X1F5 | 
-        121 | ORB | 
-        122 | LD Y21 | 
-        123 | ANI M305 | 
-        124 | ANI X23 | 
-        125 | ANI X25 | 
-        126 | ANI M303 | 
-        127 | AND X20 | 
-        128 | AND X21 | 
-        129 | AND X26 | 
-        130 | ANI X1F5 | 
-        131 | ORB | 
-        132 | OUT Y21 | run counter-clockwise: M4, or key while no program runs, until M5, M3, stop, fault
-        133 | LD M203 | 
-        134 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
-        135 | LD M303 | 
-        136 | ANI T20 | 
-        137 | LD M303 | 
-        138 | ANI X22 | 
-        139 | ORB | 
-        140 | LD M304 | 
-        141 | ANI T20 | 
-        142 | ORB | 
-        143 | LD M304 | 
-        144 | ANI X22 | 
-        145 | ORB | 
-        146 | OUT M201 | M3 and M4 wait for the speed
-        147 | LD M303 | 
-        148 | OR M304 | 
-        149 | OUT T20 K5 | until the contact is about the new speed
-        150 | LD X230 | 
-        151 | ANI M201 | 
-        152 | LD X234 | 
-        153 | ANI M201 | 
-        154 | ORB | 
-        155 | LD X238 | 
-        156 | ANI M201 | 
-        157 | ORB | 
-        158 | OUT Y226 | one answer for M, S and T
-        159 | LD M203 | 
-        160 | AND Y20 | 
-        161 | ANI X1F5 | 
-        162 | LD M203 | 
-        163 | AND Y21 | 
-        164 | ANI X1F5 | 
-        165 | ORB | 
-        166 | LD M204 | 
-        167 | ANI T21 | 
-        168 | ANI X1F5 | 
+        50 | LD X20 | 
+        51 | AND X21 | 
+        52 | AND X26 | 
+        53 | ANI X1F5 | 
+        54 | OUT M207 | spindle may turn: no emergency stop, fault, reset or lock
+        55 | LD M303 | 
+        56 | AND M207 | 
+        57 | LD X23 | 
+        58 | AND M207 | 
+        59 | ANI X24 | 
+        60 | ANI X25 | 
+        61 | ANI M203 | 
+        62 | ANI M208 | 
+        63 | ORB | 
+        64 | LD M202 | 
+        65 | AND M207 | 
+        66 | ANI M305 | 
+        67 | ANI M304 | 
+        68 | ANI X25 | 
+        69 | ANI F1 | 
+        70 | ORB | 
+        71 | LD M202 | 
+        72 | AND M207 | 
+        73 | ANI M305 | 
+        74 | ANI M304 | 
+        75 | AND M208 | 
+        76 | ORB | 
+        77 | OUT M202 | clockwise: M3, or key while no program is begun and the spindle has no run command, until M5, M4, stop key, fault
+        78 | LD M304 | 
+        79 | AND M207 | 
+        80 | LD X24 | 
+        81 | AND M207 | 
+        82 | ANI X23 | 
+        83 | ANI X25 | 
+        84 | ANI M202 | 
+        85 | ANI M208 | 
+        86 | ORB | 
+        87 | LD M203 | 
+        88 | AND M207 | 
+        89 | ANI M305 | 
+        90 | ANI M303 | 
+        91 | ANI X25 | 
+        92 | ANI F1 | 
+        93 | ORB | 
+        94 | LD M203 | 
+        95 | AND M207 | 
+        96 | ANI M305 | 
+        97 | ANI M303 | 
+        98 | AND M208 | 
+        99 | ORB | 
+        100 | OUT M203 | counter-clockwise: M4, or key while no program is begun and the spindle has no run command, until M5, M3, stop key, fault
+        101 | LD M202 | 
+        102 | AND M205 | 
+        103 | AND X25 | 
+        104 | LD M202 | 
+        105 | AND M208 | 
+        106 | AND F1 | 
+        107 | ANI X23 | 
+        108 | ORB | 
+        109 | LD M203 | 
+        110 | AND M205 | 
+        111 | AND X25 | 
+        112 | ORB | 
+        113 | LD M203 | 
+        114 | AND M208 | 
+        115 | AND F1 | 
+        116 | ANI X24 | 
+        117 | ORB | 
+        118 | OUT F1 | stop key while a begun program is interrupted: spindle off until the key of its direction, and no cycle start
+        119 | LD M202 | 
+        120 | ANI F1 | 
+        121 | OUT Y20 | run clockwise, unless the stop key has stopped the spindle
+        122 | LD M203 | 
+        123 | ANI F1 | 
+        124 | OUT Y21 | run counter-clockwise, unless the stop key has stopped the spindle
+        125 | LD X21 | 
+        126 | AND X26 | 
+        127 | AND X27 | 
+        128 | AND X28 | 
+        129 | AND X29 | 
+        130 | ANI F0 | 
+        131 | ANI F1 | 
+        132 | OUT Y211 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+        133 | LDI X26 | 
+        134 | LD F2 | 
+        135 | ANI X1F3 | 
+        136 | ANI X1F5 | 
+        137 | ORB | 
+        138 | OUT F2 | text for the operator until the program runs again
+        139 | LDI X27 | 
+        140 | LD F3 | 
+        141 | ANI X1F3 | 
+        142 | ANI X1F5 | 
+        143 | ORB | 
+        144 | OUT F3 | text for the operator until the program runs again
+        145 | LDI X28 | 
+        146 | LD F4 | 
+        147 | ANI X1F3 | 
+        148 | ANI X1F5 | 
+        149 | ORB | 
+        150 | OUT F4 | text for the operator until the program runs again
+        151 | LDI X29 | 
+        152 | LD F5 | 
+        153 | ANI X1F3 | 
+        154 | ANI X1F5 | 
+        155 | ORB | 
+        156 | OUT F5 | text for the operator until the program runs again
+        157 | LD M205 | 
+        158 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        159 | LD M303 | 
+        160 | ANI T20 | 
+        161 | LD M303 | 
+        162 | ANI X22 | 
+        163 | ORB | 
+        164 | LD M304 | 
+        165 | ANI T20 | 
+        166 | ORB | 
+        167 | LD M304 | 
+        168 | ANI X22 | 
         169 | ORB | 
-        170 | LD M204 | 
-        171 | ANI X22 | 
-        172 | ANI X1F5 | 
-        173 | ORB | 
-        174 | OUT M204 | axes wait at the restart
-        175 | LD M204 | 
-        176 | ANI M203 | 
-        177 | OUT T21 K5 | until the contact is about the new speed
-        178 | LDI M204 | 
-        179 | OR M203 | 
-        180 | OUT Y20F | axes may move
+        170 | OUT M201 | M3 and M4 wait for the speed
+        171 | LD M303 | 
+        172 | OR M304 | 
+        173 | OUT T20 K5 | until the contact is about the new speed
+        174 | LD X230 | 
+        175 | ANI M201 | 
+        176 | LD X234 | 
+        177 | ANI M201 | 
+        178 | ORB | 
+        179 | LD X238 | 
+        180 | ANI M201 | 
+        181 | ORB | 
+        182 | OUT Y226 | one answer for M, S and T
+        183 | LD M205 | 
+        184 | AND Y20 | 
+        185 | ANI X1F5 | 
+        186 | LD M205 | 
+        187 | AND Y21 | 
+        188 | ANI X1F5 | 
+        189 | ORB | 
+        190 | LD M206 | 
+        191 | ANI T21 | 
+        192 | ANI X1F5 | 
+        193 | ORB | 
+        194 | LD M206 | 
+        195 | ANI X22 | 
+        196 | ANI X1F5 | 
+        197 | ORB | 
+        198 | OUT M206 | axes wait at the restart
+        199 | LD M206 | 
+        200 | ANI M205 | 
+        201 | OUT T21 K5 | until the contact is about the new speed
+        202 | LDI M206 | 
+        203 | OR M205 | 
+        204 | OUT Y20F | axes may move
          |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
     "#]]
     .assert_eq(&rows(&[("knob-step", "5"), ("override-form", "final-speed"), ("wait", "fin")], "ladder"));

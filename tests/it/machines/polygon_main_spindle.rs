@@ -1,6 +1,7 @@
 //! The main spindle of the polygon lathe, sized where the program turns the bar before or after the polygons.
 
 use macroline::machines::devices::BillItem;
+use macroline::machines::ladder::{Bit, MachineContact};
 use macroline::motion::{Action, Event, RunEnd};
 use macroline::project::Project;
 use macroline::project::size::{OperatingEvent, size};
@@ -8,6 +9,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::polygon_shaft::whole;
+use super::restart::within;
 use super::ribbon_controls::{begun, ended};
 use crate::asked::{near, readout, sized_without_envelope};
 
@@ -251,4 +253,36 @@ fn sizing_of_the_work_axis_has_the_main_friction() {
     };
     // At the motor, with 90 %.
     near(peak("30") - peak("2"), 28.0 / 0.9, 0.2);
+}
+
+#[test]
+fn work_servo_waits_until_the_main_spindle_stands() {
+    // The ramp lasts longer than the way of the tool to the polygon.
+    let turned_end =
+        [("before", "false"), ("after", "true"), ("main-ramp", "20")].map(|(id, typed)| (id, typed.to_owned()));
+    let project = Project::named("polygon-lathe", None, None).unwrap().with_entries(&turned_end).unwrap();
+    let done = within(3600.0, &project, &[]).planner.ended_at().unwrap();
+    let whole = within(3600.0, &project, &[]).planner;
+    let turns = |t: &f64| whole.timeline().at(*t).spindle.actual > 700.0;
+    let cut = (1..1000).map(|k| done * f64::from(k) / 1000.0).find(turns).expect("the end is turned");
+    // Cycle start behind a reset in the cut, and behind one in the dwell in which the spindle stops.
+    for reset in [cut, done - 19.5] {
+        let start = reset + 0.1;
+        let planner = within(3600.0, &project, &[(reset, Action::Reset), (start, Action::Start)]).planner;
+        let moments = || (0..40_000).map(|k| planner.timeline().at(start + f64::from(k) * 0.005));
+        assert!(moments().next().unwrap().spindle.actual > 100.0, "it still turns at {start}");
+        let both = moments().find(|now| now.pmc.iter().any(|axis| axis.feed.abs() > 1e-3) && now.spindle.actual > 0.5);
+        assert!(both.is_none(), "both drives turn the work: {:?}", both.map(|now| (now.pmc, now.spindle)));
+        assert!(moments().any(|now| now.pmc[0].feed > 100.0), "the polygon is turned");
+    }
+    // The contact is wired to the inverter.
+    let sizing = sized_without_envelope(&project);
+    let ladder = project.prepared().ladder().unwrap();
+    let place = format!("PLC {}", ladder.bit(Bit::Input(MachineContact::AtStandstill)));
+    let ends = |row: &macroline::project::size::TerminalRow| {
+        [(&row.from, &row.to), (&row.to, &row.from)]
+            .iter()
+            .any(|(plc, other)| plc.place == place && other.item == BillItem::Inverter)
+    };
+    assert!(sizing.terminals.iter().any(ends), "{place}");
 }

@@ -40,10 +40,11 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             Y5.1 |  | PLC | machine |  | Inverter: run counter-clockwise
             A0.0 |  | PLC | control |  | Alarm: fault of the inverter
             A0.1 |  | PLC | control |  | Alarm: M03 and M04 without M05 between them
-            A0.2 |  | PLC | control |  | Message: inverter is not ready
-            A0.3 |  | PLC | control |  | Message: loop at its longest limit
-            A0.4 |  | PLC | control |  | Message: ribbon taut to its limit
-            A0.5 |  | PLC | control |  | Message: reel at its end
+            A0.2 |  | PLC | control |  | Message: spindle stopped by its key; start it again, or reset
+            A0.3 |  | PLC | control |  | Message: inverter is not ready
+            A0.4 |  | PLC | control |  | Message: loop at its longest limit
+            A0.5 |  | PLC | control |  | Message: ribbon taut to its limit
+            A0.6 |  | PLC | control |  | Message: reel at its end
         "#]],
     );
     check(
@@ -59,21 +60,21 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             5 | LD X0.5 | 
             6 | OUT G8.4 | emergency stop to the control
             7 | LD F9.4 | 
-            8 | LD R10.1 | 
+            8 | LD R10.3 | 
             9 | AND F0.5 | 
             10 | ORB | 
-            11 | OUT R10.1 | M30 until the program no longer runs
+            11 | OUT R10.3 | M30 until the program no longer runs
             12 | LD F0.5 | 
-            13 | ANI R10.1 | 
+            13 | ANI R10.3 | 
             14 | ANI F1.1 | 
-            15 | LD R10.4 | 
-            16 | ANI R10.1 | 
+            15 | LD R10.7 | 
+            16 | ANI R10.3 | 
             17 | ANI F1.1 | 
             18 | ORB | 
-            19 | OUT R10.4 | program is begun, until its end or reset
-            20 | LD R10.4 | 
+            19 | OUT R10.7 | program is begun, until its end or reset
+            20 | LD R10.7 | 
             21 | ANI F0.5 | 
-            22 | OUT R10.2 | stopped in the middle: hold, M00, alarm
+            22 | OUT R10.4 | stopped in the middle: hold, M00, alarm
             23 | LD R10.0 | 
             24 | DIVB 1 D100 K10 G30 | the knob as a code of tens of percent
             25 | LD R10.0 | 
@@ -82,125 +83,147 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             28 | MOVN 2 D100 G54 | the same to the program
             29 | LDI X3.1 | 
             30 | LDI X3.5 | 
-            31 | AND R10.4 | 
+            31 | AND R10.7 | 
             32 | ORB | 
             33 | LD A0.0 | 
             34 | ANI F1.1 | 
             35 | ORB | 
             36 | OUT A0.0 | fault of the inverter: alarm until reset
-            37 | LD X3.1 | 
-            38 | AND X3.5 | 
-            39 | AND X3.6 | 
-            40 | AND X3.7 | 
-            41 | AND X4.0 | 
-            42 | ANI A0.0 | 
-            43 | OUT G8.5 | fault, inverter not ready, loop or reel at its limit: program held
-            44 | LDI X3.5 | 
-            45 | LD A0.2 | 
-            46 | ANI F0.5 | 
-            47 | ANI F1.1 | 
-            48 | ORB | 
-            49 | OUT A0.2 | text for the operator until the program runs again
-            50 | LDI X3.6 | 
-            51 | LD A0.3 | 
-            52 | ANI F0.5 | 
-            53 | ANI F1.1 | 
-            54 | ORB | 
-            55 | OUT A0.3 | text for the operator until the program runs again
-            56 | LDI X3.7 | 
-            57 | LD A0.4 | 
-            58 | ANI F0.5 | 
-            59 | ANI F1.1 | 
-            60 | ORB | 
-            61 | OUT A0.4 | text for the operator until the program runs again
-            62 | LDI X4.0 | 
-            63 | LD A0.5 | 
-            64 | ANI F0.5 | 
-            65 | ANI F1.1 | 
-            66 | ORB | 
-            67 | OUT A0.5 | text for the operator until the program runs again
-            68 | LD R40.0 | 
-            69 | AND Y5.1 | 
+            37 | LD X0.5 | 
+            38 | AND X3.1 | 
+            39 | AND X3.5 | 
+            40 | ANI F1.1 | 
+            41 | OUT R10.6 | spindle may turn: no emergency stop, fault, reset or lock
+            42 | LD R40.0 | 
+            43 | AND R10.2 | 
+            44 | LD R40.1 | 
+            45 | AND R10.1 | 
+            46 | ORB | 
+            47 | OUT A0.1 | M3 and M4 need M5 between them
+            48 | LD R40.0 | 
+            49 | AND R10.6 | 
+            50 | ANI R10.2 | 
+            51 | LD X3.2 | 
+            52 | AND R10.6 | 
+            53 | ANI X3.3 | 
+            54 | ANI X3.4 | 
+            55 | ANI R10.2 | 
+            56 | ANI R10.7 | 
+            57 | ORB | 
+            58 | LD R10.1 | 
+            59 | AND R10.6 | 
+            60 | ANI R40.2 | 
+            61 | ANI X3.4 | 
+            62 | ANI A0.2 | 
+            63 | ORB | 
+            64 | LD R10.1 | 
+            65 | AND R10.6 | 
+            66 | ANI R40.2 | 
+            67 | AND R10.7 | 
+            68 | ORB | 
+            69 | OUT R10.1 | clockwise: M3, or key while no program is begun and the spindle has no run command, until M5, M4, stop key, fault
             70 | LD R40.1 | 
-            71 | AND Y5.0 | 
-            72 | ORB | 
-            73 | OUT A0.1 | M3 and M4 need M5 between them
-            74 | LD R40.0 | 
-            75 | ANI Y5.1 | 
-            76 | AND X0.5 | 
-            77 | AND X3.1 | 
-            78 | AND X3.5 | 
-            79 | ANI F1.1 | 
-            80 | LD X3.2 | 
-            81 | ANI X3.3 | 
-            82 | ANI X3.4 | 
-            83 | ANI Y5.1 | 
-            84 | ANI F0.5 | 
-            85 | AND X0.5 | 
-            86 | AND X3.1 | 
-            87 | AND X3.5 | 
-            88 | ANI F1.1 | 
-            89 | ORB | 
-            90 | LD Y5.0 | 
-            91 | ANI R40.2 | 
-            92 | ANI X3.3 | 
-            93 | ANI X3.4 | 
-            94 | AND X0.5 | 
-            95 | AND X3.1 | 
-            96 | AND X3.5 | 
-            97 | ANI F1.1 | 
-            98 | ORB | 
-            99 | OUT Y5.0 | run clockwise: M3, or key while no program runs, until M5, M4, stop, fault
-            100 | LD R40.1 | 
-            101 | ANI Y5.0 | 
-            102 | AND X0.5 | 
-            103 | AND X3.1 | 
-            104 | AND X3.5 | 
-            105 | ANI F1.1 | 
-            106 | LD X3.3 | 
-            107 | ANI X3.2 | 
-            108 | ANI X3.4 | 
-            109 | ANI Y5.0 | 
-            110 | ANI F0.5 | 
-            111 | AND X0.5 | 
-            112 | AND X3.1 | 
-            113 | AND X3.5 | 
-            114 | ANI F1.1 | 
-            115 | ORB | 
-            116 | LD Y5.1 | 
-            117 | ANI R40.2 | 
-            118 | ANI X3.2 | 
-            119 | ANI X3.4 | 
-            120 | AND X0.5 | 
-            121 | AND X3.1 | 
-            122 | AND X3.5 | 
-            123 | ANI F1.1 | 
-            124 | ORB | 
-            125 | OUT Y5.1 | run counter-clockwise: M4, or key while no program runs, until M5, M3, stop, fault
-            126 | LDI R10.2 | 
-            127 | OUT G29.6 | spindle stops with the axes; S and M3 stay
-            128 | LD F7.0 | 
-            129 | OR F7.2 | 
-            130 | OR F7.3 | 
-            131 | OUT G4.3 | one answer for M, S and T
-            132 | LD R10.2 | 
-            133 | AND Y5.0 | 
-            134 | ANI F1.1 | 
-            135 | LD R10.2 | 
-            136 | AND Y5.1 | 
-            137 | ANI F1.1 | 
-            138 | ORB | 
-            139 | LD R10.3 | 
-            140 | ANI T0 | 
-            141 | ANI F1.1 | 
-            142 | ORB | 
-            143 | OUT R10.3 | axes wait at the restart
-            144 | LD R10.3 | 
-            145 | ANI R10.2 | 
-            146 | TMRB T0 2050 | as long as behind M3
-            147 | LDI R10.3 | 
-            148 | OR R10.2 | 
-            149 | OUT G8.0 | axes may move
+            71 | AND R10.6 | 
+            72 | ANI R10.1 | 
+            73 | LD X3.3 | 
+            74 | AND R10.6 | 
+            75 | ANI X3.2 | 
+            76 | ANI X3.4 | 
+            77 | ANI R10.1 | 
+            78 | ANI R10.7 | 
+            79 | ORB | 
+            80 | LD R10.2 | 
+            81 | AND R10.6 | 
+            82 | ANI R40.2 | 
+            83 | ANI X3.4 | 
+            84 | ANI A0.2 | 
+            85 | ORB | 
+            86 | LD R10.2 | 
+            87 | AND R10.6 | 
+            88 | ANI R40.2 | 
+            89 | AND R10.7 | 
+            90 | ORB | 
+            91 | OUT R10.2 | counter-clockwise: M4, or key while no program is begun and the spindle has no run command, until M5, M3, stop key, fault
+            92 | LD R10.1 | 
+            93 | AND R10.4 | 
+            94 | AND X3.4 | 
+            95 | LD R10.1 | 
+            96 | AND R10.7 | 
+            97 | AND A0.2 | 
+            98 | ANI X3.2 | 
+            99 | ORB | 
+            100 | LD R10.2 | 
+            101 | AND R10.4 | 
+            102 | AND X3.4 | 
+            103 | ORB | 
+            104 | LD R10.2 | 
+            105 | AND R10.7 | 
+            106 | AND A0.2 | 
+            107 | ANI X3.3 | 
+            108 | ORB | 
+            109 | OUT A0.2 | stop key while a begun program is interrupted: spindle off until the key of its direction, and no cycle start
+            110 | LD R10.1 | 
+            111 | ANI A0.2 | 
+            112 | OUT Y5.0 | run clockwise, unless the stop key has stopped the spindle
+            113 | LD R10.2 | 
+            114 | ANI A0.2 | 
+            115 | OUT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
+            116 | LD X3.1 | 
+            117 | AND X3.5 | 
+            118 | AND X3.6 | 
+            119 | AND X3.7 | 
+            120 | AND X4.0 | 
+            121 | ANI A0.0 | 
+            122 | ANI A0.2 | 
+            123 | OUT G8.5 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+            124 | LDI X3.5 | 
+            125 | LD A0.3 | 
+            126 | ANI F0.5 | 
+            127 | ANI F1.1 | 
+            128 | ORB | 
+            129 | OUT A0.3 | text for the operator until the program runs again
+            130 | LDI X3.6 | 
+            131 | LD A0.4 | 
+            132 | ANI F0.5 | 
+            133 | ANI F1.1 | 
+            134 | ORB | 
+            135 | OUT A0.4 | text for the operator until the program runs again
+            136 | LDI X3.7 | 
+            137 | LD A0.5 | 
+            138 | ANI F0.5 | 
+            139 | ANI F1.1 | 
+            140 | ORB | 
+            141 | OUT A0.5 | text for the operator until the program runs again
+            142 | LDI X4.0 | 
+            143 | LD A0.6 | 
+            144 | ANI F0.5 | 
+            145 | ANI F1.1 | 
+            146 | ORB | 
+            147 | OUT A0.6 | text for the operator until the program runs again
+            148 | LDI R10.4 | 
+            149 | OUT G29.6 | spindle stops with the axes; S and M3 stay
+            150 | LD F7.0 | 
+            151 | OR F7.2 | 
+            152 | OR F7.3 | 
+            153 | OUT G4.3 | one answer for M, S and T
+            154 | LD R10.4 | 
+            155 | AND Y5.0 | 
+            156 | ANI F1.1 | 
+            157 | LD R10.4 | 
+            158 | AND Y5.1 | 
+            159 | ANI F1.1 | 
+            160 | ORB | 
+            161 | LD R10.5 | 
+            162 | ANI T0 | 
+            163 | ANI F1.1 | 
+            164 | ORB | 
+            165 | OUT R10.5 | axes wait at the restart
+            166 | LD R10.5 | 
+            167 | ANI R10.4 | 
+            168 | TMRB T0 2050 | as long as behind M3
+            169 | LDI R10.5 | 
+            170 | OR R10.4 | 
+            171 | OUT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );
@@ -238,10 +261,11 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counter-clockwise
             A0.0 |  | PLC | control |  | Alarm: fault of the inverter
-            A0.1 |  | PLC | control |  | Message: inverter is not ready
-            A0.2 |  | PLC | control |  | Message: loop at its longest limit
-            A0.3 |  | PLC | control |  | Message: ribbon taut to its limit
-            A0.4 |  | PLC | control |  | Message: reel at its end
+            A0.1 |  | PLC | control |  | Message: spindle stopped by its key; start it again, or reset
+            A0.2 |  | PLC | control |  | Message: inverter is not ready
+            A0.3 |  | PLC | control |  | Message: loop at its longest limit
+            A0.4 |  | PLC | control |  | Message: ribbon taut to its limit
+            A0.5 |  | PLC | control |  | Message: reel at its end
         "#]],
     );
     check(
@@ -257,141 +281,165 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             5 | RD X8.4 | 
             6 | WRT G8.4 | emergency stop to the control
             7 | RD F9.4 | 
-            8 | RD.STK R10.1 | 
+            8 | RD.STK R10.3 | 
             9 | AND F0.5 | 
             10 | OR.STK | 
-            11 | WRT R10.1 | M30 until the program no longer runs
+            11 | WRT R10.3 | M30 until the program no longer runs
             12 | RD F0.5 | 
-            13 | AND.NOT R10.1 | 
+            13 | AND.NOT R10.3 | 
             14 | AND.NOT F1.1 | 
-            15 | RD.STK R10.4 | 
-            16 | AND.NOT R10.1 | 
+            15 | RD.STK R10.7 | 
+            16 | AND.NOT R10.3 | 
             17 | AND.NOT F1.1 | 
             18 | OR.STK | 
-            19 | WRT R10.4 | program is begun, until its end or reset
-            20 | RD R10.4 | 
+            19 | WRT R10.7 | program is begun, until its end or reset
+            20 | RD R10.7 | 
             21 | AND.NOT F0.5 | 
-            22 | WRT R10.2 | stopped in the middle: hold, M00, alarm
+            22 | WRT R10.4 | stopped in the middle: hold, M00, alarm
             23 | RD R10.0 | 
             24 | SUB 45 MOVN 1 D100 G30 | spindle override to the control
             25 | RD R10.0 | 
             26 | SUB 45 MOVN 2 D100 G54 | the same to the program
             27 | RD.NOT X3.1 | 
             28 | RD.NOT.STK X3.5 | 
-            29 | AND R10.4 | 
+            29 | AND R10.7 | 
             30 | OR.STK | 
             31 | RD.STK A0.0 | 
             32 | AND.NOT F1.1 | 
             33 | OR.STK | 
             34 | WRT A0.0 | fault of the inverter: alarm until reset
-            35 | RD X3.1 | 
-            36 | AND X3.5 | 
-            37 | AND X3.6 | 
-            38 | AND X3.7 | 
-            39 | AND X4.0 | 
-            40 | AND.NOT A0.0 | 
-            41 | WRT G8.5 | fault, inverter not ready, loop or reel at its limit: program held
-            42 | RD.NOT X3.5 | 
-            43 | RD.STK A0.1 | 
-            44 | AND.NOT F0.5 | 
-            45 | AND.NOT F1.1 | 
-            46 | OR.STK | 
-            47 | WRT A0.1 | text for the operator until the program runs again
-            48 | RD.NOT X3.6 | 
-            49 | RD.STK A0.2 | 
-            50 | AND.NOT F0.5 | 
-            51 | AND.NOT F1.1 | 
-            52 | OR.STK | 
-            53 | WRT A0.2 | text for the operator until the program runs again
-            54 | RD.NOT X3.7 | 
-            55 | RD.STK A0.3 | 
-            56 | AND.NOT F0.5 | 
-            57 | AND.NOT F1.1 | 
-            58 | OR.STK | 
-            59 | WRT A0.3 | text for the operator until the program runs again
-            60 | RD.NOT X4.0 | 
-            61 | RD.STK A0.4 | 
-            62 | AND.NOT F0.5 | 
-            63 | AND.NOT F1.1 | 
-            64 | OR.STK | 
-            65 | WRT A0.4 | text for the operator until the program runs again
-            66 | RD R40.0 | 
-            67 | AND X8.4 | 
-            68 | AND X3.1 | 
-            69 | AND X3.5 | 
-            70 | AND.NOT F1.1 | 
-            71 | RD.STK X3.2 | 
-            72 | AND.NOT X3.3 | 
-            73 | AND.NOT X3.4 | 
-            74 | AND.NOT Y5.1 | 
-            75 | AND.NOT F0.5 | 
-            76 | AND X8.4 | 
-            77 | AND X3.1 | 
-            78 | AND X3.5 | 
-            79 | AND.NOT F1.1 | 
-            80 | OR.STK | 
-            81 | RD.STK Y5.0 | 
-            82 | AND.NOT R40.2 | 
-            83 | AND.NOT X3.3 | 
-            84 | AND.NOT X3.4 | 
-            85 | AND.NOT R40.1 | 
-            86 | AND X8.4 | 
-            87 | AND X3.1 | 
-            88 | AND X3.5 | 
-            89 | AND.NOT F1.1 | 
-            90 | OR.STK | 
-            91 | WRT Y5.0 | run clockwise: M3, or key while no program runs, until M5, M4, stop, fault
-            92 | RD R40.1 | 
-            93 | AND X8.4 | 
-            94 | AND X3.1 | 
-            95 | AND X3.5 | 
-            96 | AND.NOT F1.1 | 
-            97 | RD.STK X3.3 | 
-            98 | AND.NOT X3.2 | 
-            99 | AND.NOT X3.4 | 
-            100 | AND.NOT Y5.0 | 
-            101 | AND.NOT F0.5 | 
-            102 | AND X8.4 | 
-            103 | AND X3.1 | 
-            104 | AND X3.5 | 
-            105 | AND.NOT F1.1 | 
-            106 | OR.STK | 
-            107 | RD.STK Y5.1 | 
-            108 | AND.NOT R40.2 | 
-            109 | AND.NOT X3.2 | 
-            110 | AND.NOT X3.4 | 
-            111 | AND.NOT R40.0 | 
-            112 | AND X8.4 | 
-            113 | AND X3.1 | 
-            114 | AND X3.5 | 
-            115 | AND.NOT F1.1 | 
-            116 | OR.STK | 
-            117 | WRT Y5.1 | run counter-clockwise: M4, or key while no program runs, until M5, M3, stop, fault
-            118 | RD.NOT R10.2 | 
-            119 | WRT G29.6 | spindle stops with the axes; S and M3 stay
-            120 | RD F7.0 | 
-            121 | OR F7.2 | 
-            122 | OR F7.3 | 
-            123 | WRT G4.3 | one answer for M, S and T
-            124 | RD R10.2 | 
-            125 | AND Y5.0 | 
-            126 | AND.NOT F1.1 | 
-            127 | RD.STK R10.2 | 
-            128 | AND Y5.1 | 
-            129 | AND.NOT F1.1 | 
-            130 | OR.STK | 
-            131 | RD.STK R10.3 | 
-            132 | AND.NOT R30.0 | 
+            35 | RD X8.4 | 
+            36 | AND X3.1 | 
+            37 | AND X3.5 | 
+            38 | AND.NOT F1.1 | 
+            39 | WRT R10.6 | spindle may turn: no emergency stop, fault, reset or lock
+            40 | RD R40.0 | 
+            41 | AND R10.6 | 
+            42 | RD.STK X3.2 | 
+            43 | AND R10.6 | 
+            44 | AND.NOT X3.3 | 
+            45 | AND.NOT X3.4 | 
+            46 | AND.NOT R10.2 | 
+            47 | AND.NOT R10.7 | 
+            48 | OR.STK | 
+            49 | RD.STK R10.1 | 
+            50 | AND R10.6 | 
+            51 | AND.NOT R40.2 | 
+            52 | AND.NOT R40.1 | 
+            53 | AND.NOT X3.4 | 
+            54 | AND.NOT A0.1 | 
+            55 | OR.STK | 
+            56 | RD.STK R10.1 | 
+            57 | AND R10.6 | 
+            58 | AND.NOT R40.2 | 
+            59 | AND.NOT R40.1 | 
+            60 | AND R10.7 | 
+            61 | OR.STK | 
+            62 | WRT R10.1 | clockwise: M3, or key while no program is begun and the spindle has no run command, until M5, M4, stop key, fault
+            63 | RD R40.1 | 
+            64 | AND R10.6 | 
+            65 | RD.STK X3.3 | 
+            66 | AND R10.6 | 
+            67 | AND.NOT X3.2 | 
+            68 | AND.NOT X3.4 | 
+            69 | AND.NOT R10.1 | 
+            70 | AND.NOT R10.7 | 
+            71 | OR.STK | 
+            72 | RD.STK R10.2 | 
+            73 | AND R10.6 | 
+            74 | AND.NOT R40.2 | 
+            75 | AND.NOT R40.0 | 
+            76 | AND.NOT X3.4 | 
+            77 | AND.NOT A0.1 | 
+            78 | OR.STK | 
+            79 | RD.STK R10.2 | 
+            80 | AND R10.6 | 
+            81 | AND.NOT R40.2 | 
+            82 | AND.NOT R40.0 | 
+            83 | AND R10.7 | 
+            84 | OR.STK | 
+            85 | WRT R10.2 | counter-clockwise: M4, or key while no program is begun and the spindle has no run command, until M5, M3, stop key, fault
+            86 | RD R10.1 | 
+            87 | AND R10.4 | 
+            88 | AND X3.4 | 
+            89 | RD.STK R10.1 | 
+            90 | AND R10.7 | 
+            91 | AND A0.1 | 
+            92 | AND.NOT X3.2 | 
+            93 | OR.STK | 
+            94 | RD.STK R10.2 | 
+            95 | AND R10.4 | 
+            96 | AND X3.4 | 
+            97 | OR.STK | 
+            98 | RD.STK R10.2 | 
+            99 | AND R10.7 | 
+            100 | AND A0.1 | 
+            101 | AND.NOT X3.3 | 
+            102 | OR.STK | 
+            103 | WRT A0.1 | stop key while a begun program is interrupted: spindle off until the key of its direction, and no cycle start
+            104 | RD R10.1 | 
+            105 | AND.NOT A0.1 | 
+            106 | WRT Y5.0 | run clockwise, unless the stop key has stopped the spindle
+            107 | RD R10.2 | 
+            108 | AND.NOT A0.1 | 
+            109 | WRT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
+            110 | RD X3.1 | 
+            111 | AND X3.5 | 
+            112 | AND X3.6 | 
+            113 | AND X3.7 | 
+            114 | AND X4.0 | 
+            115 | AND.NOT A0.0 | 
+            116 | AND.NOT A0.1 | 
+            117 | WRT G8.5 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+            118 | RD.NOT X3.5 | 
+            119 | RD.STK A0.2 | 
+            120 | AND.NOT F0.5 | 
+            121 | AND.NOT F1.1 | 
+            122 | OR.STK | 
+            123 | WRT A0.2 | text for the operator until the program runs again
+            124 | RD.NOT X3.6 | 
+            125 | RD.STK A0.3 | 
+            126 | AND.NOT F0.5 | 
+            127 | AND.NOT F1.1 | 
+            128 | OR.STK | 
+            129 | WRT A0.3 | text for the operator until the program runs again
+            130 | RD.NOT X3.7 | 
+            131 | RD.STK A0.4 | 
+            132 | AND.NOT F0.5 | 
             133 | AND.NOT F1.1 | 
             134 | OR.STK | 
-            135 | WRT R10.3 | axes wait at the restart
-            136 | RD R10.3 | 
-            137 | AND.NOT R10.2 | 
-            138 | SUB 24 TMRB 1 2050 | 
-            139 | WRT R30.0 | as long as behind M3
-            140 | RD.NOT R10.3 | 
-            141 | OR R10.2 | 
-            142 | WRT G8.0 | axes may move
+            135 | WRT A0.4 | text for the operator until the program runs again
+            136 | RD.NOT X4.0 | 
+            137 | RD.STK A0.5 | 
+            138 | AND.NOT F0.5 | 
+            139 | AND.NOT F1.1 | 
+            140 | OR.STK | 
+            141 | WRT A0.5 | text for the operator until the program runs again
+            142 | RD.NOT R10.4 | 
+            143 | WRT G29.6 | spindle stops with the axes; S and M3 stay
+            144 | RD F7.0 | 
+            145 | OR F7.2 | 
+            146 | OR F7.3 | 
+            147 | WRT G4.3 | one answer for M, S and T
+            148 | RD R10.4 | 
+            149 | AND Y5.0 | 
+            150 | AND.NOT F1.1 | 
+            151 | RD.STK R10.4 | 
+            152 | AND Y5.1 | 
+            153 | AND.NOT F1.1 | 
+            154 | OR.STK | 
+            155 | RD.STK R10.5 | 
+            156 | AND.NOT R30.0 | 
+            157 | AND.NOT F1.1 | 
+            158 | OR.STK | 
+            159 | WRT R10.5 | axes wait at the restart
+            160 | RD R10.5 | 
+            161 | AND.NOT R10.4 | 
+            162 | SUB 24 TMRB 1 2050 | 
+            163 | WRT R30.0 | as long as behind M3
+            164 | RD.NOT R10.5 | 
+            165 | OR R10.4 | 
+            166 | WRT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );

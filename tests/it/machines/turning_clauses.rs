@@ -189,6 +189,7 @@ fn keyway_that_cannot_be_cut_is_an_error() {
     assert_eq!(errors(&[("keyway-length", "13")]), ["turning.keyway-too-short"]);
     assert_eq!(errors(&[("keyway-length", "76")]), ["turning.keyway-beyond-shoulder"]);
     assert_eq!(errors(&[("release-code", "3")]), ["turning.lock-is-taken"]);
+    assert_eq!(errors(&[("release-code", "100")]), ["turning.code-without-bit"], "the PLC has bits up to M99");
     assert_eq!(told(&shaft(&[("release-code", "0")])), ["turning.keyway-stays-locked"]);
     assert_eq!(told(&shaft(&[("keyway-width", "4")])), ["turning.keyway-deeper-than-wide"]);
     // The builder's own codes start and stop the tool.
