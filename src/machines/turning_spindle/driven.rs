@@ -68,7 +68,7 @@ pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
 
 /// The encoder of the spindle, for the greatest speed that the knob allows: the control counts the speed by it in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
-    let at_knob = lathe.at_highest_knob().map_or(0.0, |(_, fast)| run_up::highest_of(&fast));
+    let at_knob = lathe.at_highest_knob().map_or(0.0, |(_, fast)| run_up::highest_of(fast));
     SpindleEncoder { name: NAME, speed: run_up::highest(lathe).max(at_knob) }
 }
 
