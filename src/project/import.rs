@@ -1,10 +1,10 @@
 //! Recognises a dropped, pasted or opened text: a project, a program that macroline wrote, or any other program.
 
 use super::Project;
-use crate::controls;
+use crate::controls::{self, Control};
 use crate::machines::{self, settings};
 use crate::msg;
-use crate::nc::{self, File, Files};
+use crate::nc::{self, File, Files, Stmt};
 use crate::text::Diagnostic;
 use crate::text::catalog::Language;
 
@@ -24,6 +24,12 @@ const DOCUMENTS: [&str; 6] = [".csv", ".dxf", ".html", ".md", ".svg", "own-code.
 fn is_document(file: &File) -> bool {
     let name = file.name.to_ascii_lowercase();
     DOCUMENTS.iter().any(|end| name.ends_with(end))
+}
+
+/// Whether the control reads at least one line of a text as a block: prose and lists are no programs.
+pub fn is_program(control: &'static Control, file: &File) -> bool {
+    let parsed = nc::parse(&Files(vec![file.clone()]), control);
+    parsed.deck().blocks.iter().any(|block| !matches!(block.stmt, Stmt::Bad(_) | Stmt::Empty))
 }
 
 /// Opens texts beside the present project, all of them or none: a project file replaces it, a program that macroline wrote restores its

@@ -3,6 +3,7 @@
 use core::fmt::Write;
 
 use super::svg::escape;
+use crate::text::columns;
 use crate::text::number::{fill, filled};
 
 /// A contact of a rung.
@@ -35,7 +36,7 @@ const LEFT: f64 = 10.0;
 pub fn svg(rungs: &[DrawnRung]) -> String {
     let tall = |rung: &DrawnRung| RUNG + BRANCH * rung.branches.len().saturating_sub(1) as f64;
     let height = rungs.iter().map(tall).sum::<f64>() + 8.0;
-    let needed = rungs.iter().map(|rung| reach(rung) + box_width(rung) + 40.0);
+    let needed = rungs.iter().map(|rung| (reach(rung) + box_width(rung) + 40.0).max(note_width(rung)));
     let width = needed.fold(WIDTH, f64::max).ceil();
     let mut out =
         filled("<svg class=\"ladder\" viewBox=\"0 0 # #\" xmlns=\"http://www.w3.org/2000/svg\">", &[width, height]);
@@ -88,6 +89,11 @@ fn reach(rung: &DrawnRung) -> f64 {
         places(branch).last().map_or(LEFT, |near| near + 5.0 + half.max(5.0))
     };
     rung.branches.iter().map(end).fold(LEFT, f64::max)
+}
+
+/// Width of the note between the rails.
+fn note_width(rung: &DrawnRung) -> f64 {
+    2.0 * LEFT + 16.0 + 6.3 * columns(&rung.note) as f64
 }
 
 fn box_width(rung: &DrawnRung) -> f64 {

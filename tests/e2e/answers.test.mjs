@@ -58,7 +58,7 @@ test('repair makes failing results hold, one undo restores them', () =>
     await page.locator('.repairs').getByText('7 results fail').waitFor();
     assert.equal(await failing.count(), 7);
     await page.locator('.repairs').getByRole('button', { name: 'Repair', exact: true }).click();
-    await page.locator('.notices', { hasText: 'All results hold now: Add a dancer; Set Ø 15.28 mm' }).waitFor();
+    await page.locator('.notices', { hasText: 'All results hold now: Add a dancer; Set a loop of 1773.5 mm' }).waitFor();
     await page.locator('.repairs').waitFor({ state: 'detached' });
     assert.equal(await failing.count(), 0);
     assert.equal(await page.locator('#pitch').inputValue(), '8');

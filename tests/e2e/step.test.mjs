@@ -30,7 +30,7 @@ test('line number sets breakpoint; stepping into, over, out works', () =>
     await next(page, 'N1 IF');
     assert.equal(await page.locator('.chips .chip[aria-pressed="true"]', { hasText: '.nc' }).textContent(), 'O9100.nc', 'the file that runs is shown');
     assert.equal(await why(page).textContent(), 'Next: N1 IF[#100 LE 0]GOTO901');
-    assert.match(await seen(page), /Call stack\s+O9100.nc:3\s+N1 IF[\s\S]*O9101.nc:23\s+N5 M98/);
+    assert.match(await seen(page), /Call stack\s+O9100.nc:3\s+N1 IF[\s\S]*O9101.nc:24\s+N5 M98/);
     await press(page, 'Out of this call');
     await next(page, '#138=#5042');
     assert.match(await seen(page), /Changed[\s\S]*#115\s+vacant → 10.716\.628/);

@@ -13,10 +13,11 @@ use crate::controls::options::CommentCharacters;
 use crate::nc;
 use crate::project::Project;
 use crate::project::decode::{Decoded, Encoding};
-use crate::project::import::{MAX_PROGRAM, open};
+use crate::project::import::{MAX_PROGRAM, is_program, open};
 use crate::project::parts::is_table;
 use crate::project::saved::{is_panel, with_line};
 use crate::ui::dom;
+use crate::ui::state::notices::Notice;
 use crate::ui::state::view::Tab;
 use crate::ui::state::{Page, operator};
 use crate::ui::words::{Tone, sentence, t};
@@ -81,8 +82,26 @@ fn read(page: Page, worker: Client, files: Vec<nc::File>) {
     tables.iter().for_each(|table| parts::take(page, worker, table));
 }
 
-/// Reads projects and programs; whether they were taken.
+/// Reads projects and programs; whether they were taken. A text without a block of the control is only taken on request.
 fn read_programs(page: Page, files: &[nc::File]) -> bool {
+    let is_project = |file: &nc::File| file.text.trim_start().starts_with('{');
+    let prose = page.project.with_untracked(|project| {
+        let no_program =
+            |file: &&nc::File| !is_project(file) && !file.text.trim().is_empty() && !is_program(project.control, file);
+        files.iter().find(no_program).map(|file| file.name.clone())
+    });
+    let Some(file) = prose else { return take_programs(page, files) };
+    let all = files.to_vec();
+    let anyway = Callback::new(move |()| {
+        take_programs(page, &all);
+    });
+    let text = sentence(&crate::msg!("page.no-program", file));
+    page.notices.show(Notice { offer: Some(("page.open-anyway", anyway)), ..Notice::new(Tone::Warn, text) });
+    false
+}
+
+/// Takes projects and programs; whether they were taken.
+fn take_programs(page: Page, files: &[nc::File]) -> bool {
     let opened = page.project.with_untracked(|project| open(project, files));
     let text = files.iter().find(|file| file.text.trim_start().starts_with('{')).map_or("", |file| &file.text);
     for told in &opened.diagnostics {
@@ -127,11 +146,31 @@ fn transferred(page: Page, (large, worker): (LargeFile, Client), data: &DataTran
     true
 }
 
+/// Says over the page that files may be dropped, or no longer.
+fn drop_sign(shown: bool) {
+    let Some(root) = document().document_element() else { return };
+    if shown {
+        dom::set(&root, "data-drop", t("page.drop-here"));
+    } else {
+        let _ = root.remove_attribute("data-drop");
+    }
+}
+
 /// Listens for files that are dropped or pasted anywhere on the page.
 pub(crate) fn listen(page: Page, large: LargeFile, worker: Client) {
-    dom::on_event("dragover", |event| event.prevent_default());
+    dom::on_event("dragover", |event| {
+        event.prevent_default();
+        drop_sign(true);
+    });
+    dom::on_event("dragleave", |event| {
+        // Between two elements of the page the pointer enters another one.
+        if event.unchecked_ref::<DragEvent>().related_target().is_none() {
+            drop_sign(false);
+        }
+    });
     dom::on_event("drop", move |event| {
         event.prevent_default();
+        drop_sign(false);
         if let Some(data) = event.unchecked_ref::<DragEvent>().data_transfer() {
             transferred(page, (large, worker), &data);
         }
@@ -227,6 +266,16 @@ mod tests {
         assert!(bench.page.program.text(0).contains("G01 X1."));
         assert!(bench.notices().contains(&t("page.opened-program").to_owned()));
         assert_eq!(bench.page.notices.announcement.get_untracked(), t("page.opened"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn prose_is_opened_only_on_request() {
+        let bench = opened("note.txt", "Hello, please see the order attached.\nKind regards\n").await;
+        assert!(bench.page.project.get_untracked() == project());
+        let notice = bench.page.notices.list.get_untracked().pop().unwrap();
+        assert!(notice.text.starts_with("note.txt"), "{}", notice.text);
+        notice.offer.unwrap().1.run(());
+        assert!(bench.page.program.text(0).starts_with("Hello"));
     }
 
     #[wasm_bindgen_test]

@@ -176,10 +176,23 @@ fn TypedInput(
         }
     };
     let taken = take.clone();
+    let (undone, kept) = (take.clone(), Arc::clone(&info));
+    // Brings the value before this entry back; an entry that has not changed leaves the key to others.
+    let undo_entry = move |event: &KeyboardEvent| {
+        let (Some(before), Some(input)) = (before.get_value(), input.get()) else { return };
+        if kept.typed(&input.value()).is_ok_and(|typed| typed == before) {
+            return;
+        }
+        event.stop_propagation();
+        let text = kept.text(&before);
+        input.set_value(&text);
+        undone(&text);
+    };
     let step = move |event: KeyboardEvent| {
         let direction = match event.key().as_str() {
             "ArrowUp" => 1.0,
             "ArrowDown" => -1.0,
+            "Escape" => return undo_entry(&event),
             _ => return,
         };
         let (FieldKindInfo::Number { unit, step, min, max, .. }, Some(input)) = (&info.kind, input.get()) else {
@@ -231,6 +244,18 @@ mod tests {
         assert!(bench.page.entries.refused("pitch").is_some());
         bench.type_into("#pitch", "12").await;
         assert_eq!(bench.setting("pitch"), Some(Value::Number(12.0)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn escape_brings_the_value_before_the_entry_back() {
+        let bench = mounted("pitch").await;
+        bench.find("#pitch").dispatch_event(&event("FocusEvent", "focus", &[])).unwrap();
+        for typed in ["9", "-5"] {
+            bench.type_into("#pitch", typed).await;
+            bench.key("#pitch", "Escape", false).await;
+            assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), ("8", Some(Value::Number(8.0))));
+            assert_eq!(bench.attribute("#pitch", "aria-invalid"), "false", "{typed}");
+        }
     }
 
     #[wasm_bindgen_test]

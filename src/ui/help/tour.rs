@@ -74,7 +74,7 @@ pub(crate) fn Tour() -> impl IntoView {
         let next = move |_| step.set((!last).then_some(at + 1));
         Some(view! {
             <section
-                class="tour" aria-label=t("tour.name") aria-live="polite"
+                class=format!("tour at-{at}") aria-label=t("tour.name") aria-live="polite"
                 on:keydown=move |event| if event.key() == "Escape" { end() }
             >
                 <h2>{t(title)} " " <small>{format!("{} / {}", at + 1, STEPS.len())}</small></h2>

@@ -28,6 +28,11 @@ impl Notice {
         Notice { tone, text, file: None, offer: None, of_project: false }
     }
 
+    /// Whether it only says what has happened.
+    fn is_remark(&self) -> bool {
+        self.tone == Tone::Info && self.file.is_none() && self.offer.is_none()
+    }
+
     /// Attaches a file: name and content.
     pub(crate) fn with_file(self, name: &'static str, content: String) -> Notice {
         Notice { file: Some((name, content)), ..self }
@@ -54,11 +59,11 @@ impl Notices {
         self.show(Notice::new(tone, text));
     }
 
-    /// Shows a notice with its file and its button.
+    /// Shows a notice with its file and its button. A plain remark takes the place of the one before it.
     pub(crate) fn show(self, shown: Notice) {
         self.announcement.set(shown.text.clone());
         self.list.update(|list| {
-            list.retain(|notice| notice.text != shown.text);
+            list.retain(|notice| notice.text != shown.text && !(notice.is_remark() && shown.is_remark()));
             list.push(shown);
         });
     }

@@ -383,7 +383,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         70 | ANI M304 | 
         71 | AND M207 | 
         72 | ORB | 
-        73 | OUT M201 | clockwise: M3, or key while no program is begun and the spindle has no run command, until M5, M4, stop key, fault
+        73 | OUT M201 | clockwise: M3, or key with no program and nothing running; until M5, M4, stop key, fault
         74 | LD M304 | 
         75 | AND M206 | 
         76 | LD X23 | 
@@ -406,7 +406,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         93 | ANI M303 | 
         94 | AND M207 | 
         95 | ORB | 
-        96 | OUT M202 | counter-clockwise: M4, or key while no program is begun and the spindle has no run command, until M5, M3, stop key, fault
+        96 | OUT M202 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, stop key, fault
         97 | LD M201 | 
         98 | AND M204 | 
         99 | AND X24 | 
@@ -424,7 +424,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         111 | AND F1 | 
         112 | ANI X23 | 
         113 | ORB | 
-        114 | OUT F1 | stop key while a begun program is interrupted: spindle off until the key of its direction, and no cycle start
+        114 | OUT F1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
         115 | LD M201 | 
         116 | ANI F1 | 
         117 | OUT Y20 | run clockwise, unless the stop key has stopped the spindle
@@ -568,7 +568,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         74 | ANI M304 | 
         75 | AND M208 | 
         76 | ORB | 
-        77 | OUT M202 | clockwise: M3, or key while no program is begun and the spindle has no run command, until M5, M4, stop key, fault
+        77 | OUT M202 | clockwise: M3, or key with no program and nothing running; until M5, M4, stop key, fault
         78 | LD M304 | 
         79 | AND M207 | 
         80 | LD X24 | 
@@ -591,7 +591,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         97 | ANI M303 | 
         98 | AND M208 | 
         99 | ORB | 
-        100 | OUT M203 | counter-clockwise: M4, or key while no program is begun and the spindle has no run command, until M5, M3, stop key, fault
+        100 | OUT M203 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, stop key, fault
         101 | LD M202 | 
         102 | AND M205 | 
         103 | AND X25 | 
@@ -609,7 +609,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         115 | AND F1 | 
         116 | ANI X24 | 
         117 | ORB | 
-        118 | OUT F1 | stop key while a begun program is interrupted: spindle off until the key of its direction, and no cycle start
+        118 | OUT F1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
         119 | LD M202 | 
         120 | ANI F1 | 
         121 | OUT Y20 | run clockwise, unless the stop key has stopped the spindle

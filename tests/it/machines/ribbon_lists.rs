@@ -121,7 +121,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             66 | ANI R40.2 | 
             67 | AND R10.7 | 
             68 | ORB | 
-            69 | OUT R10.1 | clockwise: M3, or key while no program is begun and the spindle has no run command, until M5, M4, stop key, fault
+            69 | OUT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, stop key, fault
             70 | LD R40.1 | 
             71 | AND R10.6 | 
             72 | ANI R10.1 | 
@@ -143,7 +143,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             88 | ANI R40.2 | 
             89 | AND R10.7 | 
             90 | ORB | 
-            91 | OUT R10.2 | counter-clockwise: M4, or key while no program is begun and the spindle has no run command, until M5, M3, stop key, fault
+            91 | OUT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, stop key, fault
             92 | LD R10.1 | 
             93 | AND R10.4 | 
             94 | AND X3.4 | 
@@ -161,7 +161,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             106 | AND A0.2 | 
             107 | ANI X3.3 | 
             108 | ORB | 
-            109 | OUT A0.2 | stop key while a begun program is interrupted: spindle off until the key of its direction, and no cycle start
+            109 | OUT A0.2 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
             110 | LD R10.1 | 
             111 | ANI A0.2 | 
             112 | OUT Y5.0 | run clockwise, unless the stop key has stopped the spindle
@@ -335,7 +335,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             59 | AND.NOT R40.1 | 
             60 | AND R10.7 | 
             61 | OR.STK | 
-            62 | WRT R10.1 | clockwise: M3, or key while no program is begun and the spindle has no run command, until M5, M4, stop key, fault
+            62 | WRT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, stop key, fault
             63 | RD R40.1 | 
             64 | AND R10.6 | 
             65 | RD.STK X3.3 | 
@@ -358,7 +358,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             82 | AND.NOT R40.0 | 
             83 | AND R10.7 | 
             84 | OR.STK | 
-            85 | WRT R10.2 | counter-clockwise: M4, or key while no program is begun and the spindle has no run command, until M5, M3, stop key, fault
+            85 | WRT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, stop key, fault
             86 | RD R10.1 | 
             87 | AND R10.4 | 
             88 | AND X3.4 | 
@@ -376,7 +376,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             100 | AND A0.1 | 
             101 | AND.NOT X3.3 | 
             102 | OR.STK | 
-            103 | WRT A0.1 | stop key while a begun program is interrupted: spindle off until the key of its direction, and no cycle start
+            103 | WRT A0.1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
             104 | RD R10.1 | 
             105 | AND.NOT A0.1 | 
             106 | WRT Y5.0 | run clockwise, unless the stop key has stopped the spindle
