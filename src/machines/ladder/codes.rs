@@ -152,8 +152,8 @@ impl Book<'_> {
         );
     }
 
-    /// The direction by M3, M4, M5 and the keys. Keys start a spindle without a run command, and at standstill where that is reported, while no program is begun; the stop key leaves
-    /// the direction of a begun program.
+    /// The direction by M3, M4, M5 and the keys. Keys start a spindle without a run command, and at standstill where that is reported, while no
+    /// program is begun; the stop key leaves the direction of a begun program.
     fn directions(&mut self, rules: &SpindleRules, reports_standstill: bool) {
         let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
         let [forward, reverse] = TURNS;

@@ -82,39 +82,43 @@ fn read(page: Page, worker: Client, files: Vec<nc::File>) {
     tables.iter().for_each(|table| parts::take(page, worker, table));
 }
 
-/// Reads projects and programs; whether they were taken. A text without a block of the control is only taken on request.
+/// Reads projects and programs; whether they were taken. A text without a block of the control is taken only on request.
 fn read_programs(page: Page, files: &[nc::File]) -> bool {
-    let is_project = |file: &nc::File| file.text.trim_start().starts_with('{');
-    let prose = page.project.with_untracked(|project| {
-        let no_program =
-            |file: &&nc::File| !is_project(file) && !file.text.trim().is_empty() && !is_program(project.control, file);
-        files.iter().find(no_program).map(|file| file.name.clone())
-    });
-    let Some(file) = prose else { return take_programs(page, files) };
-    let all = files.to_vec();
-    let anyway = Callback::new(move |()| {
-        take_programs(page, &all);
-    });
-    let text = sentence(&crate::msg!("page.no-program", file));
-    page.notices.show(Notice { offer: Some(("page.open-anyway", anyway)), ..Notice::new(Tone::Warn, text) });
-    false
-}
-
-/// Takes projects and programs; whether they were taken.
-fn take_programs(page: Page, files: &[nc::File]) -> bool {
     let opened = page.project.with_untracked(|project| open(project, files));
     let text = files.iter().find(|file| file.text.trim_start().starts_with('{')).map_or("", |file| &file.text);
     for told in &opened.diagnostics {
         page.notices.notify(Tone::from(told.severity), with_line(told, text));
     }
     let Some(project) = opened.project else { return false };
-    if project.edited.is_some() && text.is_empty() {
-        page.notices.notify(Tone::Info, t("page.opened-program").to_owned());
-        shelf::version_before(page, BEFORE_PROGRAM);
+    if project.edited.is_none() || !text.is_empty() {
+        show_opened(page, project);
+        return true;
     }
+    match files.iter().find(|file| !is_program(project.control, file)) {
+        Some(prose) => {
+            let told = sentence(&crate::msg!("page.no-program", file = prose.name.as_str()));
+            let anyway = Callback::new(move |()| take_program(page, project.clone()));
+            page.notices.show(Notice { offer: Some(("page.open-anyway", anyway)), ..Notice::new(Tone::Warn, told) });
+            false
+        }
+        None => {
+            take_program(page, project);
+            true
+        }
+    }
+}
+
+/// Takes a project with an opened program, after a version of the present one.
+fn take_program(page: Page, project: Project) {
+    page.notices.notify(Tone::Info, t("page.opened-program").to_owned());
+    shelf::version_before(page, BEFORE_PROGRAM);
+    show_opened(page, project);
+}
+
+/// Replaces the present project, and says so to screen readers.
+fn show_opened(page: Page, project: Project) {
     show(page, project);
     page.notices.announce(t("page.opened"));
-    true
 }
 
 /// Replaces the present project and shows the first program of the new one.
