@@ -354,13 +354,14 @@ test('warnings have fixes, are silenced and shown again', () =>
 
 test('any bytes are answered, a large file by the worker', () =>
   withPage(app, {}, async ({ page }) => {
-    // What no text has is refused, and the program stays; any other bytes are read as one.
+    // What no text has is refused, and the program stays; other bytes without a block are read on request.
     const junk = [0, 255, 37, 10, 71, 192, 40, 10, 123];
     const open = (bytes) => page.setInputFiles('#open', { name: 'junk.nc', mimeType: 'text/plain', buffer: Buffer.from(bytes) });
     await open(junk);
     await page.getByText('junk.nc is no text').first().waitFor();
     assert.equal(await page.getByRole('button', { name: 'Write again' }).count(), 0);
     await open(junk.slice(1));
+    await page.getByRole('button', { name: 'Open it all the same' }).click();
     await page.locator('.says').first().waitFor();
     await page.getByRole('button', { name: 'Write again' }).click();
     const big = Buffer.from('%\nO1\n' + 'G91 G01 X1. Y2. F100\n'.repeat(2_300_000));
