@@ -766,4 +766,12 @@ fn own_call_behind_a_condition_is_no_warning() {
     "#]]);
     E60.quiet("O1\n#500=#500+1\nIF[#500 GT 3]GOTO9\nM98 P1\nN9 M30");
     E60.quiet("O1\n/M98 P1\nM30");
+    // Behind the end it is not the call that is wrong.
+    E60.check(
+        "O1\nG00 X1.\nM30\nM98 P1\nM30",
+        expect![[r#"
+        5:1 “M98 P1” warning lint.unreachable
+            Nothing leads here: this block and what follows it (1 in a row) never run. Jump here, or delete them.
+    "#]],
+    );
 }

@@ -1,10 +1,9 @@
 //! Contacts that hold the program (inverter ready, loop at its limits, reel at its end): their places, and their states in a run.
 
-use super::driven::{allowed_stretch, stretch};
-use super::pose::{TIGHT, unwound};
+use super::pose::unwound;
 use super::reel::wound;
 use super::resolved::RibbonLine;
-use crate::drives::web;
+use super::tension_switch::TensionSwitch;
 use crate::machines::ladder::MachineContact;
 use crate::machines::ladder::plc::BY_MOVERS;
 use crate::motion::{ProgramState, Timeline};
@@ -30,30 +29,6 @@ pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
     fast.line_speed / 60.0 * ramp / 2.0
 }
 
-/// Ribbon (mm) that may be missing when the tension switch opens: the allowed stretch, or that at which the ribbon tears or slips less the
-/// way of X from a hold to its stop, `v · (τ / 2 + 1 / K)` with the knob at its highest position, if that is less: an unwinder that stands
-/// gives nothing meanwhile. Source: ribbon line facts, 11.
-fn stretch_at_switch(line: &RibbonLine) -> f64 {
-    let p = &line.p;
-    let way = line.fast.line_speed / 60.0 * (p.time_constant_x / 2000.0 + 1.0 / p.position_gain_x);
-    allowed_stretch(line).min(stretch(line, line.mechanics.tears_or_slips) - way)
-}
-
-/// Ribbon (mm) in the loop, negative, at which the tension switch opens.
-fn shortest(line: &RibbonLine) -> f64 {
-    (-stretch_at_switch(line)).min(TIGHT)
-}
-
-/// Tension (N) of the ribbon before X at which the switch opens before the allowed one, because X needs its way to the stop:
-/// `T1 + E · A · s / L`; `None` if it opens at the allowed one.
-pub(super) fn early_tension(line: &RibbonLine) -> Option<f64> {
-    let p = &line.p;
-    let strain = -shortest(line) / p.web.span;
-    let tension =
-        p.web.tension_before + web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, strain);
-    (stretch_at_switch(line) < allowed_stretch(line)).then_some(tension)
-}
-
 /// The contacts of loop and reel in a run, in the order of [`BY_MOVERS`].
 #[derive(Debug, Clone)]
 pub(super) struct RibbonContacts {
@@ -64,7 +39,7 @@ pub(super) struct RibbonContacts {
     /// Ribbon (mm) in the loop at which the first contact opens; infinite for a line without a loop.
     pub(super) longest: f64,
     /// Ribbon (mm) in the loop, negative, at which the second opens.
-    pub(super) shortest: f64,
+    shortest: f64,
     /// Ribbon (mm) unwound from a reel at which the third opens.
     reel: f64,
     /// Greatest speed (mm/s) at which the loop changes.
@@ -85,7 +60,7 @@ impl RibbonContacts {
             per_turn,
             pull: line.pull(),
             longest: if p.loop_capacity > 0.0 { p.loop_capacity } else { f64::INFINITY },
-            shortest: shortest(line),
+            shortest: -TensionSwitch::new(line).missing,
             reel: (1e3 * wound(p).length() - left_at_reel_end(line)).max(0.0),
             fastest: (unwinds + p.clamp_x.max(p.rapid_x)) / 60.0,
             taken_up: 0.0,

@@ -2,6 +2,7 @@
 
 use super::contacts::RibbonContacts;
 use super::resolved::RibbonLine;
+use super::tension_switch::TensionSwitch;
 use crate::machines::devices::{AskedDevice, BillItem};
 use crate::msg;
 
@@ -20,7 +21,8 @@ pub(super) fn devices(line: &RibbonLine) -> Vec<AskedDevice> {
         .longest
         .is_finite()
         .then(|| sensor(BillItem::LoopSensor, msg!("ribbon.device.loop-sensor", capacity = (places.longest, 0))));
-    let (missing, tension) = ((-places.shortest, 1), (line.mechanics.taut_limit, 1));
+    let switch = TensionSwitch::new(line);
+    let (missing, tension) = ((switch.missing, 1), (switch.tension, 1));
     let tight = sensor(BillItem::TensionSwitch, msg!("ribbon.device.tension-switch", missing, tension));
     let left = (super::contacts::left_at_reel_end(line), 0);
     let reel = sensor(BillItem::ReelSensor, msg!("ribbon.device.reel-sensor", left));

@@ -3,11 +3,11 @@
 use super::mechanics::{ServoAxis, unwinder_load};
 use super::pose::LineState;
 use super::resolved::RibbonLine;
+use super::tension_switch::{self, TensionSwitch};
 use super::unwinder_motor::SHORT_TIME;
 use super::variables::PITCH;
 use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, Move};
-use crate::drives::web;
 use crate::machines::driven::{
     DrivenAxis, Fitted, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive,
     MotorFields, ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,
@@ -178,7 +178,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         label: "ribbon.gauge.loop-least",
         unit: "mm",
         decimals: 1,
-        limit: |line| Some(Limit::AtLeast(-allowed_stretch(line))),
+        limit: |line| Some(Limit::AtLeast(-TensionSwitch::new(line).missing)),
         field: None,
         value: |line, now| LineState::new(line, now).slack,
     },
@@ -187,28 +187,13 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         label: "ribbon.gauge.tension",
         unit: "N",
         decimals: 2,
-        limit: |line| Some(Limit::AtMost(line.d.tension_limit)),
+        limit: |line| Some(Limit::AtMost(TensionSwitch::new(line).tension)),
         field: None,
         value: tension,
     },
 ];
 
-/// Stretch (mm) of the ribbon before X at the tension that it may have: an empty loop may miss as much ribbon.
-pub(super) fn allowed_stretch(line: &RibbonLine) -> f64 {
-    stretch(line, line.mechanics.taut_limit)
-}
-
-/// Stretch (mm) of the ribbon before X at a tension (N): `s = (T - T1) · L / (E · A)`, and none where T1 is above that. Source: ribbon line
-/// facts, 7 and 11.
-pub(super) fn stretch(line: &RibbonLine, tension: f64) -> f64 {
-    let (p, left) = (&line.p, tension - line.p.web.tension_before);
-    let per_strain = web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0);
-    left.max(0.0) * p.web.span / per_strain
-}
-
 /// Tension of the web in N: by the brake, and with an empty loop also by the stretch for the missing length.
 fn tension(line: &RibbonLine, now: &Snapshot) -> f64 {
-    let (p, slack) = (&line.p, LineState::new(line, now).slack);
-    let missing = (-slack).max(0.0) / p.web.span;
-    p.web.tension_before + web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, missing)
+    tension_switch::tension(line, (-LineState::new(line, now).slack).max(0.0))
 }

@@ -23,8 +23,6 @@ macro_rules! matched {
             ("motor-max-y", "5000"),
             // Without current the unwinder stops about as fast as over its ramp.
             ("unwinder-motor-brake", "0.5"),
-            // The blocks read ahead lay 540 mm when the knob goes from 10 % to 100 %.
-            ("loop-capacity", "600"),
             $($own),*
         ]
     };
@@ -39,6 +37,7 @@ const PAPER: &[KnownFault] = &[
     KnownFault::everywhere("slack-rate", "ribbon.example.paper.slip"),
     KnownFault::everywhere("slack-rate-rated", "ribbon.example.paper.slip-rated"),
     KnownFault::everywhere("loop-needed", "ribbon.example.paper.loop"),
+    KnownFault::on_slow_controls("tension", "ribbon.example.paper.tension"),
     KnownFault::everywhere("loop-coasting", "ribbon.example.paper.coasting"),
 ];
 
@@ -48,7 +47,9 @@ pub(super) const EXAMPLES: &[Example] = &[
         id: "matched",
         name: "ribbon.example.matched",
         about: "ribbon.example.matched.about",
-        entries: matched![("dancer", "true"), ("dwell", "0.7")],
+        // The blocks read ahead lay 540 mm when the knob goes from 10 % to 100 %.
+        // A turn back to 50 % takes 36 mm, which the ribbon stretches before the nip has half of what it holds.
+        entries: matched![("dancer", "true"), ("dwell", "0.7"), ("loop-capacity", "600"), ("pinch-force", "200")],
         faults: &[],
     },
     Example {

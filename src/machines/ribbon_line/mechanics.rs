@@ -48,8 +48,8 @@ pub(super) struct Mechanics {
     pub taut_nip_use: f64,
     /// Tension (N) that the ribbon before X may have: half its tensile strength, or what the nip holds with its safety,
     /// `T2 + GRIP · μ · N`, if that is less; and the tension at which it tears or slips. Source: ribbon line facts, 11.
-    pub taut_limit: f64,
-    pub tears_or_slips: f64,
+    pub allowed_tension: f64,
+    pub slip_or_break_tension: f64,
     /// Steady torque at the press roller, Nm.
     pub unwound: f64,
     /// Steady torque of the unwinder's motor, Nm.
@@ -270,8 +270,8 @@ impl Mechanics {
             print: ServoAxis::new(&print_side, print_motor, limits(print.inertia_limit, print.effective_limit), p, d),
             nip_use: running.max(taut_nip_use),
             taut_nip_use,
-            taut_limit: d.tension_limit.min(web.tension_behind + GRIP / 100.0 * grip.0 * grip.1),
-            tears_or_slips: (2.0 * d.tension_limit).min(web.tension_behind + grip.0 * grip.1),
+            allowed_tension: d.tension_limit.min(web.tension_behind + GRIP / 100.0 * grip.0 * grip.1),
+            slip_or_break_tension: (2.0 * d.tension_limit).min(web.tension_behind + grip.0 * grip.1),
             unwound: unwound(p, unwinding.brake),
             unwinder,
             unwinder_ramp: unwinder + unwinder_rise,

@@ -50,6 +50,8 @@ mod plant;
 
 mod contacts;
 
+mod tension_switch;
+
 mod devices;
 
 mod ladder;

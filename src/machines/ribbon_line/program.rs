@@ -305,7 +305,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     }
     b.n(4).assign(BLOCK_PITCHES, v(BLOCK_SIZE)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
-    // A start under override 0 has its wait for the unwinder when the override rises: X would else pull before ribbon is given.
+    // A start under override 0 has its wait for the unwinder when the override rises (N20 in the running line).
     b.while_do(v(VECTOR_FEED).lt(real(0.001, 3)), 1);
     b.words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.call(COMPUTE, None);
@@ -337,8 +337,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(17).assign(RUNNING_SPEED, v(speed));
     b.n(18).words([s(v(speed))]);
     b.n(19).if_goto(v(VECTOR_FEED).ge(real(0.001, 3)), 30).note("F BELOW IS F0");
-    b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
-    b.n(21).goto(15);
+    wait_for_override(b, line);
     b.n(30).while_do(v(LEFT).ge(v(BLOCK_PITCHES)), 2);
     // One block watches the knob and three entries, another one the other entries, so that a pass has seven macro blocks. Each block fits a
     // screen, this one without its number.
@@ -368,6 +367,15 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     last_pitch(b, line);
     end(b, line);
     length_alarms(b, line);
+}
+
+/// N20 to N29: at override 0 the line waits, and then for the unwinder as at a start: X would else pull before ribbon is given.
+fn wait_for_override(b: &mut Builder, line: &RibbonLine) {
+    b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
+    speed_and_feed(b, line, 21);
+    b.n(27).if_goto(v(VECTOR_FEED).lt(real(0.001, 3)), 20);
+    start_spindle(b, line, 28, 29);
+    b.goto(15);
 }
 
 /// Writes the pitches left of a length by the rule for its remainder, and the length of a shorter last pitch.
@@ -486,7 +494,8 @@ fn published(b: &mut Builder, line: &RibbonLine) {
     b.n(202).assign(LEFT, v(LEFT) - 1);
     b.n(203).words(codes(line, [Code::SubEnd]));
     b.n(210).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
-    b.n(211).words(codes(line, [Code::SubEnd]));
+    b.n(211).assign(RUNNING_SPEED, 0).note("SPINDLE STANDS");
+    b.n(212).words(codes(line, [Code::SubEnd]));
     feed_alarm(b, line);
     header(b, line);
 }
@@ -563,7 +572,8 @@ fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
         }
         b.n(32).if_goto(v(VECTOR_FEED).ge(real(0.001, 3)), 35).note("F BELOW IS F0");
         b.n(33).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
-        b.n(34).goto(31);
+        b.n(34).assign(RUNNING_SPEED, 0).note("SPINDLE STANDS");
+        b.goto(31);
         let speed = spindle_word(line);
         b.n(35).if_goto(v(RUNNING_SPEED).eq(v(speed)), 190);
         start_spindle(b, line, 100, 110);

@@ -1,11 +1,13 @@
 //! The results of the ribbon line as rows: label, unit, formula, source.
 
 use super::coasting;
+use super::contacts::CONTACTS;
 use super::derive::Derived;
 use super::resolved::RibbonLine;
 use super::rules_of_coordinates as coordinates;
 use super::rules_of_feeds as feeds;
 use super::rules_of_slack as slack;
+use super::tension_switch;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
@@ -255,8 +257,13 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "knob-turn", label: "ribbon.readout.knob-turn", unit: "%", decimals: 1,
-        formula: "highest / (1 + (loop capacity - |start| - |run|) / ((1 + blocks read ahead) · pitches · #107))",
+        formula: "q = (1 + blocks read ahead) · pitches · #107; greater of highest / (1 + (loop capacity - |start| - |run|) / q) and highest · (1 - (least of start and run + ribbon missing at the tension switch) / q)",
         cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::lowest_turn, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "stop-room", label: "ribbon.readout.stop-room", unit: "mm", decimals: 1,
+        formula: "(T - T1) · L / (E · A) - v · (τ / 2 + 1 / Kx), T at which the ribbon tears or the nip slips, the knob at its highest position",
+        cite: CONTACTS, value: tension_switch::room_for_the_stop, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "coasting-time", label: "ribbon.readout.coasting-time", unit: "s", decimals: 2,

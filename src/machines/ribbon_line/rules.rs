@@ -6,12 +6,14 @@
 
 use super::cams;
 use super::coasting;
+use super::contacts::CONTACTS;
 use super::program;
 use super::resolved::RibbonLine;
 use super::rules_of_coordinates as coordinates;
 use super::rules_of_feeds as feeds;
 use super::rules_of_product as product;
 use super::rules_of_slack as slack;
+use super::tension_switch;
 use crate::machines::verdict::Rule;
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade};
@@ -96,7 +98,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-scaling-drift", coordinates::scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("y-scaling-drift", coordinates::scaling_y, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("length-error", product::length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
-    Rule::new("knob-turn", slack::turned_up, Citation::new("ribbon line facts, 5", Grade::Inferred)),
+    Rule::new("knob-turn", slack::knob_turn, Citation::new("ribbon line facts, 5", Grade::Inferred)),
+    Rule::new("stop-room", tension_switch::stops_in_time, CONTACTS),
     Rule::new("y-drift", product::y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
 ];
 

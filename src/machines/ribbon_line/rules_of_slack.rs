@@ -1,9 +1,9 @@
 //! Rules about ribbon between unwinder and pull roller: the loop, the slack rate, the knob, the tension of the web.
 
-use super::contacts::early_tension;
 use super::derive::Derived;
 use super::params::{FIELDS, Params, PathMode, Variant, Wait};
 use super::resolved::{GREATEST, RibbonLine};
+use super::tension_switch::{TensionSwitch, with_pinch};
 use super::unwinder_motor::shortest_ramp;
 use crate::controls::Code;
 use crate::machines::verdict::{FieldEntry, Judgement, fail, near, ok, up, warn};
@@ -151,7 +151,7 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
-/// Lowest position (%) of an override knob in common use: the knobs of the makers' panels begin there. Engineering choice.
+/// Lowest position (%) of an override knob in common use: the knobs of the makers' panels begin there. Source: ribbon line facts, 5.
 const LOW_KNOB: f64 = 50.0;
 
 /// Ribbon (mm) of the running block and of those that the control has read ahead: they keep the F of the old position of the knob.
@@ -165,36 +165,75 @@ fn laid_so_far(line: &RibbonLine) -> f64 {
     [&line.d, &line.fast, &line.slow].map(laid).into_iter().fold(0.0, f64::max)
 }
 
-/// Lowest position (%) of the knob from which one turn to its highest position does not overfill the loop; 0 where the axes follow the
-/// unwinder at once, or the knob does not turn it. The unwinder follows the knob, the queued blocks take their time at the old speed:
-/// `queued · (highest / k - 1)` is laid more than pulled.
-pub(super) fn lowest_turn(line: &RibbonLine) -> f64 {
-    let p = &line.p;
-    if line.in_step() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
-        return 0.0;
-    }
-    let room = (p.loop_capacity - laid_so_far(line)).max(0.0);
-    line.highest_knob_percent() / (1.0 + room / queued(p))
+/// Ribbon (mm) that may go missing in the run: what a start has laid at the worst position of the knob, and what is missing when the
+/// tension switch opens.
+fn may_go_missing(line: &RibbonLine) -> f64 {
+    (least_laid(line) + TensionSwitch::new(line).missing).max(0.0)
 }
 
-/// Judges the turn of the knob from the lowest position in common use to its highest.
-pub(super) fn turned_up(line: &RibbonLine) -> Option<Judgement> {
-    let (p, least, highest) = (&line.p, lowest_turn(line), line.highest_knob_percent());
-    // A knob that ends below is no wider.
-    let limit = AtMost(LOW_KNOB.min(highest));
-    if least <= LOW_KNOB.min(highest) {
-        return ok(limit);
+/// Ribbon (mm) in the loop at the least while the line runs, over the positions of the knob.
+fn least_laid(line: &RibbonLine) -> f64 {
+    let laid = [&line.d, &line.fast, &line.slow].map(|d| d.slack_start.min(d.slack_start + d.slack_run));
+    laid.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// Lowest positions (%) of the knob from which one turn to its highest does not overfill the loop, and to which one turn from its highest
+/// does not open the tension switch; `None` where the axes follow the unwinder at once, the knob does not turn it, or there is no loop.
+///
+/// The unwinder follows the knob, the queued blocks keep their feed: `queued · (highest / k - 1)` is laid more than pulled, or
+/// `queued · (1 - k / highest)` pulled more than laid. Source: ribbon line facts, 5.
+fn lowest_turns(line: &RibbonLine) -> Option<(f64, f64)> {
+    let p = &line.p;
+    if line.in_step() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
+        return None;
     }
-    let laid = queued(p) * (highest / LOW_KNOB - 1.0);
-    let said = msg!(
-        "ribbon.knob-queue",
-        queued = (queued(p), 0),
-        low = (LOW_KNOB, 0),
-        high = (highest, 0),
-        laid = (laid, 0),
-        least = (least, 1)
-    );
-    warn(limit, [with_loop(said.into(), laid_so_far(line) + laid, Vec::new())])
+    let (highest, queued) = (line.highest_knob_percent(), queued(p));
+    let room = (p.loop_capacity - laid_so_far(line)).max(0.0);
+    let up = highest / (1.0 + room / queued);
+    let down = highest * (1.0 - may_go_missing(line) / queued).max(0.0);
+    Some((up, down))
+}
+
+/// Lowest position (%) of the knob between which and its highest it may be turned at once, in both directions.
+pub(super) fn lowest_turn(line: &RibbonLine) -> f64 {
+    lowest_turns(line).map_or(0.0, |(up, down)| up.max(down))
+}
+
+/// Judges a turn of the knob between the lowest position in common use and its highest.
+pub(super) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
+    let (p, highest) = (&line.p, line.highest_knob_percent());
+    // A knob that ends below is no wider.
+    let low = LOW_KNOB.min(highest);
+    let limit = AtMost(low);
+    let (up, down) = lowest_turns(line).unwrap_or_default();
+    let mut advice = Vec::new();
+    let (queued, ends) = (queued(p), ((low, 0), (highest, 0)));
+    if up > low {
+        let laid = queued * (highest / low - 1.0);
+        let said = msg!(
+            "ribbon.knob-queue",
+            queued = (queued, 0),
+            low = ends.0,
+            high = ends.1,
+            laid = (laid, 0),
+            least = (up, 1)
+        );
+        advice.push(with_loop(said.into(), laid_so_far(line) + laid, Vec::new()));
+    }
+    if down > low {
+        let missing = queued * (1.0 - low / highest);
+        let said = msg!(
+            "ribbon.knob-starves",
+            queued = (queued, 0),
+            low = ends.0,
+            high = ends.1,
+            missing = (missing, 0),
+            kept = (missing - may_go_missing(line), 0),
+            least = (down, 1)
+        );
+        advice.push(with_pinch(line, said, missing - least_laid(line)));
+    }
+    if advice.is_empty() { ok(limit) } else { warn(limit, advice) }
 }
 
 /// A form with the dwell that matches it, and the change to it.
@@ -309,11 +348,11 @@ pub(super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
-/// Judges the tension of a tight ribbon over the range of the knob: by the draw while the line runs, and by the ribbon that is missing
+/// Judges the tension of a tight ribbon over the range of the knob against that at which the switch holds the program: by the draw while the line runs, and by the ribbon that is missing
 /// after a start.
 pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let p = &line.p;
-    let most = early_tension(line).map_or(line.d.tension_limit, |early| early.min(line.d.tension_limit));
+    let most = TensionSwitch::new(line).tension;
     let limit = AtMost(most);
     let (drawn, started) = (line.worst(|d| d.draw_tension), line.worst(|d| d.start_tension));
     let mut advice = Vec::new();

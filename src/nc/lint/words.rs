@@ -135,6 +135,7 @@ impl Survey<'_> {
             {
                 lint.own_call(lint.written_word(at, words, Address::P).0);
             }
+            here.forks |= bits & (RETURN | END) != 0;
         }
         goes
     }

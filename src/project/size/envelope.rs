@@ -18,8 +18,12 @@ use crate::view::{Limit, Verdict};
 /// Time (s) after a change in which the values are read.
 const SPAN: f64 = 10.0;
 
-/// The same after the knob went up from its lowest position: the blocks read ahead take their time at the old feed.
-const LONG_SPAN: f64 = 60.0;
+/// After the knob went up from its lowest position the values are read over so many times that span, until they stay: the blocks read
+/// ahead take their time at the old feed.
+const MOST_SPANS: u32 = 60;
+
+/// Part of a value by which it may change over some spans and still stays.
+const STAYS: f64 = 1e-3;
 
 /// Time (s) from standstill to the next cycle start.
 const PAUSE: f64 = 1.0;
@@ -155,7 +159,7 @@ fn mark_worst(rows: &mut [EnvelopeRow]) {
 }
 
 impl EnvelopeRow {
-    /// A row of an event without a quantity, for what its quantity leaves out.
+    /// Defaults of a row of an event: no quantity, no limit, no verdict.
     fn of(event: OperatingEvent) -> EnvelopeRow {
         EnvelopeRow {
             event,
@@ -192,6 +196,15 @@ impl EnvelopeRow {
             limit => Limit::load(limit, self.value),
         }
     }
+}
+
+/// A run that branches off in the middle of the work, with the operator's actions.
+fn acted(whole: &WholeRun, actions: Vec<(f64, Action)>) -> Run {
+    let mut run = whole.run.branch(whole.middle());
+    for (t, action) in actions {
+        run.event(Event { t, action });
+    }
+    run
 }
 
 struct Envelope<'a> {
@@ -247,11 +260,10 @@ impl Envelope<'_> {
             }
             OperatingEvent::Knob => {
                 let Some((low, high)) = self.runs.knob else { return Vec::new() };
-                let turn =
-                    |percent, span| self.handled(event, whole, vec![(at, Action::SpindleOverride(percent))], span);
+                let turn = |percent| vec![(at, Action::SpindleOverride(percent))];
                 match whole.knob {
-                    None => worst([low, high].map(|percent| turn(percent, SPAN))),
-                    Some(_) => turn(self.present_position(), LONG_SPAN),
+                    None => worst([low, high].map(|percent| self.handled(event, whole, turn(percent), SPAN))),
+                    Some(_) => self.settled(event, whole, turn(self.present_position())),
                 }
             }
             OperatingEvent::SpeedChange => {
@@ -297,16 +309,32 @@ impl Envelope<'_> {
         actions: Vec<(f64, Action)>,
         span: f64,
     ) -> Vec<EnvelopeRow> {
-        let at = whole.middle();
-        let mut run = whole.run.branch(at);
-        for (t, action) in actions {
-            run.event(Event { t, action });
+        self.read_on(event, &mut acted(whole, actions), (whole.middle(), whole.middle() + span))
+    }
+
+    /// The same, read until the values stay.
+    fn settled(&self, event: OperatingEvent, whole: &WholeRun, actions: Vec<(f64, Action)>) -> Vec<EnvelopeRow> {
+        let (at, mut run) = (whole.middle(), acted(whole, actions));
+        let mut before: Vec<EnvelopeRow> = Vec::new();
+        for spans in (3..=MOST_SPANS).step_by(3) {
+            let rows = self.read_on(event, &mut run, (at, at + SPAN * f64::from(spans)));
+            let stays = |(now, then): (&EnvelopeRow, &EnvelopeRow)| {
+                now.id == then.id && (now.value - then.value).abs() <= STAYS * then.value.abs()
+            };
+            if rows.len() == before.len() && rows.iter().zip(&before).all(stays) {
+                return rows;
+            }
+            before = rows;
         }
-        let until = at + span;
-        let ended = plan(&mut run, until);
-        let mut rows = self.read(event, &run, (at, until));
+        before
+    }
+
+    /// Plans a run to the end of a span (s), and reads it there.
+    fn read_on(&self, event: OperatingEvent, run: &mut Run, (at, until): (f64, f64)) -> Vec<EnvelopeRow> {
+        let ended = plan(run, until);
+        let mut rows = self.read(event, run, (at, until));
         rows.extend(alarm(event, ended.as_ref()));
-        rows.extend(hold(event, &run));
+        rows.extend(hold(event, run));
         rows
     }
 

@@ -97,8 +97,15 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
     match files.iter().find(|file| !is_program(project.control, file)) {
         Some(prose) => {
             let told = sentence(&crate::msg!("page.no-program", file = prose.name.as_str()));
-            let anyway = Callback::new(move |()| take_program(page, project.clone()));
-            page.notices.show(Notice { offer: Some(("page.open-anyway", anyway)), ..Notice::new(Tone::Warn, told) });
+            let files = files.to_vec();
+            // Read again at the click: the project may have changed since.
+            let anyway = Callback::new(move |()| {
+                if let Some(project) = page.project.with_untracked(|project| open(project, &files)).project {
+                    take_program(page, project);
+                }
+            });
+            let offer = Some(("page.open-anyway", anyway));
+            page.notices.show(Notice { offer, of_project: true, ..Notice::new(Tone::Warn, told) });
             false
         }
         None => {
@@ -110,7 +117,7 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
 
 /// Takes a project with an opened program, after a version of the present one.
 fn take_program(page: Page, project: Project) {
-    page.notices.notify(Tone::Info, t("page.opened-program").to_owned());
+    page.notices.confirm(t("page.opened-program").to_owned());
     shelf::version_before(page, BEFORE_PROGRAM);
     show_opened(page, project);
 }
@@ -278,8 +285,11 @@ mod tests {
         assert!(bench.page.project.get_untracked() == project());
         let notice = bench.page.notices.list.get_untracked().pop().unwrap();
         assert!(notice.text.starts_with("note.txt"), "{}", notice.text);
+        // The project has changed meanwhile.
+        bench.page.edit("", |project| project.name = "Order 7".to_owned());
         notice.offer.unwrap().1.run(());
         assert!(bench.page.program.text(0).starts_with("Hello"));
+        assert_eq!(bench.page.project.with_untracked(|project| project.name.clone()), "Order 7");
     }
 
     #[wasm_bindgen_test]

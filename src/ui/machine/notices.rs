@@ -44,7 +44,7 @@ mod tests {
     async fn notice_stays_until_it_is_dismissed() {
         let bench = mount(|| view! { <NoticeBand /> }).await;
         bench.page.notices.notify(Tone::Warn, "Set aside.".to_owned());
-        bench.page.notices.notify(Tone::Info, "Opened.".to_owned());
+        bench.page.notices.confirm("Opened.".to_owned());
         settled().await;
         assert_eq!(bench.all(".notice").len(), 2);
         assert_eq!(bench.text(".notice.warn p"), "▲ Set aside.");
@@ -55,7 +55,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn notice_with_a_file_offers_to_save_it() {
         let bench = mount(|| view! { <NoticeBand /> }).await;
-        bench.page.notices.notify(Tone::Info, "Plain.".to_owned());
+        bench.page.notices.confirm("Plain.".to_owned());
         bench.page.notices.show(Notice::new(Tone::Warn, "Kept.".to_owned()).with_file("state.txt", "{".to_owned()));
         settled().await;
         let offers: Vec<bool> = bench

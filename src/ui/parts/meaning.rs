@@ -193,7 +193,7 @@ impl Shown {
         let found = editor.and_then(found);
         match &found {
             Some(word) => self.page.notices.announce(word.meaning.sentence()),
-            None => self.page.notices.notify(Tone::Info, t("page.no-meaning").to_owned()),
+            None => self.page.notices.confirm(t("page.no-meaning").to_owned()),
         }
         self.put(found);
     }

@@ -85,7 +85,7 @@ impl Navigation {
         let request = Request::Definition(self.caret(units));
         self.places(request, move |found| match found.map(|found| found.rows.into_iter().next()) {
             Some(Some(row)) => self.page.show_place(row.place.into()),
-            Some(None) => self.page.notices.notify(Tone::Info, t("page.no-definition").to_owned()),
+            Some(None) => self.page.notices.confirm(t("page.no-definition").to_owned()),
             None => {}
         });
     }
@@ -154,7 +154,7 @@ impl Navigation {
         at: usize,
     ) -> JsValue {
         if rows.is_empty() {
-            self.page.notices.notify(Tone::Info, t(empty).to_owned());
+            self.page.notices.confirm(t(empty).to_owned());
             return JsValue::NULL;
         }
         let title = match count > rows.len() {

@@ -20,17 +20,14 @@ pub(crate) struct Notice {
     pub offer: Option<NoticeAction>,
     /// Whether it is about the present project, and gone with it.
     pub of_project: bool,
+    /// Whether it only confirms an action: the next confirmation takes its place.
+    pub confirms: bool,
 }
 
 impl Notice {
     /// A sentence alone.
     pub(crate) fn new(tone: Tone, text: String) -> Notice {
-        Notice { tone, text, file: None, offer: None, of_project: false }
-    }
-
-    /// Whether it only says what has happened.
-    fn is_remark(&self) -> bool {
-        self.tone == Tone::Info && self.file.is_none() && self.offer.is_none()
+        Notice { tone, text, file: None, offer: None, of_project: false, confirms: false }
     }
 
     /// Attaches a file: name and content.
@@ -59,11 +56,16 @@ impl Notices {
         self.show(Notice::new(tone, text));
     }
 
-    /// Shows a notice with its file and its button. A plain remark takes the place of the one before it.
+    /// Confirms an action, in place of the confirmation before it.
+    pub(crate) fn confirm(self, text: String) {
+        self.show(Notice { confirms: true, ..Notice::new(Tone::Info, text) });
+    }
+
+    /// Shows a notice with its file and its button.
     pub(crate) fn show(self, shown: Notice) {
         self.announcement.set(shown.text.clone());
         self.list.update(|list| {
-            list.retain(|notice| notice.text != shown.text && !(notice.is_remark() && shown.is_remark()));
+            list.retain(|notice| notice.text != shown.text && !(notice.confirms && shown.confirms));
             list.push(shown);
         });
     }
@@ -112,6 +114,16 @@ mod tests {
         ["a", "b"].into_iter().for_each(|text| notices.notify(Tone::Info, text.to_owned()));
         notices.dismiss("a");
         assert_eq!(notices.list.with_untracked(|list| list.iter().map(|n| n.text.clone()).collect::<Vec<_>>()), ["b"]);
+    }
+
+    #[wasm_bindgen_test]
+    fn confirmation_takes_the_place_of_the_last_one_alone() {
+        let notices = Notices::new(Vec::new());
+        notices.notify(Tone::Info, "row 2".to_owned());
+        notices.notify(Tone::Info, "row 5".to_owned());
+        ["opened", "mended"].into_iter().for_each(|text| notices.confirm(text.to_owned()));
+        let shown = notices.list.with_untracked(|list| list.iter().map(|n| n.text.clone()).collect::<Vec<_>>());
+        assert_eq!(shown, ["row 2", "row 5", "mended"]);
     }
 
     #[wasm_bindgen_test]

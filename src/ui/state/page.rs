@@ -224,7 +224,7 @@ impl Page {
         let (files, count) = self.project.with_untracked(|project| project.with_fixes(&written.files, &found, choice));
         if count > 0 {
             self.edit("", |project| project.edited = Some(files));
-            self.notices.notify(Tone::Info, sentence(&crate::msg!("page.mended-all", count = count as u32)));
+            self.notices.confirm(sentence(&crate::msg!("page.mended-all", count = count as u32)));
         }
     }
 

@@ -183,7 +183,7 @@ pub(crate) fn at_cursor(page: Page) -> Option<(Location, Place)> {
 fn cursor(page: Page) -> Option<(Location, Place)> {
     let found = untrack(|| at_cursor(page));
     if found.is_none() {
-        page.notices.notify(Tone::Info, t("page.stepping-cursor").to_owned());
+        page.notices.confirm(t("page.stepping-cursor").to_owned());
     }
     found
 }

@@ -130,11 +130,9 @@ fn feed_above_control_range_names_the_possible_speed() {
         advice,
         [
             "the control takes 15000: at most 150 r/min",
-            "That makes another result fail: Tension of a tight ribbon.",
             "That makes another result fail: Grip of the nip in use.",
             "The vector feed would be 119391.393 mm/min, the control takes 15000 at most.",
             "At most 150 r/min of the unwinder keep within all limits.",
-            "That makes another result fail: Tension of a tight ribbon.",
             "That makes another result fail: Grip of the nip in use.",
             "Or take the feed per revolution, F99.493 mm: the range of F per minute does not bind it. It needs a spindle encoder on the unwinder.",
         ]

@@ -555,8 +555,11 @@ fn turned_knob_changes_x_and_spindle_alike() {
 
 #[test]
 fn override_0_waits_until_it_rises() {
-    let mut run =
-        planned(&values(&[("pitch-count", "200")]), vec![spindle_override(5.0, 0.0), spindle_override(60.0, 100.0)]);
+    let mut run = planned(
+        // The wait lays as much as a hold and a restart.
+        &values(&[("pitch-count", "200"), ("loop-capacity", "2000")]),
+        vec![spindle_override(5.0, 0.0), spindle_override(60.0, 100.0)],
+    );
     let progress = run.advance(3600.0, 10_000_000);
     assert_eq!(progress.ended, Some(RunEnd::ProgramEnd));
     let still = run.timeline().at(50.0);

@@ -13,6 +13,9 @@ use crate::asked::readout;
 /// A dwell too short for the unwinder's ramp: with the knob at its highest position X is 119.9 mm ahead.
 const SHORT_DWELL: (&str, f64) = ("dwell", 0.1);
 
+/// The pinch force of the form, with which the nip slips first.
+const WEAK_NIP: (&str, f64) = ("pinch-force", 100.0);
+
 /// Tension in N of the ribbon with that dwell and a modulus in N/mm²: `T1 + E A s / L`, by hand.
 fn tautest(modulus: f64) -> f64 {
     // 1480 r/min with a roller of 100.5 mm on a gear of 50 : 1, mm/s; FIN takes 0.05 s, the ramp 2 s, the time constant 0.1 s, the lag 1/33
@@ -24,10 +27,12 @@ fn tautest(modulus: f64) -> f64 {
 
 #[test]
 fn taut_ribbon_beyond_the_grip_fails_the_nip() {
-    let project = line(&[SHORT_DWELL, ("youngs-modulus", 80.0), ("loop-capacity", 600.0)]);
+    let project = line(&[SHORT_DWELL, WEAK_NIP, ("youngs-modulus", 80.0), ("loop-capacity", 600.0)]);
     let (tension, nip) = (readout(&project, "tension"), readout(&project, "nip-use"));
     same("tension", tension.value, tautest(80.0), 1e-9);
-    assert!((tension.value - 62.96).abs() < 0.01 && tension.verdict == Verdict::Ok, "{tension:?}");
+    assert!((tension.value - 62.96).abs() < 0.01 && tension.limit == Some(Limit::AtMost(20.0)), "{tension:?}");
+    // The tension switch opens at half of what the nip holds.
+    assert_eq!(tension.verdict, Verdict::Fail);
     // 63 N at a nip that holds 0.4 · 100 N.
     same("nip", nip.value, 100.0 * tautest(80.0) / 40.0, 1e-9);
     assert!((nip.value - 157.4).abs() < 0.05, "{}", nip.value);
@@ -60,7 +65,7 @@ fn nip_holds_the_draw_of_the_unwinder_too() {
     // A motor that loses 1 % under load draws 2 N beside the 15 N that the ribbon has (D11); 200 N/mm² make it 20 N.
     let draws = [("speed-at-10v", 1500.0), ("speed-clamp", 1500.0), ("rated-load-speed", 1488.0)];
     let mut project =
-        line(&[&draws[..], &[("dwell", 1.0), ("youngs-modulus", 200.0), ("loop-capacity", 800.0)]].concat());
+        line(&[&draws[..], &[WEAK_NIP, ("dwell", 1.0), ("youngs-modulus", 200.0), ("loop-capacity", 800.0)]].concat());
     let without = readout(&project, "nip-use").value;
     assert!((without - 100.0 * 15.0 / 40.0).abs() < 0.5, "a dancer leaves 15 N: {without}");
     project.values.insert("dancer".to_owned(), macroline::machines::form::Value::Flag(false));
@@ -72,7 +77,7 @@ fn nip_holds_the_draw_of_the_unwinder_too() {
 fn stop_asks_more_of_the_nip_where_the_ribbon_drives() {
     let wide = [("ribbon-width", 300.0), ("ribbon-thickness", 1.0), ("web-span", 40_000.0), ("youngs-modulus", 60.0)];
     let nip = |before: f64, behind: f64| {
-        let tensions = [("tension-before", before), ("tension-behind", behind)];
+        let tensions = [WEAK_NIP, ("tension-before", before), ("tension-behind", behind)];
         readout(&line(&[&wide[..], &tensions].concat()), "nip-use")
     };
     // 0.3 · 0.001 · 40 · 1300 kg to 126.3 mm/s in 0.1 s.

@@ -1,0 +1,87 @@
+//! The switch that holds the program before a taut ribbon tears or slips: its place, its tension, and whether it opens in time.
+
+use super::params::FIELDS;
+use super::pose::TIGHT;
+use super::resolved::RibbonLine;
+use crate::drives::web;
+use crate::machines::verdict::{Judgement, fail, ok, up};
+use crate::msg;
+use crate::text::Message;
+use crate::view::Advice;
+use crate::view::Limit::AtLeast;
+
+/// Where the tension switch opens.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct TensionSwitch {
+    /// Ribbon (mm) that is missing in the loop.
+    pub missing: f64,
+    /// Tension (N) of the ribbon before X.
+    pub tension: f64,
+}
+
+impl TensionSwitch {
+    /// The switch opens at the allowed tension, or earlier, so that X has stopped before the ribbon tears or slips; an unwinder that stands
+    /// gives nothing meanwhile. It cannot tell less than half a millimetre. Source: ribbon line facts, 11.
+    pub(super) fn new(line: &RibbonLine) -> TensionSwitch {
+        let allowed = stretch(line, line.mechanics.allowed_tension);
+        let missing = allowed.min(room_for_the_stop(line)).max(-TIGHT);
+        TensionSwitch { missing, tension: tension(line, missing) }
+    }
+}
+
+/// Stretch (mm) of the ribbon before X at a tension (N): `s = (T - T1) · L / (E · A)`, and none where T1 is above that. Source: ribbon line
+/// facts, 7 and 11.
+fn stretch(line: &RibbonLine, tension: f64) -> f64 {
+    (tension - line.p.web.tension_before).max(0.0) * line.p.web.span / force_per_strain(line)
+}
+
+/// Tension (N) of the ribbon before X where some of it (mm) is missing: `T = T1 + E · A · s / L`. Source: ribbon line facts, 7.
+pub(super) fn tension(line: &RibbonLine, missing: f64) -> f64 {
+    line.p.web.tension_before + force_per_strain(line) * missing / line.p.web.span
+}
+
+/// Force (N) that would double the length of the ribbon: `E · A`.
+fn force_per_strain(line: &RibbonLine) -> f64 {
+    let p = &line.p;
+    web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0)
+}
+
+/// Way (mm) of X from a hold to its stop with the knob at its highest position: `v · (τ / 2 + 1 / K)`. Source: ribbon line facts, 11.
+fn way_to_the_stop(line: &RibbonLine) -> f64 {
+    line.fast.line_speed / 60.0 * (line.p.time_constant_x / 2000.0 + 1.0 / line.p.position_gain_x)
+}
+
+/// Stretch (mm) of the ribbon that is left for the switch when X keeps its way to the stop; negative where the ribbon tears or slips
+/// sooner.
+pub(super) fn room_for_the_stop(line: &RibbonLine) -> f64 {
+    stretch(line, line.mechanics.slip_or_break_tension) - way_to_the_stop(line)
+}
+
+/// No switch protects a ribbon that tears or slips while X stops: a nip that holds more helps until the ribbon breaks.
+pub(super) fn stops_in_time(line: &RibbonLine) -> Option<Judgement> {
+    let (room, way) = (room_for_the_stop(line), way_to_the_stop(line));
+    let limit = AtLeast(-TIGHT);
+    if limit.holds(room) {
+        return ok(limit);
+    }
+    let said = msg!(
+        "ribbon.stop-slips",
+        way = (way, 1),
+        stretch = (way + room, 1),
+        tension = (line.mechanics.slip_or_break_tension, 0)
+    );
+    fail(limit, [with_pinch(line, said, -TIGHT)])
+}
+
+/// An advice to press so hard that the switch opens where at least so much ribbon (mm) is missing; alone where the ribbon would break.
+pub(super) fn with_pinch(line: &RibbonLine, said: Message, missing: f64) -> Advice {
+    let (p, half) = (&line.p, line.d.tension_limit);
+    let (allowed, holds) = (tension(line, missing), tension(line, missing + way_to_the_stop(line)));
+    if allowed > half || holds > 2.0 * half {
+        return said.into();
+    }
+    // Half of what the nip holds is allowed.
+    let grip = (2.0 * (allowed - p.web.tension_behind)).max(holds - p.web.tension_behind);
+    let set = up(FIELDS, "pinch-force", grip / p.pull.pinch_friction);
+    Advice::from(said).setting(msg!("advice.set-pinch", force = (set.value, 1)), [set])
+}
