@@ -240,7 +240,8 @@ impl Timeline {
         let segments = self.path.segments.until(t);
         let (mut visits, mut within): (Vec<Visit>, bool) = (Vec::new(), false);
         for (at, segment) in segments.iter().enumerate() {
-            let until = segments.get(at + 1).map_or(t, |next| next.t) - segment.t;
+            let ends_at = segments.get(at + 1).map_or(t, |next| next.t);
+            let until = ends_at - segment.t;
             let line = |axis: usize| (segment.from[axis], segment.velocity[axis]);
             // The part of the segment in which both axes are below their limits.
             let (mut from, mut to) = (0.0_f64, until);
@@ -264,15 +265,16 @@ impl Timeline {
                 let (one, other) = (place + rate * from, place + rate * to);
                 (one.min(other), one.max(other))
             });
+            // The end of a segment itself, free of rounding: a visit that goes on ends at `t`.
+            let end = if to >= until { ends_at } else { segment.t + to };
             match visits.last_mut().filter(|_| within && from <= 0.0) {
                 Some(last) => {
-                    last.end = segment.t + to;
+                    last.end = end;
                     last.across = last.across.min(least.0);
                     last.along = (last.along.0.min(ends.0), last.along.1.max(ends.1));
                 }
                 None => {
-                    let (begin, end) = (segment.t + from, segment.t + to);
-                    visits.push(Visit { begin, end, across: least.0, along: ends });
+                    visits.push(Visit { begin: segment.t + from, end, across: least.0, along: ends });
                 }
             }
             within = to >= until;

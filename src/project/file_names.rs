@@ -8,7 +8,8 @@ const NAME_BYTES: usize = 76;
 const REVISION_BYTES: usize = 30;
 
 impl Project {
-    /// A name for a file about the project, made of the project's own: its letters and digits, of any script, and hyphens.
+    /// A name for a file about the project, made of the project's own or, without one, of its machine's: letters and digits, of any script,
+    /// and hyphens.
     pub fn file_name(&self, ending: &str) -> String {
         format!("{}.{ending}", self.plain_name())
     }
@@ -23,7 +24,7 @@ impl Project {
 
     fn plain_name(&self) -> String {
         match plain(&self.name, NAME_BYTES) {
-            name if name.is_empty() => "macroline".to_owned(),
+            name if name.is_empty() => self.machine.id().to_owned(),
             // Windows reserves these names for devices, with any ending.
             name if is_device(&name) => format!("macroline-{name}"),
             name => name,

@@ -33,6 +33,8 @@ const FLOOR: f64 = 8.0;
 const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
 /// Colour of the lines of limits.
 const LIMIT_COLOUR: RGBColor = RGBColor(0, 128, 0);
+/// Share of the height below the lines for the figures of the time axis.
+const FOOT: f64 = 0.16;
 /// Share of the height above a limit that its name needs.
 const ABOVE_LIMIT: f64 = 0.22;
 /// Distance of a name's base line from the line of its limit, in pixels, for a name above and a name below.
@@ -77,7 +79,8 @@ pub fn draw(chart: &Chart) -> Plot {
     let values = limits.iter().map(|limit| limit.value).chain([lines.0, lines.1]);
     let y = room(ends(values).unwrap_or(lines), chart.least_span);
     let tops = limits.iter().map(|limit| y.0 + (limit.value - y.0) / (1.0 - ABOVE_LIMIT));
-    let y = (y.0, tops.fold(y.1, f64::max));
+    let top = tops.fold(y.1, f64::max);
+    let y = (y.0 - (top - y.0) * FOOT / (1.0 - FOOT), top);
     let mut paths = String::with_capacity(16 * points().count() + 1024);
     // The backend cannot fail; a failure would leave an empty frame.
     let _ = frame(&mut paths, (chart, &limits), x, y);
@@ -106,13 +109,13 @@ fn ends(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     (low <= high).then_some((low, high))
 }
 
-/// Range of the axis, with a margin above and below the lines. It starts at 0 if no value is negative and this needs little space.
+/// Range of the axis, with a margin above the lines. It starts at 0 if no value is negative and this needs little space.
 fn room((low, high): (f64, f64), least: f64) -> (f64, f64) {
     let (low, high) =
         if high - low <= 1e-9 * high.abs().max(low.abs()) { (low.min(0.0), high.max(0.0)) } else { (low, high) };
     let (low, high) = if high - low < least { around(low, high, least) } else { (low, high) };
     let span = if high > low { high - low } else { 1.0 };
-    let bottom = if low >= 0.0 && low <= span { 0.0 } else { low - 0.08 * span };
+    let bottom = if low >= 0.0 && low <= span { 0.0 } else { low };
     (bottom, high + 0.12 * span)
 }
 

@@ -163,7 +163,7 @@ fn result_depends_on_the_fields_of_its_formula() {
     let found = fields_by_result(&ribbon());
     for (result, field, depends) in [
         ("line-speed", "press-roller-diameter", true),
-        ("line-speed", "pitch", false),
+        ("line-speed", "pitch-count", false),
         ("dots-per-second", "pitch", true),
         ("dots-per-product", "pitch", false),
     ] {

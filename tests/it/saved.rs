@@ -639,7 +639,7 @@ fn files_that_do_not_go_together_are_all_refused() {
 #[test]
 fn archive_is_named_after_project_and_revision() {
     let mut project = ribbon();
-    assert_eq!(project.archive_name(), "macroline.zip");
+    assert_eq!(project.archive_name(), "ribbon-line.zip");
     project.name = "Order 7 / Łódź".to_owned();
     assert_eq!(project.archive_name(), "order-7-łódź.zip");
     project.title_block.revision = "B.2".to_owned();
@@ -658,7 +658,7 @@ fn names_of_files_are_taken_by_every_file_system() {
         ("\u{202e}fdp.1\u{7}2\u{200f} ", "fdp-1-2.json"),
         (" ..印带机.. ", "印带机.json"),
         ("Cafe\u{301}", "cafe\u{301}.json"),
-        ("...", "macroline.json"),
+        ("...", "ribbon-line.json"),
         ("CON", "macroline-con.json"),
         ("nul.", "macroline-nul.json"),
         ("COM9", "macroline-com9.json"),

@@ -36,8 +36,8 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "volts", label: "ribbon.readout.volts", unit: "V", decimals: 3, headline: true,
-        formula: "10 · round(steps · #104 / n10) / steps",
-        cite: Citation::new("ribbon line facts, 4; 12 bits from memory", Grade::Open), value: |line| line.d.volts, ..ReadoutRow::BASE
+        formula: "10 · round(steps · #104 / n10) / steps; beyond the clamp or the output 10 · #100 · override / n10",
+        cite: Citation::new("ribbon line facts, 4; 12 bits from memory", Grade::Open), value: feeds::volts, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "surface-ratio", label: "ribbon.readout.surface-ratio", unit: "", decimals: 3, headline: true,

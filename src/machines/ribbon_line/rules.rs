@@ -32,7 +32,11 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     ),
     Rule::new("x-motor-speed", feeds::motor_x, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
     Rule::new("y-motor-speed", feeds::motor_y, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
-    Rule::new("line-speed", feeds::clamp_x, Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister)),
+    Rule::new(
+        "line-speed",
+        feeds::clamped_line_speed,
+        Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister),
+    ),
     Rule::new("x-feed", feeds::clamp_x, Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister)),
     Rule::new("y-feed", feeds::clamp_y, Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister)),
     Rule::new("vector-feed", feeds::feed_limit, Citation::new("ranges of the control; rule 4", Grade::Open)),

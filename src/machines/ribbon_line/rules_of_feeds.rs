@@ -106,6 +106,16 @@ pub(super) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
     within_or_error(line.d.x_feed, line.p.clamp_x, line)
 }
 
+/// Judges the speed of the line by the axis that reaches its clamp first: beyond it the control slows both.
+pub(super) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    if d.line_speed == 0.0 {
+        return ok(None);
+    }
+    let clamped = d.line_speed * (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed);
+    within_or_error(d.line_speed, clamped, line)
+}
+
 pub(super) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
     within_or_error(line.d.y_feed, line.p.clamp_y, line)
 }
@@ -248,6 +258,12 @@ pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
     if steady { warn(here(turned), advice) } else { fail(here(needed), advice) }
 }
 
+/// Volts of the analog output; where the speed is beyond the clamp or the output, those that it would take, `10 n / n10`.
+pub(super) fn volts(line: &RibbonLine) -> f64 {
+    let RibbonLine { p, d, .. } = line;
+    if d.asked_speed > d.top_speed { 10.0 * d.asked_speed / p.speed_at_10v } else { d.volts }
+}
+
 pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let limit = AtMost(d.top_volts);
@@ -258,9 +274,7 @@ pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
             speed = (d.top_speed, 1),
             percent = (d.override_limit, 1)
         );
-        // Limit: the voltage that the commanded speed asks, `10 n / n10` [V], above the 10 V of the output.
-        let asked = AtLeast(10.0 * d.asked_speed / p.speed_at_10v);
-        return fail(asked, [with_speed(line, d.top_speed, advice)]);
+        return fail(limit, [with_speed(line, d.top_speed, advice)]);
     }
     if p.speed_clamp > p.speed_at_10v {
         let advice =

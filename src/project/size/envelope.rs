@@ -18,9 +18,9 @@ use crate::view::{Limit, Verdict};
 /// Time (s) after a change in which the values are read.
 const SPAN: f64 = 10.0;
 
-/// After the knob went up from its lowest position the values are read over so many times that span, until they stay: the blocks read
-/// ahead take their time at the old feed.
-const MOST_SPANS: u32 = 60;
+/// After the knob went up from its lowest position the values are read over three times that span and three more, until those of the
+/// machine stay, at most over so many: the blocks read ahead take their time at the old feed.
+const MOST_SPANS: u32 = 30;
 
 /// Part of a value by which it may change over some spans and still stays.
 const STAYS: f64 = 1e-3;
@@ -318,10 +318,11 @@ impl Envelope<'_> {
         let mut before: Vec<EnvelopeRow> = Vec::new();
         for spans in (3..=MOST_SPANS).step_by(3) {
             let rows = self.read_on(event, &mut run, (at, at + SPAN * f64::from(spans)));
-            let stays = |(now, then): (&EnvelopeRow, &EnvelopeRow)| {
-                now.id == then.id && (now.value - then.value).abs() <= STAYS * then.value.abs()
+            let stays = |now: &EnvelopeRow| {
+                let then = before.iter().find(|then| then.id == now.id);
+                then.is_some_and(|then| (now.value - then.value).abs() <= STAYS * then.value.abs())
             };
-            if rows.len() == before.len() && rows.iter().zip(&before).all(stays) {
+            if rows.iter().filter(|row| row.axis.is_none()).all(stays) {
                 return rows;
             }
             before = rows;

@@ -249,7 +249,8 @@ fn show_field(input: &HtmlElement) {
         set(&group, "open", "");
         inside = group.parent_element().and_then(|outer| outer.closest("details").ok().flatten());
     }
-    input.scroll_into_view();
+    // With its label.
+    input.closest(".field").ok().flatten().as_ref().unwrap_or(input).scroll_into_view();
     let _ = input.focus();
 }
 

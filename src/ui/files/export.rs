@@ -219,6 +219,29 @@ fn Refused(
     }
 }
 
+/// Catalog id of what a file is.
+fn about(name: &str) -> &'static str {
+    match name {
+        REPORT => "page.file.report",
+        "report.md" => "page.file.report-text",
+        "project.json" => "page.file.project",
+        _ => match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
+            "csv" => "page.file.table",
+            "svg" => "page.file.drawing",
+            "dxf" => "page.file.outline",
+            _ => "page.file.program",
+        },
+    }
+}
+
+/// Size of a file in words: bytes, or kilobytes from 1000 on.
+fn size(bytes: usize) -> String {
+    match bytes {
+        ..1000 => sentence(&crate::msg!("page.bytes", count = figure(bytes as f64, 0))),
+        _ => sentence(&crate::msg!("page.kilobytes", count = figure((bytes as f64 / 1000.0).ceil(), 0))),
+    }
+}
+
 /// The files.
 #[component]
 fn Offered(
@@ -229,10 +252,11 @@ fn Offered(
     let row = move |at: usize| {
         let files = Arc::clone(&files);
         let (name, bytes) = files.get(at)?;
-        let (name, size) = (name.clone(), sentence(&crate::msg!("page.bytes", count = figure(bytes.len() as f64, 0))));
+        let (name, what, size) = (name.clone(), t(about(name)), size(bytes.len()));
         Some(view! {
             <tr>
                 <th scope="row">{name}</th>
+                <td class="what">{what}</td>
                 <td>{size}</td>
                 <td><button type="button" on:click=move |_| save(&files, at)>{t("page.save-file")}</button></td>
             </tr>

@@ -19,6 +19,8 @@ const LETTER: f64 = 6.5;
 const ROOM: f64 = 8.0;
 /// Pixels between two marks of the same name below which they are merged.
 const SAME: f64 = 3.0;
+/// Weight of the names that are shown in any case: first contact, alarm, emergency stop.
+const FIRST: u8 = 3;
 /// Pixels of the symbol of an action or of the end.
 const SYMBOL: f64 = 12.0;
 
@@ -106,7 +108,10 @@ fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) 
         let areas = [(Side::Right, (*x, x + wide)), (Side::Left, (x - wide, *x))];
         let free =
             |(_, (a, b)): &&(Side, (f64, f64))| *a >= 0.0 && *b <= width && taken.iter().all(|(c, d)| b <= c || d <= a);
-        if let Some((side, area)) = areas.iter().find(free) {
+        // The line of another mark behind the letters makes them hard to read; the weightiest names are shown all the same.
+        let uncrossed = |(_, (a, b)): &&(Side, (f64, f64))| marks.iter().all(|(other, _)| other <= a || b <= other);
+        let clear = areas.iter().filter(free).find(uncrossed);
+        if let Some((side, area)) = clear.or_else(|| areas.iter().filter(|_| row.weight >= FIRST).find(free)) {
             taken.push(*area);
             if let Some(place) = sides.get_mut(at) {
                 *place = Some(*side);

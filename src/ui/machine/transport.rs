@@ -92,10 +92,12 @@ fn RunningBlock() -> impl IntoView {
 #[component]
 fn GoTo() -> impl IntoView {
     let player = Page::here().player;
-    let go = move |event| {
+    let go = move |event: web_sys::Event| {
         if let Some(t) = number(&event) {
             player.playing.set(false);
             player.seek(t);
+            // The clock shows the time from now on.
+            event_target::<web_sys::HtmlInputElement>(&event).set_value("");
         }
     };
     view! {

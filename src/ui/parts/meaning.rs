@@ -18,7 +18,7 @@ use crate::project::meaning::{self, Meaning, Table};
 use crate::text::utf16;
 use crate::ui::dom::{self, script::call};
 use crate::ui::state::Page;
-use crate::ui::words::{Tone, four_digits, sentence, t, value_of};
+use crate::ui::words::{four_digits, sentence, t, value_of};
 
 /// Time that the pointer rests on a word before its meaning appears, and time away from it before the meaning disappears.
 const REST: Duration = Duration::from_millis(350);

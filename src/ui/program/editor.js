@@ -183,9 +183,13 @@ export function open(host, number, text, options) {
     points: (lines) => showPoints(editor, lines),
     // The cursor to a place, which is brought into view.
     go(at) {
+      this.reveal(at);
+      editor.focus();
+    },
+    // The cursor and the view there, the focus where it is.
+    reveal(at) {
       const anchor = Math.min(ways.toEditor(at), editor.state.doc.length);
       editor.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
-      editor.focus();
     },
     // A command by its name.
     run: (name) => commands[name](editor),

@@ -99,6 +99,15 @@ fn Bundle(
     view! { <div class="editor" node_ref=host></div><p class="note">{failed}</p> }
 }
 
+/// Shows the running block of a file, without the focus.
+fn show_running(page: Page, editor: &JsValue, file: usize) -> Result<(), JsValue> {
+    let running = page.player.running.get_untracked().filter(|place| usize::from(place.file.0) == file);
+    if let Some(place) = running {
+        call(editor, "reveal", &[&units(&page.program.text(file), place.span.start).into()])?;
+    }
+    Ok(())
+}
+
 /// Sets the cursor of the editor to the place that is sought, or shows its file first.
 fn seek(page: Page, editor: &JsValue, file: usize) {
     let Some(place) = page.view.sought.get() else { return };
@@ -145,6 +154,9 @@ pub(super) fn Editor() -> impl IntoView {
         let editor = call(module, "open", &[host, &at.into(), &page.program.text(at).into(), &options])?;
         call(&editor, "mark", &[&findings(page, at)])?;
         call(&editor, "points", &[&breakpoints.with_untracked(|all| points::lines(page, at, all))])?;
+        if untrack(|| page.view.sought.with(Option::is_none)) {
+            show_running(page, &editor, at)?;
+        }
         untrack(|| seek(page, &editor, at));
         Ok(editor)
     };

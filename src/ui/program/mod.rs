@@ -23,6 +23,7 @@ use crate::text::{FileId, Severity};
 use crate::ui::dom;
 use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{Glyph, Icon};
+use crate::ui::state::notices::Notice;
 use crate::ui::state::stepper::Stepper;
 use crate::ui::state::stepping;
 use crate::ui::state::view::ProgramView;
@@ -190,6 +191,18 @@ fn Tools(
         page.edit("", |project| project.edited = Some(project.listing()));
         page.view.file.set(0);
         page.view.program.set(ProgramView::Listing);
+        let told = t("page.paper-shown");
+        let undo = Callback::new(move |()| {
+            page.undo();
+            page.notices.dismiss(told);
+        });
+        let offer = Some(("page.undo", undo));
+        page.notices.show(Notice {
+            offer,
+            of_project: true,
+            confirms: true,
+            ..Notice::new(Tone::Info, told.to_owned())
+        });
     };
     let unpublished = move || {
         page.machine.track();

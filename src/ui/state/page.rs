@@ -26,7 +26,7 @@ use crate::project::operator::kind_name;
 use crate::project::silence::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
-use crate::ui::words::{Tone, sentence, t};
+use crate::ui::words::{sentence, t};
 use crate::view::{Readout, Scene, Verdict};
 
 /// Fields by the result that depends on them.

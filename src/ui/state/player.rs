@@ -28,9 +28,6 @@ pub(crate) const SPEEDS: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0,
 /// Machine seconds per second while the machine does not work, at automatic speed.
 const WAITING: f64 = 2.0;
 
-/// Seconds of the viewer's time before the work, in which automatic speed is slow already.
-const LEAD: f64 = 1.0;
-
 /// Machine seconds that are planned ahead of the play head, at least.
 pub(super) const AHEAD: f64 = 1.0;
 
@@ -397,8 +394,8 @@ impl Player {
         }
     }
 
-    /// Machine seconds per second at the play head. Automatic: as slow as the motion is visible while the machine works, and fast while it
-    /// approaches, returns or waits.
+    /// Machine seconds per second at the play head. Automatic: as slow as the motion is visible while the machine begins its work, and fast
+    /// when that has been seen, and while it approaches, returns or waits.
     fn speed_now(self) -> f64 {
         let chosen = self.speed.get_untracked();
         if chosen > 0.0 {
@@ -406,7 +403,7 @@ impl Player {
         }
         let waits = self.now.with_untracked(|now| now.mode != Mode::Running);
         self.state.with_value(|state| {
-            let works = !waits && state.work.holds(state.head, LEAD * state.visible);
+            let works = !waits && state.work.shows(state.head, state.visible);
             if works { state.visible } else { WAITING.max(state.visible) }
         })
     }

@@ -1,7 +1,13 @@
-//! The parts of a run in which the machine works: the automatic speed is slow there, and fast elsewhere.
+//! The parts of a run in which the machine works: the automatic speed is slow at the begin of each, and fast elsewhere.
 
 use crate::machines::PreparedMachine;
 use crate::project::run::Run;
+
+/// Seconds of the viewer's time before the work, in which automatic speed is slow already.
+const LEAD: f64 = 1.0;
+
+/// Seconds of the viewer's time from the begin of the work, in which it is slow: a line that prints for a minute is seen in half a minute.
+const SEEN: f64 = 15.0;
 
 /// Spans (s) of the planned run in which the machine works, in their order.
 #[derive(Default)]
@@ -25,10 +31,10 @@ impl WorkSpans {
         });
     }
 
-    /// Whether the machine works at a time (s), or will within `lead` seconds.
-    pub(super) fn holds(&self, t: f64, lead: f64) -> bool {
+    /// Whether the film is slow at a time (s), at `visible` machine seconds per second: when the machine begins to work.
+    pub(super) fn shows(&self, t: f64, visible: f64) -> bool {
         let next = self.spans.partition_point(|span| span.1 < t);
-        self.spans.get(next).is_some_and(|span| span.0 - lead <= t)
+        self.spans.get(next).is_some_and(|span| (span.0 - LEAD * visible..=span.0 + SEEN * visible).contains(&t))
     }
 }
 
@@ -41,7 +47,13 @@ mod tests {
     #[wasm_bindgen_test]
     fn work_begins_a_moment_before_its_span() {
         let work = WorkSpans { plan: Some(1), spans: vec![(2.0, 3.0), (5.0, 6.0)] };
-        let held = [1.4, 1.6, 2.5, 3.1, 4.4, 4.6, 6.0, 6.1].map(|t| work.holds(t, 0.5));
-        assert_eq!(held, [false, true, true, false, false, true, true, false]);
+        let slow = [1.4, 1.6, 2.5, 3.1, 4.4, 4.6, 6.0, 6.1].map(|t| work.shows(t, 0.5));
+        assert_eq!(slow, [false, true, true, false, false, true, true, false]);
+    }
+
+    #[wasm_bindgen_test]
+    fn long_work_is_slow_at_its_begin_alone() {
+        let work = WorkSpans { plan: Some(1), spans: vec![(2.0, f64::INFINITY)] };
+        assert_eq!([1.8, 2.0, 3.4, 3.6, 40.0].map(|t| work.shows(t, 0.1)), [false, true, true, false, false]);
     }
 }

@@ -16,11 +16,15 @@ fn chart(points: Vec<(f64, f64)>) -> Chart {
     }
 }
 
+/// Room below the lines, as a part of the height above its end.
+const FOOT: f64 = 0.16 / (1.0 - 0.16);
+
 #[test]
 fn chart_svg_has_lines_grid_and_figures_with_classes() {
     let drawn = plot::draw(&chart(vec![(0.0, 0.0), (1.0, 40.0), (2.0, 100.0)]));
-    assert_eq!((drawn.x, drawn.y), ((0.0, 2.0), (0.0, 112.0)));
-    assert!(drawn.svg.contains("<path class=\"line l1\" d=\"M0 200L500"), "{}", drawn.svg);
+    // 16 % of the height below 0 are for the figures of the time axis.
+    assert_eq!((drawn.x, drawn.y), ((0.0, 2.0), (-112.0 * FOOT, 112.0)));
+    assert!(drawn.svg.contains("<path class=\"line l1\" d=\"M0 168L500"), "{}", drawn.svg);
     assert!(drawn.svg.contains("class=\"grid\"") && drawn.svg.contains(">50</text>"), "{}", drawn.svg);
     for forbidden in ["style=", "fill=", "stroke=", "rgb", "NaN", "inf", "∞"] {
         assert!(!drawn.svg.contains(forbidden), "{forbidden} in {}", drawn.svg);
@@ -36,7 +40,7 @@ fn chart_lines_have_a_point_at_each_bend_and_no_other() {
     assert_eq!(line.matches('L').count(), 5, "{line}");
     // There and back on one line is a bend.
     let peak = plot::draw(&chart(vec![(0.0, 0.0), (0.0, 5.0), (0.0, 1.0), (1.0, 1.0)])).svg;
-    assert!(peak.contains("d=\"M0 200L0 21.5L0 164.375L1000 164.375\""), "{peak}");
+    assert!(peak.contains("d=\"M0 168L0 18L0 138L1000 138\""), "{peak}");
 }
 
 #[test]
@@ -44,7 +48,10 @@ fn signals_below_the_least_span_are_drawn_flat() {
     for (low, high, axis) in [(-1e-3, 1e-3, (-0.25, 0.25)), (0.1, 0.2, (0.0, 0.5)), (99.9, 100.1, (99.75, 100.25))] {
         let (bottom, top) = plot::draw(&chart(vec![(0.0, low), (1.0, high)])).y;
         let near = |found: f64, wanted: f64| (found - wanted).abs() <= 0.07;
-        assert!(near(bottom, axis.0) && near(top, axis.1), "{low} to {high}: {bottom} to {top}");
+        assert!(
+            near(bottom, axis.0 - (top - axis.0) * FOOT) && near(top, axis.1),
+            "{low} to {high}: {bottom} to {top}"
+        );
     }
 }
 
@@ -54,7 +61,7 @@ fn limits_near_the_lines_are_drawn_with_their_names() {
     let lines = chart(vec![(0.0, 0.0), (1.0, 100.0)]);
     for (value, top, named) in [(60.0, 112.0, true), (195.0, 250.0, true), (500.0, 112.0, false)] {
         let drawn = plot::draw(&Chart { limits: vec![limit(value)], ..lines.clone() });
-        assert!(drawn.y.0 == 0.0 && (drawn.y.1 - top).abs() < 1e-9, "{:?}", drawn.y);
+        assert!((drawn.y.0 + top * FOOT).abs() < 1e-9 && (drawn.y.1 - top).abs() < 1e-9, "{:?}", drawn.y);
         assert_eq!(drawn.svg.contains("class=\"limit\""), named);
         assert_eq!(drawn.svg.contains(&format!(">Loop capacity {value} mm/min</text>")), named, "{}", drawn.svg);
     }
