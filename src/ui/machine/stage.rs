@@ -327,7 +327,7 @@ mod tests {
             bench.all(selector).iter().filter_map(|part| part.get_attribute("data-field")).collect()
         };
         let marked = fields(".cause");
-        assert!(marked.contains("press-roller-diameter") && !marked.contains("pitch"), "{marked:?}");
+        assert!(marked.contains("press-roller-diameter") && !marked.contains("loop-capacity"), "{marked:?}");
         assert_eq!(
             bench.all(".cause").len(),
             bench
