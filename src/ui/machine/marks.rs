@@ -120,7 +120,8 @@ fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) 
         side,
     };
     // A line behind the letters of another mark makes them hard to read.
-    let behind = |x: f64| taken.iter().any(|(a, b)| *a < x && x < *b);
+    let names = taken.get(symbols.len()..).unwrap_or_default();
+    let behind = |x: f64| names.iter().any(|(a, b)| *a < x && x < *b);
     marks.into_iter().zip(sides).filter(|((x, _), side)| side.is_some() || !behind(*x)).map(place).collect()
 }
 
