@@ -156,6 +156,16 @@ fn turned_end_feeds_per_revolution_of_its_spindle() {
 }
 
 #[test]
+fn slow_way_out_of_a_turned_end_has_a_feed() {
+    // 1 mm/min at 2500 r/min is 0.0004 mm per revolution, below the last decimal of F.
+    let slow = shaft(&[("retract-feed", "1"), ("before-speed", "2500")]);
+    let text = &slow.written().files.0[0].text;
+    assert!(text.contains("G01 X31. F0.001\n") && !text.contains("F0.\n"), "{text}");
+    let (planner, _) = whole(&slow);
+    assert!(planner.diagnostics().iter().all(|found| found.message.id != "lint.feed-zero"));
+}
+
+#[test]
 fn encoders_reach_the_speed_of_the_knob_at_its_end() {
     let encoder = |project: &Project| {
         let bill = sized_without_envelope(project).bill;
