@@ -40,6 +40,8 @@ pub enum BillItem {
     OverrideSwitch,
     /// Key that the PLC reads.
     Key,
+    /// Monitor of the standstill of a spindle, with its proximity switch.
+    StandstillMonitor,
     /// Position switch of a gear stage.
     GearSwitch,
     /// Valve of a gear stage.
@@ -82,6 +84,7 @@ impl BillItem {
             BillItem::SafetyRelay => "size.item.safety-relay",
             BillItem::OverrideSwitch => "size.item.override-switch",
             BillItem::Key => "size.item.key",
+            BillItem::StandstillMonitor => "size.item.standstill-monitor",
             BillItem::GearSwitch => "size.item.gear-switch",
             BillItem::GearValve => "size.item.gear-valve",
             BillItem::ClampSwitch => "size.item.clamp-switch",
@@ -128,8 +131,8 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
         MachineContact::InverterReady
         | MachineContact::InverterEnabled
         | MachineContact::AtSpeed
-        | MachineContact::AtShiftSpeed
-        | MachineContact::AtStandstill => BillItem::Inverter,
+        | MachineContact::AtShiftSpeed => BillItem::Inverter,
+        MachineContact::AtStandstill => BillItem::StandstillMonitor,
         MachineContact::InGear(_) => BillItem::GearSwitch,
         MachineContact::SpindleClamped => BillItem::ClampSwitch,
         MachineContact::LoopNotFull => BillItem::LoopSensor,

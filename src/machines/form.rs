@@ -130,7 +130,7 @@ pub enum FieldKind<P: 'static> {
     },
 }
 
-// Derived, they would ask that the parameters are `Copy` too.
+// `derive` would require `P: Clone` and `P: Copy`.
 impl<P> Clone for Field<P> {
     fn clone(&self) -> Self {
         *self

@@ -316,6 +316,11 @@ impl Builder {
         self.push(Stmt::Message(Some(text)))
     }
 
+    /// `MSG()`: ends the message.
+    pub fn end_message(&mut self) -> &mut Builder {
+        self.push(Stmt::Message(None))
+    }
+
     /// `#3000 = number (text)`: the control's own alarm with a message.
     pub fn alarm(&mut self, number: u32, text: &str) -> &mut Builder {
         self.assign(3000, number).note(text)

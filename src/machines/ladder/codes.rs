@@ -12,8 +12,10 @@ pub const STARTED: Bit = Bit::Relay("started");
 pub const INTERRUPTED: Bit = Bit::Relay("interrupted");
 /// The spindle turns clockwise, or the other way round, by a code or a key; without it, it has no run command.
 pub const TURNS: [Bit; 2] = [Bit::Relay("clockwise"), Bit::Relay("counter-clockwise")];
-/// The stop key has stopped the spindle in a begun program: text for the operator, and cycle start is refused.
-pub const STOPPED: Bit = Bit::Output(MachineOutput::Message(MachineContact::StopKey));
+/// The stop key has stopped the spindle in a begun program: cycle start is refused.
+pub const STOPPED: Bit = Bit::Relay("stopped");
+/// The inverter has reported a fault: no run command and no program until reset.
+const FAULT: Bit = Bit::Relay("inverter-fault");
 /// M, S or T has to wait.
 pub const BUSY: Bit = Bit::Relay("busy");
 /// Nothing forbids a run command.
@@ -30,7 +32,7 @@ pub struct SpindleRequirements<'a> {
     pub reaction: &'a dyn Fn(Interruption) -> SpindleReaction,
     /// The inverter reports that the speed is reached.
     pub reports_speed: bool,
-    /// The inverter reports that the spindle stands still: keys start it only then.
+    /// A contact reports that the spindle stands still: keys start it only then.
     pub reports_standstill: bool,
     /// Contacts that hold the program while they are open, beside the fault contact of the inverter. Without its enable the inverter
     /// also loses its run command, and a begun program stops with the alarm: nothing restarts by itself.
@@ -119,9 +121,9 @@ impl Book<'_> {
         // If the lost enable only held the program, cycle start would move the axes without the spindle.
         fault.extend(has_enable.then(|| vec![off(enabled), on(STARTED)]));
         // It stays until reset: a fault that clears itself has already stopped the spindle.
-        let alarm = Bit::Output(MachineOutput::InverterAlarm);
-        fault.push(vec![on(alarm), off(self.reset())]);
-        self.coil(alarm, fault, "plc.rung.inverter-alarm");
+        fault.push(vec![on(FAULT), off(self.reset())]);
+        self.coil(FAULT, fault, "plc.rung.inverter-fault");
+        self.coil(Bit::Output(MachineOutput::InverterAlarm), vec![vec![on(FAULT)]], "plc.rung.inverter-alarm");
         let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
         guard.extend(has_enable.then_some(on(enabled)));
         guard.extend(requirements.locked_by.map(off));
@@ -137,14 +139,14 @@ impl Book<'_> {
         self.coil(FREE, vec![guard], "plc.rung.spindle-free");
         self.directions(rules, requirements.reports_standstill);
         self.run_commands(requirements.direction);
-        self.hold_program(ready, alarm, requirements.holds);
+        self.hold_program(ready, requirements.holds);
         if requirements.reports_speed && self.has(SignalRole::SpeedArrived) {
             let still = TURNS.map(off).to_vec();
             let arrived = vec![vec![on(Bit::Input(MachineContact::AtSpeed))], still];
             self.coil(Bit::Signal(SignalRole::SpeedArrived), arrived, "plc.rung.speed-arrived");
         }
         let waits = Interruption::LASTING.iter().any(|at| (requirements.reaction)(*at) == SpindleReaction::Waits);
-        let stop = if waits { INTERRUPTED } else { alarm };
+        let stop = if waits { INTERRUPTED } else { FAULT };
         self.one_of(
             (SignalRole::SpindleEnable, vec![vec![off(stop)]]),
             (SignalRole::SpindleHold, vec![vec![on(stop)]]),
@@ -193,6 +195,8 @@ impl Book<'_> {
             [vec![on(turns), on(INTERRUPTED), stop], vec![on(turns), on(STARTED), on(STOPPED), off(key)]]
         });
         self.coil(STOPPED, stopped.collect(), "plc.rung.stopped");
+        let message = Bit::Output(MachineOutput::Message(MachineContact::StopKey));
+        self.coil(message, vec![vec![on(STOPPED)]], "plc.rung.stopped-message");
         let runs = TURNS.map(|turns| vec![on(turns), off(STOPPED)]);
         if direction == Direction::Sign {
             self.coil(Bit::Output(MachineOutput::Run), runs.to_vec(), "plc.rung.run");
@@ -207,10 +211,10 @@ impl Book<'_> {
 
     /// Holds the program while the inverter reports a fault, after one until reset, while the spindle of a begun program is stopped by its
     /// key, and while one of the contacts is open, with a text for each contact that stays until the program runs again or reset is pressed.
-    fn hold_program(&mut self, ready: Bit, alarm: Bit, contacts: &[MachineContact]) {
+    fn hold_program(&mut self, ready: Bit, contacts: &[MachineContact]) {
         let all: Vec<Bit> = [ready].into_iter().chain(contacts.iter().copied().map(Bit::Input)).collect();
-        let free = all.iter().copied().map(on).chain([alarm, STOPPED].map(off)).collect();
-        let held = all.iter().map(|contact| vec![off(*contact)]).chain([alarm, STOPPED].map(|held| vec![on(held)]));
+        let free = all.iter().copied().map(on).chain([FAULT, STOPPED].map(off)).collect();
+        let held = all.iter().map(|contact| vec![off(*contact)]).chain([FAULT, STOPPED].map(|held| vec![on(held)]));
         self.one_of(
             (SignalRole::HoldReleased, vec![free]),
             (SignalRole::HoldRequest, held.collect()),

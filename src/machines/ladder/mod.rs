@@ -64,7 +64,7 @@ pub enum MachineContact {
     InGear(u8),
     /// The spindle turns at the shift speed or slower.
     AtShiftSpeed,
-    /// The inverter reports that the spindle stands still.
+    /// The standstill monitor measures that the spindle stands still, whatever the inverter puts out.
     AtStandstill,
     /// The clamp holds the spindle.
     SpindleClamped,

@@ -23,7 +23,7 @@ const BY_SPEED: [Bit; 3] = [
     Bit::Input(MachineContact::AtShiftSpeed),
     Bit::Input(MachineContact::AtStandstill),
 ];
-/// Speed (r/min) up to which the inverter reports standstill.
+/// Speed (r/min) up to which the standstill monitor closes its contact.
 const STANDSTILL: f64 = 0.5;
 /// Contacts that follow the movers of the machine: closed until [switched](LadderPlc::switch).
 pub const BY_MOVERS: [MachineContact; 3] =
@@ -185,7 +185,9 @@ impl LadderPlc {
             Bit::Signal(SignalRole::ProgramEnd) => {
                 stops.program == ProgramState::Idle && self.program == ProgramState::Running && !stops.reset
             }
-            Bit::Signal(SignalRole::Reset) | Bit::Input(MachineContact::ResetKey) => stops.reset,
+            Bit::Signal(SignalRole::Reset) => stops.reset,
+            // The control resets itself at an emergency stop: nobody presses the key.
+            Bit::Input(MachineContact::ResetKey) => stops.reset && !stops.emergency,
             Bit::Signal(SignalRole::MStrobe) => io.m_strobe.is_some(),
             Bit::Signal(SignalRole::SStrobe) => io.s_strobe.is_some(),
             Bit::Signal(SignalRole::TStrobe) => io.t_strobe.is_some(),

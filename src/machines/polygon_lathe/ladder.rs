@@ -36,12 +36,19 @@ const STOPPING: Bit = Bit::Relay("stopping");
 const SPENT: Bit = Bit::Relay("spent");
 const INDEXED: Bit = Bit::Relay("indexed");
 const TURNING: Bit = Bit::Relay("turning");
+/// M3 or M4 while the sequence holds the main spindle: its answer waits.
+const SPINDLE_WAITS: Bit = Bit::Relay("spindle-waits");
 
 /// The ladder of the lathe.
 pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     let mut book = Book::new(lathe.control, &lathe.dialect);
     book.emergency();
+    let mut busy = Vec::new();
     if lathe.has_main_spindle() {
+        // Before the run command: both read the sequence of the scan before, so that the answer never precedes the run command.
+        let waits = [3, 4].map(|code| vec![on(book.function(code)), on(TAKEN)]);
+        book.coil(SPINDLE_WAITS, waits.to_vec(), "polygon.ladder.spindle-waits");
+        busy.push(SPINDLE_WAITS);
         book.program_state();
         book.spindle_override();
         let rules = lathe.dialect.spindle();
@@ -60,7 +67,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     channels(&mut book);
     sequence(&mut book, lathe.p.settling());
     answers(&mut book, lathe.has_main_spindle());
-    book.answer(&[]);
+    book.answer(&busy);
     meanings(&mut book);
     book.finish()
 }
@@ -151,7 +158,7 @@ fn answers(book: &mut Book, has_main_spindle: bool) {
     if has_main_spindle {
         // The inverter would turn the work against the servo motor.
         idle.extend([MachineOutput::Forward, MachineOutput::Reverse].map(|run| off(Bit::Output(run))));
-        // Without its run command it still slows down or coasts.
+        // Without its run command it still slows down, or coasts with the inverter off: the contact measures at the spindle.
         idle.push(on(Bit::Input(MachineContact::AtStandstill)));
     }
     book.coil(Bit::Macro(AT_ANGLE), vec![vec![on(INDEXED)]], "polygon.ladder.bit");

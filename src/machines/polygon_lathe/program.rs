@@ -151,11 +151,15 @@ pub(super) enum TurnedEndPlace {
     After,
 }
 
+/// Least feed of a word, mm per revolution: below it F would be written as 0.
+const LEAST_FEED: f64 = 0.001;
+
 /// A step of a turned end with its feed per revolution of the spindle, instead of per minute at `speed` (r/min).
 fn per_revolution(step: PassStep, speed: f64) -> PassStep {
+    let per_turn = |feed: f64| (feed / speed).max(LEAST_FEED);
     match step {
-        PassStep::Feed(to, feed) => PassStep::Feed(to, feed / speed),
-        PassStep::Slope { across, along, feed } => PassStep::Slope { across, along, feed: feed / speed },
+        PassStep::Feed(to, feed) => PassStep::Feed(to, per_turn(feed)),
+        PassStep::Slope { across, along, feed } => PassStep::Slope { across, along, feed: per_turn(feed) },
         other => other,
     }
 }

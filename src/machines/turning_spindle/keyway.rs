@@ -22,6 +22,8 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     codes(lathe, found);
     if p.lock_code <= 0.0 {
         found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code"));
+    } else if p.release_code <= 0.0 {
+        found.push(Diagnostic::warning(msg!("turning.keyway-stays-locked")).about("release-code"));
     }
     let Some(diameter) = lathe.keyway() else {
         let (why, field) = match p.driven_tool {
@@ -49,9 +51,6 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         let message = msg!("turning.keyway-beyond-shoulder", end = (end, 3), length = (p.length, 3));
         found.push(Diagnostic::error(message).about("keyway-length"));
     }
-    if p.lock_code > 0.0 && p.release_code <= 0.0 {
-        found.push(Diagnostic::warning(msg!("turning.keyway-stays-locked")).about("release-code"));
-    }
 }
 
 /// The driven tool that cuts the keyway, for the bill.
@@ -66,12 +65,12 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.p;
     let all = [
         ("lock-code", p.lock_code),
+        ("release-code", p.release_code),
         ("driven-code", p.driven_code),
         ("driven-stop", p.driven_stop),
-        ("release-code", p.release_code),
     ];
-    // Without a cut the program only locks the spindle.
-    let written = if lathe.keyway().is_some() { all.len() } else { 1 };
+    // Without a cut the program only locks and releases the spindle.
+    let written = if lathe.keyway().is_some() { all.len() } else { 2 };
     let has_bits = lathe.control.interface.iter().any(|row| matches!(row.role, SignalRole::MFunction(_)));
     for (field, code) in all.into_iter().take(written).filter(|(_, code)| *code > 0.0) {
         let code = code as u32;

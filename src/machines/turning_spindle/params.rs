@@ -312,8 +312,8 @@ const ROWS: &[&[Field<Params>]] = &[
         .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_driven_tool),
     number("driven-stop", member!(Params.driven_stop)).group("turning.group.keyway").label("turning.driven-stop").help("turning.driven-stop.help").symbol("M")
         .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_driven_tool),
-    number("release-code", member!(Params.release_code)).group("turning.group.keyway").label("turning.release-code").help("turning.release-code.help").symbol("M")
-        .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_driven_tool),
+    number("release-code", member!(Params.release_code)).group("turning.group.cut").label("turning.release-code").help("turning.release-code.help").symbol("M")
+        .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_keyway),
     choice("direction", member!(Params.direction: Direction)).group("turning.group.spindle").label("turning.direction").help("turning.direction.help"),
     number("override", member!(Params.override_percent)).group("turning.group.spindle").label("turning.override").help("turning.override.help")
         .unit("%").range(10.0..=200.0).default(100.0).decimals(0).step(10.0),

@@ -154,10 +154,8 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     // Away from the work first: a start after a reset may begin anywhere.
     b.n(23).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
     b.words([z(v(108))]);
-    if let Some((_, Some(release))) = lathe.lock_codes() {
-        // A reset in the keyway leaves the spindle locked.
-        b.words([m(release)]).note("RELEASES THE SPINDLE");
-    }
+    // A reset at the angle leaves the spindle locked.
+    release_spindle(b, lathe);
     start(b, lathe);
     if has_flag(lathe) {
         b.assign(BEGUN, 1).note("A PART IS BEGUN");
@@ -190,6 +188,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
             Some(_) => keyway(b, lathe),
             None => {
                 b.n(54).words([m(0)]).note(no_keyway(lathe));
+                release_spindle(b, lathe);
             }
         }
     }
@@ -204,7 +203,8 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(if lathe.keyway().is_some() { 70 } else { 55 }).words([m(30)]);
     writing::alarms(b, lathe.control, &entries(lathe));
     let flag = begun(lathe).map_or_else(String::new, |flag| format!(", {flag}=0"));
-    writing::alarm(b, lathe.control, away_alarm(lathe), &format!("RETRACT THE TOOL BY HAND{flag}"));
+    let text = format!("RETRACT THE TOOL BY HAND{flag}");
+    writing::alarm_until_cleared(b, lathe.control, away_alarm(lathe), &text, 1);
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
     }
@@ -212,6 +212,13 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
 
 /// Sequence numbers of the blocks that cut the keyway: into the work, and along it.
 pub(super) const KEYWAY: [u32; 2] = [60, 61];
+
+/// Releases the spindle that the program locks, where a code does that.
+fn release_spindle(b: &mut Builder, lathe: &TurningSpindle) {
+    if let Some((_, Some(release))) = lathe.lock_codes() {
+        b.words([m(release)]).note("RELEASES THE SPINDLE");
+    }
+}
 
 /// Why the program stops at the angle and cuts no keyway.
 fn no_keyway(lathe: &TurningSpindle) -> &'static str {

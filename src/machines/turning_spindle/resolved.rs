@@ -134,10 +134,10 @@ impl TurningSpindle {
         self.p.keyway_diameter().filter(|_| cuts)
     }
 
-    /// Codes that lock the spindle at its angle and release it behind a keyway, where the program locks it.
+    /// Codes that lock the spindle at its angle and release it again, where the program locks it.
     pub(super) fn lock_codes(&self) -> Option<(u32, Option<u32>)> {
         let [lock, release] = [self.p.lock_code, self.p.release_code].map(given_code);
-        Some((lock.filter(|_| self.positions())?, release.filter(|_| self.keyway().is_some())))
+        Some((lock.filter(|_| self.positions())?, release))
     }
 
     /// Codes of the machine that start and stop the driven tool; none where the control's own second spindle drives it.

@@ -3,6 +3,7 @@
 use super::program;
 use super::resolved::TurningSpindle;
 use super::run_up::{engaged, highest};
+use crate::controls::interface::SignalRole;
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
 use crate::machines::slides;
@@ -79,7 +80,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
     rows
 }
 
-/// What the operator does before the program restarts; a variable that marks a begun part is set back.
+/// Steps of the operator before a restart; a variable that marks a begun part is set back.
 fn anew(lathe: &TurningSpindle) -> impl Fn(Interruption) -> Message {
     let flag = program::begun(lathe);
     move |at| match (at, flag.as_deref()) {
@@ -98,7 +99,10 @@ fn anew(lathe: &TurningSpindle) -> impl Fn(Interruption) -> Message {
 fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 3] {
     // The ladder opens a clamp without a release code at reset; a person locks where there is no code at all.
     let opens = matches!(lathe.lock_codes(), Some((_, None)));
-    let broken = if opens { SpindleReaction::Unlocks } else { SpindleReaction::StaysLocked };
+    // Where the PLC reads the reset key, an emergency stop is no reset to it.
+    let reads_key = lathe.dialect.device(lathe.control, SignalRole::ResetRequest).is_some();
+    let [at_reset, at_emergency] = [opens, opens && !reads_key]
+        .map(|opens| if opens { SpindleReaction::Unlocks } else { SpindleReaction::StaysLocked });
     let anew = anew(lathe);
     let row = |at, cause, spindle, axes: Message, material: Message, operator: Message| Reaction {
         at,
@@ -122,7 +126,7 @@ fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 3] {
         row(
             Interruption::Reset,
             "turning.stops.keyway-reset",
-            broken,
+            at_reset,
             msg!("lathe.stops.axes-reset"),
             stops.clone(),
             anew(Interruption::Reset),
@@ -130,7 +134,7 @@ fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 3] {
         row(
             Interruption::EmergencyStop,
             "turning.stops.keyway-emergency",
-            broken,
+            at_emergency,
             slides_at_emergency_stop(sinks),
             stops,
             anew(Interruption::EmergencyStop),

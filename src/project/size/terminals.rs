@@ -189,6 +189,7 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting:
         | BillItem::EmergencyStop
         | BillItem::OverrideSwitch
         | BillItem::Key
+        | BillItem::StandstillMonitor
         | BillItem::GearSwitch
         | BillItem::GearValve
         | BillItem::ClampSwitch

@@ -320,6 +320,20 @@ fn stop_key_in_a_hold_refuses_cycle_start() {
     }
 }
 
+/// Builders move and acknowledge messages: none is an interlock.
+#[test]
+fn no_rung_reads_the_message_of_another() {
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        for rung in ladder.rungs.iter() {
+            let messages = rung.when.iter().flatten().map(|contact| contact.bit);
+            let mut messages = messages.filter(|bit| matches!(bit, Bit::Output(output) if output.is_message()));
+            let other = messages.find(|message| rung.coil() != Some(*message));
+            assert_eq!(other, None, "{name}: {:?} reads a message", rung.action);
+        }
+    }
+}
+
 #[test]
 fn sign_of_the_voltage_needs_one_run_contact() {
     for control in ["sinumerik-802d", "sinumerik-808d"] {

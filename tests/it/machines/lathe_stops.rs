@@ -1,7 +1,7 @@
 //! Turning spindle and polygon lathe react to hold, single block, alarm, reset and emergency stop as in their tables.
 
 use macroline::machines;
-use macroline::motion::{Action, Event, Snapshot};
+use macroline::motion::{Action, Event, Io, ProgramState, Snapshot, Stops};
 use macroline::project::Project;
 
 use super::ribbon_controls::over_time;
@@ -55,7 +55,44 @@ fn keyway_has_rows_of_its_own_in_the_table_of_stops() {
     assert_eq!(spindles(&locked), ["Stays locked at its angle"; 3]);
     assert!(locked[1][4].contains("set R124 to 0"), "{locked:?}");
     let opens = "Its clamp opens: no code releases it";
-    assert_eq!(spindles(&rows(&[("release-code", "0")]))[1..], [opens; 2]);
+    assert_eq!(spindles(&rows(&[("release-code", "0")]))[1..], [opens, "Stays locked at its angle"]);
+}
+
+/// The direction that the PLC gives the spindle at M3 behind its lock code and an interruption: none while the clamp is closed.
+fn direction_after(project: &Project, interruption: Stops) -> Option<i8> {
+    let mut plc = project.prepared().plc();
+    let mut io = Io { stops: Stops { program: ProgramState::Running, ..Stops::default() }, ..Io::default() };
+    let mut t = 0.0;
+    let mut scan = |io: &mut Io| {
+        t += 1.0;
+        plc.scan(t, io);
+    };
+    io.m_strobe = Some(81);
+    scan(&mut io);
+    (io.m_strobe, io.stops) = (None, interruption);
+    scan(&mut io);
+    io.stops = Stops { program: ProgramState::Running, ..Stops::default() };
+    scan(&mut io);
+    io.m_strobe = Some(3);
+    scan(&mut io);
+    io.stops.turns
+}
+
+#[test]
+fn clamp_of_the_keyway_follows_the_table_of_stops() {
+    for control in ["sinumerik-802d", "sinumerik-808d"] {
+        for release in ["82", "0"] {
+            let project = Project::named("turning-spindle", Some(control), Some("keyway")).unwrap();
+            let project = project.with_entries(&[("release-code", release.to_owned())]).unwrap();
+            let rows = stop_table(&project);
+            for (name, emergency) in [("Reset", false), ("Emergency stop", true)] {
+                let row = rows.iter().find(|cells| cells[0] == format!("{name} in the keyway")).unwrap();
+                let stops = Stops { program: ProgramState::Idle, reset: true, emergency, ..Stops::default() };
+                let direction = if row[1].starts_with("Stays locked") { 0 } else { 1 };
+                assert_eq!(direction_after(&project, stops), Some(direction), "{control}, M{release}: {name}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -332,12 +332,12 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         19 | LD X1F3 | 
         20 | ANI M203 | 
         21 | ANI X1F5 | 
-        22 | LD M207 | 
+        22 | LD M208 | 
         23 | ANI M203 | 
         24 | ANI X1F5 | 
         25 | ORB | 
-        26 | OUT M207 | program is begun, until its end or reset
-        27 | LD M207 | 
+        26 | OUT M208 | program is begun, until its end or reset
+        27 | LD M208 | 
         28 | ANI X1F3 | 
         29 | OUT M204 | stopped in the middle: hold, M00, alarm
         30 | LD M200 | 
@@ -350,143 +350,147 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         37 | MOV K0 R75 | high word
         38 | LDI X21 | 
         39 | LDI X25 | 
-        40 | AND M207 | 
+        40 | AND M208 | 
         41 | ORB | 
-        42 | LD F0 | 
+        42 | LD M205 | 
         43 | ANI X1F5 | 
         44 | ORB | 
-        45 | OUT F0 | fault of the inverter: alarm until reset
-        46 | LD X20 | 
-        47 | AND X21 | 
-        48 | AND X25 | 
-        49 | ANI X1F5 | 
-        50 | OUT M206 | spindle may turn: no emergency stop, fault, reset or lock
-        51 | LD M303 | 
-        52 | AND M206 | 
-        53 | LD X22 | 
-        54 | AND M206 | 
-        55 | ANI X23 | 
-        56 | ANI X24 | 
-        57 | ANI M202 | 
-        58 | ANI M207 | 
-        59 | ORB | 
-        60 | LD M201 | 
-        61 | AND M206 | 
-        62 | ANI M305 | 
-        63 | ANI M304 | 
-        64 | ANI X24 | 
-        65 | ANI F1 | 
-        66 | ORB | 
-        67 | LD M201 | 
-        68 | AND M206 | 
-        69 | ANI M305 | 
-        70 | ANI M304 | 
-        71 | AND M207 | 
-        72 | ORB | 
-        73 | OUT M201 | clockwise: M3, or key with no program and nothing running; until M5, M4, stop key, fault
-        74 | LD M304 | 
-        75 | AND M206 | 
-        76 | LD X23 | 
-        77 | AND M206 | 
-        78 | ANI X22 | 
-        79 | ANI X24 | 
-        80 | ANI M201 | 
-        81 | ANI M207 | 
-        82 | ORB | 
-        83 | LD M202 | 
-        84 | AND M206 | 
-        85 | ANI M305 | 
-        86 | ANI M303 | 
-        87 | ANI X24 | 
-        88 | ANI F1 | 
-        89 | ORB | 
-        90 | LD M202 | 
-        91 | AND M206 | 
-        92 | ANI M305 | 
-        93 | ANI M303 | 
-        94 | AND M207 | 
-        95 | ORB | 
-        96 | OUT M202 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, stop key, fault
-        97 | LD M201 | 
-        98 | AND M204 | 
-        99 | AND X24 | 
-        100 | LD M201 | 
-        101 | AND M207 | 
-        102 | AND F1 | 
-        103 | ANI X22 | 
-        104 | ORB | 
-        105 | LD M202 | 
-        106 | AND M204 | 
-        107 | AND X24 | 
-        108 | ORB | 
-        109 | LD M202 | 
-        110 | AND M207 | 
-        111 | AND F1 | 
-        112 | ANI X23 | 
-        113 | ORB | 
-        114 | OUT F1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
-        115 | LD M201 | 
-        116 | ANI F1 | 
-        117 | OUT Y20 | run clockwise, unless the stop key has stopped the spindle
-        118 | LD M202 | 
-        119 | ANI F1 | 
-        120 | OUT Y21 | run counter-clockwise, unless the stop key has stopped the spindle
-        121 | LD X21 | 
-        122 | AND X25 | 
-        123 | AND X26 | 
-        124 | AND X27 | 
-        125 | AND X28 | 
-        126 | ANI F0 | 
-        127 | ANI F1 | 
-        128 | OUT Y211 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
-        129 | LDI X25 | 
-        130 | LD F2 | 
-        131 | ANI X1F3 | 
-        132 | ANI X1F5 | 
-        133 | ORB | 
-        134 | OUT F2 | text for the operator until the program runs again
-        135 | LDI X26 | 
-        136 | LD F3 | 
-        137 | ANI X1F3 | 
-        138 | ANI X1F5 | 
-        139 | ORB | 
-        140 | OUT F3 | text for the operator until the program runs again
-        141 | LDI X27 | 
-        142 | LD F4 | 
-        143 | ANI X1F3 | 
-        144 | ANI X1F5 | 
-        145 | ORB | 
-        146 | OUT F4 | text for the operator until the program runs again
-        147 | LDI X28 | 
-        148 | LD F5 | 
-        149 | ANI X1F3 | 
-        150 | ANI X1F5 | 
-        151 | ORB | 
-        152 | OUT F5 | text for the operator until the program runs again
-        153 | LD M204 | 
-        154 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
-        155 | LD X230 | 
-        156 | OR X234 | 
-        157 | OR X238 | 
-        158 | OUT Y226 | one answer for M, S and T
-        159 | LD M204 | 
-        160 | AND Y20 | 
-        161 | ANI X1F5 | 
-        162 | LD M204 | 
-        163 | AND Y21 | 
-        164 | ANI X1F5 | 
-        165 | ORB | 
-        166 | LD M205 | 
-        167 | ANI T20 | 
+        45 | OUT M205 | fault of the inverter, until reset
+        46 | LD M205 | 
+        47 | OUT F0 | alarm: fault of the inverter
+        48 | LD X20 | 
+        49 | AND X21 | 
+        50 | AND X25 | 
+        51 | ANI X1F5 | 
+        52 | OUT M207 | spindle may turn: no emergency stop, fault, reset or lock
+        53 | LD M303 | 
+        54 | AND M207 | 
+        55 | LD X22 | 
+        56 | AND M207 | 
+        57 | ANI X23 | 
+        58 | ANI X24 | 
+        59 | ANI M202 | 
+        60 | ANI M208 | 
+        61 | ORB | 
+        62 | LD M201 | 
+        63 | AND M207 | 
+        64 | ANI M305 | 
+        65 | ANI M304 | 
+        66 | ANI X24 | 
+        67 | ANI M209 | 
+        68 | ORB | 
+        69 | LD M201 | 
+        70 | AND M207 | 
+        71 | ANI M305 | 
+        72 | ANI M304 | 
+        73 | AND M208 | 
+        74 | ORB | 
+        75 | OUT M201 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
+        76 | LD M304 | 
+        77 | AND M207 | 
+        78 | LD X23 | 
+        79 | AND M207 | 
+        80 | ANI X22 | 
+        81 | ANI X24 | 
+        82 | ANI M201 | 
+        83 | ANI M208 | 
+        84 | ORB | 
+        85 | LD M202 | 
+        86 | AND M207 | 
+        87 | ANI M305 | 
+        88 | ANI M303 | 
+        89 | ANI X24 | 
+        90 | ANI M209 | 
+        91 | ORB | 
+        92 | LD M202 | 
+        93 | AND M207 | 
+        94 | ANI M305 | 
+        95 | ANI M303 | 
+        96 | AND M208 | 
+        97 | ORB | 
+        98 | OUT M202 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
+        99 | LD M201 | 
+        100 | AND M204 | 
+        101 | AND X24 | 
+        102 | LD M201 | 
+        103 | AND M208 | 
+        104 | AND M209 | 
+        105 | ANI X22 | 
+        106 | ORB | 
+        107 | LD M202 | 
+        108 | AND M204 | 
+        109 | AND X24 | 
+        110 | ORB | 
+        111 | LD M202 | 
+        112 | AND M208 | 
+        113 | AND M209 | 
+        114 | ANI X23 | 
+        115 | ORB | 
+        116 | OUT M209 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
+        117 | LD M209 | 
+        118 | OUT F1 | text for the operator: spindle stopped by its key
+        119 | LD M201 | 
+        120 | ANI M209 | 
+        121 | OUT Y20 | run clockwise, unless the stop key has stopped the spindle
+        122 | LD M202 | 
+        123 | ANI M209 | 
+        124 | OUT Y21 | run counter-clockwise, unless the stop key has stopped the spindle
+        125 | LD X21 | 
+        126 | AND X25 | 
+        127 | AND X26 | 
+        128 | AND X27 | 
+        129 | AND X28 | 
+        130 | ANI M205 | 
+        131 | ANI M209 | 
+        132 | OUT Y211 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+        133 | LDI X25 | 
+        134 | LD F2 | 
+        135 | ANI X1F3 | 
+        136 | ANI X1F5 | 
+        137 | ORB | 
+        138 | OUT F2 | text for the operator until the program runs again
+        139 | LDI X26 | 
+        140 | LD F3 | 
+        141 | ANI X1F3 | 
+        142 | ANI X1F5 | 
+        143 | ORB | 
+        144 | OUT F3 | text for the operator until the program runs again
+        145 | LDI X27 | 
+        146 | LD F4 | 
+        147 | ANI X1F3 | 
+        148 | ANI X1F5 | 
+        149 | ORB | 
+        150 | OUT F4 | text for the operator until the program runs again
+        151 | LDI X28 | 
+        152 | LD F5 | 
+        153 | ANI X1F3 | 
+        154 | ANI X1F5 | 
+        155 | ORB | 
+        156 | OUT F5 | text for the operator until the program runs again
+        157 | LD M204 | 
+        158 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        159 | LD X230 | 
+        160 | OR X234 | 
+        161 | OR X238 | 
+        162 | OUT Y226 | one answer for M, S and T
+        163 | LD M204 | 
+        164 | AND Y20 | 
+        165 | ANI X1F5 | 
+        166 | LD M204 | 
+        167 | AND Y21 | 
         168 | ANI X1F5 | 
         169 | ORB | 
-        170 | OUT M205 | axes wait at the restart
-        171 | LD M205 | 
-        172 | ANI M204 | 
-        173 | OUT T20 K205 | as long as behind M3
-        174 | LDI M205 | 
-        175 | OR M204 | 
-        176 | OUT Y20F | axes may move
+        170 | LD M206 | 
+        171 | ANI T20 | 
+        172 | ANI X1F5 | 
+        173 | ORB | 
+        174 | OUT M206 | axes wait at the restart
+        175 | LD M206 | 
+        176 | ANI M204 | 
+        177 | OUT T20 K205 | as long as behind M3
+        178 | LDI M206 | 
+        179 | OR M204 | 
+        180 | OUT Y20F | axes may move
          |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
     "#]]
     .assert_eq(&rows(&[], "ladder"));
@@ -513,12 +517,12 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         19 | LD X1F3 | 
         20 | ANI M204 | 
         21 | ANI X1F5 | 
-        22 | LD M208 | 
+        22 | LD M209 | 
         23 | ANI M204 | 
         24 | ANI X1F5 | 
         25 | ORB | 
-        26 | OUT M208 | program is begun, until its end or reset
-        27 | LD M208 | 
+        26 | OUT M209 | program is begun, until its end or reset
+        27 | LD M209 | 
         28 | ANI X1F3 | 
         29 | OUT M205 | stopped in the middle: hold, M00, alarm
         30 | LD M200 | 
@@ -535,167 +539,171 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         41 | DMOV R10 R74 | final spindle speed to the program, both words
         42 | LDI X21 | 
         43 | LDI X26 | 
-        44 | AND M208 | 
+        44 | AND M209 | 
         45 | ORB | 
-        46 | LD F0 | 
+        46 | LD M206 | 
         47 | ANI X1F5 | 
         48 | ORB | 
-        49 | OUT F0 | fault of the inverter: alarm until reset
-        50 | LD X20 | 
-        51 | AND X21 | 
-        52 | AND X26 | 
-        53 | ANI X1F5 | 
-        54 | OUT M207 | spindle may turn: no emergency stop, fault, reset or lock
-        55 | LD M303 | 
-        56 | AND M207 | 
-        57 | LD X23 | 
-        58 | AND M207 | 
-        59 | ANI X24 | 
-        60 | ANI X25 | 
-        61 | ANI M203 | 
-        62 | ANI M208 | 
-        63 | ORB | 
-        64 | LD M202 | 
-        65 | AND M207 | 
-        66 | ANI M305 | 
-        67 | ANI M304 | 
-        68 | ANI X25 | 
-        69 | ANI F1 | 
-        70 | ORB | 
-        71 | LD M202 | 
-        72 | AND M207 | 
-        73 | ANI M305 | 
-        74 | ANI M304 | 
-        75 | AND M208 | 
-        76 | ORB | 
-        77 | OUT M202 | clockwise: M3, or key with no program and nothing running; until M5, M4, stop key, fault
-        78 | LD M304 | 
-        79 | AND M207 | 
-        80 | LD X24 | 
-        81 | AND M207 | 
-        82 | ANI X23 | 
-        83 | ANI X25 | 
-        84 | ANI M202 | 
-        85 | ANI M208 | 
-        86 | ORB | 
-        87 | LD M203 | 
-        88 | AND M207 | 
-        89 | ANI M305 | 
-        90 | ANI M303 | 
-        91 | ANI X25 | 
-        92 | ANI F1 | 
-        93 | ORB | 
-        94 | LD M203 | 
-        95 | AND M207 | 
-        96 | ANI M305 | 
-        97 | ANI M303 | 
-        98 | AND M208 | 
-        99 | ORB | 
-        100 | OUT M203 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, stop key, fault
-        101 | LD M202 | 
-        102 | AND M205 | 
-        103 | AND X25 | 
-        104 | LD M202 | 
-        105 | AND M208 | 
-        106 | AND F1 | 
-        107 | ANI X23 | 
-        108 | ORB | 
-        109 | LD M203 | 
-        110 | AND M205 | 
-        111 | AND X25 | 
-        112 | ORB | 
-        113 | LD M203 | 
-        114 | AND M208 | 
-        115 | AND F1 | 
-        116 | ANI X24 | 
-        117 | ORB | 
-        118 | OUT F1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
-        119 | LD M202 | 
-        120 | ANI F1 | 
-        121 | OUT Y20 | run clockwise, unless the stop key has stopped the spindle
-        122 | LD M203 | 
-        123 | ANI F1 | 
-        124 | OUT Y21 | run counter-clockwise, unless the stop key has stopped the spindle
-        125 | LD X21 | 
-        126 | AND X26 | 
-        127 | AND X27 | 
-        128 | AND X28 | 
-        129 | AND X29 | 
-        130 | ANI F0 | 
-        131 | ANI F1 | 
-        132 | OUT Y211 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
-        133 | LDI X26 | 
-        134 | LD F2 | 
-        135 | ANI X1F3 | 
-        136 | ANI X1F5 | 
-        137 | ORB | 
-        138 | OUT F2 | text for the operator until the program runs again
-        139 | LDI X27 | 
-        140 | LD F3 | 
-        141 | ANI X1F3 | 
-        142 | ANI X1F5 | 
-        143 | ORB | 
-        144 | OUT F3 | text for the operator until the program runs again
-        145 | LDI X28 | 
-        146 | LD F4 | 
-        147 | ANI X1F3 | 
-        148 | ANI X1F5 | 
-        149 | ORB | 
-        150 | OUT F4 | text for the operator until the program runs again
-        151 | LDI X29 | 
-        152 | LD F5 | 
-        153 | ANI X1F3 | 
-        154 | ANI X1F5 | 
-        155 | ORB | 
-        156 | OUT F5 | text for the operator until the program runs again
-        157 | LD M205 | 
-        158 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
-        159 | LD M303 | 
-        160 | ANI T20 | 
-        161 | LD M303 | 
-        162 | ANI X22 | 
-        163 | ORB | 
-        164 | LD M304 | 
-        165 | ANI T20 | 
-        166 | ORB | 
-        167 | LD M304 | 
-        168 | ANI X22 | 
-        169 | ORB | 
-        170 | OUT M201 | M3 and M4 wait for the speed
-        171 | LD M303 | 
-        172 | OR M304 | 
-        173 | OUT T20 K5 | until the contact is about the new speed
-        174 | LD X230 | 
-        175 | ANI M201 | 
-        176 | LD X234 | 
-        177 | ANI M201 | 
-        178 | ORB | 
-        179 | LD X238 | 
-        180 | ANI M201 | 
-        181 | ORB | 
-        182 | OUT Y226 | one answer for M, S and T
-        183 | LD M205 | 
-        184 | AND Y20 | 
-        185 | ANI X1F5 | 
-        186 | LD M205 | 
-        187 | AND Y21 | 
-        188 | ANI X1F5 | 
-        189 | ORB | 
-        190 | LD M206 | 
-        191 | ANI T21 | 
+        49 | OUT M206 | fault of the inverter, until reset
+        50 | LD M206 | 
+        51 | OUT F0 | alarm: fault of the inverter
+        52 | LD X20 | 
+        53 | AND X21 | 
+        54 | AND X26 | 
+        55 | ANI X1F5 | 
+        56 | OUT M208 | spindle may turn: no emergency stop, fault, reset or lock
+        57 | LD M303 | 
+        58 | AND M208 | 
+        59 | LD X23 | 
+        60 | AND M208 | 
+        61 | ANI X24 | 
+        62 | ANI X25 | 
+        63 | ANI M203 | 
+        64 | ANI M209 | 
+        65 | ORB | 
+        66 | LD M202 | 
+        67 | AND M208 | 
+        68 | ANI M305 | 
+        69 | ANI M304 | 
+        70 | ANI X25 | 
+        71 | ANI M210 | 
+        72 | ORB | 
+        73 | LD M202 | 
+        74 | AND M208 | 
+        75 | ANI M305 | 
+        76 | ANI M304 | 
+        77 | AND M209 | 
+        78 | ORB | 
+        79 | OUT M202 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
+        80 | LD M304 | 
+        81 | AND M208 | 
+        82 | LD X24 | 
+        83 | AND M208 | 
+        84 | ANI X23 | 
+        85 | ANI X25 | 
+        86 | ANI M202 | 
+        87 | ANI M209 | 
+        88 | ORB | 
+        89 | LD M203 | 
+        90 | AND M208 | 
+        91 | ANI M305 | 
+        92 | ANI M303 | 
+        93 | ANI X25 | 
+        94 | ANI M210 | 
+        95 | ORB | 
+        96 | LD M203 | 
+        97 | AND M208 | 
+        98 | ANI M305 | 
+        99 | ANI M303 | 
+        100 | AND M209 | 
+        101 | ORB | 
+        102 | OUT M203 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
+        103 | LD M202 | 
+        104 | AND M205 | 
+        105 | AND X25 | 
+        106 | LD M202 | 
+        107 | AND M209 | 
+        108 | AND M210 | 
+        109 | ANI X23 | 
+        110 | ORB | 
+        111 | LD M203 | 
+        112 | AND M205 | 
+        113 | AND X25 | 
+        114 | ORB | 
+        115 | LD M203 | 
+        116 | AND M209 | 
+        117 | AND M210 | 
+        118 | ANI X24 | 
+        119 | ORB | 
+        120 | OUT M210 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
+        121 | LD M210 | 
+        122 | OUT F1 | text for the operator: spindle stopped by its key
+        123 | LD M202 | 
+        124 | ANI M210 | 
+        125 | OUT Y20 | run clockwise, unless the stop key has stopped the spindle
+        126 | LD M203 | 
+        127 | ANI M210 | 
+        128 | OUT Y21 | run counter-clockwise, unless the stop key has stopped the spindle
+        129 | LD X21 | 
+        130 | AND X26 | 
+        131 | AND X27 | 
+        132 | AND X28 | 
+        133 | AND X29 | 
+        134 | ANI M206 | 
+        135 | ANI M210 | 
+        136 | OUT Y211 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+        137 | LDI X26 | 
+        138 | LD F2 | 
+        139 | ANI X1F3 | 
+        140 | ANI X1F5 | 
+        141 | ORB | 
+        142 | OUT F2 | text for the operator until the program runs again
+        143 | LDI X27 | 
+        144 | LD F3 | 
+        145 | ANI X1F3 | 
+        146 | ANI X1F5 | 
+        147 | ORB | 
+        148 | OUT F3 | text for the operator until the program runs again
+        149 | LDI X28 | 
+        150 | LD F4 | 
+        151 | ANI X1F3 | 
+        152 | ANI X1F5 | 
+        153 | ORB | 
+        154 | OUT F4 | text for the operator until the program runs again
+        155 | LDI X29 | 
+        156 | LD F5 | 
+        157 | ANI X1F3 | 
+        158 | ANI X1F5 | 
+        159 | ORB | 
+        160 | OUT F5 | text for the operator until the program runs again
+        161 | LD M205 | 
+        162 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        163 | LD M303 | 
+        164 | ANI T20 | 
+        165 | LD M303 | 
+        166 | ANI X22 | 
+        167 | ORB | 
+        168 | LD M304 | 
+        169 | ANI T20 | 
+        170 | ORB | 
+        171 | LD M304 | 
+        172 | ANI X22 | 
+        173 | ORB | 
+        174 | OUT M201 | M3 and M4 wait for the speed
+        175 | LD M303 | 
+        176 | OR M304 | 
+        177 | OUT T20 K5 | until the contact is about the new speed
+        178 | LD X230 | 
+        179 | ANI M201 | 
+        180 | LD X234 | 
+        181 | ANI M201 | 
+        182 | ORB | 
+        183 | LD X238 | 
+        184 | ANI M201 | 
+        185 | ORB | 
+        186 | OUT Y226 | one answer for M, S and T
+        187 | LD M205 | 
+        188 | AND Y20 | 
+        189 | ANI X1F5 | 
+        190 | LD M205 | 
+        191 | AND Y21 | 
         192 | ANI X1F5 | 
         193 | ORB | 
-        194 | LD M206 | 
-        195 | ANI X22 | 
+        194 | LD M207 | 
+        195 | ANI T21 | 
         196 | ANI X1F5 | 
         197 | ORB | 
-        198 | OUT M206 | axes wait at the restart
-        199 | LD M206 | 
-        200 | ANI M205 | 
-        201 | OUT T21 K5 | until the contact is about the new speed
-        202 | LDI M206 | 
-        203 | OR M205 | 
-        204 | OUT Y20F | axes may move
+        198 | LD M207 | 
+        199 | ANI X22 | 
+        200 | ANI X1F5 | 
+        201 | ORB | 
+        202 | OUT M207 | axes wait at the restart
+        203 | LD M207 | 
+        204 | ANI M205 | 
+        205 | OUT T21 K5 | until the contact is about the new speed
+        206 | LDI M207 | 
+        207 | OR M205 | 
+        208 | OUT Y20F | axes may move
          |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
     "#]]
     .assert_eq(&rows(&[("knob-step", "5"), ("override-form", "final-speed"), ("wait", "fin")], "ladder"));

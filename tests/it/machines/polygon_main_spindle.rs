@@ -9,7 +9,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::polygon_shaft::whole;
-use super::restart::within;
+use super::restart::{Outcome, within};
 use super::ribbon_controls::{begun, ended};
 use crate::asked::{near, readout, sized_without_envelope};
 
@@ -156,6 +156,16 @@ fn turned_end_feeds_per_revolution_of_its_spindle() {
 }
 
 #[test]
+fn slow_way_out_of_a_turned_end_has_a_feed() {
+    // 1 mm/min at 2500 r/min is 0.0004 mm per revolution, below the last decimal of F.
+    let slow = shaft(&[("retract-feed", "1"), ("before-speed", "2500")]);
+    let text = &slow.written().files.0[0].text;
+    assert!(text.contains("G01 X31. F0.001\n") && !text.contains("F0.\n"), "{text}");
+    let (planner, _) = whole(&slow);
+    assert!(planner.diagnostics().iter().all(|found| found.message.id != "lint.feed-zero"));
+}
+
+#[test]
 fn encoders_reach_the_speed_of_the_knob_at_its_end() {
     let encoder = |project: &Project| {
         let bill = sized_without_envelope(project).bill;
@@ -255,6 +265,29 @@ fn sizing_of_the_work_axis_has_the_main_friction() {
     near(peak("30") - peak("2"), 28.0 / 0.9, 0.2);
 }
 
+/// The mirror case: M3 waits until the work servo has stopped, instead of getting lost.
+#[test]
+fn main_spindle_waits_until_the_work_servo_stands() {
+    let slow =
+        [("work-time-constant", "3000"), ("tool-time-constant", "3000")].map(|(id, typed)| (id, typed.to_owned()));
+    let example = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
+    for (project, resets) in
+        [(&example, &[81.0][..]), (&example.with_entries(&slow).unwrap(), &[81.0, 83.0, 85.0, 87.0, 187.0, 189.0])]
+    {
+        for reset in resets {
+            let start = reset + 0.1;
+            let Outcome { planner, ended, .. } =
+                within(3600.0, project, &[(*reset, Action::Reset), (start, Action::Start)]);
+            let findings = planner.diagnostics();
+            assert_eq!(ended, Some(RunEnd::ProgramEnd), "after a reset at {reset}: {findings:?}");
+            let moments = || (0..40_000).map(|k| planner.timeline().at(start + f64::from(k) * 0.005));
+            let both =
+                moments().find(|now| now.pmc.iter().any(|axis| axis.feed.abs() > 1e-3) && now.spindle.actual > 0.5);
+            assert!(both.is_none(), "both drives turn the work after a reset at {reset}");
+        }
+    }
+}
+
 #[test]
 fn work_servo_waits_until_the_main_spindle_stands() {
     // The ramp lasts longer than the way of the tool to the polygon.
@@ -265,24 +298,27 @@ fn work_servo_waits_until_the_main_spindle_stands() {
     let whole = within(3600.0, &project, &[]).planner;
     let turns = |t: &f64| whole.timeline().at(*t).spindle.actual > 700.0;
     let cut = (1..1000).map(|k| done * f64::from(k) / 1000.0).find(turns).expect("the end is turned");
-    // Cycle start behind a reset in the cut, and behind one in the dwell in which the spindle stops.
-    for reset in [cut, done - 19.5] {
+    // Cycle start behind a reset in the cut, behind one in the dwell in which the spindle stops, and while it coasts after a fault.
+    let fault = [(cut - 0.3, Action::InverterFault(true)), (cut - 0.2, Action::InverterFault(false))];
+    for (reset, faults) in [(cut, &[][..]), (done - 19.5, &[]), (cut, &fault)] {
         let start = reset + 0.1;
-        let planner = within(3600.0, &project, &[(reset, Action::Reset), (start, Action::Start)]).planner;
+        let actions = [faults, &[(reset, Action::Reset), (start, Action::Start)]].concat();
+        let planner = within(3600.0, &project, &actions).planner;
         let moments = || (0..40_000).map(|k| planner.timeline().at(start + f64::from(k) * 0.005));
         assert!(moments().next().unwrap().spindle.actual > 100.0, "it still turns at {start}");
         let both = moments().find(|now| now.pmc.iter().any(|axis| axis.feed.abs() > 1e-3) && now.spindle.actual > 0.5);
         assert!(both.is_none(), "both drives turn the work: {:?}", both.map(|now| (now.pmc, now.spindle)));
         assert!(moments().any(|now| now.pmc[0].feed > 100.0), "the polygon is turned");
     }
-    // The contact is wired to the inverter.
+    // The zero-speed contact of an inverter closes as soon as its output is off: the contact is that of a monitor at the spindle.
     let sizing = sized_without_envelope(&project);
     let ladder = project.prepared().ladder().unwrap();
     let place = format!("PLC {}", ladder.bit(Bit::Input(MachineContact::AtStandstill)));
     let ends = |row: &macroline::project::size::TerminalRow| {
         [(&row.from, &row.to), (&row.to, &row.from)]
             .iter()
-            .any(|(plc, other)| plc.place == place && other.item == BillItem::Inverter)
+            .any(|(plc, other)| plc.place == place && other.item == BillItem::StandstillMonitor)
     };
     assert!(sizing.terminals.iter().any(ends), "{place}");
+    assert!(sizing.bill.iter().any(|row| row.item == BillItem::StandstillMonitor));
 }

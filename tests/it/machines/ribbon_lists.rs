@@ -67,12 +67,12 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             12 | LD F0.5 | 
             13 | ANI R10.3 | 
             14 | ANI F1.1 | 
-            15 | LD R10.7 | 
+            15 | LD R11.0 | 
             16 | ANI R10.3 | 
             17 | ANI F1.1 | 
             18 | ORB | 
-            19 | OUT R10.7 | program is begun, until its end or reset
-            20 | LD R10.7 | 
+            19 | OUT R11.0 | program is begun, until its end or reset
+            20 | LD R11.0 | 
             21 | ANI F0.5 | 
             22 | OUT R10.4 | stopped in the middle: hold, M00, alarm
             23 | LD R10.0 | 
@@ -83,147 +83,151 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             28 | MOVN 2 D100 G54 | the same to the program
             29 | LDI X3.1 | 
             30 | LDI X3.5 | 
-            31 | AND R10.7 | 
+            31 | AND R11.0 | 
             32 | ORB | 
-            33 | LD A0.0 | 
+            33 | LD R10.5 | 
             34 | ANI F1.1 | 
             35 | ORB | 
-            36 | OUT A0.0 | fault of the inverter: alarm until reset
-            37 | LD X0.5 | 
-            38 | AND X3.1 | 
-            39 | AND X3.5 | 
-            40 | ANI F1.1 | 
-            41 | OUT R10.6 | spindle may turn: no emergency stop, fault, reset or lock
-            42 | LD R40.0 | 
-            43 | AND R10.2 | 
-            44 | LD R40.1 | 
-            45 | AND R10.1 | 
-            46 | ORB | 
-            47 | OUT A0.1 | M3 and M4 need M5 between them
-            48 | LD R40.0 | 
-            49 | AND R10.6 | 
-            50 | ANI R10.2 | 
-            51 | LD X3.2 | 
-            52 | AND R10.6 | 
-            53 | ANI X3.3 | 
-            54 | ANI X3.4 | 
-            55 | ANI R10.2 | 
-            56 | ANI R10.7 | 
-            57 | ORB | 
-            58 | LD R10.1 | 
-            59 | AND R10.6 | 
-            60 | ANI R40.2 | 
-            61 | ANI X3.4 | 
-            62 | ANI A0.2 | 
-            63 | ORB | 
-            64 | LD R10.1 | 
-            65 | AND R10.6 | 
-            66 | ANI R40.2 | 
+            36 | OUT R10.5 | fault of the inverter, until reset
+            37 | LD R10.5 | 
+            38 | OUT A0.0 | alarm: fault of the inverter
+            39 | LD X0.5 | 
+            40 | AND X3.1 | 
+            41 | AND X3.5 | 
+            42 | ANI F1.1 | 
+            43 | OUT R10.7 | spindle may turn: no emergency stop, fault, reset or lock
+            44 | LD R40.0 | 
+            45 | AND R10.2 | 
+            46 | LD R40.1 | 
+            47 | AND R10.1 | 
+            48 | ORB | 
+            49 | OUT A0.1 | M3 and M4 need M5 between them
+            50 | LD R40.0 | 
+            51 | AND R10.7 | 
+            52 | ANI R10.2 | 
+            53 | LD X3.2 | 
+            54 | AND R10.7 | 
+            55 | ANI X3.3 | 
+            56 | ANI X3.4 | 
+            57 | ANI R10.2 | 
+            58 | ANI R11.0 | 
+            59 | ORB | 
+            60 | LD R10.1 | 
+            61 | AND R10.7 | 
+            62 | ANI R40.2 | 
+            63 | ANI X3.4 | 
+            64 | ANI R11.1 | 
+            65 | ORB | 
+            66 | LD R10.1 | 
             67 | AND R10.7 | 
-            68 | ORB | 
-            69 | OUT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, stop key, fault
-            70 | LD R40.1 | 
-            71 | AND R10.6 | 
-            72 | ANI R10.1 | 
-            73 | LD X3.3 | 
-            74 | AND R10.6 | 
-            75 | ANI X3.2 | 
-            76 | ANI X3.4 | 
-            77 | ANI R10.1 | 
-            78 | ANI R10.7 | 
-            79 | ORB | 
-            80 | LD R10.2 | 
-            81 | AND R10.6 | 
-            82 | ANI R40.2 | 
-            83 | ANI X3.4 | 
-            84 | ANI A0.2 | 
-            85 | ORB | 
-            86 | LD R10.2 | 
-            87 | AND R10.6 | 
-            88 | ANI R40.2 | 
+            68 | ANI R40.2 | 
+            69 | AND R11.0 | 
+            70 | ORB | 
+            71 | OUT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
+            72 | LD R40.1 | 
+            73 | AND R10.7 | 
+            74 | ANI R10.1 | 
+            75 | LD X3.3 | 
+            76 | AND R10.7 | 
+            77 | ANI X3.2 | 
+            78 | ANI X3.4 | 
+            79 | ANI R10.1 | 
+            80 | ANI R11.0 | 
+            81 | ORB | 
+            82 | LD R10.2 | 
+            83 | AND R10.7 | 
+            84 | ANI R40.2 | 
+            85 | ANI X3.4 | 
+            86 | ANI R11.1 | 
+            87 | ORB | 
+            88 | LD R10.2 | 
             89 | AND R10.7 | 
-            90 | ORB | 
-            91 | OUT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, stop key, fault
-            92 | LD R10.1 | 
-            93 | AND R10.4 | 
-            94 | AND X3.4 | 
-            95 | LD R10.1 | 
-            96 | AND R10.7 | 
-            97 | AND A0.2 | 
-            98 | ANI X3.2 | 
-            99 | ORB | 
-            100 | LD R10.2 | 
-            101 | AND R10.4 | 
-            102 | AND X3.4 | 
-            103 | ORB | 
-            104 | LD R10.2 | 
-            105 | AND R10.7 | 
-            106 | AND A0.2 | 
-            107 | ANI X3.3 | 
-            108 | ORB | 
-            109 | OUT A0.2 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
-            110 | LD R10.1 | 
-            111 | ANI A0.2 | 
-            112 | OUT Y5.0 | run clockwise, unless the stop key has stopped the spindle
-            113 | LD R10.2 | 
-            114 | ANI A0.2 | 
-            115 | OUT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
-            116 | LD X3.1 | 
-            117 | AND X3.5 | 
-            118 | AND X3.6 | 
-            119 | AND X3.7 | 
-            120 | AND X4.0 | 
-            121 | ANI A0.0 | 
-            122 | ANI A0.2 | 
-            123 | OUT G8.5 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
-            124 | LDI X3.5 | 
-            125 | LD A0.3 | 
-            126 | ANI F0.5 | 
-            127 | ANI F1.1 | 
-            128 | ORB | 
-            129 | OUT A0.3 | text for the operator until the program runs again
-            130 | LDI X3.6 | 
-            131 | LD A0.4 | 
-            132 | ANI F0.5 | 
-            133 | ANI F1.1 | 
-            134 | ORB | 
-            135 | OUT A0.4 | text for the operator until the program runs again
-            136 | LDI X3.7 | 
-            137 | LD A0.5 | 
-            138 | ANI F0.5 | 
-            139 | ANI F1.1 | 
-            140 | ORB | 
-            141 | OUT A0.5 | text for the operator until the program runs again
-            142 | LDI X4.0 | 
-            143 | LD A0.6 | 
-            144 | ANI F0.5 | 
-            145 | ANI F1.1 | 
-            146 | ORB | 
-            147 | OUT A0.6 | text for the operator until the program runs again
-            148 | LDI R10.4 | 
-            149 | OUT G29.6 | spindle stops with the axes; S and M3 stay
-            150 | LD F7.0 | 
-            151 | OR F7.2 | 
-            152 | OR F7.3 | 
-            153 | OUT G4.3 | one answer for M, S and T
-            154 | LD R10.4 | 
-            155 | AND Y5.0 | 
-            156 | ANI F1.1 | 
-            157 | LD R10.4 | 
-            158 | AND Y5.1 | 
-            159 | ANI F1.1 | 
-            160 | ORB | 
-            161 | LD R10.5 | 
-            162 | ANI T0 | 
+            90 | ANI R40.2 | 
+            91 | AND R11.0 | 
+            92 | ORB | 
+            93 | OUT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
+            94 | LD R10.1 | 
+            95 | AND R10.4 | 
+            96 | AND X3.4 | 
+            97 | LD R10.1 | 
+            98 | AND R11.0 | 
+            99 | AND R11.1 | 
+            100 | ANI X3.2 | 
+            101 | ORB | 
+            102 | LD R10.2 | 
+            103 | AND R10.4 | 
+            104 | AND X3.4 | 
+            105 | ORB | 
+            106 | LD R10.2 | 
+            107 | AND R11.0 | 
+            108 | AND R11.1 | 
+            109 | ANI X3.3 | 
+            110 | ORB | 
+            111 | OUT R11.1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
+            112 | LD R11.1 | 
+            113 | OUT A0.2 | text for the operator: spindle stopped by its key
+            114 | LD R10.1 | 
+            115 | ANI R11.1 | 
+            116 | OUT Y5.0 | run clockwise, unless the stop key has stopped the spindle
+            117 | LD R10.2 | 
+            118 | ANI R11.1 | 
+            119 | OUT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
+            120 | LD X3.1 | 
+            121 | AND X3.5 | 
+            122 | AND X3.6 | 
+            123 | AND X3.7 | 
+            124 | AND X4.0 | 
+            125 | ANI R10.5 | 
+            126 | ANI R11.1 | 
+            127 | OUT G8.5 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+            128 | LDI X3.5 | 
+            129 | LD A0.3 | 
+            130 | ANI F0.5 | 
+            131 | ANI F1.1 | 
+            132 | ORB | 
+            133 | OUT A0.3 | text for the operator until the program runs again
+            134 | LDI X3.6 | 
+            135 | LD A0.4 | 
+            136 | ANI F0.5 | 
+            137 | ANI F1.1 | 
+            138 | ORB | 
+            139 | OUT A0.4 | text for the operator until the program runs again
+            140 | LDI X3.7 | 
+            141 | LD A0.5 | 
+            142 | ANI F0.5 | 
+            143 | ANI F1.1 | 
+            144 | ORB | 
+            145 | OUT A0.5 | text for the operator until the program runs again
+            146 | LDI X4.0 | 
+            147 | LD A0.6 | 
+            148 | ANI F0.5 | 
+            149 | ANI F1.1 | 
+            150 | ORB | 
+            151 | OUT A0.6 | text for the operator until the program runs again
+            152 | LDI R10.4 | 
+            153 | OUT G29.6 | spindle stops with the axes; S and M3 stay
+            154 | LD F7.0 | 
+            155 | OR F7.2 | 
+            156 | OR F7.3 | 
+            157 | OUT G4.3 | one answer for M, S and T
+            158 | LD R10.4 | 
+            159 | AND Y5.0 | 
+            160 | ANI F1.1 | 
+            161 | LD R10.4 | 
+            162 | AND Y5.1 | 
             163 | ANI F1.1 | 
             164 | ORB | 
-            165 | OUT R10.5 | axes wait at the restart
-            166 | LD R10.5 | 
-            167 | ANI R10.4 | 
-            168 | TMRB T0 2050 | as long as behind M3
-            169 | LDI R10.5 | 
-            170 | OR R10.4 | 
-            171 | OUT G8.0 | axes may move
+            165 | LD R10.6 | 
+            166 | ANI T0 | 
+            167 | ANI F1.1 | 
+            168 | ORB | 
+            169 | OUT R10.6 | axes wait at the restart
+            170 | LD R10.6 | 
+            171 | ANI R10.4 | 
+            172 | TMRB T0 2050 | as long as behind M3
+            173 | LDI R10.6 | 
+            174 | OR R10.4 | 
+            175 | OUT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );
@@ -288,12 +292,12 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             12 | RD F0.5 | 
             13 | AND.NOT R10.3 | 
             14 | AND.NOT F1.1 | 
-            15 | RD.STK R10.7 | 
+            15 | RD.STK R11.0 | 
             16 | AND.NOT R10.3 | 
             17 | AND.NOT F1.1 | 
             18 | OR.STK | 
-            19 | WRT R10.7 | program is begun, until its end or reset
-            20 | RD R10.7 | 
+            19 | WRT R11.0 | program is begun, until its end or reset
+            20 | RD R11.0 | 
             21 | AND.NOT F0.5 | 
             22 | WRT R10.4 | stopped in the middle: hold, M00, alarm
             23 | RD R10.0 | 
@@ -302,144 +306,148 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             26 | SUB 45 MOVN 2 D100 G54 | the same to the program
             27 | RD.NOT X3.1 | 
             28 | RD.NOT.STK X3.5 | 
-            29 | AND R10.7 | 
+            29 | AND R11.0 | 
             30 | OR.STK | 
-            31 | RD.STK A0.0 | 
+            31 | RD.STK R10.5 | 
             32 | AND.NOT F1.1 | 
             33 | OR.STK | 
-            34 | WRT A0.0 | fault of the inverter: alarm until reset
-            35 | RD X8.4 | 
-            36 | AND X3.1 | 
-            37 | AND X3.5 | 
-            38 | AND.NOT F1.1 | 
-            39 | WRT R10.6 | spindle may turn: no emergency stop, fault, reset or lock
-            40 | RD R40.0 | 
-            41 | AND R10.6 | 
-            42 | RD.STK X3.2 | 
-            43 | AND R10.6 | 
-            44 | AND.NOT X3.3 | 
-            45 | AND.NOT X3.4 | 
-            46 | AND.NOT R10.2 | 
-            47 | AND.NOT R10.7 | 
-            48 | OR.STK | 
-            49 | RD.STK R10.1 | 
-            50 | AND R10.6 | 
-            51 | AND.NOT R40.2 | 
-            52 | AND.NOT R40.1 | 
-            53 | AND.NOT X3.4 | 
-            54 | AND.NOT A0.1 | 
-            55 | OR.STK | 
-            56 | RD.STK R10.1 | 
-            57 | AND R10.6 | 
-            58 | AND.NOT R40.2 | 
-            59 | AND.NOT R40.1 | 
-            60 | AND R10.7 | 
-            61 | OR.STK | 
-            62 | WRT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, stop key, fault
-            63 | RD R40.1 | 
-            64 | AND R10.6 | 
-            65 | RD.STK X3.3 | 
-            66 | AND R10.6 | 
-            67 | AND.NOT X3.2 | 
-            68 | AND.NOT X3.4 | 
-            69 | AND.NOT R10.1 | 
-            70 | AND.NOT R10.7 | 
-            71 | OR.STK | 
-            72 | RD.STK R10.2 | 
-            73 | AND R10.6 | 
-            74 | AND.NOT R40.2 | 
-            75 | AND.NOT R40.0 | 
-            76 | AND.NOT X3.4 | 
-            77 | AND.NOT A0.1 | 
-            78 | OR.STK | 
-            79 | RD.STK R10.2 | 
-            80 | AND R10.6 | 
-            81 | AND.NOT R40.2 | 
-            82 | AND.NOT R40.0 | 
-            83 | AND R10.7 | 
-            84 | OR.STK | 
-            85 | WRT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, stop key, fault
-            86 | RD R10.1 | 
-            87 | AND R10.4 | 
-            88 | AND X3.4 | 
-            89 | RD.STK R10.1 | 
-            90 | AND R10.7 | 
-            91 | AND A0.1 | 
-            92 | AND.NOT X3.2 | 
-            93 | OR.STK | 
-            94 | RD.STK R10.2 | 
-            95 | AND R10.4 | 
-            96 | AND X3.4 | 
-            97 | OR.STK | 
-            98 | RD.STK R10.2 | 
-            99 | AND R10.7 | 
-            100 | AND A0.1 | 
-            101 | AND.NOT X3.3 | 
-            102 | OR.STK | 
-            103 | WRT A0.1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
-            104 | RD R10.1 | 
-            105 | AND.NOT A0.1 | 
-            106 | WRT Y5.0 | run clockwise, unless the stop key has stopped the spindle
-            107 | RD R10.2 | 
-            108 | AND.NOT A0.1 | 
-            109 | WRT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
-            110 | RD X3.1 | 
-            111 | AND X3.5 | 
-            112 | AND X3.6 | 
-            113 | AND X3.7 | 
-            114 | AND X4.0 | 
-            115 | AND.NOT A0.0 | 
-            116 | AND.NOT A0.1 | 
-            117 | WRT G8.5 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
-            118 | RD.NOT X3.5 | 
-            119 | RD.STK A0.2 | 
-            120 | AND.NOT F0.5 | 
-            121 | AND.NOT F1.1 | 
-            122 | OR.STK | 
-            123 | WRT A0.2 | text for the operator until the program runs again
-            124 | RD.NOT X3.6 | 
-            125 | RD.STK A0.3 | 
-            126 | AND.NOT F0.5 | 
-            127 | AND.NOT F1.1 | 
-            128 | OR.STK | 
-            129 | WRT A0.3 | text for the operator until the program runs again
-            130 | RD.NOT X3.7 | 
-            131 | RD.STK A0.4 | 
-            132 | AND.NOT F0.5 | 
-            133 | AND.NOT F1.1 | 
-            134 | OR.STK | 
-            135 | WRT A0.4 | text for the operator until the program runs again
-            136 | RD.NOT X4.0 | 
-            137 | RD.STK A0.5 | 
-            138 | AND.NOT F0.5 | 
-            139 | AND.NOT F1.1 | 
-            140 | OR.STK | 
-            141 | WRT A0.5 | text for the operator until the program runs again
-            142 | RD.NOT R10.4 | 
-            143 | WRT G29.6 | spindle stops with the axes; S and M3 stay
-            144 | RD F7.0 | 
-            145 | OR F7.2 | 
-            146 | OR F7.3 | 
-            147 | WRT G4.3 | one answer for M, S and T
-            148 | RD R10.4 | 
-            149 | AND Y5.0 | 
-            150 | AND.NOT F1.1 | 
-            151 | RD.STK R10.4 | 
-            152 | AND Y5.1 | 
-            153 | AND.NOT F1.1 | 
-            154 | OR.STK | 
-            155 | RD.STK R10.5 | 
-            156 | AND.NOT R30.0 | 
+            34 | WRT R10.5 | fault of the inverter, until reset
+            35 | RD R10.5 | 
+            36 | WRT A0.0 | alarm: fault of the inverter
+            37 | RD X8.4 | 
+            38 | AND X3.1 | 
+            39 | AND X3.5 | 
+            40 | AND.NOT F1.1 | 
+            41 | WRT R10.7 | spindle may turn: no emergency stop, fault, reset or lock
+            42 | RD R40.0 | 
+            43 | AND R10.7 | 
+            44 | RD.STK X3.2 | 
+            45 | AND R10.7 | 
+            46 | AND.NOT X3.3 | 
+            47 | AND.NOT X3.4 | 
+            48 | AND.NOT R10.2 | 
+            49 | AND.NOT R11.0 | 
+            50 | OR.STK | 
+            51 | RD.STK R10.1 | 
+            52 | AND R10.7 | 
+            53 | AND.NOT R40.2 | 
+            54 | AND.NOT R40.1 | 
+            55 | AND.NOT X3.4 | 
+            56 | AND.NOT R11.1 | 
+            57 | OR.STK | 
+            58 | RD.STK R10.1 | 
+            59 | AND R10.7 | 
+            60 | AND.NOT R40.2 | 
+            61 | AND.NOT R40.1 | 
+            62 | AND R11.0 | 
+            63 | OR.STK | 
+            64 | WRT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
+            65 | RD R40.1 | 
+            66 | AND R10.7 | 
+            67 | RD.STK X3.3 | 
+            68 | AND R10.7 | 
+            69 | AND.NOT X3.2 | 
+            70 | AND.NOT X3.4 | 
+            71 | AND.NOT R10.1 | 
+            72 | AND.NOT R11.0 | 
+            73 | OR.STK | 
+            74 | RD.STK R10.2 | 
+            75 | AND R10.7 | 
+            76 | AND.NOT R40.2 | 
+            77 | AND.NOT R40.0 | 
+            78 | AND.NOT X3.4 | 
+            79 | AND.NOT R11.1 | 
+            80 | OR.STK | 
+            81 | RD.STK R10.2 | 
+            82 | AND R10.7 | 
+            83 | AND.NOT R40.2 | 
+            84 | AND.NOT R40.0 | 
+            85 | AND R11.0 | 
+            86 | OR.STK | 
+            87 | WRT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
+            88 | RD R10.1 | 
+            89 | AND R10.4 | 
+            90 | AND X3.4 | 
+            91 | RD.STK R10.1 | 
+            92 | AND R11.0 | 
+            93 | AND R11.1 | 
+            94 | AND.NOT X3.2 | 
+            95 | OR.STK | 
+            96 | RD.STK R10.2 | 
+            97 | AND R10.4 | 
+            98 | AND X3.4 | 
+            99 | OR.STK | 
+            100 | RD.STK R10.2 | 
+            101 | AND R11.0 | 
+            102 | AND R11.1 | 
+            103 | AND.NOT X3.3 | 
+            104 | OR.STK | 
+            105 | WRT R11.1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
+            106 | RD R11.1 | 
+            107 | WRT A0.1 | text for the operator: spindle stopped by its key
+            108 | RD R10.1 | 
+            109 | AND.NOT R11.1 | 
+            110 | WRT Y5.0 | run clockwise, unless the stop key has stopped the spindle
+            111 | RD R10.2 | 
+            112 | AND.NOT R11.1 | 
+            113 | WRT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
+            114 | RD X3.1 | 
+            115 | AND X3.5 | 
+            116 | AND X3.6 | 
+            117 | AND X3.7 | 
+            118 | AND X4.0 | 
+            119 | AND.NOT R10.5 | 
+            120 | AND.NOT R11.1 | 
+            121 | WRT G8.5 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+            122 | RD.NOT X3.5 | 
+            123 | RD.STK A0.2 | 
+            124 | AND.NOT F0.5 | 
+            125 | AND.NOT F1.1 | 
+            126 | OR.STK | 
+            127 | WRT A0.2 | text for the operator until the program runs again
+            128 | RD.NOT X3.6 | 
+            129 | RD.STK A0.3 | 
+            130 | AND.NOT F0.5 | 
+            131 | AND.NOT F1.1 | 
+            132 | OR.STK | 
+            133 | WRT A0.3 | text for the operator until the program runs again
+            134 | RD.NOT X3.7 | 
+            135 | RD.STK A0.4 | 
+            136 | AND.NOT F0.5 | 
+            137 | AND.NOT F1.1 | 
+            138 | OR.STK | 
+            139 | WRT A0.4 | text for the operator until the program runs again
+            140 | RD.NOT X4.0 | 
+            141 | RD.STK A0.5 | 
+            142 | AND.NOT F0.5 | 
+            143 | AND.NOT F1.1 | 
+            144 | OR.STK | 
+            145 | WRT A0.5 | text for the operator until the program runs again
+            146 | RD.NOT R10.4 | 
+            147 | WRT G29.6 | spindle stops with the axes; S and M3 stay
+            148 | RD F7.0 | 
+            149 | OR F7.2 | 
+            150 | OR F7.3 | 
+            151 | WRT G4.3 | one answer for M, S and T
+            152 | RD R10.4 | 
+            153 | AND Y5.0 | 
+            154 | AND.NOT F1.1 | 
+            155 | RD.STK R10.4 | 
+            156 | AND Y5.1 | 
             157 | AND.NOT F1.1 | 
             158 | OR.STK | 
-            159 | WRT R10.5 | axes wait at the restart
-            160 | RD R10.5 | 
-            161 | AND.NOT R10.4 | 
-            162 | SUB 24 TMRB 1 2050 | 
-            163 | WRT R30.0 | as long as behind M3
-            164 | RD.NOT R10.5 | 
-            165 | OR R10.4 | 
-            166 | WRT G8.0 | axes may move
+            159 | RD.STK R10.6 | 
+            160 | AND.NOT R30.0 | 
+            161 | AND.NOT F1.1 | 
+            162 | OR.STK | 
+            163 | WRT R10.6 | axes wait at the restart
+            164 | RD R10.6 | 
+            165 | AND.NOT R10.4 | 
+            166 | SUB 24 TMRB 1 2050 | 
+            167 | WRT R30.0 | as long as behind M3
+            168 | RD.NOT R10.6 | 
+            169 | OR R10.4 | 
+            170 | WRT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );

@@ -451,6 +451,7 @@ fn values_that_a_control_refuses_are_findings() {
         Warning driven-tool: A keyway is cut by a driven tool while the spindle stands still, and this machine has none: the program stops at the angle with M0. Say that it has one, and the program cuts the keyway.
     "#]].assert_eq(&findings("sinumerik-802d", &[("keyway", "true")]));
     expect![[r#"
+        Warning release-code: The spindle stays locked at the end of the program, and the next start turns against the lock: say which M code releases it.
         Warning keyway-depth: The machine has a driven tool, and the keyway no depth: the program stops at the angle with M0. Give a depth, and it cuts the keyway.
     "#]]
         .assert_eq(&findings("sinumerik-802d", &[("keyway", "true"), ("lock-code", "81"), ("driven-tool", "true")]));

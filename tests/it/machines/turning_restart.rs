@@ -117,17 +117,54 @@ fn keyway_restart_waits_for_the_mill_and_unlocks() {
         let [before, after] = [along + PAUSE, end].map(|t| planner.timeline().words_at(t));
         assert!(before.iter().zip(after).all(|(b, a)| (b - a).abs() < 1e-6), "{control}: it moved");
         assert_eq!(again, ["show RETRACT THE TOOL BY HAND, R124=0", "stop"], "{control}: no turret indexes");
-        // The operator has retracted the tool, clears the mark, and begins again: the program opens the clamp before M3.
-        let start = along + PAUSE;
-        let events = [
-            (along, Action::Reset),
-            (start - 0.2, Action::Variable(124, Some(0.0))),
-            (start - 0.1, Action::Reset),
-            (start, Action::Start),
-        ];
-        let Outcome { planner, ended, .. } = outcome(&project, &events);
-        assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}");
+    }
+}
+
+/// The tool is out of the groove at the reset, and the operator clears the mark at the message.
+#[test]
+fn cleared_mark_frees_the_start_without_a_reset() {
+    for control in ["sinumerik-802d", "sinumerik-808d"] {
+        let project = Project::named("turning-spindle", Some(control), Some("keyway")).unwrap();
+        let whole = outcome(&project, &[]);
+        // At the end of its way back the tool is out of the groove, and the spindle is still locked.
+        let block = whole.planner.program().numbered(64).unwrap();
+        let end = whole.planner.timeline().end();
+        let steps = (1..40_000).map(|k| end * f64::from(k) / 40_000.0);
+        let out = steps.filter(|t| whole.planner.timeline().block_at(*t) == Some(block)).last().unwrap();
+        let stopped = [(out, Action::Reset), (out + 2.0, Action::Start), (out + 6.0, Action::Start)];
+        let again = outcome(&project, &stopped);
+        assert_eq!(again.ended, Some(RunEnd::Stop), "{control}: the mark is set");
+        let start = out + 12.0;
+        let cleared = [(out + 10.0, Action::Variable(124, Some(0.0))), (start, Action::Start)];
+        let Outcome { planner, ended, log } = outcome(&project, &[&stopped[..], &cleared].concat());
+        assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}: {:?}", planner.diagnostics());
+        assert_eq!(planner.timeline().message_at(start + 2.0), None, "{control}");
+        let since: Vec<&String> = log.iter().filter(|(read, _)| *read >= start).map(|(_, canon)| canon).collect();
+        assert!(since.ends_with(&whole.log.iter().map(|(_, canon)| canon).collect::<Vec<_>>()), "{since:?}");
+        // The program opens the clamp before M3.
         let speeds = (0..400).map(|k| planner.timeline().at(start + f64::from(k) * 0.1).spindle.actual.abs());
         assert!(speeds.fold(0.0, f64::max) > 100.0, "{control}: the spindle turns again");
     }
+}
+
+#[test]
+fn spindle_locked_without_a_cut_is_released_for_the_next_part() {
+    let keyway = |release: &str| {
+        let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+        let sets = [("driven-tool", "false"), ("release-code", release)].map(|(id, typed)| (id, typed.to_owned()));
+        project.with_entries(&sets).unwrap()
+    };
+    let warns = |project: &Project| {
+        project.design().diagnostics.iter().any(|found| found.message.id == "turning.keyway-stays-locked")
+    };
+    assert!(warns(&keyway("0")) && !warns(&keyway("82")));
+    // Cycle start at M0, and for the second part; its M0 ends the run.
+    let project = keyway("82");
+    let stop = outcome(&project, &[]).planner.timeline().end();
+    let first = outcome(&project, &[(stop + 1.0, Action::Start)]);
+    assert_eq!(first.ended, Some(RunEnd::ProgramEnd));
+    let second = first.planner.ended_at().unwrap() + 1.0;
+    let Outcome { planner, ended, .. } = outcome(&project, &[(stop + 1.0, Action::Start), (second, Action::Start)]);
+    assert_eq!(ended, Some(RunEnd::Stop), "{:?}", planner.diagnostics());
+    assert!(planner.timeline().end() > second + 0.9 * stop, "the second part is cut");
 }
