@@ -45,7 +45,7 @@ test('a result shows the parts and fields that it depends on', () =>
     await page.getByRole('button', { name: /Line speed/ }).hover();
     await page.locator('.scene .cause').first().waitFor();
     const fields = await page.locator('.field.cause').evaluateAll((rows) => rows.map((row) => row.querySelector('input[id], select').id));
-    assert.ok(fields.includes('press-roller-diameter') && !fields.includes('pitch'), `${fields}`);
+    assert.ok(fields.includes('press-roller-diameter') && !fields.includes('loop-capacity'), `${fields}`);
     await page.mouse.move(5, 400);
     await page.locator('.scene .cause').first().waitFor({ state: 'detached' });
   }));
