@@ -225,6 +225,11 @@ fn about(name: &str) -> &'static str {
         REPORT => "page.file.report",
         "report.md" => "page.file.report-text",
         "project.json" => "page.file.project",
+        "bill.csv" => "sheet.bill",
+        "terminals.csv" => "sheet.terminals",
+        "parameters.csv" => "sheet.parameters",
+        "interface.csv" => "sheet.interface",
+        "stops.csv" => "sheet.stops",
         _ => match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
             "csv" => "page.file.table",
             "svg" => "page.file.drawing",
