@@ -84,7 +84,8 @@ enum Side {
 }
 
 /// Places the milestones of the shown time on an axis of `width` pixels; a name that would overlap another one, a symbol (of an action or
-/// the end, at these times) or the end of the axis is left out, and so is a mark without a name behind the name of another.
+/// the end, at these times) or the end of the axis is left out. A name is on the side with fewer lines of others, and a dwell behind a name is
+/// left out.
 fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) -> Vec<Placed> {
     let pixel = |t: f64| (t - from) / (to - from) * width;
     let mut marks: Vec<(f64, &Named)> = Vec::new();
@@ -106,7 +107,8 @@ fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) 
         let areas = [(Side::Right, (*x, x + wide)), (Side::Left, (x - wide, *x))];
         let free =
             |(_, (a, b)): &&(Side, (f64, f64))| *a >= 0.0 && *b <= width && taken.iter().all(|(c, d)| b <= c || d <= a);
-        if let Some((side, area)) = areas.iter().find(free) {
+        let behind = |(_, (a, b)): &&(Side, (f64, f64))| marks.iter().filter(|(line, _)| a < line && line < b).count();
+        if let Some((side, area)) = areas.iter().filter(free).min_by_key(behind) {
             taken.push(*area);
             if let Some(place) = sides.get_mut(at) {
                 *place = Some(*side);
@@ -122,7 +124,8 @@ fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) 
     // A line behind the letters of another mark makes them hard to read.
     let names = taken.get(symbols.len()..).unwrap_or_default();
     let behind = |x: f64| names.iter().any(|(a, b)| *a < x && x < *b);
-    marks.into_iter().zip(sides).filter(|((x, _), side)| side.is_some() || !behind(*x)).map(place).collect()
+    let is_shown = |((x, row), side): &((f64, &Named), Option<Side>)| side.is_some() || row.weight > 0 || !behind(*x);
+    marks.into_iter().zip(sides).filter(is_shown).map(place).collect()
 }
 
 /// The marks.
@@ -231,7 +234,7 @@ mod tests {
                     Some(if mark.side? == Side::Right { (x, x + wide) } else { (x - wide, x) })
                 })
                 .collect();
-            let lines = placed.iter().filter(|mark| mark.side.is_none()).map(|mark| mark.at / 100.0 * width);
+            let lines = placed.iter().filter(|mark| mark.words == "dwell").map(|mark| mark.at / 100.0 * width);
             let crossed = lines.filter(|x| areas.iter().any(|(a, b)| a < x && x < b)).count();
             assert_eq!(crossed, 0, "{width}: {areas:?}");
             for (at, (a, b)) in areas.iter().enumerate() {
