@@ -43,7 +43,7 @@ test('a variable and a position have their meaning by a tap', { skip: FIREFOX &&
 test('a result shows the parts and fields that it depends on', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: /Line speed/ }).hover();
-    await page.locator('.scene .cause').first().waitFor();
+    await page.locator('.scene .cause[data-field="press-roller-diameter"]').first().waitFor();
     const fields = await page.locator('.field.cause').evaluateAll((rows) => rows.map((row) => row.querySelector('input[id], select').id));
     assert.ok(fields.includes('press-roller-diameter') && !fields.includes('loop-capacity'), `${fields}`);
     await page.mouse.move(5, 400);
