@@ -244,7 +244,7 @@ mod tests {
         }
         let wide = placed(&found, (0.0, 10.0), 800.0, &[]);
         let named: Vec<_> = wide.iter().filter_map(|mark| Some((mark.words.as_str(), mark.side?))).collect();
-        for name in [("M3", Side::Right), ("first dot", Side::Right), ("M5", Side::Left)] {
+        for name in [("M3", Side::Right), ("first dot", Side::Left), ("M5", Side::Left)] {
             assert!(named.contains(&name), "{name:?}: {named:?}");
         }
     }
