@@ -102,32 +102,34 @@ pub fn has_alarms(control: &Control) -> bool {
     control.vars.iter().any(|row| row.kind == VarKind::AlarmMessage)
 }
 
-/// Stops the program with a text until its cause is gone: as a user alarm, or, on controls without these, as a message and M0, after which
-/// cycle start goes back to the checks from block `checks` on. They see values that the operator sets at M0, for nothing is read ahead of it.
-pub fn alarm_until_cleared(b: &mut Builder, control: &Control, number: u32, text: &str, checks: u32) {
-    b.n(900 + number);
-    if has_alarms(control) {
-        b.alarm(number, text);
-        return;
-    }
-    b.show(text);
-    b.words([m(0)]);
-    let waits = codes(control, [Code::StopReading]);
-    if !waits.is_empty() {
-        b.words(waits);
-    }
-    b.end_message();
-    b.goto(checks);
-}
-
-/// Stops the program with a text: as a user alarm, or, on controls without these, as a message and M0 in a loop until reset.
-pub fn alarm(b: &mut Builder, control: &Control, number: u32, text: &str) {
+/// Stops the program with a text: as a user alarm, or, on controls without these, as a message and M0, and `then` after cycle start.
+fn stop_with_text(b: &mut Builder, control: &Control, number: u32, text: &str, then: impl FnOnce(&mut Builder)) {
     b.n(900 + number);
     if has_alarms(control) {
         b.alarm(number, text);
     } else {
         b.show(text);
         b.words([m(0)]);
-        b.goto(900 + number);
+        then(b);
     }
+}
+
+/// Stops the program with a text until its cause is gone: after the M0 cycle start goes back to the checks from block `checks` on. They see
+/// values that the operator sets at M0, for nothing is read ahead of it.
+pub fn alarm_until_cleared(b: &mut Builder, control: &Control, number: u32, text: &str, checks: u32) {
+    stop_with_text(b, control, number, text, |b| {
+        let waits = codes(control, [Code::StopReading]);
+        if !waits.is_empty() {
+            b.words(waits);
+        }
+        b.end_message();
+        b.goto(checks);
+    });
+}
+
+/// Stops the program with a text, after an M0 in a loop until reset.
+pub fn alarm(b: &mut Builder, control: &Control, number: u32, text: &str) {
+    stop_with_text(b, control, number, text, |b| {
+        b.goto(900 + number);
+    });
 }

@@ -18,11 +18,12 @@ use crate::view::{Limit, Verdict};
 /// Time (s) after a change in which the values are read.
 const SPAN: f64 = 10.0;
 
-/// After the knob went up from its lowest position the values are read over three times that span and three more, until those of the
-/// machine stay, at most over so many: the blocks read ahead take their time at the old feed.
-const MOST_SPANS: u32 = 30;
+/// The same (s) after the knob went up from its lowest position, and again until the values of the machine stay, at most so many times: the
+/// blocks read ahead take their time at the old feed.
+const LONG_SPAN: f64 = 30.0;
+const LONG_SPANS: u32 = 10;
 
-/// Part of a value by which it may change over some spans and still stays.
+/// Part of a value by which it may change over a long span and still stays.
 const STAYS: f64 = 1e-3;
 
 /// Time (s) from standstill to the next cycle start.
@@ -316,8 +317,8 @@ impl Envelope<'_> {
     fn settled(&self, event: OperatingEvent, whole: &WholeRun, actions: Vec<(f64, Action)>) -> Vec<EnvelopeRow> {
         let (at, mut run) = (whole.middle(), acted(whole, actions));
         let mut before: Vec<EnvelopeRow> = Vec::new();
-        for spans in (3..=MOST_SPANS).step_by(3) {
-            let rows = self.read_on(event, &mut run, (at, at + SPAN * f64::from(spans)));
+        for spans in 1..=LONG_SPANS {
+            let rows = self.read_on(event, &mut run, (at, at + LONG_SPAN * f64::from(spans)));
             let stays = |now: &EnvelopeRow| {
                 let then = before.iter().find(|then| then.id == now.id);
                 then.is_some_and(|then| (now.value - then.value).abs() <= STAYS * then.value.abs())
