@@ -23,15 +23,15 @@ addEventListener('fetch', (event) => {
   }
 });
 
-// All files, or none: a file that does not come, is another one than the list says, or has no room leaves everything as it was.
+// All files, or none: a file that does not come, is another one than the list says, or has no room leaves everything as it was. The other
+// files are waited for, so that a failed build neither loads nor writes any more.
 async function install() {
-  try {
-    const cache = await caches.open(OWN);
-    await Promise.all(Object.entries(FILES).map(async ([file, hash]) => cache.put(file, (await same(file, hash)) ?? (await fetched(file)))));
-  } catch (error) {
-    await caches.delete(OWN);
-    throw error;
-  }
+  const cache = await caches.open(OWN);
+  const files = await Promise.allSettled(Object.entries(FILES).map(async ([file, hash]) => cache.put(file, (await same(file, hash)) ?? (await fetched(file)))));
+  const failed = files.find(({ status }) => status === 'rejected');
+  if (!failed) return;
+  await caches.delete(OWN);
+  throw failed.reason;
 }
 
 // The browser itself compares the file with its hash.
