@@ -30,8 +30,10 @@ pub struct BillRow {
     pub axis: Option<&'static str>,
     /// Maker; empty if the row is no part of the catalogue.
     pub maker: String,
-    /// Order number or type, or the known figures of the part if it has none.
+    /// Order number or type; empty until a part is chosen.
     pub model: String,
+    /// What the part has to be or do, where it is not chosen yet; may be empty.
+    pub asked: String,
     /// Whether the part is a proposal for an open choice.
     pub proposed: bool,
     /// Quantity.
@@ -49,8 +51,11 @@ pub struct BillRow {
 }
 
 impl BillRow {
-    /// Maker and model, or the known figures of the part; a proposal is marked.
+    /// Maker and model, or what the part has to be; a proposal is marked.
     pub fn part(&self) -> String {
+        if self.model.is_empty() {
+            return sentence(&msg!("size.bill.to-choose", asked = self.asked.as_str()));
+        }
         let part = format!("{} {}", self.maker, self.model).trim_start().to_owned();
         if self.proposed { sentence(&msg!("size.bill.proposal", part)) } else { part }
     }
@@ -63,7 +68,7 @@ pub(super) fn bill(
     runs: &SizingRuns,
     axes: &[SizedAxis],
 ) -> Vec<BillRow> {
-    let control = described(BillItem::Control, None, project.control.name.to_owned(), PartGrade::Entered);
+    let control = of_project(BillItem::Control, None, project.control.name.to_owned());
     let inputs = inputs(project.machine, prepared, &project.values, &project.provenance);
     let motors = project.machine.info().motors;
     let figures_in_form = |motor: &FormMotor| figures_of(motor, &inputs);
@@ -179,14 +184,20 @@ fn part_or_open(
     part.map_or_else(open, |part| of_part(item, axis, part, proposed))
 }
 
-/// A row without a part of the catalogue, in the words of form and project.
-fn described(item: BillItem, axis: Option<&'static str>, model: String, grade: PartGrade) -> BillRow {
+/// A part that the project names, outside the catalogue.
+fn of_project(item: BillItem, axis: Option<&'static str>, model: String) -> BillRow {
+    BillRow { model, ..described(item, axis, String::new(), PartGrade::Entered) }
+}
+
+/// A part that is still to be chosen, in the words of form and project.
+fn described(item: BillItem, axis: Option<&'static str>, asked: String, grade: PartGrade) -> BillRow {
     let source = say(if grade == PartGrade::Open { "size.bill.no-source" } else { "size.bill.of-project" });
     BillRow {
         item,
         axis,
         maker: String::new(),
-        model,
+        model: String::new(),
+        asked,
         proposed: false,
         quantity: 1,
         refusal: None,
@@ -217,7 +228,7 @@ fn brake(axis: &SizedAxis) -> Option<BillRow> {
     if axis.brake <= 0.0 {
         return None;
     }
-    let described = |model| described(BillItem::Brake, Some(axis.name), model, PartGrade::Entered);
+    let described = |asked| described(BillItem::Brake, Some(axis.name), asked, PartGrade::Entered);
     if axis.work.is_none() {
         return Some(described(format!("{} Nm", number_text(axis.brake, 2))));
     }
@@ -247,6 +258,7 @@ fn of_part(item: BillItem, axis: &'static str, part: &Part, proposed: bool) -> B
         axis: Some(axis),
         maker: part.maker.clone(),
         model: part.model.clone(),
+        asked: String::new(),
         proposed,
         quantity: 1,
         refusal: None,
@@ -276,10 +288,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
     let pair = |chosen: &Candidate, proposed| {
         let amplifier = chosen.amplifier.as_ref().map(|part| of(item, part, proposed));
         let short = chosen.shortage.as_ref();
-        let short = short.map(|short| {
-            let told = sentence(&msg!("size.bill.amplifier-short", reason = sentence(short)));
-            described(item, Some(axis.name), told, PartGrade::Open)
-        });
+        let short = short.map(|short| described(item, Some(axis.name), sentence(short), PartGrade::Open));
         let amplifier = amplifier.or(short).unwrap_or_else(|| open("size.bill.no-amplifier"));
         let amplifier = BillRow { open: overload_to_confirm(chosen).into_iter().collect(), ..amplifier };
         let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
@@ -307,7 +316,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
         (Some(chosen), _) => all(chosen, false),
         // The motor of the form is not in the catalogue.
         (None, Some(typed)) => {
-            let motor = described(BillItem::Motor, Some(axis.name), typed, PartGrade::Entered);
+            let motor = of_project(BillItem::Motor, Some(axis.name), typed);
             [motor, open("size.bill.no-amplifier")].into_iter().chain(of_form()).collect()
         }
         (None, None) => {

@@ -54,9 +54,10 @@ impl Sizing {
             let cells = [
                 item,
                 of.maker.clone(),
-                of.model.clone(),
+                if of.model.is_empty() { say("size.grade.open") } else { of.model.clone() },
                 of.quantity.to_string(),
-                order_of(of),
+                if of.maker.is_empty() { String::new() } else { ordered_status(of.status) },
+                to_settle(of),
                 part_grade(of.grade),
                 of.source.clone(),
             ];
@@ -72,6 +73,7 @@ impl Sizing {
                 Column::Plain("sheet.order-number"),
                 Column::Plain("sheet.quantity"),
                 Column::Plain("sheet.status"),
+                Column::Plain("sheet.to-settle"),
                 Column::Plain("page.grade"),
                 Column::Source("form.report.source"),
             ],
@@ -365,11 +367,11 @@ fn ordered_status(of: Option<Status>) -> String {
     }
 }
 
-/// Remarks for the order of a part: its refusal, its production status if it has a maker, and open points.
-fn order_of(of: &BillRow) -> String {
+/// What is to be settled before a part is ordered: the reason against it, what it has to be, and open points.
+fn to_settle(of: &BillRow) -> String {
     let refused = of.refusal.as_ref().map(|message| format!("✕ {}", sentence(message)));
-    let status = (!of.maker.is_empty()).then(|| ordered_status(of.status));
-    refused.into_iter().chain(status).chain(of.open.iter().map(sentence)).collect::<Vec<_>>().join(" · ")
+    let asked = Some(of.asked.clone()).filter(|asked| !asked.is_empty());
+    refused.into_iter().chain(asked).chain(of.open.iter().map(sentence)).collect::<Vec<_>>().join(" · ")
 }
 
 /// Grade of a part in words.

@@ -171,7 +171,7 @@ fn bill(row: &BillRow) -> Json {
     let open: Vec<String> = row.open.iter().map(sentence).collect();
     let open = (!open.is_empty()).then(|| open.join(" · "));
     json!({
-        "item": words(row.item.name()), "axis": row.axis.map(words), "part": row.part(), "maker": row.maker, "model": row.model, "proposal": row.proposed,
+        "item": words(row.item.name()), "axis": row.axis.map(words), "part": row.part(), "maker": row.maker, "model": row.model, "asked": row.asked, "proposal": row.proposed,
         "quantity": row.quantity, "refused": row.refusal.as_ref().map(sentence), "open": open, "status": status(row.status), "grade": grade(row.grade), "source": row.source,
     })
 }

@@ -63,13 +63,13 @@ fn offer_has_motors_envelope_and_bill() {
         let bill = named(&files, "bill.csv");
         for row in &sizing.bill {
             assert!([&row.maker, &row.source].into_iter().all(|told| bill.contains(told.as_str())), "{row:?}: {bill}");
-            assert!(bill.contains(&row.model), "{row:?}: {bill}");
+            assert!(bill.contains(&row.model) && bill.contains(&row.asked), "{row:?}: {bill}");
         }
         assert_eq!(
             bill.trim_start_matches('\u{feff}').lines().next(),
-            Some("Item,Maker,Order number,Qty,Status,Evidence,Source")
+            Some("Item,Maker,Order number,Qty,Status,To settle before the order,Evidence,Source")
         );
-        let heads = "| Item | Maker | Order number | Qty | Status | Evidence | Source |\n";
+        let heads = "| Item | Maker | Order number | Qty | Status | To settle before the order | Evidence | Source |\n";
         assert!(named(&files, "report.md").contains(heads));
     }
     assert!(counts.last().is_some_and(|of_the_paper| *of_the_paper > 0), "{counts:?}");

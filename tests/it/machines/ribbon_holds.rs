@@ -155,7 +155,7 @@ fn tight_ribbon_holds_the_run_at_its_tension_limit() {
 fn tension_switch_opens_before_the_nip_slips() {
     let text = |force: &str| {
         let sizing = sized_without_envelope(&project("mitsubishi-e60", &[("pinch-force", force)]));
-        let told = sizing.bill.iter().map(|row| row.model.clone()).find(|told| told.contains("limit of the tension"));
+        let told = sizing.bill.iter().map(|row| row.asked.clone()).find(|told| told.contains("limit of the tension"));
         told.expect("a tension switch")
     };
     // Half of 0.4 · 100 N behind a ribbon without tension: the strength of 75 N is out of reach. 1000 N reach it.
@@ -202,7 +202,7 @@ fn tension_switch_leaves_x_its_way_to_the_stop() {
     // Bill, design and envelope have one tension for it.
     let tension = 15.0 + room * 4000.0 * 2.5 / 2000.0;
     let sizing = sized_without_envelope(&project);
-    let told = sizing.bill.iter().map(|row| row.model.clone()).find(|told| told.contains("limit of the tension"));
+    let told = sizing.bill.iter().map(|row| row.asked.clone()).find(|told| told.contains("limit of the tension"));
     assert!(told.is_some_and(|told| told.ends_with(&format!("limit of the tension {tension:.1} N"))), "{tension}");
     let design = project.design();
     let limit = design.readouts.iter().find(|row| row.id == "tension").and_then(|row| row.limit);

@@ -163,7 +163,7 @@ fn resistor_of_many_passes_takes_each_braking() {
     near(power, 235.1, 1.0);
     let sizing = size(&lathe, &lathe.written());
     let row = sizing.bill.iter().find(|row| row.item == BillItem::Resistor && row.axis == Some(asked.name)).unwrap();
-    assert!(row.model.contains("235.1") && row.model.contains("brakes 20 times"), "{}", row.model);
+    assert!(row.asked.contains("235.1") && row.asked.contains("brakes 20 times"), "{}", row.asked);
 }
 
 #[test]

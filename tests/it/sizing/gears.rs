@@ -102,7 +102,7 @@ fn smallest_gear_unit_that_passes_is_proposed_in_the_bill() {
 fn ratio_without_a_gear_unit_is_an_open_row_with_what_is_asked() {
     let sizing = sized(&line(11.3));
     let row = row(&sizing, "ribbon.drive.pull").unwrap();
-    assert!(!row.proposed && row.maker.is_empty() && row.model.contains("11.3 : 1"), "{row:?}");
+    assert!(!row.proposed && row.maker.is_empty() && row.asked.contains("11.3 : 1"), "{row:?}");
     assert_eq!(gear(&sizing, "x").unwrap().next_ratios, [11.0, 15.0]);
 }
 

@@ -77,7 +77,7 @@ fn brake_of_a_weight_has_its_service_factor() {
             let project = lathe(name, first_control(name), &[("bed-angle", &angle.to_string())]);
             let bill = sized(&project).bill;
             let row = bill.iter().find(|row| row.item == BillItem::Brake).unwrap();
-            let printed = row.model.strip_prefix("at least ").unwrap().split(' ').next().unwrap();
+            let printed = row.asked.strip_prefix("at least ").unwrap().split(' ').next().unwrap();
             let driven = project.prepared().driven_axes();
             let weight = driven.iter().find(|axis| axis.id == "x").unwrap().weight;
             let over = printed.parse::<f64>().unwrap() - 1.5 * weight;
@@ -92,7 +92,7 @@ fn brake_of_a_weight_closes_whenever_its_amplifier_is_off() {
     let sizing = sized(&lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", "60")]));
     let x = Some("slides.drive.x");
     let contactor = sizing.bill.iter().find(|row| row.item == BillItem::BrakeContactor).unwrap();
-    assert!(contactor.model.contains("brake output of the amplifier"), "{}", contactor.model);
+    assert!(contactor.asked.contains("brake output of the amplifier"), "{}", contactor.asked);
     let leads = |from: BillItem, to: BillItem, axis| {
         let ends = |row: &&TerminalRow| (row.from.item, row.to.item, row.to.axis) == (from, to, axis);
         sizing.terminals.iter().filter(ends).collect::<Vec<_>>()

@@ -25,7 +25,7 @@ fn unwinder(sizing: &Sizing) -> &[Candidate] {
 /// Row of a brake resistor in the bill, in words.
 fn resistor(project: &Project) -> Option<String> {
     let rows = sized(project).bill.into_iter();
-    rows.filter(|row| row.item == BillItem::Resistor).map(|row| row.model).next()
+    rows.filter(|row| row.item == BillItem::Resistor).map(|row| row.asked).next()
 }
 
 /// Torque in Nm that web and friction of the first example ask of the motor: 20 N at 100.5 mm and 1 Nm, through a gear of 50 : 1 with 70 %.

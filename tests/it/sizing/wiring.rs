@@ -125,8 +125,8 @@ fn dancer_asks_the_inverter_for_a_trim_input() {
         let row = sizing.bill.iter().find(|row| row.item == BillItem::Dancer);
         assert_eq!(row.map(|row| row.grade), dancer.then_some(PartGrade::Open));
         // The requirements of the parts are from the form: the loop is as long as its capacity.
-        let asked = |item: BillItem| sizing.bill.iter().find(|row| row.item == item).unwrap().model.clone();
-        assert!(row.is_none_or(|row| row.model.contains("432 mm")), "{row:?}");
+        let asked = |item: BillItem| sizing.bill.iter().find(|row| row.item == item).unwrap().asked.clone();
+        assert!(row.is_none_or(|row| row.asked.contains("432 mm")), "{row:?}");
         assert!(asked(BillItem::LoopSensor).contains("432 mm"), "{}", asked(BillItem::LoopSensor));
     }
 }
