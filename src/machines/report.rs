@@ -116,6 +116,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
         value: text,
         unit,
         origin: field.role.is_fact().then_some(origin),
+        essential: field.essential,
     }
 }
 

@@ -14,8 +14,10 @@ use crate::text::units::in_millimetres;
 use crate::text::{Diagnostic, Severity};
 use crate::view::{self, report};
 
-/// Name of the report for people, which is printed.
+/// Names of the documents for people, which are printed: the report, and its summary for those who decide.
 pub const REPORT: &str = "report.html";
+/// See [`REPORT`].
+pub const SUMMARY: &str = "summary.html";
 
 /// Options of an export.
 #[derive(Debug, Clone, Copy, Default)]
@@ -33,6 +35,8 @@ pub struct ExportOptions<'a> {
 pub struct Export {
     /// Files by name; empty where a diagnostic is an error.
     pub files: Vec<File>,
+    /// The report without programs, as HTML, where there are no files because of an error.
+    pub draft: Option<String>,
     /// Invalid fields and findings about the program.
     pub diagnostics: Vec<Diagnostic>,
     /// The program files that places of diagnostics point into.
@@ -88,9 +92,14 @@ impl Project {
         silence(&mut diagnostics, &self.silenced);
         diagnostics.extend(found.iter().cloned());
         let mut files = Vec::new();
-        if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
+        let mut draft = None;
+        let options = ExportOptions { advice: &found, ..*options };
+        if diagnostics.iter().any(|d| d.severity == Severity::Error) {
+            let without_programs = Written { files: Files::default(), ..written.clone() };
+            draft = Some(report::html(&self.report(&prepared, &without_programs, &options)));
+        } else {
             files.extend(written.files.0.iter().cloned());
-            files.extend(self.documents_of(&prepared, written, &ExportOptions { advice: &found, ..*options }));
+            files.extend(self.documents_of(&prepared, written, &options));
             let same = same_names(&files);
             if !same.is_empty() {
                 files.clear();
@@ -98,7 +107,7 @@ impl Project {
             }
         }
         let programs = (written.files.0.len(), self.characters());
-        Export { files, diagnostics, about: written.files.clone(), programs }
+        Export { files, draft, diagnostics, about: written.files.clone(), programs }
     }
 
     /// The files beside the programs.
@@ -106,6 +115,7 @@ impl Project {
         let file = |name: &str, text| File { name: name.to_owned(), text };
         let told = self.report(prepared, written, options);
         let mut files = vec![
+            file(SUMMARY, report::summary(&told)),
             file(REPORT, report::html(&told)),
             file("report.md", report::markdown(&told)),
             file("drawing.svg", told.run.drawing.clone()),

@@ -2,6 +2,8 @@
 
 pub(super) mod embed;
 
+mod parts_bar;
+
 use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 
@@ -31,6 +33,7 @@ use super::words::{sentence, t};
 use super::worker::client::Client;
 use super::worker::diagnostics;
 use crate::msg;
+use parts_bar::PartsBar;
 
 /// State with which the page is built: the project of the last visit, or a fresh one, with its program, its run and notices.
 pub struct Beginning {
@@ -98,6 +101,7 @@ fn Screen() -> impl IntoView {
             <Divider property="--right" label="page.divide-side" grows=-1.0 />
             <Side />
             <Later>
+                <PartsBar />
                 <MeaningPopover />
                 <FieldHelp />
             </Later>

@@ -43,8 +43,10 @@ const ABOVE: f64 = -4.0;
 const BELOW: f64 = 13.0;
 /// Share of the width that a column of text needs, for charts of the usual widths.
 const COLUMN: f64 = 0.011;
-/// Places of a limit's name, in the order of preference: share of the width, and the anchor of the text. Figures are at the left edge.
-const NAME_PLACES: [(f64, Anchor); 3] = [(1.0, Anchor::End), (0.06, Anchor::Start), (0.5, Anchor::Middle)];
+/// Places of a limit's name, in the order of preference: share of the width, and the anchor of the text.
+const NAME_PLACES: [(f64, Anchor); 3] = [(1.0, Anchor::End), (0.0, Anchor::Start), (0.5, Anchor::Middle)];
+/// Pixels at the left edge for the figures of the axis, beside which a name begins.
+const FIGURES: f64 = 46.0;
 
 /// The part of a text that is at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -196,7 +198,7 @@ fn names(out: &mut String, (chart, limits): (&Chart, &[&ChartLimit]), x: (f64, f
         // Of equals the first one is taken.
         let Some((place, anchor)) = NAME_PLACES.into_iter().min_by_key(|place| crossed(*place)) else { continue };
         let (anchor, dx) = match anchor {
-            Anchor::Start => ("start", 0.0),
+            Anchor::Start => ("start", FIGURES),
             Anchor::Middle => ("middle", 0.0),
             Anchor::End => ("end", -3.0),
         };

@@ -33,6 +33,8 @@ pub enum SheetKind {
     Parameters,
     /// Bill of materials: rows for purchasing, each with a source.
     Bill,
+    /// What limits the machine as a quantity grows.
+    Limits,
     /// Products to choose from, suitable ones before many unsuitable ones; views show the first rows.
     Choice,
 }

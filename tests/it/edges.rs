@@ -146,8 +146,11 @@ fn pdf_of_a_browser_is_a_file_of_the_export() {
     let (project, browser, out) = (project(&folder, |_| {}), browser(&folder, PRINTS), folder.join("out"));
     let done = macroline(&["export", text(&project), "--out", text(&out), "--pdf", "--browser", &browser]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
-    assert_eq!(fs::read_to_string(out.join("report.pdf")).unwrap(), "%PDF-1.4");
-    assert!(String::from_utf8(done.stdout).unwrap().ends_with("report.pdf\n"));
+    let told = String::from_utf8(done.stdout).unwrap();
+    for name in ["summary.pdf", "report.pdf"] {
+        assert_eq!(fs::read_to_string(out.join(name)).unwrap(), "%PDF-1.4");
+        assert!(told.contains(&format!("{name}\n")), "{told}");
+    }
 }
 
 #[test]

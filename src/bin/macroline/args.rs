@@ -92,7 +92,7 @@ pub(crate) enum Command {
         /// Date in the title block of the report, as its reader writes dates; without it the field stays empty
         #[arg(long, default_value = "")]
         date: String,
-        /// Prints the report as report.pdf too, by a browser: Chromium, Chrome or Edge
+        /// Prints summary and report as PDF too, by a browser: Chromium, Chrome or Edge
         #[arg(long)]
         pdf: bool,
         /// Browser for the PDF; without it the first that is installed

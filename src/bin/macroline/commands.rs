@@ -7,7 +7,6 @@ use macroline::controls::Control;
 use macroline::machines;
 use macroline::msg;
 use macroline::project::chance::chance;
-use macroline::project::export::REPORT;
 use macroline::project::file_findings::list_json;
 use macroline::project::help::texts::Texts;
 use macroline::project::help::{Help, explain, pages};
@@ -184,7 +183,7 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
     verdict(&all)
 }
 
-/// `pdf` requests the report as PDF on this paper size, printed by the named browser if there is one.
+/// `pdf` requests report and summary as PDF on this paper size, printed by the named browser if there is one.
 fn export(path: &Path, folder: &Path, date: &str, pdf: Option<(Paper, Option<&Path>)>) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
@@ -192,8 +191,10 @@ fn export(path: &Path, folder: &Path, date: &str, pdf: Option<(Paper, Option<&Pa
     print_findings(&all)?;
     verdict(&all)?;
     let mut files: Vec<_> = export.bytes().collect();
-    if let (Some((paper, browser)), Some((_, report))) = (pdf, files.iter().find(|(name, _)| *name == REPORT)) {
-        files.push((pdf::NAME, pdf::print(report, paper, browser).map_err(Failure::Outside)?));
+    for (document, print) in pdf::PRINTS {
+        if let (Some((paper, browser)), Some((_, html))) = (pdf, files.iter().find(|(name, _)| *name == document)) {
+            files.push((print, pdf::print(html, paper, browser).map_err(Failure::Outside)?));
+        }
     }
     export::write(folder, &files).map_err(Failure::Outside)?;
     let paths = files.iter().map(|(name, _)| format!("{}\n", folder.join(name).display()));

@@ -1,4 +1,4 @@
-//! The report as PDF, printed by an installed browser: on the same paper size that the page uses.
+//! Report and summary as PDF, printed by an installed browser: on the same paper size that the page uses.
 
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
@@ -7,15 +7,20 @@ use std::time::{Duration, Instant};
 use std::{fs, io, thread};
 
 use macroline::msg;
-use macroline::project::export::REPORT;
+use macroline::project::export::{REPORT, SUMMARY};
 use macroline::text::catalog::sentence;
 use tempfile::TempDir;
 
 use crate::args::Paper;
 use crate::language::failed;
 
-/// Name of the printed report.
-pub(crate) const NAME: &str = "report.pdf";
+/// Names of the documents that are printed, and of their prints.
+pub(crate) const PRINTS: [(&str, &str); 2] = [(SUMMARY, "summary.pdf"), (REPORT, "report.pdf")];
+
+/// Names of a document and its print in the folder of the browser.
+const DOCUMENT: &str = "document.html";
+/// See [`DOCUMENT`].
+const PRINT: &str = "document.pdf";
 
 /// Browsers that print without a window, as they are called on Linux, macOS and Windows.
 const BROWSERS: [&str; 10] = [
@@ -37,7 +42,7 @@ const PATIENCE: Duration = Duration::from_secs(120);
 /// Prints an HTML document without links to other files. `browser` is a program; without it the first one installed.
 pub(crate) fn print(html: &[u8], paper: Paper, browser: Option<&Path>) -> Result<Vec<u8>, String> {
     let folder = tempfile::tempdir().map_err(|error| failed(&std::env::temp_dir(), &error))?;
-    let (document, printed) = (folder.path().join(REPORT), folder.path().join(NAME));
+    let (document, printed) = (folder.path().join(DOCUMENT), folder.path().join(PRINT));
     // Browsers have no option for the paper without a window; the report leaves it to the printer.
     let sized = [html, page_rule(paper).as_bytes()].concat();
     fs::write(&document, sized).map_err(|error| failed(&document, &error))?;
@@ -71,7 +76,7 @@ fn start(folder: &TempDir, browser: Option<&Path>) -> Result<(OsString, Child), 
     Err(sentence(&msg!("cli.no-browser")))
 }
 
-/// The command that prints the report of a folder into it. The browser keeps its profile there too, so that an open one is left alone.
+/// The command that prints the document of a folder into it. The browser keeps its profile there too, so that an open one is left alone.
 fn command(browser: &OsStr, folder: &Path) -> Command {
     let option = |name: &str, path: &str| {
         let mut option = OsString::from(name);
@@ -86,8 +91,8 @@ fn command(browser: &OsStr, folder: &Path) -> Command {
         // The document is macroline's own and runs no script; the sandbox fails where containers run browsers as root.
         .arg("--no-sandbox")
         .arg(option("--user-data-dir=", "profile"))
-        .arg(option("--print-to-pdf=", NAME))
-        .arg(folder.join(REPORT))
+        .arg(option("--print-to-pdf=", PRINT))
+        .arg(folder.join(DOCUMENT))
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::null());

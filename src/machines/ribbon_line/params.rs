@@ -456,36 +456,20 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=60000.0).default(1430.0).decimals(3).step(1.0).fact(),
     number("unwinder-load", member!(Params.unwinder_load)).group("ribbon.group.unwinder").label("ribbon.unwinder-load").help("ribbon.unwinder-load.help")
         .unit("%").range(0.0..=200.0).default(2.286).decimals(3).step(1.0).fact(),
-    number("reel-brake", member!(Params.unwinding.brake)).group("ribbon.group.unwinder").label("ribbon.reel-brake").help("ribbon.reel-brake.help")
-        .unit("N").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
-    number("reel-diameter", member!(Params.unwinding.reel_diameter)).group("ribbon.group.unwinder").label("ribbon.reel-diameter").help("ribbon.reel-diameter.help").symbol("D")
-        .unit("mm").range(10.0..=5000.0).default(224.0).decimals(1).step(10.0).fact(),
-    number("reel-core-diameter", member!(Params.unwinding.core_diameter)).group("ribbon.group.unwinder").label("ribbon.reel-core-diameter").help("ribbon.reel-core-diameter.help").symbol("d")
-        .unit("mm").range(10.0..=5000.0).default(68.0).decimals(1).step(1.0).fact(),
-    number("reel-core-inertia", member!(Params.unwinding.core_inertia)).group("ribbon.group.unwinder").label("ribbon.reel-core-inertia").help("ribbon.reel-core-inertia.help")
-        .unit("kg cm²").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
-    number("unwinder-friction", member!(Params.unwinding.friction)).group("ribbon.group.unwinder").label("ribbon.unwinder-friction").help("ribbon.unwinder-friction.help")
-        .unit("Nm").range(0.0..=10000.0).default(1.0).decimals(3).step(0.1).fact(),
-    number("unwinder-efficiency", member!(Params.unwinding.efficiency)).group("ribbon.group.unwinder").label("ribbon.unwinder-efficiency").help("ribbon.unwinder-efficiency.help").symbol("η")
-        .unit("%").range(1.0..=100.0).default(70.0).decimals(1).step(1.0).fact(),
-    number("unwinder-inertia", member!(Params.unwinding.inertia)).group("ribbon.group.unwinder").label("ribbon.unwinder-inertia").help("ribbon.unwinder-inertia.help").symbol("J")
-        .unit("kg cm²").range(0.01..=1000000.0).default(40.0).decimals(2).step(1.0).fact(),
-    text("unwinder-motor", member!(&Params.unwinding.motor)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor").help("ribbon.unwinder-motor.help").characters(40),
-    number("unwinder-torque-rated", member!(Params.unwinding.torque)).group("ribbon.group.unwinder").label("ribbon.unwinder-torque-rated").help("ribbon.unwinder-torque-rated.help")
-        .unit("Nm").range(0.001..=100000.0).default(5.0).decimals(3).step(0.1).fact(),
-    site::share("unwinder-site-share", "ribbon.group.unwinder", member!(Params.unwinding.site_share)),
-    flag("unwinder-forced-cooling", member!(Params.unwinding.forced_cooling)).group("ribbon.group.unwinder").label("ribbon.unwinder-forced-cooling").help("ribbon.unwinder-forced-cooling.help")
-        .fact(),
-    number("unwinder-motor-braking", member!(Params.unwinding.motor_braking)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor-braking").help("ribbon.unwinder-motor-braking.help")
-        .unit("%").range(1.0..=150.0).default(20.0).decimals(0).step(10.0).fact(),
-    number("unwinder-motor-brake", member!(Params.unwinding.motor_brake)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor-brake").help("ribbon.unwinder-motor-brake.help")
-        .unit("Nm").range(0.0..=100000.0).default(0.0).decimals(2).step(0.1).fact(),
     flag("spindle-encoder", member!(Params.spindle_encoder)).group("ribbon.group.unwinder").label("ribbon.spindle-encoder").help("ribbon.spindle-encoder.help")
         .fact(),
-    flag("dancer", member!(Params.dancer)).group("ribbon.group.unwinder").label("ribbon.dancer").help("ribbon.dancer.help")
-        .fact(),
-    number("loop-capacity", member!(Params.loop_capacity)).group("ribbon.group.unwinder").label("ribbon.loop-capacity").help("ribbon.loop-capacity.help")
+    number("reel-brake", member!(Params.unwinding.brake)).group("ribbon.group.reel").label("ribbon.reel-brake").help("ribbon.reel-brake.help")
+        .unit("N").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
+    number("reel-diameter", member!(Params.unwinding.reel_diameter)).group("ribbon.group.reel").label("ribbon.reel-diameter").help("ribbon.reel-diameter.help").symbol("D")
+        .unit("mm").range(10.0..=5000.0).default(224.0).decimals(1).step(10.0).fact(),
+    number("reel-core-diameter", member!(Params.unwinding.core_diameter)).group("ribbon.group.reel").label("ribbon.reel-core-diameter").help("ribbon.reel-core-diameter.help").symbol("d")
+        .unit("mm").range(10.0..=5000.0).default(68.0).decimals(1).step(1.0).fact(),
+    number("reel-core-inertia", member!(Params.unwinding.core_inertia)).group("ribbon.group.reel").label("ribbon.reel-core-inertia").help("ribbon.reel-core-inertia.help")
+        .unit("kg cm²").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
+    number("loop-capacity", member!(Params.loop_capacity)).group("ribbon.group.reel").label("ribbon.loop-capacity").help("ribbon.loop-capacity.help")
         .unit("mm").range(0.0..=100000.0).default(500.0).decimals(1).step(10.0).fact(),
+    flag("dancer", member!(Params.dancer)).group("ribbon.group.reel").label("ribbon.dancer").help("ribbon.dancer.help")
+        .fact(),
     number("ribbon-thickness", member!(Params.ribbon_thickness)).group("ribbon.group.web").label("ribbon.ribbon-thickness").help("ribbon.ribbon-thickness.help")
         .unit("mm").range(0.001..=100.0).default(0.5).decimals(3).step(0.1).fact(),
     flag("effective-diameter", member!(Params.effective_diameter)).group("ribbon.group.web").label("ribbon.effective-diameter").help("ribbon.effective-diameter.help")
@@ -546,29 +530,25 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
     number("in-position", member!(Params.in_position)).group("ribbon.group.axes").label("ribbon.in-position").help("ribbon.in-position.help")
         .unit("mm").range(0.001..=10.0).default(0.02).decimals(3).step(0.01).setting(),
-    number("x-roller-diameter", member!(Params.x_roller_diameter)).group("ribbon.group.axes").label("ribbon.x-roller-diameter").help("ribbon.x-roller-diameter.help")
-        .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).fact(),
-    number("gear-x", member!(Params.gear_x)).group("ribbon.group.axes").label("ribbon.gear-x").help("ribbon.gear-x.help")
-        .unit(": 1").range(0.1..=10000.0).default(10.0).decimals(6).step(1.0).fact(),
-    number("gear-y", member!(Params.gear_y)).group("ribbon.group.axes").label("ribbon.gear-y").help("ribbon.gear-y.help")
-        .unit(": 1").range(0.1..=10000.0).default(5.0).decimals(6).step(1.0).fact(),
-    number("motor-rated-x", member!(Params.motor_rated_x)).group("ribbon.group.axes").label("ribbon.motor-rated-x").help("ribbon.motor-rated-x.help")
-        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
-    number("motor-max-x", member!(Params.motor_max_x)).group("ribbon.group.axes").label("ribbon.motor-max-x").help("ribbon.motor-max-x.help")
-        .unit("r/min").range(1.0..=100000.0).default(5000.0).decimals(1).step(100.0).fact(),
-    number("motor-rated-y", member!(Params.motor_rated_y)).group("ribbon.group.axes").label("ribbon.motor-rated-y").help("ribbon.motor-rated-y.help")
-        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
-    number("motor-max-y", member!(Params.motor_max_y)).group("ribbon.group.axes").label("ribbon.motor-max-y").help("ribbon.motor-max-y.help")
-        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
-    number("encoder-resolution-x", member!(Params.encoder_x)).group("ribbon.group.axes").label("ribbon.encoder-resolution-x").help("ribbon.encoder-resolution-x.help")
-        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
-    number("encoder-resolution-y", member!(Params.encoder_y)).group("ribbon.group.axes").label("ribbon.encoder-resolution-y").help("ribbon.encoder-resolution-y.help")
-        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
-    number("site-height", member!(Params.site_height)).group("ribbon.group.axes").label("ribbon.site-height").help("ribbon.site-height.help")
-        .unit("m").range(0.0..=5000.0).default(500.0).decimals(0).step(100.0).fact(),
-    number("site-temperature", member!(Params.site_temperature)).group("ribbon.group.axes").label("ribbon.site-temperature").help("ribbon.site-temperature.help")
-        .unit("°C").range(0.0..=50.0).default(40.0).decimals(1).step(1.0).fact(),
     choice("endless", member!(Params.endless: Endless)).group("ribbon.group.axes").label("ribbon.endless").help("ribbon.endless.help"),
+    number("unwinder-friction", member!(Params.unwinding.friction)).group("ribbon.group.unwinder-drive").label("ribbon.unwinder-friction").help("ribbon.unwinder-friction.help")
+        .unit("Nm").range(0.0..=10000.0).default(1.0).decimals(3).step(0.1).fact(),
+    number("unwinder-efficiency", member!(Params.unwinding.efficiency)).group("ribbon.group.unwinder-drive").label("ribbon.unwinder-efficiency").help("ribbon.unwinder-efficiency.help").symbol("η")
+        .unit("%").range(1.0..=100.0).default(70.0).decimals(1).step(1.0).fact(),
+    number("unwinder-inertia", member!(Params.unwinding.inertia)).group("ribbon.group.unwinder-drive").label("ribbon.unwinder-inertia").help("ribbon.unwinder-inertia.help").symbol("J")
+        .unit("kg cm²").range(0.01..=1000000.0).default(40.0).decimals(2).step(1.0).fact(),
+    text("unwinder-motor", member!(&Params.unwinding.motor)).group("ribbon.group.unwinder-drive").label("ribbon.unwinder-motor").help("ribbon.unwinder-motor.help").characters(40),
+    number("unwinder-torque-rated", member!(Params.unwinding.torque)).group("ribbon.group.unwinder-drive").label("ribbon.unwinder-torque-rated").help("ribbon.unwinder-torque-rated.help")
+        .unit("Nm").range(0.001..=100000.0).default(5.0).decimals(3).step(0.1).fact(),
+    site::share("unwinder-site-share", "ribbon.group.unwinder-drive", member!(Params.unwinding.site_share)),
+    flag("unwinder-forced-cooling", member!(Params.unwinding.forced_cooling)).group("ribbon.group.unwinder-drive").label("ribbon.unwinder-forced-cooling").help("ribbon.unwinder-forced-cooling.help")
+        .fact(),
+    number("unwinder-motor-braking", member!(Params.unwinding.motor_braking)).group("ribbon.group.unwinder-drive").label("ribbon.unwinder-motor-braking").help("ribbon.unwinder-motor-braking.help")
+        .unit("%").range(1.0..=150.0).default(20.0).decimals(0).step(10.0).fact(),
+    number("unwinder-motor-brake", member!(Params.unwinding.motor_brake)).group("ribbon.group.unwinder-drive").label("ribbon.unwinder-motor-brake").help("ribbon.unwinder-motor-brake.help")
+        .unit("Nm").range(0.0..=100000.0).default(0.0).decimals(2).step(0.1).fact(),
+    number("x-roller-diameter", member!(Params.x_roller_diameter)).group("ribbon.group.pull-drive").label("ribbon.x-roller-diameter").help("ribbon.x-roller-diameter.help")
+        .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).fact(),
     number("x-roller-wall", member!(Params.pull.wall)).group("ribbon.group.pull-drive").label("ribbon.x-roller-wall").help("ribbon.x-roller-wall.help")
         .unit("mm").range(0.1..=2500.0).default(10.0).decimals(2).step(1.0).fact(),
     number("x-roller-length", member!(Params.pull.length)).group("ribbon.group.pull-drive").label("ribbon.x-roller-length").help("ribbon.x-roller-length.help")
@@ -583,6 +563,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .range(0.01..=2.0).default(0.4).decimals(2).step(0.05).fact(),
     number("friction-x", member!(Params.pull.friction)).group("ribbon.group.pull-drive").label("ribbon.friction-x").help("ribbon.friction-x.help")
         .unit("Nm").range(0.0..=10000.0).default(0.3).decimals(3).step(0.1).fact(),
+    number("gear-x", member!(Params.gear_x)).group("ribbon.group.pull-drive").label("ribbon.gear-x").help("ribbon.gear-x.help")
+        .unit(": 1").range(0.1..=10000.0).default(10.0).decimals(6).step(1.0).fact(),
     number("efficiency-x", member!(Params.pull.efficiency)).group("ribbon.group.pull-drive").label("ribbon.efficiency-x").help("ribbon.efficiency-x.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(95.0).decimals(1).step(1.0).fact(),
     number("gear-inertia-x", member!(Params.pull.gear_inertia)).group("ribbon.group.pull-drive").label("ribbon.gear-inertia-x").help("ribbon.gear-inertia-x.help")
@@ -596,6 +578,12 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("Nm").range(0.001..=10000.0).default(3.8).decimals(3).step(0.1).fact(),
     number("motor-rotor-x", member!(Params.pull.rotor)).group("ribbon.group.pull-drive").label("ribbon.motor-rotor-x").help("ribbon.motor-rotor-x.help")
         .unit("kg cm²").range(0.001..=100000.0).default(0.375).decimals(4).step(0.1).fact(),
+    number("motor-rated-x", member!(Params.motor_rated_x)).group("ribbon.group.pull-drive").label("ribbon.motor-rated-x").help("ribbon.motor-rated-x.help")
+        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
+    number("motor-max-x", member!(Params.motor_max_x)).group("ribbon.group.pull-drive").label("ribbon.motor-max-x").help("ribbon.motor-max-x.help")
+        .unit("r/min").range(1.0..=100000.0).default(5000.0).decimals(1).step(100.0).fact(),
+    number("encoder-resolution-x", member!(Params.encoder_x)).group("ribbon.group.pull-drive").label("ribbon.encoder-resolution-x").help("ribbon.encoder-resolution-x.help")
+        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
     number("inertia-limit-x", member!(Params.pull.inertia_limit)).group("ribbon.group.pull-drive").label("ribbon.inertia-limit-x").help("ribbon.inertia-limit-x.help")
         .unit(": 1").range(0.1..=1000.0).default(15.0).decimals(1).step(1.0).setting(),
     number("effective-limit-x", member!(Params.pull.effective_limit)).group("ribbon.group.pull-drive").label("ribbon.effective-limit-x").help("ribbon.effective-limit-x.help")
@@ -612,6 +600,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("N").range(0.0..=100000.0).default(5.0).decimals(2).step(1.0).fact(),
     number("friction-y", member!(Params.print.friction)).group("ribbon.group.print-drive").label("ribbon.friction-y").help("ribbon.friction-y.help")
         .unit("Nm").range(0.0..=10000.0).default(0.4).decimals(3).step(0.1).fact(),
+    number("gear-y", member!(Params.gear_y)).group("ribbon.group.print-drive").label("ribbon.gear-y").help("ribbon.gear-y.help")
+        .unit(": 1").range(0.1..=10000.0).default(5.0).decimals(6).step(1.0).fact(),
     number("efficiency-y", member!(Params.print.efficiency)).group("ribbon.group.print-drive").label("ribbon.efficiency-y").help("ribbon.efficiency-y.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(95.0).decimals(1).step(1.0).fact(),
     number("gear-inertia-y", member!(Params.print.gear_inertia)).group("ribbon.group.print-drive").label("ribbon.gear-inertia-y").help("ribbon.gear-inertia-y.help")
@@ -625,11 +615,21 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("Nm").range(0.001..=10000.0).default(8.82).decimals(3).step(0.1).fact(),
     number("motor-rotor-y", member!(Params.print.rotor)).group("ribbon.group.print-drive").label("ribbon.motor-rotor-y").help("ribbon.motor-rotor-y.help")
         .unit("kg cm²").range(0.001..=100000.0).default(6.6).decimals(4).step(0.1).fact(),
+    number("motor-rated-y", member!(Params.motor_rated_y)).group("ribbon.group.print-drive").label("ribbon.motor-rated-y").help("ribbon.motor-rated-y.help")
+        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
+    number("motor-max-y", member!(Params.motor_max_y)).group("ribbon.group.print-drive").label("ribbon.motor-max-y").help("ribbon.motor-max-y.help")
+        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
+    number("encoder-resolution-y", member!(Params.encoder_y)).group("ribbon.group.print-drive").label("ribbon.encoder-resolution-y").help("ribbon.encoder-resolution-y.help")
+        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
     number("inertia-limit-y", member!(Params.print.inertia_limit)).group("ribbon.group.print-drive").label("ribbon.inertia-limit-y").help("ribbon.inertia-limit-y.help")
         .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).setting(),
     number("effective-limit-y", member!(Params.print.effective_limit)).group("ribbon.group.print-drive").label("ribbon.effective-limit-y").help("ribbon.effective-limit-y.help")
         .unit("%").range(1.0..=100.0).default(80.0).decimals(1).step(1.0).setting(),
     choice("cam-law", member!(Params.cam_law: CamLaw)).group("ribbon.group.print-drive").label("ribbon.cam-law").help("ribbon.cam-law.help"),
+    number("site-height", member!(Params.site_height)).group("ribbon.group.site").label("ribbon.site-height").help("ribbon.site-height.help")
+        .unit("m").range(0.0..=5000.0).default(500.0).decimals(0).step(100.0).fact(),
+    number("site-temperature", member!(Params.site_temperature)).group("ribbon.group.site").label("ribbon.site-temperature").help("ribbon.site-temperature.help")
+        .unit("°C").range(0.0..=50.0).default(40.0).decimals(1).step(1.0).fact(),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
         .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),
     number("block-time", member!(Params.block_time)).group("ribbon.group.control").label("form.block-time").help("form.block-time.help")

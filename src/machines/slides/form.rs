@@ -28,8 +28,9 @@ pub(in crate::machines) struct SlideParams {
     pub encoder: f64,
 }
 
-/// The group of all fields.
-const GROUP: &str = "slides.group";
+/// The groups of the fields: mechanics, and the motors of X and Z.
+const GROUP: &str = "slides.group.mechanics";
+pub(super) const MOTOR_GROUPS: [&str; 2] = ["slides.group.motor-x", "slides.group.motor-z"];
 
 /// Catalog ids of the names of the drives.
 pub(super) const NAMES: [&str; 2] = ["slides.drive.x", "slides.drive.z"];

@@ -64,7 +64,7 @@ pub(in crate::machines) const fn scaling_rows<P: SlideForm>(group: &'static str)
     ]
 }
 
-/// Masses, ways and motors, in a group of their own.
+/// Masses and ways, then the motors.
 #[rustfmt::skip]
 pub(in crate::machines) const fn rows<P: SlideForm>(x: XDefaults) -> [Field<P>; 29] {
     [
@@ -79,24 +79,24 @@ pub(in crate::machines) const fn rows<P: SlideForm>(x: XDefaults) -> [Field<P>; 
         form::bed_angle(member!(bed_angle)),
         form::efficiency(member!(efficiency)),
         form::feed_force(member!(feed_force)),
-        form::motor("motor-x", "slides.motor-x", member!(&x.motor)),
-        form::rated("motor-rated-torque-x", "slides.motor-rated-torque-x", 4.8, member!(x.rated)),
-        form::stall("motor-stall-x", "slides.motor-stall-x", 4.8, member!(x.stall)),
-        form::peak("motor-peak-x", "slides.motor-peak-x", 14.3, member!(x.peak)),
-        form::rotor("motor-rotor-x", "slides.motor-rotor-x", 11.6, member!(x.rotor)),
-        form::rated_speed("motor-rated-x", "slides.motor-rated-x", 2000.0, member!(x.rated_speed)),
-        form::top_speed("motor-max-x", "slides.motor-max-x", 3000.0, member!(x.top_speed)),
-        form::inertia_limit("inertia-limit-x", "slides.inertia-limit-x", member!(x.inertia_limit)),
-        form::effective_limit("effective-limit-x", "slides.effective-limit-x", member!(x.effective_limit)),
-        form::motor("motor-z", "slides.motor-z", member!(&z.motor)),
-        form::rated("motor-rated-torque-z", "slides.motor-rated-torque-z", 4.8, member!(z.rated)),
-        form::stall("motor-stall-z", "slides.motor-stall-z", 4.8, member!(z.stall)),
-        form::peak("motor-peak-z", "slides.motor-peak-z", 14.3, member!(z.peak)),
-        form::rotor("motor-rotor-z", "slides.motor-rotor-z", 11.6, member!(z.rotor)),
-        form::rated_speed("motor-rated-z", "slides.motor-rated-z", 2000.0, member!(z.rated_speed)),
-        form::top_speed("motor-max-z", "slides.motor-max-z", 3000.0, member!(z.top_speed)),
-        form::inertia_limit("inertia-limit-z", "slides.inertia-limit-z", member!(z.inertia_limit)),
-        form::effective_limit("effective-limit-z", "slides.effective-limit-z", member!(z.effective_limit)),
+        form::motor("motor-x", "slides.motor-x", member!(&x.motor)).group(form::MOTOR_GROUPS[0]),
+        form::rated("motor-rated-torque-x", "slides.motor-rated-torque-x", 4.8, member!(x.rated)).group(form::MOTOR_GROUPS[0]),
+        form::stall("motor-stall-x", "slides.motor-stall-x", 4.8, member!(x.stall)).group(form::MOTOR_GROUPS[0]),
+        form::peak("motor-peak-x", "slides.motor-peak-x", 14.3, member!(x.peak)).group(form::MOTOR_GROUPS[0]),
+        form::rotor("motor-rotor-x", "slides.motor-rotor-x", 11.6, member!(x.rotor)).group(form::MOTOR_GROUPS[0]),
+        form::rated_speed("motor-rated-x", "slides.motor-rated-x", 2000.0, member!(x.rated_speed)).group(form::MOTOR_GROUPS[0]),
+        form::top_speed("motor-max-x", "slides.motor-max-x", 3000.0, member!(x.top_speed)).group(form::MOTOR_GROUPS[0]),
+        form::inertia_limit("inertia-limit-x", "slides.inertia-limit-x", member!(x.inertia_limit)).group(form::MOTOR_GROUPS[0]),
+        form::effective_limit("effective-limit-x", "slides.effective-limit-x", member!(x.effective_limit)).group(form::MOTOR_GROUPS[0]),
+        form::motor("motor-z", "slides.motor-z", member!(&z.motor)).group(form::MOTOR_GROUPS[1]),
+        form::rated("motor-rated-torque-z", "slides.motor-rated-torque-z", 4.8, member!(z.rated)).group(form::MOTOR_GROUPS[1]),
+        form::stall("motor-stall-z", "slides.motor-stall-z", 4.8, member!(z.stall)).group(form::MOTOR_GROUPS[1]),
+        form::peak("motor-peak-z", "slides.motor-peak-z", 14.3, member!(z.peak)).group(form::MOTOR_GROUPS[1]),
+        form::rotor("motor-rotor-z", "slides.motor-rotor-z", 11.6, member!(z.rotor)).group(form::MOTOR_GROUPS[1]),
+        form::rated_speed("motor-rated-z", "slides.motor-rated-z", 2000.0, member!(z.rated_speed)).group(form::MOTOR_GROUPS[1]),
+        form::top_speed("motor-max-z", "slides.motor-max-z", 3000.0, member!(z.top_speed)).group(form::MOTOR_GROUPS[1]),
+        form::inertia_limit("inertia-limit-z", "slides.inertia-limit-z", member!(z.inertia_limit)).group(form::MOTOR_GROUPS[1]),
+        form::effective_limit("effective-limit-z", "slides.effective-limit-z", member!(z.effective_limit)).group(form::MOTOR_GROUPS[1]),
     ]
 }
 

@@ -110,13 +110,13 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     callout(d, allowance, (664.0, ROW), "start", "turning.scene.left", &[(Some(node::LEFT), "")], None);
     callout(d, "depth", (RIGHT, ROW), "end", "turning.scene.pass", &[(Some(node::PASS), "")], None);
     let start = format!("X{} Z{}", show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3), show(p.start_z, 3));
-    callout(d, "start-x", (RIGHT, 166.0), "end", "turning.scene.start", &[(None, &start)], None);
+    callout(d, "start-x", (RIGHT, 156.0), "end", "turning.scene.start", &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {}", say("turning.clearance"), mm(p.clearance));
-        d.text((RIGHT, 226.0), "end", &text, Font::Label, Paint::Dim);
+        d.text((RIGHT, 206.0), "end", &text, Font::Label, Paint::Dim);
     });
     let slides = [(Some(node::X), ""), (Some(node::Z), "")];
-    callout(d, "", (RIGHT, 252.0), "end", "turning.scene.slides", &slides, None);
+    callout(d, "", (RIGHT, 230.0), "end", "turning.scene.slides", &slides, None);
     if layout.has_tailstock() {
         d.text((980.0, 478.0), "middle", &say("turning.scene.tailstock"), Font::Engraved(13.0), Paint::Dim);
     }

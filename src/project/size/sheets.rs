@@ -168,7 +168,7 @@ impl Sizing {
         });
         Sheet {
             id: "limits",
-            kind: SheetKind::Plain,
+            kind: SheetKind::Limits,
             title: "sheet.limits",
             columns: ["sheet.grows", "sheet.until", "sheet.margin", "sheet.binds"].map(Column::Plain).to_vec(),
             rows: self.limits.iter().map(cells).chain(fastest).chain(least).collect(),

@@ -11,7 +11,7 @@ use web_sys::Window;
 use crate::machines::form::{FieldKindInfo, Value};
 use crate::nc::File;
 use crate::project::Project;
-use crate::project::export::REPORT;
+use crate::project::export::{REPORT, SUMMARY};
 use crate::text::Place;
 use crate::ui::dom::script::{call, load, table};
 use crate::ui::dom::{self, go_to_field};
@@ -39,6 +39,8 @@ type NamedBytes = (String, Vec<u8>);
 struct Export {
     /// Programs first.
     files: Arc<[NamedBytes]>,
+    /// The report without programs, as HTML, where the export is refused.
+    draft: Option<String>,
     /// Findings about fields and program.
     remarks: Vec<Remark>,
 }
@@ -93,8 +95,8 @@ pub(crate) fn ExportDialog() -> impl IntoView {
             let program = |file: &File| (file.name.clone(), coded.next().unwrap_or_else(|| bytes(&file.text)));
             let programs: Vec<_> = written.files.0.iter().map(program).collect();
             let others = documents.files.into_iter().map(|(name, text)| (name, text.into_bytes()));
-            export
-                .set(Some(Export { files: programs.into_iter().chain(others).collect(), remarks: documents.remarks }));
+            let files = programs.into_iter().chain(others).collect();
+            export.set(Some(Export { files, draft: documents.draft, remarks: documents.remarks }));
             open.set(true);
         };
         page.project.with_untracked(|project| worker.ask(project, Request::Export, take));
@@ -105,7 +107,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
         Some(if reasons.is_empty() {
             view! { <Offered export=export /> }.into_any()
         } else {
-            view! { <Refused reasons=reasons close=move || open.set(false) /> }.into_any()
+            view! { <Refused reasons=reasons draft=export.draft close=move || open.set(false) /> }.into_any()
         })
     };
     view! {
@@ -195,6 +197,8 @@ fn TitleBlockEntry(
 fn Refused(
     /// The reasons.
     reasons: Vec<Reason>,
+    /// The report without programs, as HTML.
+    draft: Option<String>,
     /// Closes the dialog.
     close: impl Fn() + Copy + 'static,
 ) -> impl IntoView {
@@ -216,12 +220,30 @@ fn Refused(
     view! {
         <p>{t("page.refused")}</p>
         <ul class="remarks">{reasons.into_iter().map(row).collect_view()}</ul>
+        {draft.map(|html| view! { <footer><PrintButton id="print-draft" words="page.print-draft" html=html /></footer> })}
+    }
+}
+
+/// A button that shows a document in a tab of its own, for print.
+#[component]
+fn PrintButton(
+    /// Its id.
+    id: &'static str,
+    /// Catalog id of its words.
+    words: &'static str,
+    /// The document.
+    html: String,
+) -> impl IntoView {
+    let page = Page::here();
+    view! {
+        <button type="button" id=id title=t("page.print-about") on:click=move |_| show(page, &html)>{t(words)}</button>
     }
 }
 
 /// Catalog id of what a file is.
 fn about(name: &str) -> &'static str {
     match name {
+        SUMMARY => "page.file.summary",
         REPORT => "page.file.report",
         "report.md" => "page.file.report-text",
         "project.json" => "page.file.project",
@@ -271,13 +293,13 @@ fn Offered(
     let page = Page::here();
     let files = Arc::clone(&export.files);
     let all = move |_| save_all(page, Arc::clone(&files));
-    let report = export.files.iter().find(|(name, _)| name == REPORT);
-    let report = report.map(|(_, html)| String::from_utf8_lossy(html).into_owned());
-    let show_report = move |_| {
-        if let Some(html) = &report {
-            show(page, html);
-        }
+    let printed = |id: &'static str, words: &'static str, document: &str| {
+        let (_, html) = export.files.iter().find(|(name, _)| name == document)?;
+        let html = String::from_utf8_lossy(html).into_owned();
+        Some(view! { <PrintButton id=id words=words html=html /> })
     };
+    let summary = printed("print-summary", "page.print-summary", SUMMARY);
+    let report = printed("print-report", "page.print-report", REPORT);
     let remarks =
         export.remarks.iter().map(|remark| view! { <li class=remark.tone.class()>{remark.text.clone()}</li> });
     view! {
@@ -285,7 +307,8 @@ fn Offered(
         <table class="exported"><tbody>{rows}</tbody></table>
         <ul class="remarks">{remarks.collect_view()}</ul>
         <footer>
-            <button type="button" id="print-report" title=t("page.print-report-about") on:click=show_report>{t("page.print-report")}</button>
+            {summary}
+            {report}
             <button type="button" class="primary" id="save-all" on:click=all>{t("page.save-all")}</button>
         </footer>
     }
@@ -338,6 +361,7 @@ mod tests {
         Some(Response::Export(ExportDocuments {
             programs: Vec::new(),
             files: vec![("report.html".to_owned(), "<p>".to_owned())],
+            draft: None,
             remarks: Vec::new(),
         }))
     }
@@ -412,9 +436,11 @@ mod tests {
                 place: Some(Place { file: FileId(1), span: Span::new(0, 1) }.into()),
             };
             let remarks = vec![remark(true, "refuses"), remark(false, "remarks")];
-            Some(Response::Export(ExportDocuments { programs: Vec::new(), files: Vec::new(), remarks }))
+            let draft = Some("<p>".to_owned());
+            Some(Response::Export(ExportDocuments { programs: Vec::new(), files: Vec::new(), draft, remarks }))
         });
         asked(&bench).await;
+        assert!(bench.has("#print-draft") && !bench.has("#save-all"));
         assert_eq!(bench.all(".remarks li").len(), 1);
         assert_eq!(bench.text(".remarks b"), "P1");
         assert!(bench.text(".remarks li").contains("refuses"));

@@ -63,7 +63,8 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
                     on:click=move |_| open.update(|open| *open = !*open)
                 >
                     <i class=lamp aria-hidden="true"></i>
-                    <b>{t("page.hand")}</b>
+                    <b class="long">{t("page.hand")}</b>
+                    <b class="short">{t("page.hand-short")}</b>
                     <span class="percents">{percent('S', spindle)} " " {percent('F', feed)}</span>
                     <span class="space"></span>
                     <Icon glyph=Glyph::Up />

@@ -49,6 +49,12 @@ pub(crate) enum Glyph {
     List,
     /// Go to a moment.
     Go,
+    /// A roller on the ribbon, for the machine.
+    Roller,
+    /// Sliders, for inputs.
+    Sliders,
+    /// Angle brackets, for a program.
+    Code,
 }
 
 impl Glyph {
@@ -79,6 +85,11 @@ impl Glyph {
             Glyph::Less => "M3.500 8h9",
             Glyph::List => "M6 4h7M6 8h7M6 12h7M3 4v.1M3 8v.1M3 12v.1",
             Glyph::Go => "M2.500 8h10M9 4.500 12.500 8 9 11.500",
+            Glyph::Roller => "M8 2a4.500 4.500 0 1 1 0 9a4.500 4.500 0 1 1 0-9M8 6.500v4.500M2 13.500h12",
+            Glyph::Sliders => {
+                "M2 5h2M8 5h6M6 3a2 2 0 1 1 0 4a2 2 0 1 1 0-4M2 11h6M12 11h2M10 9a2 2 0 1 1 0 4a2 2 0 1 1 0-4"
+            }
+            Glyph::Code => "M5.500 4 1.500 8l4 4M10.500 4l4 4-4 4",
         }
     }
 }

@@ -332,6 +332,7 @@ pub(super) fn documents(project: &Project) -> ExportDocuments {
         programs,
         files: export.documents().iter().map(|file| (file.name.clone(), file.text.clone())).collect(),
         remarks: export.diagnostics.iter().map(remark).collect(),
+        draft: export.draft,
     }
 }
 

@@ -325,6 +325,8 @@ pub(crate) struct ExportDocuments {
     pub programs: Vec<Vec<u8>>,
     /// Name and text: report, sheets, drawings, the project itself.
     pub files: Vec<(String, String)>,
+    /// The report without programs, as HTML, where the export is refused.
+    pub draft: Option<String>,
     /// Findings about fields and program.
     pub remarks: Vec<Remark>,
 }

@@ -1,10 +1,10 @@
-//! The conclusion of a report: the work of the machine, the time of a part, whether all results hold, and the changes with which they do.
+//! The conclusion of a report: whether it is a draft, the work of the machine, the time of a part, whether all results hold, and the changes with which they do.
 
 use super::document::Report;
 use crate::msg;
 use crate::text::catalog::{pieces, sentence, words};
 use crate::text::number::four_digits;
-use crate::text::{Message, clauses, listed, sentences};
+use crate::text::{Message, Severity, clauses, listed, sentences};
 use crate::view::svg::escape;
 use crate::view::{Readout, Verdict};
 
@@ -13,10 +13,10 @@ const NAMED: usize = 3;
 
 /// The conclusion as HTML, with its figures in bold.
 pub(super) fn conclusion(report: &Report) -> String {
-    let [work, part, changes] =
-        [Some(work(report)), part(report), report.repairs.message()].map(|message| message.as_ref().map(emphasized));
+    let [draft, work, part, changes] = [draft(report), Some(work(report)), part(report), report.repairs.message()]
+        .map(|message| message.as_ref().map(emphasized));
     let [verdicts, exceeded] = [Some(verdicts(report)), exceeded(report)].map(|message| message.as_ref().map(plain));
-    sentences([work, part, verdicts, changes, exceeded].into_iter().flatten())
+    sentences([draft, work, part, verdicts, changes, exceeded].into_iter().flatten())
 }
 
 /// A sentence as HTML, its values in bold.
@@ -35,6 +35,12 @@ fn plain(message: &Message) -> String {
     let mut out = String::new();
     escape(&mut out, &sentence(message));
     out
+}
+
+/// That there are no programs yet because of errors.
+fn draft(report: &Report) -> Option<Message> {
+    let count = report.diagnostics.iter().filter(|found| found.severity == Severity::Error).count() as u32;
+    (count > 0).then(|| msg!("form.report.draft", count))
 }
 
 /// Sentence about the work of the machine, or its headline figures if it does not work.

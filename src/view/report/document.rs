@@ -20,6 +20,8 @@ pub struct Input {
     pub unit: &'static str,
     /// Origin of a fact; `None` for a choice.
     pub origin: Option<Provenance>,
+    /// Whether it is one of the product, shown first.
+    pub essential: bool,
 }
 
 /// A kind of facts about the control that are not confirmed by a manual at hand.

@@ -15,5 +15,5 @@ mod html;
 pub use document::{
     Figure, Input, ListedPart, OpenPoints, PrintedProgram, Report, RunReport, SizingReport, TitleBlock,
 };
-pub use html::html;
+pub use html::{html, summary};
 pub use markdown::markdown;

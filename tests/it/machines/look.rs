@@ -753,7 +753,7 @@ fn report_has_inputs_with_origin_verdicts_and_open_points() {
         "# Ribbon line, Mitsubishi E60, ribbon 8 mm\n",
         "- Roller : ribbon speed: fails\n",
         "| Vector feed F | 119391.393 mm/min | at most 810810.811 mm/min | ok |",
-        "| Unwinder (analog spindle) | Dancer or trim |  | no | measured |",
+        "| Supply reel and loop | Dancer or trim |  | no | measured |",
         "| Unwinder (analog spindle) | Reduction ratio | #101 | 25 : 1 | assumed |",
         "| Ribbon | Pitch | #107 | 8 mm |  |",
         "| Program | Customer |  | Customer 4711 |  |",

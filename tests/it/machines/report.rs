@@ -127,6 +127,47 @@ fn every_report_is_whole_and_well_formed() {
 }
 
 #[test]
+fn summary_has_what_a_customer_decides_on_and_no_sources() {
+    for machine in ALL {
+        let project = Project::named(machine.id(), None, None).unwrap();
+        let written = project.written();
+        let sizing = macroline::project::size::size(&project, &written);
+        let files =
+            project.export_with(&written, &ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() }).files;
+        let page = read(named(&files, "summary.html"));
+        let told = words(page.root_element());
+        let first = |text: &str| words(of_class(&read(text), "conclusion")[0]);
+        assert_eq!(first(named(&files, "summary.html")), first(named(&files, "report.html")));
+        let product = words(of_class(&page, "essentials")[0]);
+        let report = read(named(&files, "report.html"));
+        for field in machine.fields().into_iter().filter(|field| field.essential) {
+            let label = macroline::text::catalog::words(field.label);
+            let is_shown = of_class(&report, "inputs").iter().any(|table| words(*table).contains(label));
+            assert!(!is_shown || product.contains(label), "{}: {label}", machine.id());
+        }
+        for row in &sizing.bill {
+            assert!(told.replace('\u{a0}', " ").contains(&row.model), "{row:?}");
+            assert!(row.asked.len() < 30 || !told.contains(&row.asked), "{row:?}");
+        }
+        assert!(told.len() * 4 < words(report.root_element()).len(), "{}: no summary", machine.id());
+        assert!(of_class(&page, "sources").is_empty() && !told.contains("form."), "{told}");
+    }
+}
+
+#[test]
+fn refused_export_leaves_a_draft_that_says_so() {
+    let sets = [("clamp-y", "1000".to_owned())];
+    let project = Project::named("ribbon-line", None, None).unwrap().with_entries(&sets).unwrap();
+    let export = project.export();
+    let draft = export.draft.expect("a draft");
+    let page = read(&draft);
+    let said = words(of_class(&page, "conclusion")[0]);
+    assert!(export.files.is_empty() && said.starts_with("Draft without programs: 1 error first."), "{said}");
+    assert!(!words(page.root_element()).contains("CRC-32 "), "a program in a draft");
+    assert_eq!(Project::named("ribbon-line", None, None).unwrap().export().draft, None);
+}
+
+#[test]
 fn report_opens_with_what_the_machine_does() {
     let opening = |machine: &str, example: &str| {
         let told = html(&Project::named(machine, None, Some(example)).unwrap());

@@ -185,7 +185,10 @@ fn motor_without_name_is_billed_as_a_proposal_with_figures() {
     let motor = rows.iter().find(|row| row.item == BillItem::Motor).unwrap();
     assert!(motor.open.iter().any(|open| sentence(open).contains(figures)), "{motor:?}");
     let of_unwinder = billed(&project, "Unwinder");
-    assert_eq!((of_unwinder.len(), of_unwinder[2].clone()), (3, ("Brake, closed when de-energized", "open: 0.5 Nm".into())));
+    assert_eq!(
+        (of_unwinder.len(), of_unwinder[2].clone()),
+        (3, ("Brake, closed when de-energized", "open: 0.5 Nm".into()))
+    );
     project.values.insert("unwinder-motor-brake".to_owned(), Value::Number(0.0));
     assert_eq!(billed(&project, "Unwinder"), of_unwinder[..2]);
 }

@@ -1,0 +1,74 @@
+//! Ways to the parts of the page where they are one below the other, as on a phone.
+
+use leptos::ev;
+use leptos::prelude::*;
+
+use crate::ui::dom;
+use crate::ui::parts::{Glyph, Icon};
+use crate::ui::words::t;
+
+/// The parts from top to bottom: id, catalog id of the name, sign.
+const PARTS: [(&str, &str, Glyph); 3] = [
+    ("machine", "page.machine", Glyph::Roller),
+    ("form", "page.inputs", Glyph::Sliders),
+    ("side", "page.program", Glyph::Code),
+];
+
+/// The lowest part that begins in the upper half of the window, else the first.
+fn part_in_view() -> usize {
+    let half = 0.5 * window().inner_height().ok().and_then(|height| height.as_f64()).unwrap_or_default();
+    let begins_above = |id| dom::by_id(id).is_some_and(|part| part.get_bounding_client_rect().top() < half);
+    PARTS.iter().rposition(|(id, ..)| begins_above(id)).unwrap_or(0)
+}
+
+/// A button for each part; the one in view is marked.
+#[component]
+pub(super) fn PartsBar() -> impl IntoView {
+    let current = RwSignal::new(0);
+    let scrolled = window_event_listener(ev::scroll, move |_| {
+        let part = part_in_view();
+        if part != current.get_untracked() {
+            current.set(part);
+        }
+    });
+    on_cleanup(move || scrolled.remove());
+    let button = |(at, (id, name, glyph)): (usize, (&'static str, &'static str, Glyph))| {
+        let go = move |_| {
+            if let Some(part) = dom::by_id(id) {
+                part.scroll_into_view();
+            }
+        };
+        view! {
+            <button type="button" aria-current=move || (current.get() == at).then_some("true") on:click=go>
+                <Icon glyph=glyph />
+                {t(name)}
+            </button>
+        }
+    };
+    view! {
+        <nav class="parts-bar" aria-label=t("page.parts")>{PARTS.into_iter().enumerate().map(button).collect_view()}</nav>
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, until};
+
+    #[wasm_bindgen_test]
+    async fn part_in_view_is_marked_and_a_press_leads_to_another() {
+        let bench = mount(|| {
+            let tall = |id: &'static str| view! { <div id=id style="height: 2000px"></div> };
+            view! { {tall("machine")} {tall("form")} {tall("side")} <PartsBar /> }
+        })
+        .await;
+        let marked = || bench.text(".parts-bar [aria-current]");
+        assert_eq!(marked(), t("page.machine"));
+        for name in ["page.program", "page.inputs", "page.machine"] {
+            bench.press_button(t(name)).await;
+            until(|| marked() == t(name)).await;
+        }
+    }
+}
