@@ -1,5 +1,6 @@
 //! Brake at the motor of a weight, which closes without current: its torque, and the turn of the motor until it has closed.
 
+use super::load::coasting;
 use crate::text::{Citation, Grade};
 
 /// Torque of the brake over that of the weight. The source has 1.5 to 3 against wear, 1.5 behind a screw.
@@ -24,4 +25,29 @@ pub fn torque(weight: f64) -> f64 {
 /// torque of the weight in Nm, inertia of load and rotor in kg m². Source: sizing facts 2.14.
 pub fn turn_until_closed(weight: f64, inertia: f64) -> f64 {
     0.5 * weight / inertia * CLOSING_TIME * CLOSING_TIME
+}
+
+/// The stop of a drive without current, whose brake closes after [`CLOSING_TIME`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BrakedStop {
+    /// Time (s) to rest.
+    pub seconds: f64,
+    /// Time (s) of a linear ramp in which the drive turns as far.
+    pub ramp: f64,
+}
+
+impl BrakedStop {
+    /// From `speed` rad/s, with the inertia (kg m²) of all rotating parts: `torque` (Nm) slows them down from the start, `brake` (Nm) too when
+    /// it has closed; 0 without a brake. With the speed ω1 that is left then, the way is `(ω + ω1) t1 / 2 + ω1 t2 / 2`, and the ramp twice
+    /// the way over ω.
+    pub fn new(inertia: f64, speed: f64, torque: f64, brake: f64) -> BrakedStop {
+        let free = coasting(inertia, speed, torque);
+        if brake <= 0.0 || free <= CLOSING_TIME {
+            return BrakedStop { seconds: free, ramp: free };
+        }
+        let left = speed - torque / inertia * CLOSING_TIME;
+        let braked = coasting(inertia, left, torque + brake);
+        let share = left / speed;
+        BrakedStop { seconds: CLOSING_TIME + braked, ramp: CLOSING_TIME * (1.0 + share) + braked * share }
+    }
 }

@@ -87,13 +87,13 @@ pub fn guards(b: &mut Builder, entries: &[OperatorVariable]) {
     }
 }
 
-/// The alarms of invalid entries.
+/// The alarms of invalid entries, in the program of the [`guards`]: the first of these is block 1, to which a corrected entry leads back.
 pub fn alarms(b: &mut Builder, control: &Control, entries: &[OperatorVariable]) {
     for (at, (entry, _)) in (1..).zip(entries) {
-        alarm(b, control, at, &format!("{} MUST BE ABOVE ZERO", control.variable(*entry)));
+        alarm_until_cleared(b, control, at, &format!("{} MUST BE ABOVE ZERO", control.variable(*entry)), 1);
     }
     for (at, (entry, _)) in (entries.len() as u32 + 1..).zip(entries.iter().filter(|(_, whole)| *whole)) {
-        alarm(b, control, at, &format!("{} MUST BE A WHOLE NUMBER", control.variable(*entry)));
+        alarm_until_cleared(b, control, at, &format!("{} MUST BE A WHOLE NUMBER", control.variable(*entry)), 1);
     }
 }
 

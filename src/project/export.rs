@@ -37,7 +37,7 @@ pub struct Export {
     pub files: Vec<File>,
     /// The report without programs, as HTML, where there are no files because of an error.
     pub draft: Option<String>,
-    /// Invalid fields and findings about the program.
+    /// Invalid fields, findings about the program, and limits that operation exceeds.
     pub diagnostics: Vec<Diagnostic>,
     /// The program files that places of diagnostics point into.
     pub about: Files,
@@ -91,6 +91,7 @@ impl Project {
         let mut diagnostics = design.diagnostics.clone();
         silence(&mut diagnostics, &self.silenced);
         diagnostics.extend(found.iter().cloned());
+        diagnostics.extend(options.sizing.iter().flat_map(|sizing| sizing.findings()));
         let mut files = Vec::new();
         let mut draft = None;
         let options = ExportOptions { advice: &found, ..*options };

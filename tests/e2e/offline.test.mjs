@@ -170,6 +170,7 @@ test('a page for which there is no room works as it does without', { skip: FIREF
     await devtools.send('Storage.overrideQuotaForOrigin', { origin: new URL(at.url).origin, quotaSize: 1_000_000 });
     await reload(page);
     await page.waitForTimeout(1000);
+    await page.waitForFunction(async () => !(await navigator.serviceWorker.getRegistration())?.installing, null, { polling: 100 });
     assert.deepEqual(await page.evaluate(() => caches.keys()), []);
     assert.equal(await page.locator('.notice').count(), 0);
     await page.getByRole('button', { name: 'Edit', exact: true }).click();

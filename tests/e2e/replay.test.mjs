@@ -28,7 +28,11 @@ async function withActions(page, events = EVENTS) {
   await page.waitForFunction(() => Number(document.querySelector('#head').max) > 30_000);
 }
 
-const openList = (page) => page.click('#panel-list');
+// A phone shows the button of the list in the open panel.
+async function openList(page) {
+  if (!(await page.isVisible('#panel-list'))) await page.click('#panel-fold');
+  await page.click('#panel-list');
+}
 const row = (page, at) => page.locator(`#action-${at}`);
 const entry = (page, at, column) => row(page, at).locator(`[data-column="${column}"]`);
 const times = (page) => page.locator('.hand-list [data-column="time"]').evaluateAll((inputs) => inputs.map((input) => input.value));

@@ -5,6 +5,7 @@ use super::mechanics::unwinder_load;
 use super::params::{FIELDS, PathMode};
 use super::resolved::RibbonLine;
 use super::rules_of_slack as slack;
+use crate::drives::holding_brake::{BrakedStop, CLOSING_TIME};
 use crate::drives::{load, web};
 use crate::machines::verdict::{Judgement, fail, ok, up};
 use crate::math::RPM;
@@ -24,9 +25,19 @@ fn inertia(line: &RibbonLine) -> f64 {
     unwinder_load(&line.p, 0.0).inertia
 }
 
-/// Coasting time (s) from `rpm` to rest: web, friction and the motor's brake slow down all rotating parts. Source: sizing facts 2.2.
+/// The stop from `rpm` to rest: web and friction slow down all rotating parts, and the motor's brake when it has closed.
+fn stop(line: &RibbonLine, rpm: f64) -> BrakedStop {
+    BrakedStop::new(inertia(line), rpm * RPM, line.mechanics.unwinder, line.p.unwinding.motor_brake)
+}
+
+/// Coasting time (s) from `rpm` to rest. Source: sizing facts 2.2.
 pub(super) fn seconds(line: &RibbonLine, rpm: f64) -> f64 {
-    load::coasting(inertia(line), rpm * RPM, line.mechanics.unwinder + line.p.unwinding.motor_brake)
+    stop(line, rpm).seconds
+}
+
+/// Time (s) of the linear ramp from the speed at 10 V that lays as much ribbon as the stop. Lower speeds have the same slope.
+pub(super) fn ramp(line: &RibbonLine) -> f64 {
+    stop(line, line.p.speed_at_10v).ramp
 }
 
 /// Ribbon (mm) laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
@@ -34,7 +45,8 @@ fn laid_beside(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64), lag: f
     if d.actual_speed <= 0.0 {
         return 0.0;
     }
-    web::slack_after_stop(d.line_speed / 60.0, seconds(line, d.actual_speed), ramp, delay) - lag
+    let coasting = self::ramp(line) * d.actual_speed / line.p.speed_at_10v;
+    web::slack_after_stop(d.line_speed / 60.0, coasting, ramp, delay) - lag
 }
 
 /// Ribbon (mm) that is laid into the loop while X stops over its time constant and the unwinder coasts: as at a hold, with the time of
@@ -96,10 +108,10 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     let time = seconds(line, line.fast.actual_speed);
     let said = msg!("ribbon.coasts-too-long", time = (time, 2), needed = (needed.ceil(), 0), capacity = (capacity, 0));
     let mut advice = Vec::new();
-    // The brake that stops the unwinder in the time in which the loop fills up.
+    // The brake that stops the unwinder in the time in which the loop fills up, less the time in which it closes.
     let speed = line.fast.line_speed / 60.0;
     let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
-    let left = 2.0 * (capacity - laid_before(line) + lag) / speed - 2.0 * rest + stop;
+    let left = 2.0 * (capacity - laid_before(line) + lag) / speed - 2.0 * rest + stop - 2.0 * CLOSING_TIME;
     if left > 0.0 {
         let torque = load::braking(inertia(line), line.fast.actual_speed * RPM, left);
         let brake = ((torque - line.mechanics.unwinder) / BRAKES).ceil() * BRAKES;

@@ -29,6 +29,11 @@ pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
     fast.line_speed / 60.0 * ramp / 2.0
 }
 
+/// Ribbon (mm) laid below the sensor of the longest loop while the program holds, at the worst position of the knob.
+pub(super) fn room_below_sensor(line: &RibbonLine) -> f64 {
+    line.worst(|d| d.slack_hold).slack_hold.max(0.0)
+}
+
 /// The contacts of loop and reel in a run, in the order of [`BY_MOVERS`].
 #[derive(Debug, Clone)]
 pub(super) struct RibbonContacts {

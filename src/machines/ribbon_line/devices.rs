@@ -1,6 +1,6 @@
 //! Devices of the ribbon line beside its drives: dancer, fan of the unwinder's motor, and the sensors of loop and reel with their places.
 
-use super::contacts::RibbonContacts;
+use super::contacts::{RibbonContacts, left_at_reel_end, room_below_sensor};
 use super::resolved::RibbonLine;
 use super::tension_switch::TensionSwitch;
 use crate::machines::devices::{AskedDevice, BillItem};
@@ -12,9 +12,11 @@ const UNWINDER: &str = "ribbon.drive.unwinder";
 /// The devices. A dancer acts on the trim input of the inverter (sizing facts 2.6).
 pub(super) fn devices(line: &RibbonLine) -> Vec<AskedDevice> {
     let p = &line.p;
-    let (capacity, places) = ((p.loop_capacity, 0), RibbonContacts::new(line));
+    let places = RibbonContacts::new(line);
     let sensor = |item, asked| AskedDevice { item, drive: None, asked };
     let of_unwinder = |item, asked| AskedDevice { item, drive: Some(UNWINDER), asked };
+    // Below the sensor the loop still takes up what is laid while the program holds.
+    let capacity = (p.loop_capacity + room_below_sensor(line), 0);
     let dancer = p.dancer.then(|| of_unwinder(BillItem::Dancer, msg!("ribbon.device.dancer", capacity)));
     let fan = p.unwinding.forced_cooling.then(|| of_unwinder(BillItem::Fan, msg!("ribbon.device.fan")));
     let longest = places
@@ -24,7 +26,7 @@ pub(super) fn devices(line: &RibbonLine) -> Vec<AskedDevice> {
     let switch = TensionSwitch::new(line);
     let (missing, tension) = ((switch.missing, 1), (switch.tension, 1));
     let tight = sensor(BillItem::TensionSwitch, msg!("ribbon.device.tension-switch", missing, tension));
-    let left = (super::contacts::left_at_reel_end(line), 0);
+    let left = (left_at_reel_end(line), 0);
     let reel = sensor(BillItem::ReelSensor, msg!("ribbon.device.reel-sensor", left));
     dancer.into_iter().chain(fan).chain(longest).chain([tight, reel]).collect()
 }

@@ -62,7 +62,7 @@ fn spindle(line: &RibbonLine) -> SpindlePlant {
         gain,
         slip,
         encoder: p.spindle_encoder,
-        coasting: Some([coasting::seconds(line, p.speed_at_10v); STAGES]),
+        coasting: Some([coasting::ramp(line); STAGES]),
         // The ribbon's slack at the start is a result of its own.
         drives_cut: false,
         ..SpindlePlant::new(analog, p.top_speed(), p.inverter_ramp, rules)

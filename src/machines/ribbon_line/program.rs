@@ -299,10 +299,10 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     override_off(b, line, 1);
-    phase::check(b, line);
     if !is_length(line) {
         b.n(2).assign(LEFT, v(COUNT)).note("PITCHES LEFT");
     }
+    phase::check(b, line, 3);
     b.n(4).assign(BLOCK_PITCHES, v(BLOCK_SIZE)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
     // A start under override 0 has its wait for the unwinder when the override rises (N20 in the running line).
@@ -365,7 +365,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(46).end_do(2);
     b.n(47).end_do(1);
     last_pitch(b, line);
-    end(b, line);
+    end(b, line, 3);
     length_alarms(b, line);
 }
 
@@ -454,9 +454,9 @@ fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
     }
 }
 
-/// Spindle off, absolute dimensions, program end. `#3004` is cleared by the reset of M30: written here it would act before the last
+/// Spindle off, absolute dimensions, program end, and the alarm to which block `check` leads. `#3004` is cleared by the reset of M30: written here it would act before the last
 /// moves are done.
-fn end(b: &mut Builder, line: &RibbonLine) {
+fn end(b: &mut Builder, line: &RibbonLine, check: u32) {
     b.n(50).words([m(5)]);
     phase::end(b, line);
     let absolute = codes(line, [Code::Absolute]);
@@ -464,7 +464,7 @@ fn end(b: &mut Builder, line: &RibbonLine) {
         b.n(51).words(absolute);
     }
     b.n(52).words([m(30)]);
-    phase::alarm(b, line);
+    phase::alarm(b, line, check);
 }
 
 /// O9100 as published: its numbers N5, N10, N20, N30, N100 and N200 with the corrections between them.
@@ -505,8 +505,8 @@ fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl 
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     writing::guards(b, &entries(line));
+    phase::check(b, line, 19);
     override_off(b, line, 20);
-    phase::check(b, line);
     b.n(21);
     product(b, line);
     b.n(22).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
@@ -515,7 +515,7 @@ fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl 
     preset(b, line, 24);
     passes(b);
     last_pitch(b, line);
-    end(b, line);
+    end(b, line, 19);
     length_alarms(b, line);
     writing::alarms(b, line.control, &entries(line));
     b.words([m(30)]);

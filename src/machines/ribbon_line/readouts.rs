@@ -267,7 +267,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "coasting-time", label: "ribbon.readout.coasting-time", unit: "s", decimals: 2,
-        formula: "J · 2π n / 60 / (unwinder torque + motor brake)",
+        formula: "J · 2π n / 60 / (unwinder torque + motor brake), the brake closed after 0.1 s",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred),
         value: |line| coasting::seconds(line, line.d.actual_speed), ..ReadoutRow::BASE
     },

@@ -210,14 +210,13 @@ pub(super) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
     let (queued, ends) = (queued(p), ((low, 0), (highest, 0)));
     if up > low {
         let laid = queued * (highest / low - 1.0);
-        let said = msg!(
-            "ribbon.knob-queue",
-            queued = (queued, 0),
-            low = ends.0,
-            high = ends.1,
-            laid = (laid, 0),
-            least = (up, 1)
-        );
+        let (of_queue, all) = ((queued, 0), (laid, 0));
+        let said = match up < highest {
+            true => {
+                msg!("ribbon.knob-queue", queued = of_queue, low = ends.0, high = ends.1, laid = all, least = (up, 1))
+            }
+            false => msg!("ribbon.knob-queue-never", queued = of_queue, low = ends.0, high = ends.1, laid = all),
+        };
         advice.push(with_loop(said.into(), laid_so_far(line) + laid, Vec::new()));
     }
     if down > low {

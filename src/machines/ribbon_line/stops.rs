@@ -1,9 +1,10 @@
 //! Interruptions of the ribbon line, from hold to inverter fault: the unwinder stops with the axes, or it fills the loop.
 
 use super::coasting;
-use super::contacts::{CONTACTS, left_at_reel_end};
+use super::contacts::{CONTACTS, left_at_reel_end, room_below_sensor};
 use super::phase;
 use super::resolved::RibbonLine;
+use super::rules_of_slack::worst_loop;
 use super::variables::PHASE;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
 use crate::msg;
@@ -24,12 +25,18 @@ pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
 pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     let (d, print) = (&line.d, line.p.print_axis.address().to_string());
     let laid = |mm: f64| msg!("ribbon.stops.laid", length = (mm, 0));
-    let again = msg!(
-        "ribbon.stops.laid-twice",
-        hold = (d.slack_hold, 0),
-        restart = (d.slack_resume, 0),
-        pause = (d.slack_interruption, 0)
-    );
+    let worst = worst_loop(line);
+    let left = line.p.loop_capacity - (worst.loop_needed - worst.slack_interruption);
+    let again = match worst.slack_interruption {
+        none if none <= 0.0 => laid(0.0),
+        each => msg!(
+            "ribbon.stops.laid-twice",
+            hold = (d.slack_hold, 0),
+            restart = (d.slack_resume, 0),
+            pause = (d.slack_interruption, 0),
+            count = (left / each).max(0.0).floor()
+        ),
+    };
     let goes_on = match line.in_step() {
         true => msg!("ribbon.stops.start-in-step"),
         false => msg!("ribbon.stops.start"),
@@ -91,6 +98,15 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
             ),
         ),
     ];
+    rows.push(row(
+        Interruption::PowerFailure,
+        msg!("ribbon.stops.axes-unpowered", axis = print.as_str()),
+        laid(coasting::laid(line, d)),
+        anew(
+            |axis| msg!("ribbon.stops.power-on", axis),
+            |axis, variable| msg!("ribbon.stops.power-on-by-hand", axis, variable),
+        ),
+    ));
     rows.extend(by_contacts(line));
     rows
 }
@@ -117,7 +133,7 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             Interruption::Hold,
             "ribbon.stops.loop-full",
             hold(),
-            msg!("ribbon.stops.room", length = (d.slack_hold.max(0.0), 0)),
+            msg!("ribbon.stops.room", length = (room_below_sensor(line), 0)),
             match program_sets_phase {
                 true => msg!("ribbon.stops.shorten", axis),
                 false => msg!("ribbon.stops.shorten-by-hand", axis, variable),

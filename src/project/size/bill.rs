@@ -18,7 +18,7 @@ use crate::motion::Mover;
 use crate::msg;
 use crate::project::Project;
 use crate::text::catalog::{number_text, sentence};
-use crate::text::{Message, listed};
+use crate::text::{Grade, Message, listed};
 use crate::view::report::Input;
 
 /// A row of the bill.
@@ -130,6 +130,7 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
         }
         let meaning = listed(&told);
         let asked = match item {
+            BillItem::OverrideSwitch => msg!("size.bill.override-switch", meaning),
             BillItem::GearValve | BillItem::ClampValve => msg!("size.bill.valve", meaning),
             _ => msg!("size.bill.contact", meaning),
         };
@@ -276,6 +277,14 @@ fn overload_to_confirm(chosen: &Candidate) -> Option<Message> {
     Some(msg!("size.bill.inverter-overload", current = (current, 2)))
 }
 
+/// Whether the amplifier takes the axis commands of the control, where no list of its maker says so.
+fn command_to_confirm(project: &Project, chosen: &Candidate) -> Option<Message> {
+    let amplifier = chosen.amplifier.as_ref().filter(|part| matches!(part.ratings, Ratings::Amplifier(_)))?;
+    let mut rows = project.control.drives.iter().filter(|row| row.series == amplifier.series);
+    let is_listed = rows.any(|row| row.cite.grade != Grade::Open);
+    (!is_listed).then(|| msg!("size.bill.command", control = project.control.name))
+}
+
 /// Item of a motor's drive: servo amplifier or inverter.
 fn amplifier_item(is_servo: bool) -> BillItem {
     if is_servo { BillItem::Amplifier } else { BillItem::Inverter }
@@ -290,7 +299,8 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
         let short = chosen.shortage.as_ref();
         let short = short.map(|short| described(item, Some(axis.name), sentence(short), PartGrade::Open));
         let amplifier = amplifier.or(short).unwrap_or_else(|| open("size.bill.no-amplifier"));
-        let amplifier = BillRow { open: overload_to_confirm(chosen).into_iter().collect(), ..amplifier };
+        let open = [command_to_confirm(project, chosen), overload_to_confirm(chosen)].into_iter().flatten();
+        let amplifier = BillRow { open: open.collect(), ..amplifier };
         let refusal = chosen.refusal.as_ref().map(|refusal| refusal.message.clone());
         [BillRow { refusal, ..of(BillItem::Motor, &chosen.part, proposed) }, amplifier]
     };

@@ -11,6 +11,8 @@ use crate::machines::devices::{BillItem, wired};
 use crate::machines::ladder::{Device, Ladder, PlcSide};
 use crate::machines::sheets::say;
 use crate::motion::Mover;
+use crate::msg;
+use crate::text::catalog::sentence;
 use crate::text::{Citation, Grade, headed};
 
 /// A wire at a terminal, or a cable.
@@ -228,10 +230,13 @@ fn contacts(ladder: Option<&Ladder>, bill: &[BillRow]) -> Vec<Wire> {
     let is_output = |device: &Device| device.sides.0 == PlcSide::Plc;
     let wired = wired(ladder);
     let wire = |(item, device): &(BillItem, Device)| {
-        let plc = WireEnd {
-            place: format!("{} {}", say("plc.side.plc"), device.name),
-            ..WireEnd::of(BillItem::Control, None)
+        let plc = say("plc.side.plc");
+        let place = match item {
+            // Contacts of a code, which rungs of their own read into the register.
+            BillItem::OverrideSwitch => sentence(&msg!("size.terminal.decoded", plc, register = device.name.as_str())),
+            _ => format!("{plc} {}", device.name),
         };
+        let plc = WireEnd { place, ..WireEnd::of(BillItem::Control, None) };
         let (from, to) = if is_output(device) { (plc, end(*item)) } else { (end(*item), plc) };
         Wire { strip: Strip::Contacts, signal: say(device.meaning), from, to, cite: device.cite }
     };

@@ -34,7 +34,10 @@ fn offer_has_motors_envelope_and_bill() {
         let written = project.written();
         let sizing = macroline::project::size::size(&project, &written);
         let options = ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() };
-        let files = project.export_with(&written, &options).files;
+        let export = project.export_with(&written, &options);
+        let told: Vec<_> = export.diagnostics.iter().map(|found| &found.message).collect();
+        assert!(sizing.findings().iter().all(|found| told.contains(&&found.message)), "{}: {told:?}", machine.id());
+        let files = export.files;
         let report = named(&files, "report.html");
         let page = read(report);
         let tables: Vec<&str> = page

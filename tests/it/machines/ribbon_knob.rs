@@ -192,3 +192,18 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn loop_without_room_allows_no_turn_up_at_once() {
+    // The start and the run of the paper's line fill its loop.
+    let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
+    let told = |project: &Project| {
+        let row = readout(project, "knob-turn");
+        row.advice.iter().map(|advice| macroline::text::catalog::sentence(&advice.message)).collect::<Vec<_>>()
+    };
+    let said = told(&paper);
+    assert!(said.iter().any(|said| said.ends_with("no turn up while the line runs.")), "{said:?}");
+    let roomy = paper.with_entries(&[("loop-capacity", "1500".to_owned())]).unwrap();
+    let said = told(&roomy);
+    assert!(said.iter().all(|said| !said.contains("no turn up")), "{said:?}");
+}

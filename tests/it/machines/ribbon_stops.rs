@@ -295,17 +295,22 @@ fn fault_lets_the_unwinder_coast_as_long_as_its_inertia_says() {
             let planner = over_time(&project, vec![event(8.0, Action::InverterFault(true))]);
             let name = format!("{} {brake} Nm {inertia} kg cm²", control.id);
             let value = |id: &str| readout(&project, id).value;
-            // J ω / T, with the torque of web and friction and that of the brake.
-            let torque = value("unwinder-torque") + brake.parse::<f64>().unwrap();
+            let (torque, brake) = (value("unwinder-torque"), brake.parse::<f64>().unwrap());
             let speed = value("actual-speed") * std::f64::consts::TAU / 60.0;
             // The reel where it weighs most at the ribbon: full, 112 mm, or at its core, 34 mm; reduced through roller, gear and losses.
             let at_web = |id: &str, radius: f64| value(id) * 1e-4 / (radius * radius);
             let mass = at_web("reel-inertia-full", 0.112).max(at_web("reel-inertia-empty", 0.034));
             let reel = mass * 0.002 * 0.002 / 0.7;
-            let coasts = (inertia.parse::<f64>().unwrap() * 1e-4 + reel) * speed / torque;
+            let inertia = inertia.parse::<f64>().unwrap() * 1e-4 + reel;
+            // J ω / T, with the torque of web and friction; from 0.1 s on, when it has closed, also with that of the brake.
+            let coasts = match brake > 0.0 {
+                true => 0.1 + (inertia * speed - torque * 0.1) / (torque + brake),
+                false => inertia * speed / torque,
+            };
             assert!((value("coasting-time") - coasts).abs() < 1e-9 * coasts, "{name}: {coasts}");
+            // The run has one slope, in which the unwinder turns as far.
             let turns = |t: f64| planner.timeline().at(t).spindle.actual;
-            assert!(turns(8.0 + 0.97 * coasts) > 0.0 && turns(8.0 + 1.01 * coasts + 0.02) == 0.0, "{name}: {coasts}");
+            assert!(turns(8.0 + 0.97 * coasts) > 0.0 && turns(8.0 + 1.01 * coasts + 0.1) == 0.0, "{name}: {coasts}");
             let points = slack(&project, &planner, 6001);
             let laid = points[6000].1 - slack_at(&points, 7.9);
             assert!((laid - value("slack-coasting")).abs() < 0.5 + 0.01 * laid, "{name}: {laid}");
@@ -405,6 +410,7 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
             "Reset",
             "Emergency stop",
             "Inverter fault",
+            "Power failure",
             "Loop at its longest limit",
             "Ribbon taut to its limit",
             "Reel at its end",
@@ -416,6 +422,21 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
         let export = line(control.id, &[]).export();
         let report = export.files.iter().find(|file| file.name.ends_with(".md")).expect("a report");
         assert!(report.text.contains("## Hold, alarm, reset, emergency stop, inverter fault\n"), "{}", control.id);
+    }
+}
+
+#[test]
+fn table_counts_the_pauses_that_the_loop_holds() {
+    for control in controls() {
+        let counted = |capacity: f64| {
+            let rows = stop_table(&line(control.id, &[("loop-capacity", &format!("{capacity:.1}"))]));
+            let told = rows[0].iter().find_map(|cell| cell.split_once("The loop holds ")).expect("a count").1;
+            told.split(' ').next().unwrap().parse::<u32>().unwrap()
+        };
+        // The capacity that the design asks holds one, with the knob at its end; each further one lays less than that.
+        let needed = readout(&line(control.id, &[]), "loop-needed").value;
+        assert_eq!([counted(needed - 1.0), counted(needed + 1.0)], [0, 1], "{}: {needed}", control.id);
+        assert!(counted(3.0 * needed) >= 3, "{}", control.id);
     }
 }
 
@@ -448,6 +469,11 @@ fn operator_goes_on_as_the_table_says() {
         for actions in [&anew[..], &[(8.0, Action::Reset), (14.0, Action::Start)]] {
             if !tells {
                 assert_eq!(run(actions).0, RunEnd::Stop, "{} {actions:?}", control.id);
+                // The program asks for a turn of the roller: after it the product begins, without another reset.
+                let asked = [(16.0, Action::Variable(138, Some(0.0))), (17.0, Action::Start)];
+                let (end, planner) = run(&[actions, &asked[..]].concat());
+                assert_eq!(end, RunEnd::ProgramEnd, "{} {actions:?}", control.id);
+                assert!(pitch(&project, &planner) > 1.0, "{} {actions:?}", control.id);
             }
             let mut actions = actions.to_vec();
             actions.splice(actions.len() - 1..actions.len() - 1, turned.clone());
