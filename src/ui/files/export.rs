@@ -304,7 +304,9 @@ fn Offered(
         export.remarks.iter().map(|remark| view! { <li class=remark.tone.class()>{remark.text.clone()}</li> });
     view! {
         <p>{t("page.export-about")}</p>
-        <table class="exported"><tbody>{rows}</tbody></table>
+        <div class="files" tabindex="0" role="group" aria-label=t("page.export-files")>
+            <table class="exported"><tbody>{rows}</tbody></table>
+        </div>
         <ul class="remarks">{remarks.collect_view()}</ul>
         <footer>
             {summary}
