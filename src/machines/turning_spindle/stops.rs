@@ -65,15 +65,15 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             anew(Interruption::InverterFault),
         ),
     ];
-    rows.extend(sinks.map(|way| Reaction {
-        cite: CLOSING,
+    rows.push(Reaction {
+        cite: if sinks.is_some() { CLOSING } else { DESIGN },
         ..row(
             Interruption::PowerFailure,
-            slides_without_supply(Some(way)),
+            slides_without_supply(sinks),
             msg!("lathe.stops.work-coasts", time = coasts),
             anew(Interruption::PowerFailure),
         )
-    }));
+    });
     if lathe.keyway().is_some() {
         rows.extend(in_keyway(lathe, sinks));
     }
@@ -90,6 +90,8 @@ fn anew(lathe: &TurningSpindle) -> impl Fn(Interruption) -> Message {
         (Interruption::EmergencyStop, Some(variable)) => msg!("turning.stops.clear-by-hand", variable),
         (Interruption::InverterFault, None) => msg!("lathe.stops.fault"),
         (Interruption::InverterFault, Some(variable)) => msg!("turning.stops.fault-by-hand", variable),
+        (Interruption::PowerFailure, None) => msg!("lathe.stops.power-on"),
+        (Interruption::PowerFailure, Some(variable)) => msg!("turning.stops.power-on-by-hand", variable),
         (_, None) => msg!("lathe.stops.anew"),
         (_, Some(variable)) => msg!("turning.stops.anew-by-hand", variable),
     }
