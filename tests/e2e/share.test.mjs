@@ -138,3 +138,19 @@ test('the report is printed as the export has it, in three clicks', () =>
       }
     }
   }));
+
+test('the summary for a customer is printed in two clicks', () =>
+  withPage(app, {}, async ({ page, context }) => {
+    await context.addInitScript(() => (window.print = () => (document.title = `printed ${document.title}`)));
+    await page.click('#export');
+    const tab = context.waitForEvent('page');
+    await page.click('#print-summary');
+    const summary = await tab;
+    await summary.waitForFunction(() => document.title.startsWith('printed '));
+    const heads = await summary.locator('h2').allTextContents();
+    assert.ok(heads.includes('What limits the machine') && !heads.includes('Sources'), heads.join());
+    if (!FIREFOX) {
+      const pages = (await summary.pdf({ format: 'A4' })).toString('latin1').match(/\/Type \/Page\b/g).length;
+      assert.ok(pages <= 3, `${pages} pages`);
+    }
+  }));

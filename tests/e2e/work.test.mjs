@@ -231,6 +231,12 @@ test('paper listing shows its faults, a fix mends it', () =>
     await page.waitForFunction((before) => document.querySelectorAll('.says').length !== before, count);
     await page.click('#export');
     await page.getByText('Nothing is exported').waitFor();
+    // The report is there all the same, as a draft.
+    const tab = page.waitForEvent('popup');
+    await page.click('#print-draft');
+    const draft = await tab;
+    await draft.locator('.conclusion', { hasText: 'Draft without programs' }).waitFor();
+    await draft.close();
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Write again' }).click();
     await page.getByRole('button', { name: 'O9101.nc' }).waitFor();
