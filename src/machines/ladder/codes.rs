@@ -18,6 +18,12 @@ pub const STOPPED: Bit = Bit::Relay("stopped");
 const FAULT: Bit = Bit::Relay("inverter-fault");
 /// M, S or T has to wait.
 pub const BUSY: Bit = Bit::Relay("busy");
+/// The commanded gear stage is in position.
+pub const MESHED: Bit = Bit::Relay("meshed");
+/// The gears allow a run command: in position, or changed at the shift voltage.
+pub const GEAR_RUN: Bit = Bit::Relay("gear-run");
+/// The commanded stage has left its position while the spindle turned: no program until reset.
+pub const GEAR_LOST: Bit = Bit::Relay("gear-lost");
 /// Nothing forbids a run command.
 const FREE: Bit = Bit::Relay("spindle-free");
 /// Keys of the directions.
@@ -39,6 +45,8 @@ pub struct SpindleRequirements<'a> {
     pub holds: &'a [MachineContact],
     /// While this is on, the inverter gets no run command: another drive turns the spindle.
     pub locked_by: Option<Bit>,
+    /// The spindle has gear stages: their contacts release run command and keys.
+    pub has_gears: bool,
     /// Direction of the inverter.
     pub direction: Direction,
 }
@@ -127,6 +135,7 @@ impl Book<'_> {
         let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
         guard.extend(has_enable.then_some(on(enabled)));
         guard.extend(requirements.locked_by.map(off));
+        guard.extend(requirements.has_gears.then_some(on(GEAR_RUN)));
         if (requirements.reaction)(Interruption::Reset) == SpindleReaction::Off {
             guard.push(off(self.reset()));
         }
@@ -136,10 +145,11 @@ impl Book<'_> {
             self.coil(was, vec![vec![on(STARTED)]], "plc.rung.was-started");
             guard.push(off(ENDED));
         }
-        self.coil(FREE, vec![guard], "plc.rung.spindle-free");
-        self.directions(rules, requirements.reports_standstill);
+        let free = if requirements.has_gears { "plc.rung.spindle-free-gears" } else { "plc.rung.spindle-free" };
+        self.coil(FREE, vec![guard], free);
+        self.directions(rules, requirements);
         self.run_commands(requirements.direction);
-        self.hold_program(ready, requirements.holds);
+        self.hold_program(ready, requirements);
         if requirements.reports_speed && self.has(SignalRole::SpeedArrived) {
             let still = TURNS.map(off).to_vec();
             let arrived = vec![vec![on(Bit::Input(MachineContact::AtSpeed))], still];
@@ -156,7 +166,7 @@ impl Book<'_> {
 
     /// The direction by M3, M4, M5 and the keys. Keys start a spindle without a run command, and at standstill where that is reported, while no
     /// program is begun; the stop key leaves the direction of a begun program.
-    fn directions(&mut self, rules: &SpindleRules, reports_standstill: bool) {
+    fn directions(&mut self, rules: &SpindleRules, requirements: &SpindleRequirements<'_>) {
         let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
         let [forward, reverse] = TURNS;
         if rules.stop_between {
@@ -178,7 +188,8 @@ impl Book<'_> {
                 keeps.push(off(other_code));
             }
             let mut by_key = vec![on(own_key), on(FREE), off(other_key), stop, off(other), off(STARTED)];
-            by_key.extend(reports_standstill.then_some(on(Bit::Input(MachineContact::AtStandstill))));
+            by_key.extend(requirements.reports_standstill.then_some(on(Bit::Input(MachineContact::AtStandstill))));
+            by_key.extend(requirements.has_gears.then_some(on(MESHED)));
             // A reset behind the stop key starts nothing.
             let alone = [keeps.as_slice(), &[stop, off(STOPPED)]].concat();
             keeps.push(on(STARTED));
@@ -210,16 +221,23 @@ impl Book<'_> {
     }
 
     /// Holds the program while the inverter reports a fault, after one until reset, while the spindle of a begun program is stopped by its
-    /// key, and while one of the contacts is open, with a text for each contact that stays until the program runs again or reset is pressed.
-    fn hold_program(&mut self, ready: Bit, contacts: &[MachineContact]) {
+    /// key, after a gear was lost until reset, and while one of the contacts is open, with a text for each contact that stays until the program
+    /// runs again or reset is pressed.
+    fn hold_program(&mut self, ready: Bit, requirements: &SpindleRequirements<'_>) {
+        let contacts = requirements.holds;
         let all: Vec<Bit> = [ready].into_iter().chain(contacts.iter().copied().map(Bit::Input)).collect();
-        let free = all.iter().copied().map(on).chain([FAULT, STOPPED].map(off)).collect();
-        let held = all.iter().map(|contact| vec![off(*contact)]).chain([FAULT, STOPPED].map(|held| vec![on(held)]));
-        self.one_of(
-            (SignalRole::HoldReleased, vec![free]),
-            (SignalRole::HoldRequest, held.collect()),
-            if contacts.is_empty() { "plc.rung.inverter-hold" } else { "plc.rung.contacts-hold" },
-        );
+        let causes: Vec<Bit> =
+            [FAULT, STOPPED].into_iter().chain(requirements.has_gears.then_some(GEAR_LOST)).collect();
+        let free = all.iter().copied().map(on).chain(causes.iter().copied().map(off)).collect();
+        let held = all.iter().map(|contact| vec![off(*contact)]);
+        let held = held.chain(causes.iter().map(|cause| vec![on(*cause)]));
+        let note = match (requirements.has_gears, contacts.is_empty()) {
+            (true, _) => "plc.rung.gears-hold",
+            (false, true) => "plc.rung.inverter-hold",
+            (false, false) => "plc.rung.contacts-hold",
+        };
+        let (free, held) = ((SignalRole::HoldReleased, vec![free]), (SignalRole::HoldRequest, held.collect()));
+        self.one_of(free, held, note);
         let (running, reset) = (Bit::Signal(SignalRole::Running), self.reset());
         for contact in contacts {
             let message = Bit::Output(MachineOutput::Message(*contact));

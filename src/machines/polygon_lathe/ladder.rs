@@ -60,6 +60,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
             reports_standstill: true,
             holds: &[],
             locked_by: Some(TAKEN),
+            has_gears: false,
             direction: Direction::Contacts,
         };
         book.spindle(&rules, &requirements);

@@ -29,6 +29,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
         reports_standstill: false,
         holds: &holds,
         locked_by: None,
+        has_gears: false,
         direction: Direction::Contacts,
     };
     book.spindle(&rules, &requirements);

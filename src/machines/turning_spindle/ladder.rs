@@ -6,14 +6,12 @@ use super::resolved::TurningSpindle;
 use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{BUSY, Direction, SpindleRequirements};
+use crate::machines::ladder::codes::{BUSY, Direction, GEAR_LOST, GEAR_RUN, MESHED, SpindleRequirements, TURNS};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungContact, off, on};
 
 /// Relays of the stages that the control requests by number.
 const WANTED: [Bit; 4] =
     [Bit::Relay("wanted-1"), Bit::Relay("wanted-2"), Bit::Relay("wanted-3"), Bit::Relay("wanted-4")];
-/// The requested stage is in position.
-const MESHED: Bit = Bit::Relay("meshed");
 /// The spindle is slow enough for the gears, from then on to the end of the change.
 const SLOWED: Bit = Bit::Relay("slowed");
 
@@ -37,6 +35,11 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     let reports_speed = rules.reached.is_some();
     let direction = if lathe.p.output == Output::Unipolar { Direction::Contacts } else { Direction::Sign };
     let locks = lathe.lock_codes();
+    let stages = lathe.p.stages().count().min(WANTED.len());
+    // Before the run command: the answer to M3 reads the gears in the same scan.
+    if stages > 1 {
+        Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe) }.write();
+    }
     book.spindle(
         &rules,
         &SpindleRequirements {
@@ -45,13 +48,10 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
             reports_standstill: false,
             holds: &[],
             locked_by: locks.map(|_| CLAMP),
+            has_gears: stages > 1,
             direction,
         },
     );
-    let stages = lathe.p.stages().count().min(WANTED.len());
-    if stages > 1 {
-        Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe) }.write();
-    }
     let clamps = locks.map(|codes| {
         clamp(&mut book, codes);
         CLAMPING
@@ -88,7 +88,8 @@ fn driven_tool(book: &mut Book, (start, stop): (u32, Option<u32>)) {
     book.coil(run, when.to_vec(), "turning.ladder.driven-tool");
 }
 
-/// The rungs of a gear change.
+/// The rungs of a gear change. It ends only with the contact of the commanded stage, and a reset does not break it off once a valve has
+/// switched: half-meshed gears turn at the shift voltage alone.
 struct Gears<'a, 'b> {
     book: &'a mut Book<'b>,
     stages: u8,
@@ -109,33 +110,29 @@ impl Gears<'_, '_> {
         }
     }
 
-    /// Branches that hold while a stage is not engaged; the first one is engaged while no valve is on.
-    fn out_of(&self, stage: u8) -> Vec<Vec<RungContact>> {
+    /// Contacts that are closed while the valves command a stage: the first one while no valve is on.
+    fn commanded(&self, stage: u8) -> Vec<RungContact> {
         match stage {
-            1 => (2..=self.stages).map(|other| vec![on(valve(other))]).collect(),
-            _ => vec![vec![off(valve(stage))]],
+            1 => (2..=self.stages).map(|other| off(valve(other))).collect(),
+            _ => vec![on(valve(stage))],
         }
+    }
+
+    /// Branches that hold while the valves command another stage.
+    fn out_of(&self, stage: u8) -> Vec<Vec<RungContact>> {
+        self.commanded(stage)
+            .into_iter()
+            .map(|contact| vec![RungContact { opens: !contact.opens, ..contact }])
+            .collect()
     }
 
     fn write(&mut self) {
         if self.book.has(SignalRole::GearChange) {
             self.asked();
         }
-        let (out, late) = (Bit::Timer("old-gear-out"), Bit::Timer("gear-late"));
-        let done = Bit::Timer("gear-done");
-        let mut busy = Vec::new();
-        for stage in self.all() {
-            let wanted = self.wanted(stage);
-            busy.extend(self.out_of(stage).into_iter().map(|branch| [vec![on(wanted)], branch].concat()));
-            busy.push(vec![on(BUSY), off(done), on(wanted)]);
-        }
-        let meshed = self
-            .all()
-            .map(|stage| vec![on(self.wanted(stage)), on(Bit::Input(MachineContact::InGear(stage)))])
-            .collect();
         let times = self.times;
-        let slow = Bit::Input(MachineContact::AtShiftSpeed);
-        self.book.coil(BUSY, busy, "turning.ladder.shift");
+        let (out, done, slow) =
+            (Bit::Timer("old-gear-out"), Bit::Timer("gear-done"), Bit::Input(MachineContact::AtShiftSpeed));
         self.book.timer("old-gear-out", times.before, vec![vec![on(BUSY)]], "turning.ladder.before");
         let slowed = vec![vec![on(BUSY), on(out), on(slow)], vec![on(SLOWED), on(BUSY)]];
         self.book.coil(SLOWED, slowed, "turning.ladder.slowed");
@@ -145,17 +142,47 @@ impl Gears<'_, '_> {
             let when = vec![vec![on(self.wanted(stage)), on(SLOWED)], vec![on(valve(stage)), off(SLOWED)], stays];
             self.book.coil(valve(stage), when, "turning.ladder.valve");
         }
+        let in_position = |stage| on(Bit::Input(MachineContact::InGear(stage)));
+        let meshed = self.all().map(|stage| [self.commanded(stage), vec![in_position(stage)]].concat()).collect();
         self.book.coil(MESHED, meshed, "turning.ladder.meshed");
         self.book.timer("gear-done", times.after, vec![vec![on(BUSY), on(SLOWED), on(MESHED)]], "turning.ladder.after");
-        let mut volts = vec![on(BUSY)];
-        if let Some(patience) = times.patience {
-            let waits = vec![vec![on(BUSY), on(SLOWED), off(MESHED)]];
-            self.book.timer("gear-late", patience, waits, "turning.ladder.patience");
-            self.book.coil(Bit::Output(MachineOutput::GearAlarm), vec![vec![on(late)]], "turning.ladder.late");
-            volts.push(off(late));
-        }
-        self.book.coil(Bit::Output(MachineOutput::ShiftVolts), vec![volts], "turning.ladder.volts");
+        // After the contacts, which it reads in the same scan.
+        self.begin(done);
+        self.supervise();
         self.report(done);
+    }
+
+    /// A change begins with a request for another stage, and with a request or a run command while the commanded stage is not in position.
+    fn begin(&mut self, done: Bit) {
+        let mut busy = Vec::new();
+        for stage in self.all() {
+            let wanted = self.wanted(stage);
+            busy.extend(self.out_of(stage).into_iter().map(|branch| [vec![on(wanted)], branch].concat()));
+            busy.push(vec![on(wanted), off(MESHED)]);
+        }
+        busy.extend([3, 4].map(|code| vec![on(self.book.function(code)), off(MESHED)]));
+        busy.push(vec![on(BUSY), off(done), off(self.book.reset())]);
+        busy.push(vec![on(BUSY), off(done), on(SLOWED)]);
+        self.book.coil(BUSY, busy, "turning.ladder.shift");
+    }
+
+    /// The alarm of a gear that is not in position, the voltage of the change, and the release of the run command.
+    fn supervise(&mut self) {
+        let late = Bit::Timer("gear-late");
+        let lost = TURNS.map(|turns| vec![on(turns), off(BUSY), off(MESHED)]);
+        let stays = vec![on(GEAR_LOST), off(self.book.reset())];
+        self.book.coil(GEAR_LOST, lost.into_iter().chain([stays]).collect(), "turning.ladder.lost");
+        let (mut alarm, mut shifts) = (vec![vec![on(GEAR_LOST)]], vec![on(BUSY)]);
+        if let Some(patience) = self.times.patience {
+            // Reset begins the time anew.
+            let waits = vec![vec![on(BUSY), on(SLOWED), off(MESHED), off(self.book.reset())]];
+            self.book.timer("gear-late", patience, waits, "turning.ladder.patience");
+            alarm.push(vec![on(late)]);
+            shifts.push(off(late));
+        }
+        self.book.coil(Bit::Output(MachineOutput::GearAlarm), alarm, "turning.ladder.late");
+        self.book.coil(Bit::Output(MachineOutput::ShiftVolts), vec![shifts.clone()], "turning.ladder.volts");
+        self.book.coil(GEAR_RUN, vec![vec![on(MESHED), off(BUSY)], shifts], "turning.ladder.run");
     }
 
     /// Decodes the number of the requested stage into one relay a stage.
@@ -172,7 +199,8 @@ impl Gears<'_, '_> {
         }
     }
 
-    /// The engaged stage to the control.
+    /// The commanded stage to the control: it takes it over with the answer, which waits for the contact. A contact that opens in a cut must
+    /// not become another stage, with another voltage for the same speed.
     fn report(&mut self, done: Bit) {
         for less in [1, 0] {
             let role = |bit| if less == 1 { SignalRole::GearIndex(bit) } else { SignalRole::GearNumber(bit) };
@@ -181,18 +209,15 @@ impl Gears<'_, '_> {
                 if !self.book.has(role(bit)) || !self.all().any(|stage| with_bit(&stage)) {
                     continue;
                 }
-                let branch = |stage: u8| match stage {
-                    1 => (2..=self.stages).map(|other| off(valve(other))).collect(),
-                    _ => vec![on(valve(stage))],
-                };
-                let when = self.all().filter(with_bit).map(branch).collect();
+                let when = self.all().filter(with_bit).map(|stage| self.commanded(stage)).collect();
                 self.book.coil(Bit::Signal(role(bit)), when, "turning.ladder.stage");
             }
         }
         let changed = Bit::Signal(SignalRole::GearChanged);
         if self.book.has(SignalRole::GearChanged) {
             let stays = vec![on(changed), on(Bit::Signal(SignalRole::GearChange))];
-            self.book.coil(changed, vec![vec![on(done)], stays], "turning.ladder.changed");
+            let begins = vec![on(done), on(Bit::Signal(SignalRole::GearChange))];
+            self.book.coil(changed, vec![begins, stays], "turning.ladder.changed");
         }
     }
 }

@@ -442,6 +442,58 @@ fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
     }
 }
 
+/// Whether the PLC has answered the codes of the block.
+fn is_answered(image: &Image) -> bool {
+    image.is_on(Bit::Signal(SignalRole::Finished)) && !image.is_on(Bit::Signal(SignalRole::ReadInDisable))
+}
+
+#[test]
+fn m3_and_keys_wait_for_the_contact_of_the_gear() {
+    for (name, project) in projects().filter(|(name, _)| name.starts_with("turning")) {
+        let ladder = ladder(&project);
+        let in_gear = |stage| Bit::Input(MachineContact::InGear(stage));
+        if !ladder.bits.iter().any(|row| row.0 == in_gear(2)) {
+            continue;
+        }
+        let fin = ladder.drives(Bit::Signal(SignalRole::Finished));
+        let answered =
+            |image: &Image| if fin { is_answered(image) } else { !image.is_on(Bit::Signal(SignalRole::ReadInDisable)) };
+        let mut image = at_rest(&ladder);
+        image.set(Bit::Input(MachineContact::SpindleClamped), false);
+        image.set(in_gear(1), false);
+        settle(&ladder, &mut image, 0.0);
+        let keyed = press(&ladder, &mut image, MachineContact::ForwardKey);
+        assert_eq!(keyed, [[false; 2]; 2], "{name}: key between two gears");
+        image.set(Bit::Signal(SignalRole::Running), true);
+        put_out(&ladder, &mut image, 3, true);
+        for t in [0.0, 5.0, 10.0] {
+            settle(&ladder, &mut image, t);
+            if !fin {
+                put_out(&ladder, &mut image, 3, false);
+            }
+            let runs = image.is_on(RUNS[0]);
+            let slow = image.is_on(Bit::Output(MachineOutput::ShiftVolts));
+            assert!(!answered(&image) && (slow || !runs), "{name}: runs {runs}, shift voltage {slow} at {t}");
+        }
+        reset(&ladder, &mut image);
+        image.set(in_gear(1), true);
+        for t in [20.0, 30.0, 40.0] {
+            settle(&ladder, &mut image, t);
+        }
+        put_out(&ladder, &mut image, 3, true);
+        settle(&ladder, &mut image, 40.0);
+        assert!(answered(&image) && image.is_on(RUNS[0]), "{name}: the gear is in position");
+        // The gear leaves its position in the cut.
+        put_out(&ladder, &mut image, 3, false);
+        image.set(in_gear(1), false);
+        settle(&ladder, &mut image, 41.0);
+        image.set(in_gear(1), true);
+        settle(&ladder, &mut image, 42.0);
+        let alarm = image.is_on(Bit::Output(MachineOutput::GearAlarm));
+        assert!(!image.is_on(RUNS[0]) && alarm && is_held(&ladder, &image), "{name}: nothing restarts by itself");
+    }
+}
+
 #[test]
 fn controls_without_fin_hold_the_next_block() {
     for (name, project) in projects() {

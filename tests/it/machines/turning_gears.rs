@@ -96,3 +96,23 @@ fn delay_alone_has_to_last_the_ramp() {
     assert_eq!(delays(&CHUCK).as_deref(), Some("12000"));
     assert_eq!(delays(&[("spindle-ramp", "0")]).as_deref(), Some("250"));
 }
+
+#[test]
+fn reset_in_a_gear_change_does_not_shorten_it() {
+    // The program of the E60 has no codes of gear stages.
+    for control in super::turning::machine().controls().iter().filter(|control| **control != "mitsubishi-e60") {
+        let mut lathe = project(control, &[("gear-time", "8")]);
+        // Before a valve has switched, while the gears mesh, and in the delay after it.
+        for t in [0.5, 2.0, 7.0] {
+            lathe.panel = Default::default();
+            lathe.panel.add(Event { t, action: Action::Reset });
+            lathe.panel.add(Event { t: t + 0.1, action: Action::Start });
+            let planner = super::turning::over_time(&lathe);
+            let fast = (0..4000).map(|at| f64::from(at) * 0.005).find(|at| {
+                let now = Samples::at(&planner, *at).spindle;
+                now.actual.abs() > 30.0
+            });
+            assert!(fast.is_some_and(|fast| fast > 8.0), "{control}, reset at {t}: fast at {fast:?}");
+        }
+    }
+}
