@@ -31,6 +31,8 @@ impl PlcLanguage {
 pub enum SignalRole {
     /// Spindle override in percent, PLC to control.
     SpindleOverride,
+    /// 1 makes the spindle override valid, PLC to control; without it the control takes 100 %.
+    SpindleOverrideValid,
     /// Spindle override as the code of an override step, PLC to control.
     SpindleOverrideCode,
     /// Cutting feed override in percent, PLC to control.
@@ -91,6 +93,8 @@ pub enum SignalRole {
     EmergencyReleased,
     /// 1 is emergency stop.
     EmergencyRequest,
+    /// 1 acknowledges an emergency stop that is over, PLC to control.
+    EmergencyAcknowledge,
     /// 1 resets the control, PLC to control.
     ResetRequest,
     /// The control requests the gear stage of [`SignalRole::GearAsked`].

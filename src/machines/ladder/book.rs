@@ -427,6 +427,7 @@ fn data_device(language: PlcLanguage, number: u32) -> String {
 fn role_meaning(role: SignalRole) -> &'static str {
     match role {
         SignalRole::SpindleOverride => "plc.signal.override",
+        SignalRole::SpindleOverrideValid => "plc.signal.override-valid",
         SignalRole::SpindleOverrideCode => "plc.signal.override-code",
         SignalRole::FeedOverride => "plc.signal.feed-override",
         SignalRole::FeedOverrideOff => "plc.signal.feed-override-off",
@@ -453,6 +454,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
         SignalRole::HoldRequest => "plc.signal.hold-request",
         SignalRole::EmergencyReleased => "plc.signal.emergency-released",
         SignalRole::EmergencyRequest => "plc.signal.emergency-request",
+        SignalRole::EmergencyAcknowledge => "plc.signal.emergency-acknowledge",
         SignalRole::ResetRequest => "plc.signal.reset-request",
         SignalRole::GearChange => "plc.signal.gear-change",
         SignalRole::GearAsked(_) => "plc.signal.gear-asked",

@@ -79,6 +79,20 @@ impl Book<'_> {
             (SignalRole::EmergencyRequest, vec![vec![off(pressed)]]),
             "plc.rung.emergency",
         );
+        // Without it the alarm of the emergency stop outlasts the reset.
+        let acknowledge = SignalRole::EmergencyAcknowledge;
+        if self.has(acknowledge) {
+            let when = vec![vec![on(Bit::Input(MachineContact::ResetKey)), on(pressed)]];
+            self.coil(Bit::Signal(acknowledge), when, "plc.rung.emergency-acknowledge");
+        }
+    }
+
+    /// A control that takes the register of the spindle override only with a signal beside it gets that signal always.
+    pub fn override_valid(&mut self) {
+        let valid = SignalRole::SpindleOverrideValid;
+        if self.has(valid) {
+            self.coil(Bit::Signal(valid), Book::always(), "plc.rung.override-valid");
+        }
     }
 
     /// Relays for a started program and for its interruption.
@@ -118,6 +132,7 @@ impl Book<'_> {
             let register = PlcNumber::Signal(SignalRole::SpindleOverride);
             self.copy(PlcNumber::Knob, register, Book::always(), "turning.ladder.override");
         }
+        self.override_valid();
     }
 
     /// M3, M4, M5 and the keys to the inverter, its fault, and the reactions of the spindle to interruptions.

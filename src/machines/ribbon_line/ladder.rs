@@ -49,6 +49,7 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     let p = &line.p;
     let register = PlcNumber::Signal(SignalRole::SpindleOverride);
     let mut knob = PlcNumber::Knob;
+    book.override_valid();
     if book.has(SignalRole::SpindleOverrideCode) {
         // A switch with a code has steps of 10 %, which the program gets, too.
         let code = PlcNumber::Signal(SignalRole::SpindleOverrideCode);

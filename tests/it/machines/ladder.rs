@@ -442,6 +442,37 @@ fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
     }
 }
 
+#[test]
+fn reset_acknowledges_an_emergency_stop_that_is_over() {
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        let acknowledge = Bit::Signal(SignalRole::EmergencyAcknowledge);
+        let needed = project.control.interface.iter().any(|row| row.role == SignalRole::EmergencyAcknowledge);
+        assert_eq!((ladder.drives(acknowledge), needed), (needed, project.control.plc == PlcLanguage::Step7), "{name}");
+        if !needed {
+            continue;
+        }
+        let mut image = at_rest(&ladder);
+        for (pressed, key) in [(true, true), (false, false), (false, true)] {
+            image.set(Bit::Input(MachineContact::Emergency), !pressed);
+            image.set(Bit::Input(MachineContact::ResetKey), key);
+            settle(&ladder, &mut image, 0.0);
+            assert_eq!(image.is_on(acknowledge), key && !pressed, "{name}: pressed {pressed}, reset {key}");
+        }
+    }
+}
+
+#[test]
+fn spindle_override_is_always_valid() {
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        let valid = Bit::Signal(SignalRole::SpindleOverrideValid);
+        let mut image = Image::default();
+        settle(&ladder, &mut image, 0.0);
+        assert_eq!(image.is_on(valid), project.control.plc == PlcLanguage::Step7, "{name}");
+    }
+}
+
 /// Whether the PLC has answered the codes of the block.
 fn is_answered(image: &Image) -> bool {
     image.is_on(Bit::Signal(SignalRole::Finished)) && !image.is_on(Bit::Signal(SignalRole::ReadInDisable))
