@@ -52,6 +52,8 @@ pub enum BillItem {
     ClampValve,
     /// Driven tool with its motor and drive.
     DrivenTool,
+    /// Turret with its controller.
+    Turret,
     /// Sensor of the longest loop.
     LoopSensor,
     /// Switch of the tight web.
@@ -90,6 +92,7 @@ impl BillItem {
             BillItem::ClampSwitch => "size.item.clamp-switch",
             BillItem::ClampValve => "size.item.clamp-valve",
             BillItem::DrivenTool => "size.item.driven-tool",
+            BillItem::Turret => "size.item.turret",
             BillItem::LoopSensor => "size.item.loop-sensor",
             BillItem::TensionSwitch => "size.item.tension-switch",
             BillItem::ReelSensor => "size.item.reel-sensor",
@@ -138,6 +141,7 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
         MachineContact::LoopNotFull => BillItem::LoopSensor,
         MachineContact::WebNotTight => BillItem::TensionSwitch,
         MachineContact::ReelNotEmpty => BillItem::ReelSensor,
+        MachineContact::TurretInPosition => BillItem::Turret,
     }
 }
 
@@ -148,6 +152,7 @@ pub fn item_of_output(output: MachineOutput) -> Option<BillItem> {
         MachineOutput::Gear(_) => Some(BillItem::GearValve),
         MachineOutput::SpindleClamp => Some(BillItem::ClampValve),
         MachineOutput::DrivenTool => Some(BillItem::DrivenTool),
+        MachineOutput::TurretStart => Some(BillItem::Turret),
         MachineOutput::ShiftVolts
         | MachineOutput::InverterAlarm
         | MachineOutput::ReversalAlarm

@@ -63,6 +63,8 @@ pub enum SignalRole {
     SStrobe,
     /// Strobe of T, control to PLC.
     TStrobe,
+    /// Dynamic signal of a T function, on for one PLC cycle.
+    TFunction,
     /// The program runs: off at hold, between two blocks that wait for cycle start, and at an alarm.
     Running,
     /// No program is started: on until cycle start, after the program end and after reset.

@@ -439,6 +439,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
         SignalRole::MStrobe => "plc.signal.m-strobe",
         SignalRole::SStrobe => "plc.signal.s-strobe",
         SignalRole::TStrobe => "plc.signal.t-strobe",
+        SignalRole::TFunction => "plc.signal.t-function",
         SignalRole::Running => "plc.signal.running",
         SignalRole::Idle => "plc.signal.idle",
         SignalRole::ProgramEnd => "plc.signal.program-end",
@@ -489,6 +490,7 @@ fn input_meaning(input: MachineContact) -> &'static str {
         MachineContact::LoopNotFull => "plc.input.loop-not-full",
         MachineContact::WebNotTight => "plc.input.web-not-tight",
         MachineContact::ReelNotEmpty => "plc.input.reel-not-empty",
+        MachineContact::TurretInPosition => "plc.input.turret-in-position",
     }
 }
 
@@ -502,6 +504,7 @@ fn output_meaning(output: MachineOutput) -> &'static str {
         MachineOutput::Gear(_) => "plc.output.gear-4",
         MachineOutput::SpindleClamp => "plc.output.spindle-clamp",
         MachineOutput::DrivenTool => "plc.output.driven-tool",
+        MachineOutput::TurretStart => "plc.output.turret-start",
         MachineOutput::ShiftVolts => "plc.output.shift-volts",
         MachineOutput::InverterAlarm => "plc.output.inverter-alarm",
         MachineOutput::ReversalAlarm => "plc.output.reversal-alarm",

@@ -14,6 +14,10 @@ pub const INTERRUPTED: Bit = Bit::Relay("interrupted");
 pub const TURNS: [Bit; 2] = [Bit::Relay("clockwise"), Bit::Relay("counter-clockwise")];
 /// The stop key has stopped the spindle in a begun program: cycle start is refused.
 pub const STOPPED: Bit = Bit::Relay("stopped");
+/// A T function waits for the turret, on a control whose T function is a pulse.
+const TOOL_ASKED: Bit = Bit::Relay("tool-asked");
+/// The turret has not answered.
+const TOOL_WAITS: Bit = Bit::Relay("tool-waits");
 /// The inverter has reported a fault: no run command and no program until reset.
 const FAULT: Bit = Bit::Relay("inverter-fault");
 /// M, S or T has to wait.
@@ -264,6 +268,24 @@ impl Book<'_> {
     /// Holds the axes of the program while the condition holds.
     pub fn hold_axes(&mut self, held: Branches, free: Branches, note: &'static str) {
         self.one_of((SignalRole::AxesEnable, free), (SignalRole::AxesStop, held), note);
+    }
+
+    /// T to the turret's controller, which reads the number itself: start signal, its answer, both off again. A stale answer starts nothing and
+    /// answers nothing. Returns the signal that is on while T waits.
+    pub fn turret(&mut self) -> Bit {
+        let (start, there) = (Bit::Output(MachineOutput::TurretStart), Bit::Input(MachineContact::TurretInPosition));
+        let is_pulse = self.has(SignalRole::TFunction);
+        let asked = if is_pulse { TOOL_ASKED } else { Bit::Signal(SignalRole::TStrobe) };
+        if is_pulse {
+            let reset = self.reset();
+            let waits = [off(start), off(there)].map(|open| vec![on(TOOL_ASKED), open, off(reset)]);
+            let begins = vec![on(Bit::Signal(SignalRole::TFunction))];
+            self.coil(TOOL_ASKED, [begins].into_iter().chain(waits).collect(), "plc.rung.tool-asked");
+        }
+        self.coil(start, vec![vec![on(asked), off(there)], vec![on(asked), on(start)]], "plc.rung.turret-start");
+        let waits = [off(start), off(there)].map(|open| vec![on(asked), open]);
+        self.coil(TOOL_WAITS, waits.to_vec(), "plc.rung.tool-waits");
+        TOOL_WAITS
     }
 
     /// One coil answers M, S and T: at once, or when none of these signals is on any more. Without FIN the next block waits.

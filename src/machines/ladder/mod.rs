@@ -76,6 +76,8 @@ pub enum MachineContact {
     WebNotTight,
     /// The reel is not at its end.
     ReelNotEmpty,
+    /// The turret's controller answers its start signal: the commanded tool is in position and locked.
+    TurretInPosition,
 }
 
 /// An output to the machine.
@@ -93,6 +95,8 @@ pub enum MachineOutput {
     SpindleClamp,
     /// Driven tool: run.
     DrivenTool,
+    /// Start signal to the turret's controller.
+    TurretStart,
     /// Low voltage while gears mesh.
     ShiftVolts,
     /// Alarm text: the inverter reports a fault.
@@ -119,6 +123,7 @@ impl MachineOutput {
             | MachineOutput::Gear(_)
             | MachineOutput::SpindleClamp
             | MachineOutput::DrivenTool
+            | MachineOutput::TurretStart
             | MachineOutput::ShiftVolts => false,
         }
     }

@@ -94,6 +94,8 @@ pub struct LadderPlc {
     program: ProgramState,
     /// M code of the last scan.
     code: Option<u32>,
+    /// T code of the last scan.
+    tool: Option<u32>,
     /// The stage whose valve is on, and since when.
     gear: (u8, f64),
 }
@@ -133,6 +135,7 @@ impl LadderPlc {
             strobes: Strobes::default(),
             program: ProgramState::Idle,
             code: None,
+            tool: None,
             gear: (1, f64::NEG_INFINITY),
         }
     }
@@ -173,7 +176,7 @@ impl LadderPlc {
             image.put(PlcNumber::Signal(SignalRole::MacroOutput(variable)), value);
         }
         self.contacts(t);
-        (self.program, self.code) = (io.stops.program, io.m_strobe);
+        (self.program, self.code, self.tool) = (io.stops.program, io.m_strobe, io.t_strobe);
     }
 
     /// State of a signal that control, keys or contacts of the machine switch.
@@ -191,6 +194,7 @@ impl LadderPlc {
             Bit::Signal(SignalRole::MStrobe) => io.m_strobe.is_some(),
             Bit::Signal(SignalRole::SStrobe) => io.s_strobe.is_some(),
             Bit::Signal(SignalRole::TStrobe) => io.t_strobe.is_some(),
+            Bit::Signal(SignalRole::TFunction) => io.t_strobe.is_some() && self.tool != io.t_strobe,
             Bit::Signal(SignalRole::MFunction(code)) => io.m_strobe == Some(code) && self.code != Some(code),
             Bit::Signal(SignalRole::GearChange) => {
                 io.gear_wanted.is_some_and(|stage| stage != io.gear || io.gear_volts.is_some())
@@ -212,7 +216,7 @@ impl LadderPlc {
         })
     }
 
-    /// Contacts of the gear stages and of the clamp, which follows its valve at once.
+    /// Contacts of the gear stages, and those of clamp and turret, which follow their outputs at once.
     fn contacts(&mut self, t: f64) {
         let is_on = |stage: &u8| self.image.is_on(Bit::Output(MachineOutput::Gear(*stage)));
         let stage = self.valves.iter().copied().find(is_on).unwrap_or(1);
@@ -229,6 +233,10 @@ impl LadderPlc {
                     let clamped = self.image.is_on(Bit::Output(MachineOutput::SpindleClamp));
                     self.image.set(*bit, clamped);
                 }
+                Bit::Input(MachineContact::TurretInPosition) => {
+                    let started = self.image.is_on(Bit::Output(MachineOutput::TurretStart));
+                    self.image.set(*bit, started);
+                }
                 _ => {}
             }
         }
@@ -238,7 +246,9 @@ impl LadderPlc {
     fn end_pulses(&mut self) {
         for bit in self.named.iter() {
             match bit {
-                Bit::Signal(SignalRole::ProgramEnd | SignalRole::Reset | SignalRole::MFunction(_))
+                Bit::Signal(
+                    SignalRole::ProgramEnd | SignalRole::Reset | SignalRole::TFunction | SignalRole::MFunction(_),
+                )
                 | Bit::Input(
                     MachineContact::ResetKey
                     | MachineContact::ForwardKey

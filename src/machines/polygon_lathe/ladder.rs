@@ -6,7 +6,7 @@
 
 use super::citations::PAPER;
 use super::program::{
-    AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
+    self, AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
 use super::resolved::PolygonLathe;
 use super::stops;
@@ -68,6 +68,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     channels(&mut book);
     sequence(&mut book, lathe.p.settling());
     answers(&mut book, lathe.has_main_spindle());
+    busy.extend(program::changes_tools(lathe).then(|| book.turret()));
     book.answer(&busy);
     meanings(&mut book);
     book.finish()

@@ -102,6 +102,17 @@ fn rapid(words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
     [g(0)].into_iter().chain(words).collect()
 }
 
+/// Whether the program calls more than one tool.
+pub(super) fn changes_tools(lathe: &PolygonLathe) -> bool {
+    let ends = lathe.p.turned_ends.iter().filter(|end| end.on);
+    let turned = ends.flat_map(|end| {
+        let cuts = [(end.tool, end.steps(&lathe.p)), (end.thread_tool, end.thread(&lathe.p))];
+        cuts.into_iter().filter(|(_, steps)| !steps.is_empty()).map(|(tool, _)| tool)
+    });
+    let mut others = lathe.polygons().map(|polygon| polygon.p.tool).chain(turned);
+    others.any(|tool| tool != lathe.p.tool)
+}
+
 /// A word of X for a distance across flats or a diameter.
 fn cross(lathe: &PolygonLathe, size: f64) -> NewWord {
     x(real(lathe.x_of(size), 3))

@@ -59,7 +59,8 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     if let Some(codes) = lathe.driven_codes() {
         driven_tool(&mut book, codes);
     }
-    let busy: Vec<Bit> = (stages > 1).then_some(BUSY).into_iter().chain(clamps).collect();
+    let turret = lathe.changes_tools().then(|| book.turret());
+    let busy: Vec<Bit> = (stages > 1).then_some(BUSY).into_iter().chain(clamps).chain(turret).collect();
     book.answer(&busy);
     book.finish()
 }

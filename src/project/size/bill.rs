@@ -118,7 +118,8 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
     {
         let (quantity, told) = meanings.entry(item).or_default();
         let meaning = say(device.meaning);
-        *quantity += 1;
+        // The turret is one device with several wires.
+        *quantity = if item == BillItem::Turret { 1 } else { *quantity + 1 };
         if !told.contains(&meaning) {
             told.push(meaning);
         }
@@ -132,6 +133,7 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
         let asked = match item {
             BillItem::OverrideSwitch => msg!("size.bill.override-switch", meaning),
             BillItem::GearValve | BillItem::ClampValve => msg!("size.bill.valve", meaning),
+            BillItem::Turret => msg!("size.bill.turret"),
             _ => msg!("size.bill.contact", meaning),
         };
         devices.push(BillRow { quantity, ..open(item, None, &asked) });

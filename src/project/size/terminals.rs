@@ -171,6 +171,9 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting:
         BillItem::DrivenTool => {
             vec![wire(Strip::Cables, "size.terminal.driven-tool", of_machine(BillItem::Control), own)]
         }
+        BillItem::Turret => {
+            vec![wire(Strip::Cables, "size.terminal.tool-number", of_machine(BillItem::Control), own)]
+        }
         BillItem::Dancer => {
             let inverter = of(BillItem::Inverter);
             let input = WireEnd { place: headed(inverter.text(), say("size.terminal.trim-input")), ..inverter };

@@ -473,6 +473,51 @@ fn spindle_override_is_always_valid() {
     }
 }
 
+/// Tools that a program calls.
+fn tools(project: &Project) -> BTreeSet<String> {
+    let texts = project.written().files.0.into_iter().map(|file| file.text);
+    let words: Vec<String> = texts.flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>()).collect();
+    let numbers = words.iter().flat_map(|line| line.split_whitespace()).filter_map(|word| word.strip_prefix('T'));
+    numbers.filter(|number| number.chars().all(|digit| digit.is_ascii_digit())).map(str::to_owned).collect()
+}
+
+#[test]
+fn tool_changes_wait_for_the_turret() {
+    let (start, there) = (Bit::Output(MachineOutput::TurretStart), Bit::Input(MachineContact::TurretInPosition));
+    let mut turrets = 0;
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        assert_eq!(ladder.drives(start), tools(&project).len() > 1, "{name}: {:?}", tools(&project));
+        if !ladder.drives(start) {
+            continue;
+        }
+        turrets += 1;
+        let fin = ladder.drives(Bit::Signal(SignalRole::Finished));
+        let asked = Bit::Signal(if fin { SignalRole::TStrobe } else { SignalRole::TFunction });
+        let mut image = at_rest(&ladder);
+        image.set(Bit::Input(MachineContact::SpindleClamped), false);
+        settle(&ladder, &mut image, 0.0);
+        let mut step = |strobe: bool, contact: bool| {
+            image.set(asked, strobe);
+            image.set(there, contact);
+            settle(&ladder, &mut image, 0.0);
+            let waits = if fin {
+                !image.is_on(Bit::Signal(SignalRole::Finished))
+            } else {
+                image.is_on(Bit::Signal(SignalRole::ReadInDisable))
+            };
+            (image.is_on(start), waits)
+        };
+        // The answer of the tool before is still on: it answers nothing.
+        assert_eq!(step(true, true), (false, true), "{name}");
+        assert_eq!(step(fin, false), (true, true), "{name}: the turret turns");
+        assert_eq!(step(fin, true), (fin, false), "{name}: the tool is in position");
+        let (started, _) = step(false, true);
+        assert!(!started, "{name}: the start signal falls with the strobe");
+    }
+    assert!(turrets > 2);
+}
+
 /// Whether the PLC has answered the codes of the block.
 fn is_answered(image: &Image) -> bool {
     image.is_on(Bit::Signal(SignalRole::Finished)) && !image.is_on(Bit::Signal(SignalRole::ReadInDisable))
@@ -531,7 +576,7 @@ fn controls_without_fin_hold_the_next_block() {
         let ladder = ladder(&project);
         let fin = ladder.drives(Bit::Signal(SignalRole::Finished));
         assert_eq!(fin, project.control.plc != PlcLanguage::Step7, "{name}");
-        let waits = ladder.bits.iter().any(|row| row.0 == Bit::Relay("busy"));
+        let waits = ladder.bits.iter().any(|row| [Bit::Relay("busy"), Bit::Relay("tool-waits")].contains(&row.0));
         assert_eq!(ladder.drives(Bit::Signal(SignalRole::ReadInDisable)), !fin && waits, "{name}");
         // One coil answers all codes.
         let coils =

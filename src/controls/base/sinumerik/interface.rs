@@ -7,6 +7,7 @@ use crate::controls::interface::{from_plc, to_plc};
 
 /// Signals by address; the spindle is axis 3.
 pub const SIGNALS: &[Signal] = &[
+    to_plc(TFunction, "V25000008.0", "", "T function, for one cycle of the PLC; its number is VD25002000", MEMORY),
     to_plc(MFunction(3), "V25001000.3", "", "M3, for one cycle of the PLC", PLC_SIGNALS),
     to_plc(MFunction(4), "V25001000.4", "", "M4, for one cycle of the PLC", PLC_SIGNALS),
     to_plc(MFunction(5), "V25001000.5", "", "M5, for one cycle of the PLC", PLC_SIGNALS),
