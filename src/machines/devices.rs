@@ -127,6 +127,7 @@ pub fn forced_cooling_advice(field: &'static str, message: Message) -> Advice {
 pub fn item_of_contact(contact: MachineContact) -> BillItem {
     match contact {
         MachineContact::Emergency => BillItem::EmergencyStop,
+        MachineContact::EmergencyDelayed => BillItem::SafetyRelay,
         MachineContact::ResetKey
         | MachineContact::ForwardKey
         | MachineContact::ReverseKey

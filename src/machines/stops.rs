@@ -75,6 +75,8 @@ pub enum SpindleReaction {
     TurnsInRatio,
     /// Work and tool slow down in their ratio to standstill.
     StopsInRatio,
+    /// One drive has failed and its motor coasts: the PLC stops the other, and their ratio is lost.
+    StopsBeside,
     /// The drives of work and tool are off: both coast, and their angle to each other is lost.
     Coasts,
 }
@@ -91,6 +93,7 @@ impl SpindleReaction {
             SpindleReaction::Unlocks => "stops.spindle-unlocks",
             SpindleReaction::TurnsInRatio => "stops.spindle-turns-in-ratio",
             SpindleReaction::StopsInRatio => "stops.spindle-stops-in-ratio",
+            SpindleReaction::StopsBeside => "stops.spindle-stops-beside",
             SpindleReaction::Coasts => "stops.spindle-coasts",
         }
     }

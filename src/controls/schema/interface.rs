@@ -71,6 +71,8 @@ pub enum SignalRole {
     Idle,
     /// M30 is executed.
     ProgramEnd,
+    /// An alarm of program, drives or travel acts, until reset, control to PLC.
+    Alarm,
     /// Reset or emergency stop acts, control to PLC.
     Reset,
     /// Answer to M, S and T, PLC to control.

@@ -212,11 +212,9 @@ impl<'a> Book<'a> {
             Bit::Decoded(_) | Bit::Relay(_) | Bit::Timer(_) => {
                 open(internal_device(language, bit, places), (PlcSide::Plc, PlcSide::Plc), "")
             }
-            Bit::Input(input) => open(
-                input_device(language, input, places.inputs.get(&input).copied().unwrap_or(0)),
-                (PlcSide::Machine, PlcSide::Plc),
-                input_meaning(input),
-            ),
+            Bit::Input(input) => {
+                open(input_device(language, input, places), (PlcSide::Machine, PlcSide::Plc), input_meaning(input))
+            }
             Bit::Output(output) => {
                 let number = places.outputs.get(&output).copied().unwrap_or(0);
                 let (name, reader) = match output.is_message() {
@@ -384,11 +382,15 @@ fn internal_device(language: PlcLanguage, bit: Bit, places: &Places) -> String {
     }
 }
 
-/// Device of an input. Emergency stop has an address of its own where the control reads it, too (FANUC X8.4, GSK X0.5).
-fn input_device(language: PlcLanguage, input: MachineContact, number: u32) -> String {
+/// Device of an input. Emergency stop has an address of its own where the control reads it, too (FANUC X8.4, GSK X0.5): the delayed contact
+/// where there is one.
+fn input_device(language: PlcLanguage, input: MachineContact, places: &Places) -> String {
+    let number = places.inputs.get(&input).copied().unwrap_or(0);
+    let delayed = places.inputs.contains_key(&MachineContact::EmergencyDelayed);
+    let of_control = if delayed { MachineContact::EmergencyDelayed } else { MachineContact::Emergency };
     match (language, input) {
-        (PlcLanguage::Pmc, MachineContact::Emergency) => "X8.4".to_owned(),
-        (PlcLanguage::Gsk, MachineContact::Emergency) => "X0.5".to_owned(),
+        (PlcLanguage::Pmc, _) if input == of_control => "X8.4".to_owned(),
+        (PlcLanguage::Gsk, _) if input == of_control => "X0.5".to_owned(),
         (PlcLanguage::Pmc | PlcLanguage::Gsk, _) => byte_bit('X', 3, number),
         (PlcLanguage::Melsec, _) => format!("X{:X}", 0x20 + number),
         (PlcLanguage::Step7, _) => byte_bit('I', 0, number),
@@ -443,6 +445,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
         SignalRole::Running => "plc.signal.running",
         SignalRole::Idle => "plc.signal.idle",
         SignalRole::ProgramEnd => "plc.signal.program-end",
+        SignalRole::Alarm => "plc.signal.alarm",
         SignalRole::Reset => "plc.signal.reset",
         SignalRole::Finished => "plc.signal.finished",
         SignalRole::ReadInDisable => "plc.signal.read-in",
@@ -473,6 +476,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
 fn input_meaning(input: MachineContact) -> &'static str {
     match input {
         MachineContact::Emergency => "plc.input.emergency",
+        MachineContact::EmergencyDelayed => "plc.input.emergency-delayed",
         MachineContact::ResetKey => "plc.input.reset-key",
         MachineContact::InverterReady => "plc.input.inverter-ready",
         MachineContact::AtSpeed => "plc.input.at-speed",

@@ -51,6 +51,8 @@ pub struct SpindleRequirements<'a> {
     pub locked_by: Option<Bit>,
     /// The spindle has gear stages: their contacts release run command and keys.
     pub has_gears: bool,
+    /// The emergency stop reaches the control delayed: until then its button holds the program.
+    pub emergency_holds: bool,
     /// Direction of the inverter.
     pub direction: Direction,
 }
@@ -73,11 +75,16 @@ impl Book<'_> {
 
     /// Emergency stop to the control, and reset if the PLC passes it on.
     pub fn emergency(&mut self) {
+        self.emergency_by(MachineContact::Emergency);
+    }
+
+    /// The same by this contact: at once, or delayed until the drives stand.
+    pub fn emergency_by(&mut self, contact: MachineContact) {
         let reset = self.reset();
         if self.has(SignalRole::ResetRequest) {
             self.coil(reset, vec![vec![on(Bit::Input(MachineContact::ResetKey))]], "plc.rung.reset-key");
         }
-        let pressed = Bit::Input(MachineContact::Emergency);
+        let pressed = Bit::Input(contact);
         self.one_of(
             (SignalRole::EmergencyReleased, vec![vec![on(pressed)]]),
             (SignalRole::EmergencyRequest, vec![vec![off(pressed)]]),
@@ -244,7 +251,9 @@ impl Book<'_> {
     /// runs again or reset is pressed.
     fn hold_program(&mut self, ready: Bit, requirements: &SpindleRequirements<'_>) {
         let contacts = requirements.holds;
-        let all: Vec<Bit> = [ready].into_iter().chain(contacts.iter().copied().map(Bit::Input)).collect();
+        let button = requirements.emergency_holds.then_some(Bit::Input(MachineContact::Emergency));
+        let inputs = contacts.iter().copied().map(Bit::Input);
+        let all: Vec<Bit> = [ready].into_iter().chain(button).chain(inputs).collect();
         let causes: Vec<Bit> =
             [FAULT, STOPPED].into_iter().chain(requirements.has_gears.then_some(GEAR_LOST)).collect();
         let free = all.iter().copied().map(on).chain(causes.iter().copied().map(off)).collect();

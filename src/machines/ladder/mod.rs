@@ -48,6 +48,8 @@ pub enum Bit {
 pub enum MachineContact {
     /// Emergency stop, closed while it is not pressed.
     Emergency,
+    /// Emergency stop by the delayed contact of its relay: opens when the drives stand.
+    EmergencyDelayed,
     /// Reset key, where the PLC reads it.
     ResetKey,
     /// The inverter reports no fault.

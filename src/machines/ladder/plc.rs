@@ -188,6 +188,7 @@ impl LadderPlc {
             Bit::Signal(SignalRole::ProgramEnd) => {
                 stops.program == ProgramState::Idle && self.program == ProgramState::Running && !stops.reset
             }
+            Bit::Signal(SignalRole::Alarm) => stops.program == ProgramState::Alarm,
             Bit::Signal(SignalRole::Reset) => stops.reset,
             // The control resets itself at an emergency stop: nobody presses the key.
             Bit::Input(MachineContact::ResetKey) => stops.reset && !stops.emergency,
@@ -202,7 +203,9 @@ impl LadderPlc {
             Bit::Signal(SignalRole::GearAsked(at)) => {
                 io.gear_wanted.is_some_and(|stage| u32::from(stage) >> at & 1 == 1)
             }
-            Bit::Input(MachineContact::Emergency) => !(stops.reset && stops.emergency),
+            Bit::Input(MachineContact::Emergency | MachineContact::EmergencyDelayed) => {
+                !(stops.reset && stops.emergency)
+            }
             Bit::Input(MachineContact::InverterReady | MachineContact::InverterEnabled) => !stops.inverter_fault,
             Bit::Input(MachineContact::AtSpeed) => {
                 io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs()
@@ -255,7 +258,7 @@ impl LadderPlc {
                     | MachineContact::ReverseKey
                     | MachineContact::StopKey,
                 ) => self.image.set(*bit, false),
-                Bit::Input(MachineContact::Emergency) => self.image.set(*bit, true),
+                Bit::Input(MachineContact::Emergency | MachineContact::EmergencyDelayed) => self.image.set(*bit, true),
                 _ => {}
             }
         }

@@ -42,7 +42,9 @@ const SPINDLE_WAITS: Bit = Bit::Relay("spindle-waits");
 /// The ladder of the lathe.
 pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     let mut book = Book::new(lathe.control, &lathe.dialect);
-    book.emergency();
+    // At once it would take the drives from work and tool in the cut: the relay delays it until both stand.
+    let delayed = !lathe.p.coasts(lathe.control);
+    book.emergency_by(if delayed { MachineContact::EmergencyDelayed } else { MachineContact::Emergency });
     let mut busy = Vec::new();
     if lathe.has_main_spindle() {
         // Before the run command: both read the sequence of the scan before, so that the answer never precedes the run command.
@@ -61,12 +63,16 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
             holds: &[],
             locked_by: Some(TAKEN),
             has_gears: false,
+            emergency_holds: delayed,
             direction: Direction::Contacts,
         };
         book.spindle(&rules, &requirements);
+    } else if delayed {
+        let released = vec![vec![on(Bit::Input(MachineContact::Emergency))]];
+        book.coil(Bit::Signal(SignalRole::HoldReleased), released, "polygon.ladder.emergency-hold");
     }
     channels(&mut book);
-    sequence(&mut book, lathe.p.settling());
+    sequence(&mut book, lathe.p.settling(), delayed);
     answers(&mut book, lathe.has_main_spindle());
     busy.extend(program::changes_tools(lathe).then(|| book.turret()));
     book.answer(&busy);
@@ -111,16 +117,19 @@ fn channels(book: &mut Book) {
 }
 
 /// From the request to the start angles, the run and the stop.
-fn sequence(book: &mut Book, settling: f64) {
+fn sequence(book: &mut Book, settling: f64, stops_at_button: bool) {
     let [index, turn] = [INDEX, TURN].map(Bit::Macro);
     let reset = Bit::Signal(SignalRole::Reset);
     let (settled, at_speed) = (Bit::Timer("angle-settled"), Bit::Timer("speed-settled"));
-    let over = vec![
+    let mut over = vec![
         vec![on(TURNING), off(turn)],
         vec![on(TAKEN), off(TURNING), off(index)],
         vec![on(TAKEN), on(reset)],
+        // One drive without the other would break the ratio in the cut.
+        vec![on(TAKEN), on(Bit::Signal(SignalRole::Alarm))],
         vec![on(STOPPING), on(TAKEN)],
     ];
+    over.extend(stops_at_button.then(|| vec![on(TAKEN), off(Bit::Input(MachineContact::Emergency))]));
     book.coil(STOPPING, over, "polygon.ladder.stop");
     let spent = [STOPPING, SPENT].into_iter().flat_map(|bit| [index, turn].map(|asked| vec![on(bit), on(asked)]));
     book.coil(SPENT, spent.collect(), "polygon.ladder.spent");

@@ -17,11 +17,11 @@ const DESIGN: Citation = Citation::new("turning spindle facts, 7", Grade::Inferr
 /// Reaction of work and tool to an interruption.
 pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
     match at {
-        Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::TurnsInRatio,
+        Interruption::Hold | Interruption::BlockStop => SpindleReaction::TurnsInRatio,
         Interruption::PowerFailure => SpindleReaction::Coasts,
         Interruption::EmergencyStop if lathe.p.coasts(lathe.control) => SpindleReaction::Coasts,
         // Work and tool have servo drives, no inverter: that of the main spindle holds the program.
-        Interruption::Reset | Interruption::EmergencyStop | Interruption::InverterFault => {
+        Interruption::Alarm | Interruption::Reset | Interruption::EmergencyStop | Interruption::InverterFault => {
             SpindleReaction::StopsInRatio
         }
     }
@@ -93,7 +93,7 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
     let mut rows = vec![
         row(Interruption::Hold, msg!("lathe.stops.axes-hold"), msg!("polygon.stops.rubs"), start.clone()),
         row(Interruption::BlockStop, block.clone(), msg!("polygon.stops.in-ratio"), start),
-        row(Interruption::Alarm, block, msg!("polygon.stops.rubs"), msg!("polygon.stops.mend")),
+        row(Interruption::Alarm, block, msg!("polygon.stops.part-cut"), msg!("polygon.stops.mend")),
         row(
             Interruption::Reset,
             msg!("lathe.stops.axes-reset"),
@@ -111,6 +111,16 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
             )
         },
     ];
+    rows.push(Reaction {
+        cause: Some("polygon.stops.one-drive"),
+        spindle: SpindleReaction::StopsBeside,
+        ..row(
+            Interruption::Alarm,
+            msg!("lathe.stops.axes-reset"),
+            msg!("polygon.stops.out-of-ratio"),
+            msg!("polygon.stops.discard"),
+        )
+    });
     rows.extend(of_main_spindle(lathe));
     rows
 }

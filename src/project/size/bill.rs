@@ -114,8 +114,9 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
     let machine = prepared.devices();
     devices.extend(machine.iter().map(|of| open(of.item, of.drive, &of.asked)));
     let mut meanings: BTreeMap<BillItem, (u32, Vec<String>)> = BTreeMap::new();
-    for (item, device) in wired(prepared.ladder().as_ref()).into_iter().filter(|(item, _)| *item != BillItem::Inverter)
-    {
+    // Inverters and the relay of the emergency stop have rows of their own.
+    let others = |item: BillItem| !matches!(item, BillItem::Inverter | BillItem::SafetyRelay);
+    for (item, device) in wired(prepared.ladder().as_ref()).into_iter().filter(|(item, _)| others(*item)) {
         let (quantity, told) = meanings.entry(item).or_default();
         let meaning = say(device.meaning);
         // The turret is one device with several wires.

@@ -518,6 +518,42 @@ fn tool_changes_wait_for_the_turret() {
     assert!(turrets > 2);
 }
 
+/// Requests of the program, run commands and stops of work and tool of the polygon lathe.
+const INDEX: Bit = Bit::Macro(1100);
+const INDEXES: [Bit; 2] = [Bit::Block("AXIS6.INDEX"), Bit::Block("AXIS7.INDEX")];
+const STOPS: [Bit; 2] = [Bit::Device("G360.3"), Bit::Device("G400.3")];
+
+#[test]
+fn alarm_and_emergency_stop_end_both_axes_in_ratio() {
+    let (button, delayed) = (Bit::Input(MachineContact::Emergency), Bit::Input(MachineContact::EmergencyDelayed));
+    for (name, project) in projects().filter(|(name, _)| name.starts_with("polygon")) {
+        let held = ladder(&project);
+        let off = ladder(&project.with_entries(&[("emergency", "off".to_owned())]).unwrap());
+        assert_eq!(
+            (held.bit(delayed), held.drives(STOPS[0])),
+            ("X8.4", true),
+            "{name}: the control reads the delayed one"
+        );
+        assert_eq!((off.bit(button), off.bit(delayed)), ("X8.4", ""), "{name}");
+        let alarm = Bit::Signal(SignalRole::Alarm);
+        for (at, on) in [(alarm, true), (button, false)] {
+            let mut image = at_rest(&held);
+            image.set(INDEX, true);
+            settle(&held, &mut image, 0.0);
+            assert_eq!(INDEXES.map(|bit| image.is_on(bit)), [true; 2], "{name}");
+            image.set(at, on);
+            settle(&held, &mut image, 0.0);
+            assert_eq!(INDEXES.map(|bit| image.is_on(bit)), [false; 2], "{name}: {at:?}");
+            assert_eq!(STOPS.map(|bit| image.is_on(bit)), [true; 2], "{name}: {at:?}");
+            let released = Bit::Signal(SignalRole::EmergencyReleased);
+            assert_eq!((image.is_on(released), is_held(&held, &image)), (true, at == button), "{name}: {at:?}");
+            image.set(delayed, false);
+            settle(&held, &mut image, 0.0);
+            assert!(!image.is_on(released), "{name}: the relay's time is over");
+        }
+    }
+}
+
 /// Whether the PLC has answered the codes of the block.
 fn is_answered(image: &Image) -> bool {
     image.is_on(Bit::Signal(SignalRole::Finished)) && !image.is_on(Bit::Signal(SignalRole::ReadInDisable))

@@ -33,6 +33,7 @@ fn tables_of_both_lathes_name_every_interruption() {
         let fault = project.prepared().plc().watches_inverter();
         wanted.extend(fault.then_some("Inverter fault"));
         wanted.push("Power failure");
+        wanted.extend((project.machine.id() == "polygon-lathe").then_some("Alarm: one drive of work or tool fails"));
         assert_eq!(names, wanted, "{}", project.control.id);
         assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");
         let export = project.export();

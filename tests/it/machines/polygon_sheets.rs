@@ -64,8 +64,8 @@ fn machine_sheets_have_the_expected_rows() {
         54.131 | G502: O9121 takes #1101 and #1100 back
         54.698 | Both stand: #1002 = 0, #1003 = 1, O9121 ends
          | At feed hold the slide stops; work and tool keep turning
-         | At reset, also within the cut, both come to rest in ratio and the slide stops where it is: retract it by hand before the next start. G512 finds the start angles again
-         | At emergency stop the same: the drives stay on until both stand, the power-off has to wait so long
+         | At reset and at an alarm, also within the cut, both come to rest in ratio and the slide stops where it is: retract it by hand before the next start. G512 finds the start angles again
+         | At emergency stop the same: the button holds the program and stops both in ratio; the delay of its relay keeps the power, and the emergency stop of the control, back until both stand
     "#]]
     .assert_eq(&rows(&[("work-start", "90")], "sequence"));
     let choices = rows(&[("most-inserts", "3"), ("most-work-turns", "2")], "choices");

@@ -460,7 +460,7 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             // Mains and PE of every drive and of the supplies; voltage of the control and of the relay of the emergency stop.
             let drives = billed(BillItem::Amplifier) + billed(BillItem::Inverter);
             assert_eq!(rows("X0:"), 2 * (drives + supplies) + 6, "{name}");
-            let enabled = sizing.terminals.iter().filter(|row| row.from.item == BillItem::SafetyRelay).count();
+            let enabled = sizing.terminals.iter().filter(|row| row.signal.starts_with("Enable")).count();
             assert_eq!(enabled, drives, "{name}: the emergency stop takes the enable from every drive");
             // The table of stops lets them brake to rest; work and tool coast only where the form says so.
             let at_once = |project: &Project| {

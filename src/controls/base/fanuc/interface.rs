@@ -20,6 +20,7 @@ pub const BITS: &[Signal] = &[
     from_plc(SpeedArrived, "G29.4", "", "SAR: the spindle has its speed", PLC_SIGNALS),
     from_plc(SpindleEnable, "G29.6", "", "*SSTP: 0 puts out 0 V; S stays", PLC_SIGNALS),
     to_plc(Running, "F0.5", "", "STL: the program runs", PLC_SIGNALS),
+    to_plc(Alarm, "F1.0", "", "AL: alarm of program, drives or travel, until reset", PLC_SIGNALS),
     to_plc(Reset, "F1.1", "", "RST: reset or emergency stop", PLC_SIGNALS),
     to_plc(MStrobe, "F7.0", "", "MF: strobe of M", PLC_SIGNALS),
     to_plc(SStrobe, "F7.2", "", "SF: strobe of S", PLC_SIGNALS),
