@@ -59,6 +59,8 @@ pub struct Stops {
     pub inverter_fault: bool,
     /// Spindle key pressed by the operator: 1, -1, or 0 for stop; set for one scan.
     pub spindle_key: Option<i8>,
+    /// The position loop of the spindle is on: it turns to an angle or holds it.
+    pub positions: bool,
     /// Direction of the spindle by the run contacts of the PLC: 1, -1, or 0 for none; `None` for a PLC without such contacts.
     pub turns: Option<i8>,
     /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and direction stay in force.

@@ -24,6 +24,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.plant.spindle, t));
             let (state, orders) = (self.program_state(), self.s.plc.io.spindle_orders());
             self.s.plc.io.stops.program = state;
+            self.s.plc.io.stops.positions = self.s.spindle.orienting.is_some();
             let wish = self.s.plc.program.scan(t, &mut self.s.plc.io);
             (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (false, false);
             self.s.plc.io.stops.spindle_key = None;

@@ -87,6 +87,8 @@ pub enum SignalRole {
     AxesEnable,
     /// 1 holds the axes of the program.
     AxesStop,
+    /// The position loop of the spindle is on: it turns to an angle or holds it, control to PLC.
+    SpindlePositions,
     /// The spindle has reached its speed, PLC to control.
     SpeedArrived,
     /// 0 holds the program.

@@ -453,6 +453,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
         SignalRole::SpindleHold => "plc.signal.spindle-hold",
         SignalRole::AxesEnable => "plc.signal.axes-enable",
         SignalRole::AxesStop => "plc.signal.axes-stop",
+        SignalRole::SpindlePositions => "plc.signal.spindle-positions",
         SignalRole::SpeedArrived => "plc.signal.speed-arrived",
         SignalRole::HoldReleased => "plc.signal.hold-released",
         SignalRole::HoldRequest => "plc.signal.hold-request",

@@ -51,6 +51,8 @@ pub struct SpindleRequirements<'a> {
     pub locked_by: Option<Bit>,
     /// The spindle has gear stages: their contacts release run command and keys.
     pub has_gears: bool,
+    /// The program turns the spindle to an angle.
+    pub positions: bool,
     /// The emergency stop reaches the control delayed: until then its button holds the program.
     pub emergency_holds: bool,
     /// Direction of the inverter.
@@ -174,7 +176,7 @@ impl Book<'_> {
         let free = if requirements.has_gears { "plc.rung.spindle-free-gears" } else { "plc.rung.spindle-free" };
         self.coil(FREE, vec![guard], free);
         self.directions(rules, requirements);
-        self.run_commands(requirements.direction);
+        self.run_commands(requirements);
         self.hold_program(ready, requirements);
         if requirements.reports_speed && self.has(SignalRole::SpeedArrived) {
             let still = TURNS.map(off).to_vec();
@@ -224,8 +226,8 @@ impl Book<'_> {
     }
 
     /// The direction to the inverter. In a begun program the stop key acts while the program is interrupted, until the key of the direction
-    /// starts the spindle again.
-    fn run_commands(&mut self, direction: Direction) {
+    /// starts the spindle again. A position loop needs its run command without M3; it commands both directions, which only the sign gives.
+    fn run_commands(&mut self, requirements: &SpindleRequirements<'_>) {
         let stop = on(Bit::Input(MachineContact::StopKey));
         let sides = TURNS.into_iter().zip(KEYS.map(Bit::Input));
         let stopped = sides.flat_map(|(turns, key)| {
@@ -235,8 +237,11 @@ impl Book<'_> {
         let message = Bit::Output(MachineOutput::Message(MachineContact::StopKey));
         self.coil(message, vec![vec![on(STOPPED)]], "plc.rung.stopped-message");
         let runs = TURNS.map(|turns| vec![on(turns), off(STOPPED)]);
-        if direction == Direction::Sign {
-            self.coil(Bit::Output(MachineOutput::Run), runs.to_vec(), "plc.rung.run");
+        if requirements.direction == Direction::Sign {
+            let loops = requirements.positions && self.has(SignalRole::SpindlePositions);
+            let angle = loops.then(|| vec![on(Bit::Signal(SignalRole::SpindlePositions)), on(FREE)]);
+            let note = if loops { "plc.rung.run-or-position" } else { "plc.rung.run" };
+            self.coil(Bit::Output(MachineOutput::Run), runs.into_iter().chain(angle).collect(), note);
             return;
         }
         let outputs =

@@ -212,6 +212,7 @@ impl LadderPlc {
             }
             Bit::Input(MachineContact::AtShiftSpeed) => io.spindle_actual.abs() <= self.wiring.shift_speed(self.gear.0),
             Bit::Input(MachineContact::AtStandstill) => io.spindle_actual.abs() <= STANDSTILL,
+            Bit::Signal(SignalRole::SpindlePositions) => stops.positions,
             Bit::Input(MachineContact::ForwardKey) => stops.spindle_key == Some(1),
             Bit::Input(MachineContact::ReverseKey) => stops.spindle_key == Some(-1),
             Bit::Input(MachineContact::StopKey) => stops.spindle_key == Some(0),

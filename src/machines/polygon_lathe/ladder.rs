@@ -63,6 +63,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
             holds: &[],
             locked_by: Some(TAKEN),
             has_gears: false,
+            positions: false,
             emergency_holds: delayed,
             direction: Direction::Contacts,
         };

@@ -30,6 +30,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
         holds: &holds,
         locked_by: None,
         has_gears: false,
+        positions: false,
         emergency_holds: false,
         direction: Direction::Contacts,
     };

@@ -45,6 +45,7 @@ pub(super) const EXAMPLES: &[Example] = &[
             ("material", "c45"),
             ("motor-power", "11"),
             ("motor-top", "3000"),
+            ("output", "+-10"),
             ("keyway", "true"),
             ("keyway-angle", "90"),
             ("lock-code", "81"),

@@ -1,6 +1,6 @@
 //! The keyway that a driven tool cuts while the spindle is locked at its angle: its findings, its time, and how far it is cut.
 
-use super::params::{Params, Path};
+use super::params::{Output, Params, Path};
 use super::program::KEYWAY;
 use super::resolved::TurningSpindle;
 use crate::controls::CodeId;
@@ -12,6 +12,7 @@ use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::msg;
 use crate::text::{Diagnostic, Phrase};
+use crate::view::Advice;
 
 /// Errors and warnings about the angle of the spindle and the keyway.
 pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
@@ -85,6 +86,13 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
                 .push(Diagnostic::error(msg!("turning.code-without-bit", code, last = LAST_FUNCTION_BIT)).about(field));
         }
     }
+}
+
+/// The advice for a position loop with an output without a sign: the ladder gives such an inverter its direction by M3 and M4 alone.
+pub(super) fn sign_for_angle(lathe: &TurningSpindle) -> Option<Advice> {
+    let has_sign = !lathe.p.has_signed_output(lathe.control) || lathe.p.output == Output::Bipolar;
+    let advice = Advice::from(msg!("turning.angle-needs-sign"));
+    (!has_sign).then(|| advice.setting(msg!("advice.signed-output"), [("output", "+-10".to_owned())]))
 }
 
 /// Time (s) of the tool at feed: `60 ((c + t) / f_x + (L - w) / f_z)`, from the clearance c to the depth t, then along the length L less

@@ -49,6 +49,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
             holds: &[],
             locked_by: locks.map(|_| CLAMP),
             has_gears: stages > 1,
+            positions: lathe.positions(),
             emergency_holds: false,
             direction,
         },

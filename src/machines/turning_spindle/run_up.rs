@@ -1,6 +1,7 @@
 //! The spindle in the gear stage of the program, its highest speed, and verdicts about ramp and positioning.
 
 use super::derive::Derived;
+use super::keyway;
 use super::params::FIELDS;
 use super::resolved::TurningSpindle;
 use crate::drives::MainSpindle;
@@ -36,15 +37,17 @@ pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
     let spindle = engaged(lathe);
     let [motor, _] = spindle.short_time();
     let (torque, most) = (positioning_torque(lathe), motor.torque(lathe.p.positioning_speed));
+    let sign = keyway::sign_for_angle(lathe);
     if torque <= most {
-        return ok(AtMost(most));
+        return sign.map_or_else(|| ok(AtMost(most)), |advice| fail(None, [advice]));
     }
     let friction = spindle.load_at_spindle.torque;
     let slower = lathe.p.positioning_acceleration * (most - friction) / (torque - friction);
     let advice = Advice::from(msg!("turning.positioning-too-hard", torque = (torque, 1), limit = (most, 1)));
     let set = down(FIELDS, "positioning-acceleration", slower);
     let button = msg!("advice.set-positioning-acceleration", acceleration = set.text.as_str());
-    fail(AtMost(most), [if slower >= 1.0 { advice.setting(button, [set]) } else { advice }])
+    let advice = if slower >= 1.0 { advice.setting(button, [set]) } else { advice };
+    fail(AtMost(most), core::iter::once(advice).chain(sign).collect::<Vec<_>>())
 }
 
 /// The form's ramp against the shortest one.

@@ -206,7 +206,10 @@ fn spindle_keys_act_without_a_program_and_stop_wins() {
     use MachineContact::{ForwardKey, ReverseKey, StopKey};
     for (name, project) in projects().filter(|(name, _)| !name.starts_with("polygon")) {
         let ladder = ladder(&project);
-        let [forward, reverse] = [MachineOutput::Forward, MachineOutput::Reverse].map(Bit::Output);
+        let [forward, reverse] = RUNS;
+        if !ladder.drives(forward) {
+            continue;
+        }
         let press = |image: &mut Image, keys: &[MachineContact]| {
             for on in [true, false] {
                 keys.iter().for_each(|key| image.set(Bit::Input(*key), on));
@@ -355,6 +358,33 @@ fn sign_of_the_voltage_needs_one_run_contact() {
 }
 
 #[test]
+fn inverter_runs_while_the_spindle_goes_to_its_angle() {
+    for control in ["sinumerik-802d", "sinumerik-808d"] {
+        let project = Project::named("turning-spindle", Some(control), Some("keyway")).unwrap();
+        let ladder = ladder(&project);
+        let run = Bit::Output(MachineOutput::Run);
+        let mut image = at_rest(&ladder);
+        image.set(Bit::Input(MachineContact::SpindleClamped), false);
+        image.set(Bit::Signal(SignalRole::Running), true);
+        let mut state = |bit: Bit, on: bool| {
+            image.set(bit, on);
+            settle(&ladder, &mut image, 0.0);
+            image.is_on(run)
+        };
+        let angle = Bit::Signal(SignalRole::SpindlePositions);
+        assert!(state(angle, true), "{control}: SPOS behind M5");
+        assert!(!state(Bit::Input(MachineContact::Emergency), false), "{control}");
+        assert!(state(Bit::Input(MachineContact::Emergency), true), "{control}");
+        assert!(!state(angle, false), "{control}");
+        // With two run contacts the direction comes from M3 and M4 alone.
+        let project = project.with_entries(&[("output", "0-10".to_owned())]).unwrap();
+        let rows = project.design().readouts;
+        let row = rows.iter().find(|row| row.id == "positioning-torque").expect("a row");
+        assert_eq!(row.verdict, macroline::view::Verdict::Fail, "{control}");
+    }
+}
+
+#[test]
 fn spindle_is_locked_by_its_clamp_for_the_keyway() {
     let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
     let ladder = ladder(&project);
@@ -375,19 +405,22 @@ fn spindle_is_locked_by_its_clamp_for_the_keyway() {
     assert_eq!(pulse(&mut image, 81), (true, true), "the valve is on, and the next block waits for the contact");
     image.set(clamped, true);
     assert_eq!(pulse(&mut image, 3), (true, false));
-    assert!(!image.is_on(Bit::Output(MachineOutput::Forward)), "a clamped spindle gets no run command");
+    assert!(!image.is_on(Bit::Output(MachineOutput::Run)), "a clamped spindle gets no run command");
     reset(&ladder, &mut image);
     assert!(image.is_on(Bit::Output(MachineOutput::SpindleClamp)), "a reset with the mill in the keyway opens nothing");
     assert_eq!(pulse(&mut image, 82), (false, true));
     image.set(clamped, false);
     assert_eq!(pulse(&mut image, 3), (false, false));
-    assert!(image.is_on(Bit::Output(MachineOutput::Forward)));
+    assert!(image.is_on(Bit::Output(MachineOutput::Run)));
 }
 
 #[test]
 fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
     for (name, project) in projects().filter(|(name, _)| !name.starts_with("polygon")) {
         let ladder = ladder(&project);
+        if !ladder.drives(RUNS[0]) {
+            continue;
+        }
         let mut image = Image::default();
         let keys = [MachineContact::ForwardKey, MachineContact::ReverseKey, MachineContact::StopKey];
         let keys = [&keys[..], &[MachineContact::ResetKey]].concat();
@@ -564,7 +597,7 @@ fn m3_and_keys_wait_for_the_contact_of_the_gear() {
     for (name, project) in projects().filter(|(name, _)| name.starts_with("turning")) {
         let ladder = ladder(&project);
         let in_gear = |stage| Bit::Input(MachineContact::InGear(stage));
-        if !ladder.bits.iter().any(|row| row.0 == in_gear(2)) {
+        if !ladder.bits.iter().any(|row| row.0 == in_gear(2)) || !ladder.drives(RUNS[0]) {
             continue;
         }
         let fin = ladder.drives(Bit::Signal(SignalRole::Finished));

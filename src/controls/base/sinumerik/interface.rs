@@ -32,6 +32,7 @@ pub const SIGNALS: &[Signal] = &[
     from_plc(SpindleOverride, "VB38032003", "%", "spindle override; its code is a machine datum", MEMORY),
     from_plc(SpindleOverrideValid, "V38030001.7", "", "spindle override is valid; at 0 it is 100 %", PLC_AXES),
     from_plc(SpindleHold, "V38030004.3", "", "spindle stop", PLC_AXES),
+    to_plc(SpindlePositions, "V39030001.5", "", "position loop of the spindle is on", PLC_AXES),
     to_plc(GearAsked(0), "V39032000.0", "", "gear stage that is asked for, bit 0", PLC_AXES),
     to_plc(GearAsked(1), "V39032000.1", "", "gear stage that is asked for, bit 1", PLC_AXES),
     to_plc(GearAsked(2), "V39032000.2", "", "gear stage that is asked for, bit 2", PLC_AXES),
