@@ -10,7 +10,7 @@ use crate::controls::{Address, Code};
 use crate::machines::slides::{ALONG, CROSS};
 use crate::machines::writing::{self, OperatorVariable};
 use crate::nc::Deck;
-use crate::nc::build::{Builder, Formula, NewWord, f, indexed, m, real, s, v, word, x, z};
+use crate::nc::build::{Builder, Condition, Formula, NewWord, f, indexed, m, real, s, v, word, x, z};
 
 /// Number of the program that cuts.
 pub(super) const RUN: u32 = 9201;
@@ -23,6 +23,8 @@ const LEFT: u32 = 110;
 pub(super) const CUTS: [u32; 2] = [36, 37];
 /// 1 from the first cut of a part to its end: a start after a reset stops with a message until the operator has retracted the tool.
 const BEGUN: u32 = 124;
+/// Length of the work: no cut goes further along it.
+const WORK: u32 = 125;
 /// Variable of the speed at the largest diameter: kept through the cut, or set after it.
 const SPEED: u32 = 109;
 
@@ -84,6 +86,7 @@ pub(super) fn variables(lathe: &TurningSpindle) -> Vec<(u32, &'static str, &'sta
     let labels = ["turning.chuck-limit", "turning.lower-limit"];
     let limits = speed_limits(lathe).into_iter().zip(labels);
     all.extend(limits.filter_map(|(limit, label)| limit.map(|(_, number)| (number, label, "r/min"))));
+    all.push((WORK, "turning.work-length", "mm"));
     all.push((SPEED, "turning.variable.speed", "r/min"));
     if has_flag(lathe) {
         all.push((BEGUN, "turning.variable.begun", ""));
@@ -128,6 +131,10 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(RUN, "TURNING - RUN");
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
     writing::guards(b, &entries(lathe));
+    if let Some((guard, _)) = core_guard(lathe) {
+        b.if_goto(guard, 900 + core_alarm(lathe));
+    }
+    b.if_goto(v(way(lathe)).gt(v(WORK)), 900 + length_alarm(lathe));
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     match place(lathe) {
         Some(place) => writing::stays_clear(b.n(17), place, || size(lathe, clear()), 900 + away_alarm(lathe)),
@@ -205,6 +212,11 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     let flag = begun(lathe).map_or_else(String::new, |flag| format!(", {flag}=0"));
     let text = format!("RETRACT THE TOOL BY HAND{flag}");
     writing::alarm_until_cleared(b, lathe.control, away_alarm(lathe), &text, 1);
+    if let Some((_, text)) = core_guard(lathe) {
+        writing::alarm(b, lathe.control, core_alarm(lathe), &text);
+    }
+    let [way, work] = [way(lathe), WORK].map(|number| lathe.control.variable(number));
+    writing::alarm(b, lathe.control, length_alarm(lathe), &format!("{way} IS MORE THAN {work}"));
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
     }
@@ -278,6 +290,27 @@ pub(super) fn begun(lathe: &TurningSpindle) -> Option<String> {
 /// Number of the alarm of a tool that is not clear of the work, after those of the entries.
 fn away_alarm(lathe: &TurningSpindle) -> u32 {
     entries(lathe).len() as u32 + 1
+}
+
+/// Number of the alarm of a diameter that leaves nothing of the work.
+fn core_alarm(lathe: &TurningSpindle) -> u32 {
+    away_alarm(lathe) + 1
+}
+
+/// Number of the alarm of a cut that is longer than the work.
+fn length_alarm(lathe: &TurningSpindle) -> u32 {
+    away_alarm(lathe) + 2
+}
+
+/// Condition of a finished diameter that leaves nothing of the work, and the text of its alarm. A face ends at the centre or behind it, and a
+/// taper may begin there.
+fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
+    let name = lathe.control.variable(103);
+    match lathe.p.path {
+        Path::Facing => None,
+        Path::Turning => Some((v(103).le(0), format!("{name} MUST BE ABOVE ZERO"))),
+        Path::Taper => Some((v(103).lt(0), format!("{name} MUST NOT BE BELOW ZERO"))),
+    }
 }
 
 /// Words of the speed limit S. On a control where S alone would make the present position work zero, the words of the present position are
@@ -370,6 +403,7 @@ fn setup(b: &mut Builder, lathe: &TurningSpindle) {
         (108, p.clearance, 3, "CLEARANCE"),
         (111, p.start_x, 3, "START X, DIAMETER"),
         (112, p.start_z, 3, "START Z"),
+        (WORK, p.work_length.max(if face { p.allowance } else { p.length }), 3, "LENGTH OF THE WORK"),
         (113, p.keyway_angle, 3, "ANGLE OF THE KEYWAY"),
         (115, p.chuck_limit, 0, "HIGHEST SPEED OF THE CHUCK"),
         (116, p.lower_limit, 0, "LOWEST SPEED OF THE SPINDLE"),

@@ -215,3 +215,24 @@ fn keyway_grows_in_the_drawing_while_it_is_cut() {
     let changes = shapes.windows(2).filter(|pair| pair[0] != pair[1]).count();
     assert!(changes > 20, "{changes}");
 }
+
+#[test]
+fn entries_that_cut_too_deep_or_too_far_are_refused() {
+    for control in super::turning::machine().controls() {
+        for (path, number, value, wanted) in [
+            ("turning", 103, 0.0, "MUST BE ABOVE ZERO"),
+            ("turning", 103, -5.0, "MUST BE ABOVE ZERO"),
+            ("taper", 103, -1.0, "MUST NOT BE BELOW ZERO"),
+            ("turning", 105, 500.0, "IS MORE THAN"),
+            ("facing", 114, 500.0, "IS MORE THAN"),
+        ] {
+            let mut planner = run_set(&project(control, &[("path", path), ("depth", "5")]), number, value);
+            let before = planner.timeline().words_at(0.0);
+            let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
+            let message = planner.timeline().message_at(planner.timeline().end()).unwrap_or_default();
+            let told = format!("{ended:?} {message}");
+            assert!(told.contains(wanted), "{control} {path} {number}: {told}");
+            assert_eq!(before, planner.timeline().words_at(planner.timeline().end()), "{control} {path}: it moved");
+        }
+    }
+}
