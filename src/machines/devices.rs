@@ -146,7 +146,7 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
     }
 }
 
-/// The item that a wire leads to; none for texts, and for a voltage that the control itself puts out.
+/// The item that a wire leads to; none for texts.
 pub fn item_of_output(output: MachineOutput) -> Option<BillItem> {
     match output {
         MachineOutput::Forward | MachineOutput::Reverse | MachineOutput::Run => Some(BillItem::Inverter),
@@ -154,8 +154,7 @@ pub fn item_of_output(output: MachineOutput) -> Option<BillItem> {
         MachineOutput::SpindleClamp => Some(BillItem::ClampValve),
         MachineOutput::DrivenTool => Some(BillItem::DrivenTool),
         MachineOutput::TurretStart => Some(BillItem::Turret),
-        MachineOutput::ShiftVolts
-        | MachineOutput::InverterAlarm
+        MachineOutput::InverterAlarm
         | MachineOutput::ReversalAlarm
         | MachineOutput::GearAlarm
         | MachineOutput::Message(_) => None,

@@ -11,6 +11,9 @@ use crate::text::{Citation, Grade};
 /// Override codes, which differ between models.
 const OVERRIDE: Citation = Citation::new("GSK980MDi manual, p.460, and 988TA", Grade::Sister);
 
+/// A signal of FANUC; no GSK page at hand has it.
+const SHIFT: Citation = Citation::new("FANUC 0i-T usage, unverified", Grade::Open);
+
 const PLC: Citation = Citation::new("GSK988TA lathe PLC manual, p.112-147", Grade::Sister);
 
 /// Registers, followed by single signals.
@@ -19,6 +22,7 @@ pub(super) const SIGNALS: &[Signal] = joined![Signal: REGISTERS, cited![Signal: 
 /// Registers, by device number.
 const REGISTERS: &[Signal] = &[
     from_plc(FeedOverrideOff, "G6.4", "", "OVC: 1 fixes the feed override at 100 %", PLC),
+    from_plc(ShiftSpeed, "G29.5", "", "SOR: 1 turns the spindle at the speed of a gear change", SHIFT),
     from_plc(SpindleOverrideCode, "G30", "code", "spindle override, 50 to 120 % in steps of 10", OVERRIDE),
     from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", MACRO),
     from_plc(MacroInputLow(1033), "G56", "word", "#1033 (G56, G57)", MACRO),

@@ -89,6 +89,8 @@ pub enum SignalRole {
     AxesStop,
     /// The position loop of the spindle is on: it turns to an angle or holds it, control to PLC.
     SpindlePositions,
+    /// 1 turns the spindle at the speed of a gear change, PLC to control.
+    ShiftSpeed,
     /// The spindle has reached its speed, PLC to control.
     SpeedArrived,
     /// 0 holds the program.

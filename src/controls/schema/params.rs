@@ -20,6 +20,12 @@ pub enum ParamRole {
     SpindleOffsetRated,
     /// Analog output during a gear change.
     SpindleShiftVolts,
+    /// Whether the signal of the shift speed belongs to gear changes.
+    ShiftBySignal,
+    /// Output of the shift speed as a share of 4095.
+    SpindleShiftCode,
+    /// Motor speed while gears are shifted.
+    MotorShiftSpeed,
     /// Whether cuts wait until the spindle has reached its speed.
     SpindleReached,
     /// Delay between a new speed command and the speed-reached check.

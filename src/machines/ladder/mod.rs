@@ -99,8 +99,6 @@ pub enum MachineOutput {
     DrivenTool,
     /// Start signal to the turret's controller.
     TurretStart,
-    /// Low voltage while gears mesh.
-    ShiftVolts,
     /// Alarm text: the inverter reports a fault.
     InverterAlarm,
     /// Alarm text: M03 and M04 without M05 between them.
@@ -125,8 +123,7 @@ impl MachineOutput {
             | MachineOutput::Gear(_)
             | MachineOutput::SpindleClamp
             | MachineOutput::DrivenTool
-            | MachineOutput::TurretStart
-            | MachineOutput::ShiftVolts => false,
+            | MachineOutput::TurretStart => false,
         }
     }
 }

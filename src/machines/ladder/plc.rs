@@ -311,7 +311,7 @@ impl LadderPlc {
             }
         }
         io.gear = self.gear.0;
-        io.gear_volts = output(MachineOutput::ShiftVolts).filter(|on| *on).map(|_| self.wiring.shift_volts);
+        io.gear_volts = signal(SignalRole::ShiftSpeed).filter(|on| *on).map(|_| self.wiring.shift_volts);
         let raised = [
             (MachineOutput::ReversalAlarm, PlcAlarm::SpindleReversal),
             (MachineOutput::GearAlarm, PlcAlarm::GearTimeout),

@@ -184,7 +184,7 @@ impl Gears<'_, '_> {
             shifts.push(off(late));
         }
         self.book.coil(Bit::Output(MachineOutput::GearAlarm), alarm, "turning.ladder.late");
-        self.book.coil(Bit::Output(MachineOutput::ShiftVolts), vec![shifts.clone()], "turning.ladder.volts");
+        self.book.coil(Bit::Signal(SignalRole::ShiftSpeed), vec![shifts.clone()], "turning.ladder.volts");
         self.book.coil(GEAR_RUN, vec![vec![on(MESHED), off(BUSY)], shifts], "turning.ladder.run");
     }
 

@@ -13,6 +13,9 @@ use crate::machines::stops;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
+/// Share of the highest speed of a stage at which its gears are shifted, by the voltage of 10 V.
+const SHARE: f64 = SHIFT_VOLTS / 10.0;
+
 const LADDER: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
 
 /// All sheets.
@@ -51,6 +54,9 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::SpindleOffsetRated, volts(ParamRole::SpindleOffsetRated, p.offset_full)),
         (ParamRole::SpindleOffsetZero, volts(ParamRole::SpindleOffsetZero, p.offset_zero)),
         (ParamRole::SpindleShiftVolts, volts(ParamRole::SpindleShiftVolts, 1000.0 * SHIFT_VOLTS)),
+        (ParamRole::ShiftBySignal, if shifts { yes(true) } else { Vec::new() }),
+        (ParamRole::SpindleShiftCode, if shifts { number((4095.0 * SHARE).round()) } else { Vec::new() }),
+        (ParamRole::MotorShiftSpeed, if shifts { number(SHARE * p.spindle.top) } else { Vec::new() }),
         (ParamRole::SpindleLimit, number(if by_motor { p.spindle.top } else { p.stage_1 })),
         (ParamRole::SpindleGear(2), stage(p.stage_2)),
         (ParamRole::SpindleGear(3), stage(p.stage_3)),

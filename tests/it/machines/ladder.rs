@@ -587,6 +587,18 @@ fn alarm_and_emergency_stop_end_both_axes_in_ratio() {
     }
 }
 
+#[test]
+fn every_output_to_the_machine_has_its_wire() {
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        let outputs = ladder.bits.iter().filter(|row| matches!(row.0, Bit::Output(output) if !output.is_message()));
+        let wired = macroline::machines::devices::wired(Some(&ladder));
+        for (bit, device) in outputs {
+            assert!(wired.iter().any(|(_, of)| of.name == device.name), "{name}: nothing at {bit:?}");
+        }
+    }
+}
+
 /// Whether the PLC has answered the codes of the block.
 fn is_answered(image: &Image) -> bool {
     image.is_on(Bit::Signal(SignalRole::Finished)) && !image.is_on(Bit::Signal(SignalRole::ReadInDisable))
@@ -617,7 +629,7 @@ fn m3_and_keys_wait_for_the_contact_of_the_gear() {
                 put_out(&ladder, &mut image, 3, false);
             }
             let runs = image.is_on(RUNS[0]);
-            let slow = image.is_on(Bit::Output(MachineOutput::ShiftVolts));
+            let slow = image.is_on(Bit::Signal(SignalRole::ShiftSpeed));
             assert!(!answered(&image) && (slow || !runs), "{name}: runs {runs}, shift voltage {slow} at {t}");
         }
         reset(&ladder, &mut image);

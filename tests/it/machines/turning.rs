@@ -294,6 +294,7 @@ fn parameter_sheets_match_their_goldens() {
         MD32260 RATED_VELO 1500 r/min Open
         MD32300 MAX_AX_ACCEL X 0.667 m/s² Open
         MD32300 MAX_AX_ACCEL Z 1.333 m/s² Open
+        MD35010 GEAR_STEP_CHANGE_ENABLE 1 Open
         MD35100 SPIND_VELO_LIMIT 3000 r/min Sister
         MD35130 GEAR_STEP_MAX_VELO_LIMIT 1 1000 r/min Sister
         MD35130 GEAR_STEP_MAX_VELO_LIMIT 2 3000 r/min Sister
@@ -305,6 +306,7 @@ fn parameter_sheets_match_their_goldens() {
         MD35210 GEAR_STEP_POSCTRL_ACCEL 8.333 rev/s² Sister
         MD35300 SPIND_POSCTRL_VELO 100 r/min Sister
         MD35350 SPIND_POSITIONING_DIR 3 Open
+        MD35400 SPIND_OSCILL_DES_VELO 15 r/min Open
         MD35500 SPIND_ON_SPEED_AT_IPO_START 1 Sister
         SD43210 SPIND_MIN_VELO_G25 40 r/min Open
         SD43220 SPIND_MAX_VELO_G26 3000 r/min Open
@@ -369,7 +371,9 @@ fn parameter_sheets_match_their_goldens() {
         2085 M Z 200 Open
         3202#4 NE9 0 Open
         3701#1 ISI 1 Open
+        3705#1 GST 1 Open
         3708#0 SAR 0 Open
+        3732 41 Open
         3740 0 ms Open
         3741 1000 r/min Open
         3742 3000 r/min Open

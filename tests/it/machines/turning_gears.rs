@@ -99,7 +99,7 @@ fn delay_alone_has_to_last_the_ramp() {
 
 #[test]
 fn reset_in_a_gear_change_does_not_shorten_it() {
-    // The program of the E60 has no codes of gear stages.
+    // The lathe has one gear stage on the E60.
     for control in super::turning::machine().controls().iter().filter(|control| **control != "mitsubishi-e60") {
         let mut lathe = project(control, &[("gear-time", "8")]);
         // Before a valve has switched, while the gears mesh, and in the delay after it.
@@ -113,6 +113,22 @@ fn reset_in_a_gear_change_does_not_shorten_it() {
                 now.actual.abs() > 30.0
             });
             assert!(fast.is_some_and(|fast| fast > 8.0), "{control}, reset at {t}: fast at {fast:?}");
+        }
+    }
+}
+
+#[test]
+fn sheet_has_the_speed_of_a_gear_change() {
+    for (control, rows) in [
+        ("gsk-980tdc", &["No.067 100"][..]),
+        ("fanuc-0i-tf", &["3705#1 GST 1", "3732 41"]),
+        ("knd-k2000t", &["3705#1 GST 1", "3732 41"]),
+        ("sinumerik-802d", &["MD35010 GEAR_STEP_CHANGE_ENABLE 1", "MD35400"]),
+        ("sinumerik-808d", &["MD35010 GEAR_STEP_CHANGE_ENABLE 1", "MD35400"]),
+    ] {
+        let sheet = sheet(control, &CHUCK);
+        for row in rows {
+            assert!(sheet.lines().any(|line| line.starts_with(row)), "{control}: no {row} in {sheet}");
         }
     }
 }

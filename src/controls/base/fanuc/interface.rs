@@ -31,6 +31,7 @@ pub const BITS: &[Signal] = &[
 
 /// Registers, by device number.
 const REGISTERS: &[Signal] = &[
+    from_plc(ShiftSpeed, "G29.5", "", "SOR: 1 turns the spindle at the speed of a gear change", MEMORY),
     from_plc(SpindleOverride, "G30", "%", "spindle override, 0 to 254", MEMORY),
     from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", INPUTS),
     to_plc(SpindleCommand, "F22", "r/min", "S code (F22 to F25)", MEMORY),

@@ -53,9 +53,11 @@ pub const LATHE: &[ParamDef] = &[
         "0: serial spindle, 1: analog; or 3716#0, where 0 is analog",
         MEMORY,
     ),
+    param(ShiftBySignal, "3705#1", "GST", Plain, "1: SOR turns the spindle at the speed of a gear change", MEMORY),
     param(SpindleReached, "3708#0", "SAR", Plain, "1: cuts wait for the signal of reached speed", SPEED_REACHED),
     param(SpindleOffsetRated, "3730", "", TenthPercent, "gain of the analog output", MEMORY),
     param(SpindleOffsetZero, "3731", "", Plain, "offset of the analog output", MEMORY),
+    param(SpindleShiftCode, "3732", "", Plain, "output at SOR, of 4095 at 10 V", MEMORY),
     param(
         SpindleReachedDelay,
         "3740",

@@ -29,6 +29,7 @@ pub const SIGNALS: &[Signal] = &[
     from_plc(GearNumber(1), "V38032000.1", "", "gear stage that is engaged, bit 1", PLC_AXES),
     from_plc(GearNumber(2), "V38032000.2", "", "gear stage that is engaged, bit 2", PLC_AXES),
     from_plc(GearChanged, "V38032000.3", "", "gear stage is changed", PLC_AXES),
+    from_plc(ShiftSpeed, "V38032002.5", "", "oscillation: the spindle turns at the speed of a gear change", PLC_AXES),
     from_plc(SpindleOverride, "VB38032003", "%", "spindle override; its code is a machine datum", MEMORY),
     from_plc(SpindleOverrideValid, "V38030001.7", "", "spindle override is valid; at 0 it is 100 %", PLC_AXES),
     from_plc(SpindleHold, "V38030004.3", "", "spindle stop", PLC_AXES),

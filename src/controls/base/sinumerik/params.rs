@@ -63,6 +63,14 @@ pub const PARAMS: &[ParamDef] = &[
         OUTPUT,
     ),
     param(
+        GearShift,
+        "MD35010",
+        "GEAR_STEP_CHANGE_ENABLE",
+        Plain,
+        "1: gear stages are changed; at 0 only the first one counts",
+        OUTPUT,
+    ),
+    param(
         SpindleMaximum,
         "MD35100",
         "SPIND_VELO_LIMIT",
@@ -112,6 +120,14 @@ pub const PARAMS: &[ParamDef] = &[
         OUTPUT,
     )
     .answered("3", "4"),
+    param(
+        MotorShiftSpeed,
+        "MD35400",
+        "SPIND_OSCILL_DES_VELO",
+        TurnsPerMinute,
+        "motor speed while gears are shifted",
+        OUTPUT,
+    ),
     param(SpindleReached, "MD35500", "SPIND_ON_SPEED_AT_IPO_START", Plain, "1: cuts wait for the speed", TOLERANCE),
     param(SpindleLowerSet, "SD43210", "SPIND_MIN_VELO_G25", TurnsPerMinute, "lower limit, overwritten by G25", OUTPUT),
     param(SpindleUpperSet, "SD43220", "SPIND_MAX_VELO_G26", TurnsPerMinute, "upper limit, overwritten by G26", OUTPUT),
