@@ -4,6 +4,7 @@ use super::program::{self, PART, TurnedEndPlace};
 use super::resolved::PolygonLathe;
 use crate::controls::{Address, Code};
 use crate::machines::sheets::{row, say};
+use crate::machines::slides::{ALONG, CROSS};
 use crate::machines::writing;
 use crate::math;
 use crate::nc::build::{Builder, NewWord, g, m, p as p_word, real, s, word, x, z};
@@ -23,57 +24,97 @@ fn offset(lathe: &PolygonLathe) -> f64 {
     (lathe.p.work_start - lathe.p.tool_start / k).rem_euclid(360.0)
 }
 
-/// The program, and what each of its blocks does (catalog id, or empty); none without a ratio.
+/// The program while it is written: its blocks, each with what it does (catalog id, or empty).
+struct Blocks<'a> {
+    lathe: &'a PolygonLathe,
+    builder: Builder,
+    notes: Vec<&'static str>,
+}
+
+impl Blocks<'_> {
+    fn add(&mut self, words: Vec<NewWord>, note: &'static str) {
+        self.builder.words(words);
+        self.notes.push(note);
+    }
+
+    /// Place of the tool, where the program can read it and raise an alarm.
+    fn place(&self) -> Option<(u32, u32)> {
+        writing::places(self.lathe.control, [CROSS, ALONG])
+    }
+
+    /// The checks of a tool that is clear of the work, as in the program with G512.
+    fn check(&mut self) {
+        let Some(place) = self.place() else { return };
+        let clear = self.lathe.x_of(self.lathe.p.clear_diameter());
+        writing::stays_clear(&mut self.builder, place, || real(clear, 3), 900 + program::AWAY);
+        self.notes.extend(["polygon.other.clear"; 2]);
+    }
+
+    /// A tool with its offset, which shifts the coordinates.
+    fn tool(&mut self, number: f64) {
+        self.add(vec![word(Address::T, number as u32 * 101)], "");
+        self.check();
+    }
+
+    fn turned_end(&mut self, place: TurnedEndPlace) {
+        for block in program::turned_end(self.lathe, place) {
+            self.add(block.words, "");
+            if block.changes_tool {
+                self.check();
+            }
+        }
+    }
+}
+
+/// The program, and what each of its blocks does; none without a ratio.
 fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let p = &lathe.p;
     p.ratio()?;
-    let mut b = Builder::new();
-    b.program(NUMBER, "FOR CONTROLS WITH G51.2");
-    let mut notes = Vec::new();
-    let mut add = |words: Vec<NewWord>, note: &'static str| {
-        b.words(words);
-        notes.push(note);
-    };
+    let mut b = Blocks { lathe, builder: Builder::new(), notes: Vec::new() };
+    b.builder.program(NUMBER, "FOR CONTROLS WITH G51.2");
     // With its point: without one a word of an axis counts increments.
     let cross = |size: f64| x(real(lathe.x_of(size), 3));
     let along = |length: f64| z(real(length, 3));
     let clear = p.clear_diameter();
-    add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
-    for block in program::turned_end(lathe, TurnedEndPlace::Before) {
-        add(block.words, "");
-    }
-    add(vec![word(Address::T, p.tool as u32 * 101)], "");
-    add(vec![g(0), cross(clear), along(p.clearance)], "");
+    // A start after a reset may begin in the work.
+    b.check();
+    b.add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
+    b.turned_end(TurnedEndPlace::Before);
+    b.tool(p.tool);
+    b.add(vec![g(0), cross(clear)], "");
+    b.add(vec![along(p.clearance)], "");
     let mut cutter = p.tool;
     for (at, polygon) in lathe.polygons().enumerate() {
         if at > 0 {
-            add(vec![s(0)], "polygon.other.stop");
-            add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
+            b.add(vec![s(0)], "polygon.other.stop");
+            b.add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
             let changes = cutter != polygon.p.tool;
             cutter = polygon.p.tool;
             if changes {
-                add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
-                add(vec![word(Address::T, polygon.p.tool as u32 * 101)], "");
-                add(vec![g(0), cross(clear)], "");
+                b.add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
+                b.tool(polygon.p.tool);
+                b.add(vec![g(0), cross(clear)], "");
             }
             if changes || !polygon.p.is_behind_face() {
-                add(vec![g(0), along(p.clearance)], "");
+                b.add(vec![g(0), along(p.clearance)], "");
             }
         }
-        turn(polygon, &mut add)?;
+        turn(polygon, &mut b)?;
     }
-    add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
-    add(vec![s(0)], "polygon.other.stop");
-    add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
-    for block in program::turned_end(lathe, TurnedEndPlace::After) {
-        add(block.words, "");
+    b.add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
+    b.add(vec![s(0)], "polygon.other.stop");
+    b.add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
+    b.turned_end(TurnedEndPlace::After);
+    b.add(vec![m(30)], "");
+    if b.place().is_some() {
+        program::away_alarm(&mut b.builder, lathe);
+        b.notes.extend(["polygon.other.away", ""]);
     }
-    add(vec![m(30)], "");
-    Some((b.finish(), notes))
+    Some((b.builder.finish(), b.notes))
 }
 
 /// Blocks that turn one polygon; a new ratio begins from standstill.
-fn turn(lathe: &PolygonLathe, add: &mut impl FnMut(Vec<NewWord>, &'static str)) -> Option<()> {
+fn turn(lathe: &PolygonLathe, b: &mut Blocks<'_>) -> Option<()> {
     let p = &lathe.p;
     let ratio = p.ratio()?;
     // P above 0, Q with the sense of the tool.
@@ -85,13 +126,13 @@ fn turn(lathe: &PolygonLathe, add: &mut impl FnMut(Vec<NewWord>, &'static str)) 
     if p.lead != 0.0 {
         on.push(word(Address::A, real(p.lead, 3)));
     }
-    add(on, "polygon.other.on");
-    add(vec![s(p.work_speed() as i32)], "polygon.other.speed");
+    b.add(on, "polygon.other.on");
+    b.add(vec![s(p.work_speed() as i32)], "polygon.other.speed");
     let passes = p.passes() as u32;
     for pass in 1..=passes {
         for (at, step) in p.steps(f64::from(pass)).into_iter().enumerate() {
             let note = if at == 0 && pass == passes { "polygon.other.finish" } else { "" };
-            add(program::block(lathe, step), note);
+            b.add(program::block(lathe, step), note);
         }
     }
     Some(())

@@ -49,7 +49,7 @@ const UNKNOWN: [u32; 4] = [4, 5, 6, 18];
 const STANDSTILL: u32 = 32;
 
 /// Number of the alarm of a cutter that is not clear of the work.
-const AWAY: u32 = 11;
+pub(super) const AWAY: u32 = 11;
 /// Number of the alarm of a letter that G512 does not have.
 const LETTER: u32 = 12;
 
@@ -144,7 +144,7 @@ pub(super) struct TurnedEndBlock {
     /// Comment of the block, or empty.
     note: &'static str,
     /// The turret brings another tool: the block is followed by a check of its clearance.
-    changes_tool: bool,
+    pub(super) changes_tool: bool,
 }
 
 impl TurnedEndBlock {
@@ -285,9 +285,14 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     write_turned_end(b, lathe, TurnedEndPlace::After, place);
     b.n(end + 2).words([m(30)]);
     if place.is_some() {
-        writing::alarm(b, lathe.control, AWAY, "RETRACT THE CUTTER BY HAND");
-        b.words([m(30)]);
+        away_alarm(b, lathe);
     }
+}
+
+/// The alarm of a cutter that is not clear of the work, at the end of a program.
+pub(super) fn away_alarm(b: &mut Builder, lathe: &PolygonLathe) {
+    writing::alarm(b, lathe.control, AWAY, "RETRACT THE CUTTER BY HAND");
+    b.words([m(30)]);
 }
 
 /// The call that starts polygon turning.

@@ -26,9 +26,14 @@ fn machine_sheets_have_the_expected_rows() {
         "{all}"
     );
     expect![[r#"
+        IF[#5041 LT 29.]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
+        IF[#5042 LT 0]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
         G98 | feed per minute
         T101 | 
-        G00 X29. Z2. | 
+        IF[#5041 LT 29.]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
+        IF[#5042 LT 0]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
+        G00 X29. | 
+        Z2. | 
         G51.2 P1 Q2 | polygon turning on, in a block of its own: P and Q as the ratio, R the offset of the work, A the lead of a twist
         S200 | speed of the work; the tool follows
         G00 X23. | 
@@ -51,6 +56,8 @@ fn machine_sheets_have_the_expected_rows() {
         G00 X60. Z30. | 
         S0 | both stop
         G50.2 | polygon turning off, in a block of its own
+        M30 | 
+        N911 #3000=11(RETRACT THE CUTTER BY HAND) | alarm: the tool is not clear of the work
         M30 | 
     "#]]
     .assert_eq(&rows(&[("shape", "hexagon")], "own-code"));
@@ -110,7 +117,8 @@ fn own_code_changes_the_cutter_where_the_program_does() {
     let cutters = |name: &str| {
         let files = shaft.export().files;
         let text = files.into_iter().find(|file| file.name == name).unwrap().text;
-        text.split_whitespace().filter(|word| word.starts_with('T')).map(str::to_owned).collect::<Vec<_>>()
+        let is_tool = |word: &&str| word.strip_prefix('T').is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()));
+        text.split_whitespace().filter(is_tool).map(str::to_owned).collect::<Vec<_>>()
     };
     let program = cutters("O3000.nc");
     assert_eq!(program.iter().filter(|word| word.ends_with("01")).collect::<Vec<_>>().len(), 2, "{program:?}");
@@ -222,4 +230,21 @@ fn ladder_takes_the_sequence_of_g512_and_g502() {
         +F54.0: G54.0 G54.2
     "#]]
     .assert_eq(&said(&mut after, &whole));
+}
+
+#[test]
+fn own_code_checks_the_tool_at_its_start_and_after_each_tool() {
+    for example in ["threaded-shaft", "square-and-hexagon"] {
+        let sheets = Project::named("polygon-lathe", None, Some(example)).unwrap().prepared().sheets();
+        let sheet = sheets.into_iter().find(|sheet| sheet.id == "own-code").unwrap();
+        let rows: String = sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect();
+        let blocks: Vec<&str> = rows.lines().collect();
+        let checked = |at: usize| blocks[at..at + 2].iter().all(|block| block.starts_with("IF["));
+        assert!(checked(0), "{rows}");
+        for (at, _) in blocks.iter().enumerate().filter(|(_, block)| block.starts_with('T')) {
+            assert!(checked(at + 1), "{rows}");
+        }
+        let (alarm, end) = (blocks[blocks.len() - 2], blocks[blocks.len() - 1]);
+        assert!(alarm.contains("#3000=11") && end.starts_with("M30"), "{rows}");
+    }
 }
