@@ -380,6 +380,8 @@ export interface Size {
     part: string;
     maker: string;
     model: string;
+    /** What the part has to be or do, where it is not chosen yet. */
+    asked: string;
     /** In place of a part that is to be chosen. */
     proposal: boolean;
     quantity: number;

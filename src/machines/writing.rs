@@ -67,11 +67,16 @@ pub fn places(control: &Control, letters: [Address; 2]) -> Option<(u32, u32)> {
     Some((across?, along?))
 }
 
-/// A dwell in seconds: with X where the control reads that, else with its first address for seconds.
+/// A dwell in seconds.
 pub fn dwell(control: &Control, seconds: f64) -> [NewWord; 2] {
+    dwell_of(control, real(seconds, 3))
+}
+
+/// A dwell of a computed number of seconds: with X where the control reads that, else with its first address for seconds.
+pub fn dwell_of(control: &Control, seconds: Formula) -> [NewWord; 2] {
     let addresses = control.syntax.dwell_addresses;
     let address = if addresses.contains(Address::X) { Address::X } else { addresses.first().unwrap_or(Address::X) };
-    [g(4), word(address, real(seconds, 3))]
+    [g(4), word(address, seconds)]
 }
 
 /// A variable of the operator, and whether only whole numbers are valid.

@@ -295,6 +295,10 @@ fn codes_switched_within_the_pass_give_no_warning() {
     E60.quiet("O1\n#1=0\nWHILE[#1 LT 5]DO1\nS500 M3\nG91 G01 X1. F100\nM5\n#1=#1+1\nEND1\nM30");
     E60.quiet("O1\n#1=0\nWHILE[#1 LT 5]DO1\nS500\nG91 G01 X1. F100\nS900\nX1.\n#1=#1+1\nEND1\nM30");
     E60.quiet("O1\n#1=100\nWHILE[#1 LT 500]DO1\nS#1\nG91 G01 X1. F100\n#1=#1+10\nEND1\nM30");
+    // The surface speed of the next pass, and the wait for it.
+    KND.quiet(
+        "O1\n#1=20\nM3\nWHILE[#1 GT 0]DO1\nG00 X80.\nG96 S180\nG04 X2.\nG99 G01 X#1 F0.2\n#1=#1-5\nEND1\nM5\nM30",
+    );
     // A clamp that opens and closes, and a punch: each stroke is meant.
     E60.quiet("O1\n#1=0\nWHILE[#1 LT 5]DO1\nM10\nG91 G01 X1. F100\nM11\n#1=#1+1\nEND1\nM30");
     E60.quiet("O1\n#1=0\nWHILE[#1 LT 5]DO1\nG91 G00 X10.\nM20\n#1=#1+1\nEND1\nM30");

@@ -72,8 +72,12 @@ pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
     SpindleEncoder { name: NAME, speed: run_up::highest(lathe).max(at_knob) }
 }
 
-/// Starts and motions of a pass: each slide goes to its place or cuts, and comes back.
-const STARTS: f64 = 2.0;
+/// Starts of a slide in a pass: it goes to its place or cuts, and comes back; along a taper X goes to its place, cuts, and comes back.
+fn starts_of_a_pass(path: Path) -> f64 {
+    if path == Path::Taper { 3.0 } else { 2.0 }
+}
+
+/// Motions of a pass.
 const MOTIONS: f64 = 4.0;
 
 /// Starts per minute of the slides over all passes, with the knob at its highest position.
@@ -84,8 +88,13 @@ fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
     let length = p.cuts(1.0).map(|cut| cut.length).sum::<f64>();
     let rapid = if p.path == Path::Facing { p.slides.x.rapid } else { p.slides.z.rapid };
     let back = 60.0 * if p.path == Path::Taper { p.length + p.clearance } else { length } / rapid;
-    let seconds = d.cutting_time.min(fast) + d.passes * back;
-    slides::starts_per_minute(STARTS * d.passes, seconds, (MOTIONS * d.passes, p.slides.time_constant))
+    let dwell = lathe.dwell_of_passes().map_or(0.0, |per_speed| per_speed * p.upper_limit);
+    let seconds = d.cutting_time.min(fast) + d.passes * (back + dwell);
+    slides::starts_per_minute(
+        starts_of_a_pass(p.path) * d.passes,
+        seconds,
+        (MOTIONS * d.passes, p.slides.time_constant),
+    )
 }
 
 impl HasSlides for TurningSpindle {

@@ -351,9 +351,19 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
     // override.
     let ramp = lathe.p.spindle.ramp * lathe.d.stage_top.min(lathe.p.chuck_limit) / lathe.d.stage_speed;
-    if lathe.rules().reached.is_none() && ramp > 0.0 {
+    if lathe.rules().reached.is_none() && lathe.dwell_of_passes().is_none() && ramp > 0.0 {
         let seconds = (100.0 * ramp).ceil() / 100.0;
         b.n(28).words(writing::dwell(lathe.control, seconds)).note("SPINDLE COMES TO ITS SPEED");
+    }
+}
+
+/// The wait of a pass, before its cut. The speed is commanded again: some controls change a surface speed in cuts alone, and would begin this one
+/// with the highest speed of the one before.
+fn wait(b: &mut Builder, lathe: &TurningSpindle) {
+    if let Some(per_speed) = lathe.dwell_of_passes() {
+        b.words(block(lathe, Code::SurfaceSpeed, [s(v(100))]));
+        let words = writing::dwell_of(lathe.control, v(107) * real((1e6 * per_speed).ceil() / 1e6, 6));
+        b.words(words).note("SPINDLE COMES TO ITS SPEED");
     }
 }
 
@@ -365,6 +375,7 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     match lathe.p.path {
         Path::Facing => {
             b.n(35).words(rapid(vec![z(v(LEFT))]));
+            wait(b, lathe);
             b.n(CUTS[0]).words(cut(vec![cross(lathe, v(103)), f(v(101))]));
             b.n(37).words(rapid(vec![z(v(LEFT) + v(106))]));
             b.n(38).words([cross(lathe, clear())]);
@@ -377,6 +388,7 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
         }
         Path::Taper => {
             b.n(35).words(rapid(vec![cross(lathe, v(103) + v(LEFT))]));
+            wait(b, lathe);
             b.n(CUTS[0]).words(cut(vec![z(real(0.0, 0)), f(v(101))]));
             b.n(CUTS[1]).words([cross(lathe, v(104) + v(LEFT)), z(-v(105))]);
             b.n(38).words(rapid(vec![cross(lathe, clear())]));

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::derive::Derived;
-use super::params::{self, Direction, Gear, Output, Params, SpeedMode};
+use super::params::{self, Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::{Positioning, Stage, cutting};
@@ -116,6 +116,14 @@ impl TurningSpindle {
     /// Whether the spindle has constant surface speed.
     pub(super) fn surface(&self) -> bool {
         self.p.speed_mode == SpeedMode::Surface
+    }
+
+    /// Seconds per r/min of the speed limit that the program dwells in each pass: where a cut ends at another speed than the next one begins
+    /// with, on a control whose cuts do not wait for the speed. Between two speeds the spindle takes at most its ramp to the limit.
+    pub(super) fn dwell_of_passes(&self) -> Option<f64> {
+        let changes = self.surface() && self.p.path != Path::Turning;
+        let per_speed = self.p.spindle.ramp / self.d.stage_speed;
+        (changes && self.rules().reached.is_none() && per_speed > 0.0).then_some(per_speed)
     }
 
     /// Address of the speed limit under constant surface speed, on controls with a word for it.

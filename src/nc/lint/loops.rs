@@ -6,7 +6,7 @@ use super::super::ast::{Block, Expr, Stmt, Word, WordValue};
 use super::context::{Lint, NONE};
 use super::facts::Facts;
 use super::flow::{ANY, Flow};
-use super::roles::{AUXILIARY, CALL, CURVED, LINEAR, RAPID, SPECIAL, SPINDLE, SPINDLE_REST, SUB};
+use super::roles::{AUXILIARY, CALL, CURVED, DWELL, LINEAR, RAPID, SPECIAL, SPINDLE, SPINDLE_REST, SUB, SURFACE};
 use super::vars::visit;
 use crate::controls::Address;
 use crate::msg;
@@ -101,6 +101,9 @@ struct Pass<'a> {
     cuts: bool,
     /// The spindle stops, or is positioned.
     rests: bool,
+    /// A surface speed is commanded; the program dwells.
+    surface: bool,
+    dwells: bool,
 }
 
 impl<'a> Pass<'a> {
@@ -109,6 +112,8 @@ impl<'a> Pass<'a> {
         self.rapid |= bits & RAPID != 0;
         self.cuts |= bits & (LINEAR | CURVED) != 0;
         self.rests |= bits & SPINDLE_REST != 0;
+        self.surface |= bits & SURFACE != 0;
+        self.dwells |= bits & DWELL != 0;
         for word in flow.deck.words_of(block) {
             self.moves |= flow.control.axis_letters().any(|letter| letter == word.letter);
             let role = if word.letter == Address::M { flow.roles.word(word) } else { 0 };
@@ -129,7 +134,8 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// Whether the pass commands the spindle intentionally: it stops it, reverses it, or changes its speed.
+    /// Whether the pass commands the spindle intentionally: it stops it, reverses it, changes its speed, or waits for the surface speed of
+    /// another diameter.
     fn controls_spindle(&self, flow: &Flow) -> bool {
         let spindle = &self.spindle.all;
         let twice = |(at, word): (usize, &&Word)| spindle[..at].iter().any(|other| other.letter == word.letter);
@@ -142,7 +148,8 @@ impl<'a> Pass<'a> {
             });
             changes
         };
-        self.rests || spindle.iter().enumerate().any(twice) || spindle.iter().any(changes)
+        let waits = self.surface && self.dwells;
+        self.rests || waits || spindle.iter().enumerate().any(twice) || spindle.iter().any(changes)
     }
 
     fn report(&self, lint: &mut Lint, flow: &Flow) {

@@ -48,6 +48,7 @@ struct Export {
 /// A reason that refuses the export.
 #[derive(Clone, PartialEq)]
 struct Reason {
+    /// Number of the alarm, or name of the field.
     alarm: String,
     text: String,
     /// Id of the field, or empty.
@@ -57,14 +58,15 @@ struct Reason {
 }
 
 fn reasons(page: Page, export: &Export) -> Vec<Reason> {
-    let wrong = page.wrong_fields().into_iter().map(|found| Reason {
-        alarm: String::new(),
-        text: sentence_with_hints(&found),
-        field: found.field.unwrap_or_default().to_owned(),
-        place: None,
+    let fields = page.project.with(|project| project.machine.fields());
+    let label = |id: &str| fields.iter().find(|field| field.id == id).map_or("", |field| t(field.label)).to_owned();
+    let wrong = page.wrong_fields().into_iter().map(|found| {
+        let field = found.field.unwrap_or_default().to_owned();
+        Reason { alarm: label(&field), text: sentence_with_hints(&found), field, place: None }
     });
     let mut found: Vec<Reason> = wrong.collect();
     for Remark { alarm, text, field, place, .. } in export.remarks.iter().filter(|remark| remark.refuses).cloned() {
+        let alarm = if alarm.is_empty() { label(&field) } else { alarm };
         let reason = Reason { alarm, text, field, place };
         if !found.contains(&reason) {
             found.push(reason);

@@ -55,12 +55,7 @@ pub(super) fn VerdictList() -> impl IntoView {
             </li>
         }
     };
-    let rows = move || {
-        page.results.design.with(|design| {
-            let headline = design.readouts.iter().filter(|readout| readout.headline);
-            headline.map(row).collect_view()
-        })
-    };
+    let rows = move || page.results.design.with(|design| above_the_drawing(design).iter().map(row).collect_view());
     view! { <ul class="verdicts" aria-label=t("page.headline") class:old=move || page.is_stale()>{rows}</ul> }
 }
 

@@ -16,7 +16,7 @@ pub(super) fn conclusion(report: &Report) -> String {
     let [draft, work, part, changes] = [draft(report), Some(work(report)), part(report), report.repairs.message()]
         .map(|message| message.as_ref().map(emphasized));
     let [verdicts, exceeded] = [Some(verdicts(report)), exceeded(report)].map(|message| message.as_ref().map(plain));
-    sentences([draft, work, part, verdicts, changes, exceeded].into_iter().flatten())
+    sentences([draft, work, part, verdicts, exceeded, changes].into_iter().flatten())
 }
 
 /// A sentence as HTML, its values in bold.
@@ -83,7 +83,7 @@ fn verdicts(report: &Report) -> Message {
     }
 }
 
-/// How many limits the operating envelope exceeds.
+/// How many findings the operating envelope has.
 fn exceeded(report: &Report) -> Option<Message> {
     let count = report.sizing.exceeded.len() as u32;
     (count > 0).then(|| msg!("form.report.exceeded", count))

@@ -61,7 +61,7 @@ fn offer_has_motors_envelope_and_bill() {
         let exceeded = sizing.findings().len();
         counts.push(exceeded);
         let said = words(of_class(&page, "conclusion")[0]);
-        let told = format!("In operation {exceeded} value{}", if exceeded == 1 { " exceeds" } else { "s exceed" });
+        let told = format!("The operating envelope has {exceeded} finding{}.", if exceeded == 1 { "" } else { "s" });
         assert_eq!(said.contains(&told), exceeded > 0, "{}: {said}", machine.id());
         let bill = named(&files, "bill.csv");
         for row in &sizing.bill {

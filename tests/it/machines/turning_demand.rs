@@ -160,10 +160,10 @@ fn resistor_of_many_passes_takes_each_braking() {
     // All of them over the cycle, not one stop.
     let power = asked.energies.iter().sum::<f64>() / timeline.end();
     near(asked.power(), power, 1e-6);
-    near(power, 235.1, 1.0);
+    near(power, 193.4, 1.0);
     let sizing = size(&lathe, &lathe.written());
     let row = sizing.bill.iter().find(|row| row.item == BillItem::Resistor && row.axis == Some(asked.name)).unwrap();
-    assert!(row.asked.contains("235.1") && row.asked.contains("brakes 20 times"), "{}", row.asked);
+    assert!(row.asked.contains("193.4") && row.asked.contains("brakes 20 times"), "{}", row.asked);
 }
 
 #[test]

@@ -226,3 +226,27 @@ fn table_of_stops_tells_how_long_the_spindle_coasts() {
         assert!(fault.contains(&told) && !fault.contains("open"), "{control}: {fault}");
     }
 }
+
+#[test]
+fn each_pass_begins_at_the_speed_of_its_diameter() {
+    for control in each_control() {
+        for path in ["facing", "taper", "turning"] {
+            let changes = [("path", path), ("finished-diameter", "20"), ("spindle-ramp", "3")];
+            let lathe = project(control, &changes);
+            let run = over_time(&lathe, vec![]);
+            let timeline = run.timeline();
+            let works = lathe.prepared().working(&run, timeline.end()).unwrap();
+            assert!(works.len() > 1, "{control} {path}");
+            for (begin, _) in works {
+                let now = timeline.at(begin + 0.02).spindle;
+                let share = now.actual / now.command;
+                assert!(
+                    (0.85..1.15).contains(&share),
+                    "{control} {path} at {begin}: {} of {}",
+                    now.actual,
+                    now.command
+                );
+            }
+        }
+    }
+}
