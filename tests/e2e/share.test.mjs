@@ -117,14 +117,20 @@ test('the command prints the report too', { skip: !existsSync(COMMAND) || FIREFO
   rmSync(folder, { recursive: true });
 });
 
+// The tab of a document of the export, which its button opens and prints.
+async function printed({ page, context }, button) {
+  await context.addInitScript(() => (window.print = () => (document.title = `printed ${document.title}`)));
+  await page.click('#export');
+  const tab = context.waitForEvent('page');
+  await page.click(button);
+  const document = await tab;
+  await document.waitForFunction(() => window.document.title.startsWith('printed '));
+  return document;
+}
+
 test('the report is printed as the export has it, in three clicks', () =>
-  withPage(app, {}, async ({ page, context }) => {
-    await context.addInitScript(() => (window.print = () => (document.title = `printed ${document.title}`)));
-    await page.click('#export');
-    const tab = context.waitForEvent('page');
-    await page.click('#print-report');
-    const report = await tab;
-    await report.waitForFunction(() => document.title.startsWith('printed '));
+  withPage(app, {}, async (opened) => {
+    const report = await printed(opened, '#print-report');
     assert.match(await report.title(), /Ribbon line/);
     const { mode, sheet } = await report.evaluate(() => ({
       mode: document.compatMode,
@@ -140,13 +146,8 @@ test('the report is printed as the export has it, in three clicks', () =>
   }));
 
 test('the summary for a customer is printed in two clicks', () =>
-  withPage(app, {}, async ({ page, context }) => {
-    await context.addInitScript(() => (window.print = () => (document.title = `printed ${document.title}`)));
-    await page.click('#export');
-    const tab = context.waitForEvent('page');
-    await page.click('#print-summary');
-    const summary = await tab;
-    await summary.waitForFunction(() => document.title.startsWith('printed '));
+  withPage(app, {}, async (opened) => {
+    const summary = await printed(opened, '#print-summary');
     const heads = await summary.locator('h2').allTextContents();
     assert.ok(heads.includes('What limits the machine') && !heads.includes('Sources'), heads.join());
     if (!FIREFOX) {
