@@ -1,6 +1,5 @@
-//! Ways to the parts of the page where they are one below the other, as on a phone.
+//! Ways to the parts of the page where not all of them are on the first screen.
 
-use leptos::ev;
 use leptos::prelude::*;
 
 use crate::ui::dom;
@@ -17,21 +16,22 @@ const PARTS: [(&str, &str, Glyph); 3] = [
 /// The lowest part that begins in the upper half of the window, else the first.
 fn part_in_view() -> usize {
     let half = 0.5 * window().inner_height().ok().and_then(|height| height.as_f64()).unwrap_or_default();
-    let begins_above = |id| dom::by_id(id).is_some_and(|part| part.get_bounding_client_rect().top() < half);
-    PARTS.iter().rposition(|(id, ..)| begins_above(id)).unwrap_or(0)
+    let top = |id| Some(dom::by_id(id)?.get_bounding_client_rect().top());
+    let tops = PARTS.iter().enumerate().filter_map(|(at, (id, ..))| Some((at, top(id)?)));
+    tops.filter(|(_, top)| *top < half).max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(at, _)| at)
 }
 
 /// A button for each part; the one in view is marked.
 #[component]
 pub(super) fn PartsBar() -> impl IntoView {
     let current = RwSignal::new(0);
-    let scrolled = window_event_listener(ev::scroll, move |_| {
+    // The window scrolls on a phone, the page within it on a wider screen.
+    dom::on_event("scroll", move |_| {
         let part = part_in_view();
-        if part != current.get_untracked() {
+        if current.try_get_untracked().is_some_and(|before| before != part) {
             current.set(part);
         }
     });
-    on_cleanup(move || scrolled.remove());
     let button = |(at, (id, name, glyph)): (usize, (&'static str, &'static str, Glyph))| {
         let go = move |_| {
             if let Some(part) = dom::by_id(id) {

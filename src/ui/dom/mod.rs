@@ -300,10 +300,12 @@ pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
     document().get_element_by_id(id)?.dyn_into().ok()
 }
 
-/// Calls `act` at each event of a kind, anywhere on the page. For a paste, before the element that it goes to.
+/// Calls `act` at each event of a kind, anywhere on the page. For a paste, before the element that it goes to; a scroll is told to that element
+/// alone.
 pub(crate) fn on_event(event: &str, act: impl Fn(Event) + 'static) {
     let act = Closure::<dyn Fn(Event)>::new(act).into_js_value();
-    let _ = window().add_event_listener_with_callback_and_bool(event, act.unchecked_ref(), event == "paste");
+    let first = ["paste", "scroll"].contains(&event);
+    let _ = window().add_event_listener_with_callback_and_bool(event, act.unchecked_ref(), first);
 }
 
 /// Calls `act` whenever the browser has given an element a size, also the first time. The size can be read then without another layout.

@@ -253,6 +253,7 @@ fn about(name: &str) -> &'static str {
         "terminals.csv" => "sheet.terminals",
         "parameters.csv" => "sheet.parameters",
         "interface.csv" => "sheet.interface",
+        "ladder.csv" | "ladder.svg" => "page.file.ladder",
         "stops.csv" => "sheet.stops",
         _ => match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
             "csv" => "page.file.table",
@@ -304,12 +305,17 @@ fn Offered(
     let report = printed("print-report", "page.print-report", REPORT);
     let remarks =
         export.remarks.iter().map(|remark| view! { <li class=remark.tone.class()>{remark.text.clone()}</li> });
+    let failing = untrack(|| page.results.failing());
+    let failing = (failing > 0).then(|| {
+        let words = sentence(&crate::msg!("page.results-fail", count = failing));
+        view! { <li class="fail"><b><i aria-hidden="true">"✕ "</i>{words}</b></li> }
+    });
     view! {
         <p>{t("page.export-about")}</p>
+        <ul class="remarks" tabindex="0">{failing} {remarks.collect_view()}</ul>
         <div class="files" tabindex="0" role="group" aria-label=t("page.export-files")>
             <table class="exported"><tbody>{rows}</tbody></table>
         </div>
-        <ul class="remarks">{remarks.collect_view()}</ul>
         <footer>
             {summary}
             {report}

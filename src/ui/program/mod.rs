@@ -208,13 +208,20 @@ fn Tools(
         page.machine.track();
         page.project.with_untracked(|project| project.machine.info().listing.is_empty())
     };
+    // The debugger steps through the listing.
+    let step = move |_| {
+        page.view.stepping.update(|on| *on = !*on);
+        if page.view.stepping.get_untracked() {
+            put(page.view.program, ProgramView::Listing);
+        }
+    };
     view! {
         <div class="bar tools">
             <ViewToggle shows=ProgramView::Editor label="page.edit" />
             <button type="button" class="quiet" on:click=copy>{t("page.copy")}</button>
             <button
                 type="button" class="quiet" aria-pressed=move || page.view.stepping.get().to_string()
-                title=t("page.stepping") on:click=move |_| page.view.stepping.update(|on| *on = !*on)
+                title=t("page.stepping") on:click=step
             >
                 <Icon glyph=Glyph::Step /> {t("page.stepping-short")}
             </button>
