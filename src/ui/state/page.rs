@@ -307,10 +307,12 @@ impl Page {
         }
     }
 
-    /// Takes another project in place of this one; undo brings this one back. A project without an id is a new one.
+    /// Takes another project in place of this one, and shows it from its start; undo brings this one back. A project without an id is a new
+    /// one.
     pub(crate) fn replace(self, mut project: Project) {
         project.id.get_or_insert_with(dom::fresh_id);
         self.entries.invalid.set(Vec::new());
+        self.player.seek(0.0);
         self.edit("", |present| *present = project);
         self.entries.show_again();
     }
