@@ -349,15 +349,16 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     words.push(turn);
     b.n(27).words(words);
     // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
-    // override.
+    // override. A face has its wait in each pass, where the tool stands already.
     let ramp = lathe.p.spindle.ramp * lathe.d.stage_top.min(lathe.p.chuck_limit) / lathe.d.stage_speed;
-    if lathe.rules().reached.is_none() && lathe.dwell_of_passes().is_none() && ramp > 0.0 {
+    let waits_in_passes = lathe.p.path == Path::Facing && lathe.dwell_of_passes().is_some();
+    if lathe.rules().reached.is_none() && !waits_in_passes && ramp > 0.0 {
         let seconds = (100.0 * ramp).ceil() / 100.0;
         b.n(28).words(writing::dwell(lathe.control, seconds)).note("SPINDLE COMES TO ITS SPEED");
     }
 }
 
-/// The wait of a pass, before its cut. The speed is commanded again: some controls change a surface speed in cuts alone, and would begin this one
+/// The wait of a pass, at the diameter where its cut begins. The speed is commanded again: some controls change a surface speed in cuts alone, and would begin this one
 /// with the highest speed of the one before.
 fn wait(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some(per_speed) = lathe.dwell_of_passes() {
@@ -374,8 +375,9 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     let away = || v(103) + v(LEFT) + v(106);
     match lathe.p.path {
         Path::Facing => {
-            b.n(35).words(rapid(vec![z(v(LEFT))]));
+            b.n(35);
             wait(b, lathe);
+            b.words(rapid(vec![z(v(LEFT))]));
             b.n(CUTS[0]).words(cut(vec![cross(lathe, v(103)), f(v(101))]));
             b.n(37).words(rapid(vec![z(v(LEFT) + v(106))]));
             b.n(38).words([cross(lathe, clear())]);

@@ -138,7 +138,7 @@ fn Found() -> impl IntoView {
             let title = sentence(&title);
             view! {
                 <button type="button" class=format!("quiet {}", Tone::from(severity)) title=title.clone() aria-label=title on:click=move |_| show(severity)>
-                    {format!("{} {count}", Tone::from(severity).sign())}
+                    <i aria-hidden="true">{Tone::from(severity).sign()}</i> " " {count}
                 </button>
             }
         };

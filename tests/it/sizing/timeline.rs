@@ -226,7 +226,7 @@ fn starts_by_formula_bound_those_of_the_run() {
     let all = [
         (quick("turning-spindle", None, &[&short[..], &[("allowance", "10")]].concat()), (0.9, 1.0)),
         (lathe("shaft"), (0.5, 1.0)),
-        (lathe("taper"), (0.6, 1.0)),
+        (lathe("taper"), (0.55, 1.0)),
         (quick("polygon-lathe", None, &polygon), (1.0, 1.1)),
         (quick("polygon-lathe", Some("threaded-shaft"), &[]), (1.0, 1.1)),
     ];
