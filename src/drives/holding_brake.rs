@@ -1,4 +1,4 @@
-//! Brake at the motor of a weight, which closes without current: its torque, and the turn of the motor until it has closed.
+//! Brake at a motor, which closes without current: its torque for a weight, and the turns and the time until the motor stands.
 
 use super::load::coasting;
 use crate::text::{Citation, Grade};

@@ -454,8 +454,8 @@ fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
     }
 }
 
-/// Spindle off, absolute dimensions, program end, and the alarm to which block `check` leads. `#3004` is cleared by the reset of M30: written here it would act before the last
-/// moves are done.
+/// Spindle off, absolute dimensions, program end, and the alarm to which block `check` leads. `#3004` is cleared by the reset of M30: written
+/// here it would act before the last moves are done.
 fn end(b: &mut Builder, line: &RibbonLine, check: u32) {
     b.n(50).words([m(5)]);
     phase::end(b, line);

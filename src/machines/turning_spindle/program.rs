@@ -358,8 +358,8 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     }
 }
 
-/// The wait of a pass, at the diameter where its cut begins. The speed is commanded again: some controls change a surface speed in cuts alone, and would begin this one
-/// with the highest speed of the one before.
+/// The wait of a pass, at the diameter where its cut begins. The speed is commanded again: some controls change a surface speed in cuts alone,
+/// and would begin this one with the highest speed of the one before.
 fn wait(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some(per_speed) = lathe.dwell_of_passes() {
         b.words(block(lathe, Code::SurfaceSpeed, [s(v(100))]));

@@ -1,6 +1,8 @@
 //! Ways to the parts of the page where not all of them are on the first screen.
 
 use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::Element;
 
 use crate::ui::dom;
 use crate::ui::parts::{Glyph, Icon};
@@ -25,8 +27,12 @@ fn part_in_view() -> usize {
 #[component]
 pub(super) fn PartsBar() -> impl IntoView {
     let current = RwSignal::new(0);
-    // The window scrolls on a phone, the page within it on a wider screen.
-    dom::on_event("scroll", move |_| {
+    // The window scrolls on a phone, the page within it on a wider screen; the listing scrolls too, at every block of a run.
+    dom::on_event("scroll", move |event| {
+        let scrolled = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        if scrolled.is_some_and(|element| element.tag_name() != "MAIN") {
+            return;
+        }
         let part = part_in_view();
         if current.try_get_untracked().is_some_and(|before| before != part) {
             current.set(part);

@@ -1,4 +1,4 @@
-//! The conclusion of a report: whether it is a draft, the work of the machine, the time of a part, whether all results hold, and the changes with which they do.
+//! The conclusion of a report: draft or not, work of the machine, time of a part, whether all results hold, and the changes with which they do.
 
 use super::document::Report;
 use crate::msg;
