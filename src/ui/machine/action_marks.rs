@@ -71,7 +71,7 @@ pub(super) fn ActionMarks(
         let (_, seconds) = state.moving.get()?;
         let percent = state.percent(seconds);
         let class = if percent > 50.0 { "moving left" } else { "moving" };
-        Some(view! { <output class=class style:left=filled("#%", &[percent])>{clock(seconds)}</output> })
+        Some(view! { <output class=class style=("--at", filled("#", &[percent]))>{clock(seconds)}</output> })
     };
     let empty = move || marked.with(Vec::is_empty);
     view! {
@@ -132,7 +132,7 @@ fn Mark(
             class:moving=move || state.moving.with(|moving| moving.is_some_and(|(moving, _)| moving == at))
             tabindex=move || if reached() { "0" } else { "-1" } aria-hidden=move || away().then_some("true")
             aria-label=title title=title aria-keyshortcuts="ArrowLeft ArrowRight Delete Enter"
-            style:left=move || filled("#%", &[state.percent(seconds())])
+            style=("--at", move || filled("#", &[state.percent(seconds())]))
             on:focus=move |_| state.current.set(at)
             on:click=move |event| state.click(at, &event)
             on:keydown=move |event| state.key(at, &event)
@@ -307,7 +307,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn click_on_a_mark_leads_to_its_time() {
         let (bench, axis) = marks().await;
-        assert_eq!(bench.style("#action-mark-0", "left"), "20%");
+        assert_eq!(bench.style("#action-mark-0", "--at"), "20");
         assert!(bench.attribute("#action-mark-0", "aria-label").contains(t("page.feed-override")));
         bench.press("#action-mark-0").await;
         assert_eq!(bench.page.player.head(), 2.0);

@@ -179,24 +179,24 @@ pub(super) fn Marks(
         let class = |mark: &Placed| if mark.side == Some(Side::Left) { "event left" } else { "event" }.to_owned();
         let title = |mark: &Placed| format!("{} s: {}", clock(mark.t), mark.words);
         let words = |mark: &Placed| mark.side.map_or_else(String::new, |_| mark.words.clone());
-        let left = of(|mark| filled("#%", &[mark.at]));
+        let at = of(|mark| filled("#", &[mark.at]));
         let go = move |_| {
             if let Some(t) = mark.with_untracked(|mark| mark.as_ref().map(|mark| mark.t)) {
                 page.player.seek(t);
             }
         };
         view! {
-            <button type="button" class=of(class) tabindex="-1" aria-label=of(title) title=of(title) style:left=left on:click=go>
+            <button type="button" class=of(class) tabindex="-1" aria-label=of(title) title=of(title) style=("--at", at) on:click=go>
                 {of(words)}
             </button>
         }
     };
     let count = move || 0..shown.with(Vec::len);
-    let percent = move || end().map(|(_, percent)| filled("#%", &[percent]));
+    let percent = move || end().map(|(_, percent)| filled("#", &[percent]));
     let is_over = Memo::new(move |_| percent().is_some());
     let ended = move || {
         is_over.get().then(
-            || view! { <i class="mark end" style:left=move || percent().unwrap_or_default() title=t("page.end")></i> },
+            || view! { <i class="mark end" style=("--at", move || percent().unwrap_or_default()) title=t("page.end")></i> },
         )
     };
     view! { <div class="marks" node_ref=host><For each=count key=|at| *at children=named /><ActionMarks axis=axis />{ended}</div> }
@@ -304,6 +304,6 @@ mod tests {
         assert!(!bench.has(".mark.end"));
         bench.page.player.planned.set((8.0, true));
         settled().await;
-        assert_eq!(bench.style(".mark.end", "left"), "80%");
+        assert_eq!(bench.style(".mark.end", "--at"), "80");
     }
 }
